@@ -1,0 +1,137 @@
+//! Flat contact faces: four corners, outward normal, inside test, and the weights of paper equations (66), (67).
+
+use glam::{DVec2, DVec3};
+
+/// Why four points are not a face.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FaceError {
+    /// The corners do not lie in one plane.
+    #[error("its corners are not in one plane: one lies {0:.3e} m off the plane of the others")]
+    NotFlat(f64),
+    /// A corner turns the wrong way, or two corners coincide.
+    #[error("it is not convex: corner {0} turns inwards, or lies on its neighbour")]
+    NotConvex(usize),
+    /// The foot of a perpendicular would leave the sides ab and cd.
+    #[error("it is neither a rectangle nor a trapezium with its parallel sides first and third (paper equation (66))")]
+    NotTrapezium,
+}
+
+/// A flat face in its body's frame (the world's, for an abutment).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// Corners a, b, c, d, anticlockwise seen from outside \[m\].
+    pub corners: [DVec3; 4],
+    /// Outward unit normal `n`.
+    pub normal: DVec3,
+    /// First tangent, along ab.
+    pub tangent: DVec3,
+    /// Second tangent, `n × tangent`.
+    pub bitangent: DVec3,
+    /// How far the body reaches behind the face \[m\].
+    pub depth: f64,
+}
+
+impl Face {
+    /// Builds a face from its corners.
+    ///
+    /// # Errors
+    /// When the corners are not flat, not convex, or not a shape that the weights (66), (67) cover.
+    pub fn new(corners: [DVec3; 4], depth: f64) -> Result<Self, FaceError> {
+        let [a, b, c, d] = corners;
+        let size = (c - a).length().max((d - b).length());
+        let area_normal = (c - a).cross(d - b);
+        if area_normal.length() <= 1e-12 * size * size {
+            return Err(FaceError::NotConvex(0));
+        }
+        let normal = area_normal / area_normal.length();
+        let off = ((b - a).dot(normal)).abs().max((c - a).dot(normal).abs()).max((d - a).dot(normal).abs());
+        if off > 1e-9 * size {
+            return Err(FaceError::NotFlat(off));
+        }
+        for i in 0..4 {
+            let (before, here, after) = (corners[(i + 3) % 4], corners[i], corners[(i + 1) % 4]);
+            if (here - before).cross(after - here).dot(normal) <= 1e-9 * size * size {
+                return Err(FaceError::NotConvex(i));
+            }
+        }
+        let (ab, dc) = (b - a, c - d);
+        if ab.cross(dc).length() > 1e-9 * ab.length() * dc.length() {
+            return Err(FaceError::NotTrapezium);
+        }
+        let tangent = ab / ab.length();
+        Ok(Self { corners, normal, tangent, bitangent: normal.cross(tangent), depth })
+    }
+
+    /// Signed distance of a point from the plane, positive outside \[m\].
+    pub fn gap(&self, point: DVec3) -> f64 {
+        (point - self.corners[0]).dot(self.normal)
+    }
+
+    /// How far inside the polygon a point's projection lies: its distance to the nearest side, negative outside \[m\].
+    pub fn inset(&self, point: DVec3) -> f64 {
+        self.inset_at(self.coordinates(point))
+    }
+
+    /// Coordinates of a point's projection along the two tangents, from corner a \[m\].
+    pub fn coordinates(&self, point: DVec3) -> DVec2 {
+        let from_corner = point - self.corners[0];
+        DVec2::new(from_corner.dot(self.tangent), from_corner.dot(self.bitangent))
+    }
+
+    /// [`Face::inset`] of a projection that is already in the face's coordinates.
+    pub fn inset_at(&self, at: DVec2) -> f64 {
+        let corners = self.corners.map(|corner| self.coordinates(corner));
+        (0..4)
+            .map(|i| {
+                let (from, side) = (corners[i], corners[(i + 1) % 4] - corners[i]);
+                side.perp_dot(at - from) / side.length()
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Longest extent, for tolerances \[m\].
+    pub fn size(&self) -> f64 {
+        let [a, b, c, d] = self.corners;
+        (c - a).length().max((d - b).length())
+    }
+
+    /// `(t, t1, t2)` of a point in the plane (66): `t` from ab to cd, `t1` along ab, `t2` along dc.
+    ///
+    /// The foot of the perpendicular is taken on both parallel sides, so `t1` and `t2` differ on a trapezium.
+    pub fn parameters(&self, point: DVec3) -> [f64; 3] {
+        let [a, b, c, d] = self.corners;
+        let (ab, dc) = (b - a, c - d);
+        let height = (d - a).dot(self.bitangent);
+        let t = (point - a).dot(self.bitangent) / height;
+        let t1 = (point - a).dot(ab) / ab.length_squared();
+        let t2 = (point - d).dot(dc) / dc.length_squared();
+        [t, t1, t2]
+    }
+
+    /// Weights of a, b, c, d at `(t, t1, t2)` (67); they sum to 1 and give the point back from the corners.
+    pub fn weights([t, t1, t2]: [f64; 3]) -> [f64; 4] {
+        [(1.0 - t1) * (1.0 - t), t1 * (1.0 - t), t2 * t, (1.0 - t2) * t]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_give_the_point_back_on_a_trapezium() {
+        let corners = [(0.0, 0.0), (4.0, 0.0), (3.0, 2.0), (1.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        let face = Face::new(corners, 1.0).expect("a trapezium is a face");
+        let point = DVec3::new(1.7, 0.9, 0.0);
+        let w = Face::weights(face.parameters(point));
+        let back: DVec3 = (0..4).map(|i| w[i] * corners[i]).sum();
+        assert!((back - point).length() < 1e-15 * 4.0, "rounding only, got {back}");
+        assert!((w.iter().sum::<f64>() - 1.0).abs() < 1e-15, "weights sum to one");
+    }
+
+    #[test]
+    fn a_kite_is_refused() {
+        let corners = [(0.0, 0.0), (2.0, -1.0), (3.0, 0.0), (2.0, 1.5)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        assert_eq!(Face::new(corners, 1.0), Err(FaceError::NotTrapezium), "no parallel sides");
+    }
+}

@@ -1,0 +1,209 @@
+//! The one door to parry: convex bodies, how far apart they are, and what a ray hits.
+//!
+//! A body is a prism between two polygons of four corners: a girder, or the block behind an abutment's face.
+
+use glam::{DQuat, DVec3};
+use parry3d::math::Pose;
+use parry3d::query::{self, Ray, RayCast};
+use parry3d::shape::{ConvexPolyhedron, Shape, SupportMap};
+
+use super::Prism;
+
+/// Where a body stands: its origin in the world, and the turn from its frame to the world's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// Origin of the body's frame \[m\].
+    pub place: DVec3,
+    /// Body to world.
+    pub attitude: DQuat,
+}
+
+impl Stand {
+    /// The body's frame is the world's.
+    pub const WORLD: Self = Self { place: DVec3::ZERO, attitude: DQuat::IDENTITY };
+
+    fn pose(self) -> Pose {
+        Pose::from_parts(self.place, self.attitude)
+    }
+}
+
+/// A box with its sides along the axes: lowest and highest corner \[m\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AlignedBox {
+    /// Lowest corner.
+    pub min: DVec3,
+    /// Highest corner.
+    pub max: DVec3,
+}
+
+/// A convex body in its own frame.
+#[derive(Clone, Debug)]
+pub struct Convex(ConvexPolyhedron);
+
+/// Triangles over the corners of a prism: the first four corners seen from inside, the last four from outside, sides.
+const TRIANGLES: [[u32; 3]; 12] = [
+    [0, 2, 1],
+    [0, 3, 2],
+    [4, 5, 6],
+    [4, 6, 7],
+    [0, 1, 5],
+    [0, 5, 4],
+    [1, 2, 6],
+    [1, 6, 5],
+    [2, 3, 7],
+    [2, 7, 6],
+    [3, 0, 4],
+    [3, 4, 7],
+];
+
+impl Convex {
+    /// A girder, in its own frame; `None` when it has no volume to speak of.
+    pub fn girder(prism: &Prism) -> Option<Self> {
+        Self::between(prism.corners())
+    }
+
+    /// The block that reaches `depth` behind a flat face, anticlockwise seen from outside; in the frame of the face.
+    pub fn behind(face: [DVec3; 4], depth: f64) -> Option<Self> {
+        let [a, b, c, d] = face;
+        let back = (c - a).cross(d - b).normalize_or_zero() * depth;
+        Self::between([a - back, b - back, c - back, d - back, a, b, c, d])
+    }
+
+    /// The prism between two polygons, both anticlockwise seen from the side of the second.
+    fn between(corners: [DVec3; 8]) -> Option<Self> {
+        ConvexPolyhedron::from_convex_mesh(corners.to_vec(), &TRIANGLES).map(Self)
+    }
+
+    /// The smallest aligned box around the body as it stands.
+    pub fn aligned_box(&self, stand: Stand) -> AlignedBox {
+        let found = self.0.compute_aabb(&stand.pose());
+        AlignedBox { min: found.mins, max: found.maxs }
+    }
+
+    /// How far apart two bodies are along the axis that parts them most: negative when they overlap, and then the
+    /// shortest way out; 0 when they touch \[m\].
+    ///
+    /// Apart, it is at most the true [`distance`](Self::distance). By the separating axes (normals of the sides, and
+    /// edges crossed), because parry's EPA answers 0 for aligned overlapping boxes, which every planar scene is full of.
+    pub fn separation(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
+        let (here, there) = (stand.pose(), other_stand.pose());
+        let along = |axis: DVec3| {
+            let front = self.0.support_point(&here, axis);
+            let back = other.0.support_point(&there, -axis);
+            (back - front).dot(axis)
+        };
+        let axes = self.normals(here).chain(other.normals(there).map(|n| -n)).chain(self.crossed(here, other, there));
+        axes.map(along).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Outward normals of the sides, in the world.
+    fn normals(&self, pose: Pose) -> impl Iterator<Item = DVec3> {
+        self.0.faces().iter().map(move |face| pose.rotation * face.normal)
+    }
+
+    /// Unit vectors square to an edge of each body, both ways round.
+    fn crossed(&self, here: Pose, other: &Self, there: Pose) -> impl Iterator<Item = DVec3> {
+        let edges = self.0.edges().iter().map(move |edge| here.rotation * edge.dir);
+        let pairs = edges.flat_map(move |e| other.0.edges().iter().map(move |f| e.cross(there.rotation * f.dir)));
+        // Nearly parallel edges add no axis, only a badly rounded one.
+        let axes = pairs.filter(|cross| cross.length() > 1e-6).map(|cross| cross / cross.length());
+        axes.flat_map(|axis| [axis, -axis])
+    }
+
+    /// Shortest distance between two bodies; 0 when they touch or overlap \[m\].
+    pub fn distance(&self, stand: Stand, other: &Self, other_stand: Stand) -> f64 {
+        query::distance(&stand.pose(), &self.0, &other_stand.pose(), &other.0).map_or(0.0, |found| found.distance)
+    }
+
+    /// How far along a ray its first point inside the body lies, in lengths of `direction`; 0 from inside.
+    pub fn pick(&self, stand: Stand, origin: DVec3, direction: DVec3) -> Option<f64> {
+        if direction.length_squared() == 0.0 {
+            return None;
+        }
+        self.0.cast_ray(&stand.pose(), &Ray::new(origin, direction), f64::INFINITY, true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    use super::*;
+
+    fn girder(length: f64, skew_deg: f64) -> Convex {
+        let prism = Prism { length, width: 0.4 * length, thickness: 0.1 * length, skew: f64::to_radians(skew_deg) };
+        Convex::girder(&prism).expect("a prism with volume")
+    }
+
+    fn at(x: f64) -> Stand {
+        Stand { place: DVec3::new(x, 0.0, 0.0), attitude: DQuat::IDENTITY }
+    }
+
+    #[test]
+    fn aligned_prisms_overlap_by_the_shortest_way_out() {
+        // From a millimetre model to a ten kilometre one; in units of its length a girder is 1 × 0.4 × 0.1.
+        for length in [1e-3, 0.19, 30.0, 1e4] {
+            for skew_deg in [90.0_f64, 60.0, 135.0] {
+                let (body, skew) = (girder(length, skew_deg), skew_deg.to_radians());
+                for (i, j, k) in grid() {
+                    let d = DVec3::new(0.125 * i, 0.05 * j, 0.025 * k) * length;
+                    let there = Stand { place: d, attitude: DQuat::IDENTITY };
+                    let ends = (d.x * skew.sin() - d.y * skew.cos()).abs() - length * skew.sin();
+                    let expected = ends.max(d.y.abs() - 0.4 * length).max(d.z.abs() - 0.1 * length);
+                    let found = body.separation(at(0.0), &body, there);
+                    // Apart, an edge may part them more than any side does.
+                    let off = if expected > 0.0 { expected - found } else { (found - expected).abs() } / length;
+                    // 64 roundings of numbers of the size of the length.
+                    assert!(off < 64.0 * f64::EPSILON, "{length} m, β {skew_deg}°, at {d}: {found} for {expected}");
+                }
+            }
+        }
+    }
+
+    fn grid() -> impl Iterator<Item = (f64, f64, f64)> {
+        let range = || (-9..=9).map(f64::from);
+        let coarse = || (-3..=3).map(|n| 3.0 * f64::from(n));
+        range().flat_map(move |i| coarse().flat_map(move |j| coarse().map(move |k| (i, j, k))))
+    }
+
+    #[test]
+    fn turned_prisms_are_parted_by_their_edges_too() {
+        // Two cubes, edge to edge: the second stands on a corner line, turned 45° about z and then tilted 45°.
+        let cube = Convex::girder(&Prism { length: 1.0, width: 1.0, thickness: 1.0, skew: FRAC_PI_2 }).expect("a cube");
+        let here = Stand { place: DVec3::ZERO, attitude: DQuat::from_rotation_z(FRAC_PI_4) };
+        let tilted = DQuat::from_rotation_y(FRAC_PI_4);
+        // The first has an upright edge at x = √½; the second a level one, along y, at −√½ from its centre.
+        for gap in [-0.01, 0.0, 0.3] {
+            let there = Stand { place: DVec3::new(2.0 * 0.5_f64.sqrt() + gap, 0.0, 0.0), attitude: tilted };
+            let off = cube.separation(here, &cube, there) - gap;
+            assert!(off.abs() < 16.0 * f64::EPSILON, "edges crossed along x: off by {off:e}");
+        }
+    }
+
+    #[test]
+    fn distance_is_the_gap_square_to_the_face() {
+        let body = girder(30.0, 60.0);
+        let square = 0.5 * 60.0_f64.to_radians().sin();
+        let found = body.distance(at(0.0), &body, at(30.5));
+        // What parry's GJK leaves over.
+        assert!((found - square).abs() < 1e-11 * 30.0, "{found} for {square}");
+    }
+
+    #[test]
+    fn a_block_lies_behind_its_face() {
+        // From y to z is anticlockwise seen from +x; this one goes from z to y.
+        let face = [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.0, 2.0)].map(|(z, y)| DVec3::new(3.0, y, z));
+        let block = Convex::behind(face, 0.5).expect("a block");
+        let found = block.aligned_box(Stand::WORLD);
+        assert_eq!((found.min.x, found.max.x), (3.0, 3.5), "behind is away from the side it is seen from");
+    }
+
+    #[test]
+    fn a_ray_is_stopped_by_the_side_it_meets_first() {
+        let body = girder(2.0, 90.0);
+        let up = body.pick(at(0.0), DVec3::new(0.3, 0.1, 5.0), DVec3::NEG_Z).expect("it points down at the deck");
+        assert!((up - 4.9).abs() < 1e-9, "the top lies at 0.1 m: {up}");
+        assert_eq!(body.pick(at(0.0), DVec3::new(0.3, 0.1, 5.0), DVec3::Z), None, "it points away");
+        assert_eq!(body.pick(at(0.0), DVec3::ZERO, DVec3::ZERO), None, "a ray without direction hits nothing");
+    }
+}

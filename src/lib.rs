@@ -1,0 +1,47 @@
+//! Bridge girders that pound, stick, slip and turn.
+//!
+//! Girderbench computes how the decks of a bridge move in an earthquake when they hit each other and their abutments:
+//! rigid girders on bearings, shaken by the ground, with three-dimensional contact and dry friction at their ends
+//! (Abe, Fujino, Yoshida, Zhu and Yanagino, "Multi-dimensional models of pounding of girders for elevated bridges and
+//! their experimental verification", JSCE, 2004; equation and table numbers in these pages are that paper's). A run is
+//! driven by its events, so an answer is exact to a stated tolerance and can be asked for anything at any time.
+//!
+//! # Conventions
+//!
+//! - SI everywhere inside; another unit is in the name (`_deg`, `_mm`, `_hz`).
+//! - The world moves with the shaking ground. X runs along the bridge axis, Y across it, Z up, right-handed; θ turns
+//!   anticlockwise about Z. Displacements are relative to the ground.
+//! - **Skew angle β**: between the bridge axis and the support line; 90° is a straight bridge (American texts count
+//!   90° − β). An end face runs along `(cos β, sin β)` in plan.
+//! - **Gap**: measured along the bridge axis; `gap > 0` is apart, `penetration = −gap`.
+//! - A contact's **normal** points out of the face, towards the body that owns the node; forces shown are those on
+//!   that body.
+//!
+//! # Glossary
+//!
+//! - **girder**: a rigid prism of parallelogram plan; **G** its centroid, **i** its radius of gyration about Z.
+//! - **abutment**: a fixed backwall. **Facing pair**: two ends that can touch, such as `deck+x|wall`.
+//! - **node**: a corner that may touch a **face**; a **contact** is a declared node and face (Fig. 24).
+//! - **anchor** `X_p`: the point of the face that holds a node.
+//! - **stick**, **slip**: whether the anchor stays on the face or is dragged; **open** is neither.
+//! - **touch**: one contact from closing to opening; **hit**: a pair, from its first contact's closing to its last
+//!   one's opening. **Event**: any change of a contact's state.
+//! - **law**: `paper` is the paper's friction, `return-mapping` the elastic-plastic one that also holds a static push.
+//! - **ledger**: where the energy is and where it went; its **residual** is what is not accounted for.
+//! - **digest**: a hash of a whole answer, bit for bit.
+//!
+//! # Rooms
+//!
+//! Each uses only rooms above it.
+//!
+//! | room | what is in it |
+//! |---|---|
+//! | [`geometry`] | prisms, faces, and the one door to parry |
+//! | [`contact`] | laws at one point, knowing no bodies |
+//! | [`motion`] | ground motion as functions of time, record parsers |
+//!
+//! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+
+pub mod contact;
+pub mod geometry;
+pub mod motion;
