@@ -39,9 +39,11 @@
 //! | [`geometry`] | prisms, faces, and the one door to parry |
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
+//! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod contact;
 pub mod geometry;
 pub mod motion;
+pub mod scene;

@@ -1,0 +1,189 @@
+//! What a girder stands on.
+//!
+//! `bearings` is a table (equal bearings, given by frequency and damping) or a list (one by one), and some numbers may
+//! be one or two; both are read by hand, because serde's untagged enums forget what was wrong and where.
+
+use glam::DVec3;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::{Girder, Kind};
+
+/// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum PerDirection {
+    /// The same along x and y.
+    Both(f64),
+    /// `[x, y]`.
+    Each([f64; 2]),
+}
+
+impl PerDirection {
+    /// `[x, y]`.
+    pub fn xy(self) -> [f64; 2] {
+        match self {
+            Self::Both(v) => [v, v],
+            Self::Each(xy) => xy,
+        }
+    }
+}
+
+/// Equal bearings, given by the frequency and damping of the whole girder on them (paper equation (5)).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SharedBearings {
+    /// `f_x, f_y` \[Hz\].
+    pub frequency_hz: PerDirection,
+    /// `h_x, h_y`, of critical.
+    pub damping_ratio: PerDirection,
+    /// `f_z`, spatial girders only \[Hz\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertical_frequency_hz: Option<f64>,
+    /// `h_z`, spatial girders only. Default: the horizontal `h_x`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vertical_damping_ratio: Option<f64>,
+    /// Places in the girder's frame before skewing: `y cot β` is added to x \[m\].
+    #[serde(rename = "at_skewed_m", default, skip_serializing_if = "Option::is_none")]
+    pub at_skewed: Option<Vec<[f64; 2]>>,
+    /// True places in the girder's frame \[m\].
+    #[serde(rename = "at_m", default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<Vec<[f64; 2]>>,
+}
+
+/// One bearing with its own springs and dashpots, along and across the girder as placed, and vertical.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bearing {
+    /// True place in the girder's frame \[m\].
+    #[serde(rename = "at_m")]
+    pub at: [f64; 2],
+    /// `k_x, k_y` and (spatial) `k_z`; two or three numbers \[N/m\].
+    #[serde(rename = "stiffness_n_per_m", with = "super::format::two_or_three")]
+    pub stiffness: [f64; 3],
+    /// `c_x, c_y` and (spatial) `c_z`; two or three numbers \[N·s/m\].
+    #[serde(rename = "damping_n_s_per_m", with = "super::format::two_or_three")]
+    pub damping: [f64; 3],
+}
+
+/// The bearings of a girder.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Bearings {
+    /// `bearings = { frequency_hz = …, … }`.
+    Shared(SharedBearings),
+    /// `bearings = [{ at_m = …, stiffness_n_per_m = …, … }, …]`.
+    Each(Vec<Bearing>),
+}
+
+/// A bearing with everything filled in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResolvedBearing {
+    /// Attachment point in the girder's frame; at the underside in a spatial scene, at the height of G in a planar
+    /// one \[m\].
+    pub place: DVec3,
+    /// `k_x, k_y, k_z` along the girder's axes as placed \[N/m\].
+    pub stiffness: [f64; 3],
+    /// `c_x, c_y, c_z` along the girder's axes as placed \[N·s/m\].
+    pub damping: [f64; 3],
+}
+
+impl SharedBearings {
+    /// True places in the frame of a girder: as given, or moved by `y cot β` with the skew \[m\].
+    pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
+        let shear = girder.prism().shear();
+        let skewed = self.at_skewed.iter().flatten().map(|&[x, y]| [x + y * shear, y]);
+        self.at.iter().flatten().copied().chain(skewed).collect()
+    }
+
+    /// `(f, h)` along x, y, z; the vertical is 0 in a planar scene, or where none is given.
+    fn modes(&self, kind: Kind) -> [(f64, f64); 3] {
+        let ([fx, fy], [hx, hy]) = (self.frequency_hz.xy(), self.damping_ratio.xy());
+        let vertical = match kind {
+            Kind::Planar => (0.0, 0.0),
+            Kind::Spatial => (self.vertical_frequency_hz.unwrap_or(0.0), self.vertical_damping_ratio.unwrap_or(hx)),
+        };
+        [(fx, hx), (fy, hy), vertical]
+    }
+}
+
+impl Bearings {
+    /// The bearings of `girder` one by one: `k = m (2π f)²`, `c = 2 h m (2π f)` shared equally (paper equation (5)).
+    pub fn resolve(&self, girder: &Girder, kind: Kind) -> Vec<ResolvedBearing> {
+        let height = match kind {
+            Kind::Planar => 0.0,
+            Kind::Spatial => -girder.thickness / 2.0,
+        };
+        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, height);
+        match self {
+            Self::Shared(shared) => {
+                let places = shared.places(girder);
+                let share = girder.mass / places.len() as f64;
+                let modes = shared.modes(kind).map(|(f, h)| (std::f64::consts::TAU * f, h));
+                let stiffness = modes.map(|(omega, _)| share * omega.powi(2));
+                let damping = modes.map(|(omega, h)| 2.0 * h * share * omega);
+                places.into_iter().map(|p| ResolvedBearing { place: at(p), stiffness, damping }).collect()
+            }
+            Self::Each(bearings) => bearings
+                .iter()
+                .map(|b| ResolvedBearing { place: at(b.at), stiffness: b.stiffness, damping: b.damping })
+                .collect(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for PerDirection {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(PerDirectionVisitor)
+    }
+}
+
+struct PerDirectionVisitor;
+
+impl<'de> Visitor<'de> for PerDirectionVisitor {
+    type Value = PerDirection;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("a number, or a list of two numbers [x, y]")
+    }
+
+    fn visit_f64<E>(self, v: f64) -> Result<PerDirection, E> {
+        Ok(PerDirection::Both(v))
+    }
+
+    fn visit_i64<E>(self, v: i64) -> Result<PerDirection, E> {
+        Ok(PerDirection::Both(v as f64))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<PerDirection, A::Error> {
+        match (seq.next_element()?, seq.next_element()?) {
+            (Some(x), Some(y)) => Ok(PerDirection::Each([x, y])),
+            _ => Err(serde::de::Error::invalid_length(0, &self)),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Bearings {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(BearingsVisitor)
+    }
+}
+
+struct BearingsVisitor;
+
+impl<'de> Visitor<'de> for BearingsVisitor {
+    type Value = Bearings;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("a table { frequency_hz = …, damping_ratio = …, at_m = … }, or a list of single bearings")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Bearings, A::Error> {
+        SharedBearings::deserialize(MapAccessDeserializer::new(map)).map(Bearings::Shared)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Bearings, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Bearings::Each)
+    }
+}

@@ -1,0 +1,163 @@
+//! How each edit is done, and what undoes it.
+
+use std::mem::replace;
+
+use super::{Abutment, Edit, EditError, General, Girder, Scene};
+use crate::scene::overrides;
+
+type Undone = Result<Edit, EditError>;
+
+pub(super) fn apply(edit: Edit, scene: &mut Scene) -> Undone {
+    match edit {
+        Edit::AddGirder(at, girder) => whole(scene, |scene| add_girder(scene, at, *girder)),
+        Edit::RemoveGirder(at) => whole(scene, |scene| remove_girder(scene, at)),
+        Edit::ReplaceGirder(at, girder) => replace_girder(scene, at, *girder),
+        Edit::MoveGirder(at, position, heading_deg) => move_girder(scene, at, position, heading_deg),
+        Edit::AddAbutment(at, abutment) => whole(scene, |scene| add_abutment(scene, at, *abutment)),
+        Edit::RemoveAbutment(at) => whole(scene, |scene| remove_abutment(scene, at)),
+        Edit::ReplaceAbutment(at, abutment) => replace_abutment(scene, at, *abutment),
+        Edit::Rename(from, to) => whole(scene, |scene| rename(scene, &from, &to)),
+        Edit::General(general) => Ok(set_general(scene, *general)),
+        Edit::Contact(contact) => Ok(Edit::Contact(Box::new(replace(&mut scene.contact, *contact)))),
+        Edit::Motion(motion) => Ok(Edit::Motion(Box::new(replace(&mut scene.motion, *motion)))),
+        Edit::Solver(solver) => Ok(Edit::Solver(replace(&mut scene.solver, solver))),
+        Edit::View(view) => Ok(Edit::View(replace(&mut scene.view, view))),
+        Edit::Set(setting) => whole(scene, |scene| {
+            *scene = overrides::apply(scene, &setting)?;
+            Ok(())
+        }),
+        Edit::Scene(other) => Ok(Edit::Scene(Box::new(replace(scene, *other)))),
+        Edit::Batch(edits) => batch(scene, edits),
+    }
+}
+
+fn missing(what: &'static str, index: usize, count: usize) -> EditError {
+    EditError::Missing { what, index, count }
+}
+
+pub(super) fn is_named(scene: &Scene, name: &str) -> bool {
+    scene.girders.iter().any(|g| g.name == name) || scene.abutments.iter().any(|a| a.name == name)
+}
+
+/// Does what renumbers, adds or takes away to a copy, and undoes it by the scene as it was: exact whatever refers to
+/// whom, and nothing is changed halfway.
+fn whole(scene: &mut Scene, change: impl FnOnce(&mut Scene) -> Result<(), EditError>) -> Undone {
+    let mut changed = scene.clone();
+    change(&mut changed)?;
+    Ok(Edit::Scene(Box::new(replace(scene, changed))))
+}
+
+fn add_girder(scene: &mut Scene, at: usize, girder: Girder) -> Result<(), EditError> {
+    if at > scene.girders.len() {
+        return Err(missing("girder", at, scene.girders.len()));
+    }
+    if is_named(scene, &girder.name) {
+        return Err(EditError::NameTaken(girder.name));
+    }
+    scene.girders.insert(at, girder);
+    Ok(())
+}
+
+fn add_abutment(scene: &mut Scene, at: usize, abutment: Abutment) -> Result<(), EditError> {
+    if at > scene.abutments.len() {
+        return Err(missing("abutment", at, scene.abutments.len()));
+    }
+    if is_named(scene, &abutment.name) {
+        return Err(EditError::NameTaken(abutment.name));
+    }
+    scene.abutments.insert(at, abutment);
+    Ok(())
+}
+
+/// Takes a girder out with everything that would be left referring to nobody.
+fn remove_girder(scene: &mut Scene, at: usize) -> Result<(), EditError> {
+    if at >= scene.girders.len() {
+        return Err(missing("girder", at, scene.girders.len()));
+    }
+    let name = scene.girders.remove(at).name;
+    let facing = scene.abutments.iter().filter(|a| a.faces == name).map(|a| a.name.clone());
+    let gone: Vec<String> = facing.chain([name.clone()]).collect();
+    scene.abutments.retain(|a| a.faces != name);
+    drop_pairs(scene, &gone);
+    Ok(())
+}
+
+fn remove_abutment(scene: &mut Scene, at: usize) -> Result<(), EditError> {
+    if at >= scene.abutments.len() {
+        return Err(missing("abutment", at, scene.abutments.len()));
+    }
+    let name = scene.abutments.remove(at).name;
+    drop_pairs(scene, &[name]);
+    Ok(())
+}
+
+fn drop_pairs(scene: &mut Scene, gone: &[String]) {
+    scene.contact.pairs.retain(|pair| !pair.between.iter().any(|name| gone.contains(name)));
+}
+
+fn replace_girder(scene: &mut Scene, at: usize, girder: Girder) -> Undone {
+    let count = scene.girders.len();
+    let here = scene.girders.get_mut(at).ok_or_else(|| missing("girder", at, count))?;
+    if here.name != girder.name {
+        return Err(EditError::OtherName(here.name.clone(), girder.name));
+    }
+    Ok(Edit::ReplaceGirder(at, Box::new(replace(here, girder))))
+}
+
+fn replace_abutment(scene: &mut Scene, at: usize, abutment: Abutment) -> Undone {
+    let count = scene.abutments.len();
+    let here = scene.abutments.get_mut(at).ok_or_else(|| missing("abutment", at, count))?;
+    if here.name != abutment.name {
+        return Err(EditError::OtherName(here.name.clone(), abutment.name));
+    }
+    Ok(Edit::ReplaceAbutment(at, Box::new(replace(here, abutment))))
+}
+
+fn move_girder(scene: &mut Scene, at: usize, position: [f64; 3], heading_deg: f64) -> Undone {
+    let count = scene.girders.len();
+    let here = scene.girders.get_mut(at).ok_or_else(|| missing("girder", at, count))?;
+    let before = (replace(&mut here.position, position), replace(&mut here.heading_deg, heading_deg));
+    Ok(Edit::MoveGirder(at, before.0, before.1))
+}
+
+fn rename(scene: &mut Scene, from: &str, to: &str) -> Result<(), EditError> {
+    if !is_named(scene, from) {
+        return Err(EditError::Nobody(from.to_owned()));
+    }
+    if from != to && is_named(scene, to) {
+        return Err(EditError::NameTaken(to.to_owned()));
+    }
+    let own = scene.girders.iter_mut().map(|g| &mut g.name);
+    let abutments = scene.abutments.iter_mut().flat_map(|a| [&mut a.name, &mut a.faces]);
+    let pairs = scene.contact.pairs.iter_mut().flat_map(|pair| pair.between.iter_mut());
+    for name in own.chain(abutments).chain(pairs).filter(|name| *name == from) {
+        to.clone_into(name);
+    }
+    Ok(())
+}
+
+fn set_general(scene: &mut Scene, general: General) -> Edit {
+    let before = General::of(scene);
+    let General { name, description, kind, duration, gravity } = general;
+    (scene.name, scene.description, scene.kind) = (name, description, kind);
+    (scene.duration, scene.gravity) = (duration, gravity);
+    Edit::General(Box::new(before))
+}
+
+/// All or nothing.
+fn batch(scene: &mut Scene, edits: Vec<Edit>) -> Undone {
+    let mut back = Vec::with_capacity(edits.len());
+    for edit in edits {
+        match apply(edit, scene) {
+            Ok(inverse) => back.push(inverse),
+            Err(error) => {
+                for inverse in back.into_iter().rev() {
+                    apply(inverse, scene)?;
+                }
+                return Err(error);
+            }
+        }
+    }
+    back.reverse();
+    Ok(Edit::Batch(back))
+}

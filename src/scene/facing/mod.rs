@@ -1,0 +1,174 @@
+//! Who can touch whom: pairs of facing ends, found by themselves or declared (physics section 4, Fig. 24).
+//!
+//! An abutment pairs with the end that it faces. Two girders' ends pair when they look at each other (outward normals
+//! opposed within [`LARGEST_TURN_DEG`]), each centre lies in front of the other's face, their sideways offset is less
+//! than the mean length of the two ends, their heights overlap, no abutment stands nearer, and neither has a nearer
+//! such partner (equally near ones count, so the order in the file does not matter). `[[contact.pair]]` with `ends`
+//! declares any other pair.
+
+mod declared;
+mod end;
+mod numbers;
+
+use glam::DVec3;
+
+use super::{FrictionLaw, Scene, SceneError, SceneErrors, Sharing, Tension, placed};
+use crate::geometry::End;
+use end::EndFace;
+pub use numbers::DEFAULT_YOUNG_MODULUS;
+
+/// Two ends face each other when their normals are opposed within this angle \[degrees\].
+pub const LARGEST_TURN_DEG: f64 = 30.0;
+
+/// One side of a facing pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Side {
+    /// An end of a girder, by its number in the scene.
+    Girder(usize, End),
+    /// An abutment, by its number in the scene.
+    Abutment(usize),
+}
+
+/// The contact numbers in force for one pair, overrides and defaults filled in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairContact {
+    /// `K` of the pair (54), given or `E A / L` of (64), the smaller of the two girders' \[N/m\].
+    pub stiffness: f64,
+    /// `e_n`.
+    pub restitution_normal: f64,
+    /// `e_t`.
+    pub restitution_tangential: f64,
+    /// `μ_s`.
+    pub mu_static: f64,
+    /// `μ_k`.
+    pub mu_kinetic: f64,
+    /// The friction law.
+    pub law: FrictionLaw,
+    /// How K and C are shared.
+    pub sharing: Sharing,
+    /// Whether a contact may pull.
+    pub tension: Tension,
+}
+
+/// Two facing ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facing {
+    /// `deck+x|wall`, as tables and legends call it.
+    pub name: String,
+    /// Always a girder's end; of two girders, the one that comes first in the file.
+    pub first: Side,
+    /// A girder's end or an abutment.
+    pub second: Side,
+    /// The numbers in force.
+    pub contact: PairContact,
+    /// Distance as placed, along the first girder's axis \[m\].
+    pub gap: f64,
+}
+
+/// Finds every facing pair of a scene, in the order: girders' ends in file order (`+x` before `-x`), then declared ones.
+///
+/// # Errors
+/// A pair that names nobody, a name that is no end, contact numbers that cannot be resolved.
+pub fn find(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
+    let mut complaints = Vec::new();
+    let mut sides = found(scene, &mut complaints);
+    for (n, pair) in scene.contact.pairs.iter().enumerate() {
+        match declared::pair(scene, pair, &sides) {
+            Ok(new) => sides.extend(new),
+            Err((place, value, remedy)) => {
+                let place = format!("contact.pair[{n}].{place}");
+                complaints.push(SceneError { file: "scene".to_owned(), place, value, remedy });
+            }
+        }
+    }
+    if !complaints.is_empty() {
+        return Err(SceneErrors(complaints));
+    }
+    Ok(sides.into_iter().map(|(first, second)| facing(scene, first, second)).collect())
+}
+
+/// Pairs that are found by themselves.
+fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
+    for abutment in &scene.abutments {
+        if girder_named(scene, &abutment.faces).is_none() {
+            complaints.push(SceneError {
+                file: "scene".to_owned(),
+                place: format!("abutment.{}.faces", abutment.name),
+                value: format!("\"{}\"", abutment.faces),
+                remedy: format!("no girder has this name; {}", names(scene)),
+            });
+        }
+    }
+    let ends: Vec<EndFace> = end::all(scene);
+    let mut sides = Vec::new();
+    for here in &ends {
+        let first = Side::Girder(here.girder, here.end);
+        let before = |a: &super::Abutment| a.faces == scene.girders[here.girder].name && a.end == here.end;
+        let walls = scene.abutments.iter().enumerate().filter(|(_, a)| before(a));
+        sides.extend(walls.map(|(n, _)| (first, Side::Abutment(n))));
+        let partners = ends.iter().filter(|there| here.girder < there.girder && end::pair_up(here, there, &ends));
+        sides.extend(partners.map(|there| (first, Side::Girder(there.girder, there.end))));
+    }
+    sides
+}
+
+fn girder_named(scene: &Scene, name: &str) -> Option<usize> {
+    scene.girders.iter().position(|g| g.name == name)
+}
+
+/// Who there is, for complaints.
+pub(super) fn names(scene: &Scene) -> String {
+    let list = |names: Vec<&str>| if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+    let girders = list(scene.girders.iter().map(|g| g.name.as_str()).collect());
+    let abutments = list(scene.abutments.iter().map(|a| a.name.as_str()).collect());
+    format!("girders: {girders}; abutments: {abutments}")
+}
+
+fn facing(scene: &Scene, first: Side, second: Side) -> Facing {
+    Facing {
+        name: format!("{}|{}", side_name(scene, first), side_name(scene, second)),
+        first,
+        second,
+        contact: numbers::in_force(scene, first, second),
+        gap: gap(scene, first, second),
+    }
+}
+
+/// `deck+x`, or the abutment's name.
+pub fn side_name(scene: &Scene, side: Side) -> String {
+    match side {
+        Side::Girder(n, end) => format!("{}{}", scene.girders[n].name, end.label()),
+        Side::Abutment(n) => scene.abutments[n].name.clone(),
+    }
+}
+
+/// Centre and outward normal of a side's face; `None` where an abutment has no face yet.
+fn front(scene: &Scene, side: Side) -> Option<(DVec3, DVec3)> {
+    let corners = match side {
+        Side::Girder(n, end) => placed::end_face(&scene.girders[n], end),
+        Side::Abutment(n) => placed::abutment_face(scene, &scene.abutments[n])?,
+    };
+    let [a, b, c, d] = corners;
+    Some(((a + b + c + d) / 4.0, (c - a).cross(d - b).normalize_or_zero()))
+}
+
+/// The gap as it is written, to the last digit, where an abutment stands before this very end.
+fn written_gap(scene: &Scene, first: Side, second: Side) -> Option<f64> {
+    let (Side::Girder(girder, end), Side::Abutment(n)) = (first, second) else { return None };
+    let abutment = &scene.abutments[n];
+    let faced = abutment.faces == scene.girders[girder].name && abutment.end == end;
+    abutment.gap.filter(|_| faced)
+}
+
+/// Distance from the first end's centre to the second's plane along the first girder's axis \[m\].
+fn gap(scene: &Scene, first: Side, second: Side) -> f64 {
+    if let Some(gap) = written_gap(scene, first, second) {
+        return gap;
+    }
+    let Side::Girder(girder, end) = first else { return 0.0 };
+    let (Some((here, _)), Some((there, normal))) = (front(scene, first), front(scene, second)) else { return 0.0 };
+    let square = (here - there).dot(normal);
+    // A declared pair may be turned so far that the axis never meets the plane: then square to it.
+    let slope = -(placed::axes(&scene.girders[girder]).x_axis * end.sign()).dot(normal);
+    if slope > 1e-6 { square / slope } else { square }
+}

@@ -1,0 +1,171 @@
+//! What is wrong with a value of a scene file, where it stands, and the words for it.
+
+use toml::Value;
+
+use crate::scene::SceneError;
+
+/// One step on the way from the top of the file to a value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Step {
+    /// Into a table.
+    Key(String),
+    /// Into a list, by number.
+    Item(usize),
+    /// Into a list of named tables, by name.
+    Named(String),
+}
+
+impl Step {
+    /// The step to an item of a list: by its name where it has one.
+    pub(super) fn item(index: usize, value: &Value) -> Self {
+        let name = value.get("name").and_then(Value::as_str);
+        name.map_or(Self::Item(index), |name| Self::Named(name.to_owned()))
+    }
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum What {
+    /// A key that is not known here, and those that are.
+    UnknownKey(String, &'static [&'static str]),
+    /// A key that must be given.
+    MissingKey(&'static str),
+    /// A value of the wrong type, and what is expected.
+    Type(String),
+    /// A word that is not one of these.
+    Word(&'static [&'static str]),
+    /// Anything else.
+    Wrong(String),
+}
+
+/// What is wrong with a value, the way to it collected from the inside out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fault {
+    what: What,
+    value: Option<String>,
+    way: Vec<Step>,
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.place(), self.remedy())
+    }
+}
+
+impl Fault {
+    pub(super) fn new(what: What) -> Self {
+        Self { what, value: None, way: Vec::new() }
+    }
+
+    /// Notes the value in which the fault was met; the innermost stays.
+    pub(super) fn found(mut self, value: &Value) -> Self {
+        if self.value.is_none() && self.way.is_empty() {
+            self.value = match &self.what {
+                What::UnknownKey(key, _) => value.get(key).map(short),
+                What::MissingKey(_) => None,
+                _ => Some(short(value)),
+            };
+        }
+        self
+    }
+
+    /// Adds the step by which the value was reached.
+    pub(super) fn inside(mut self, step: Step) -> Self {
+        self.way.push(step);
+        self
+    }
+
+    fn place(&self) -> String {
+        let mut place = String::new();
+        for step in self.way.iter().rev() {
+            match step {
+                Step::Key(key) | Step::Named(key) => place = joined(&place, key),
+                Step::Item(index) => place = format!("{place}[{index}]"),
+            }
+        }
+        match &self.what {
+            What::UnknownKey(key, _) => joined(&place, key),
+            What::MissingKey(key) => joined(&place, key),
+            _ => place,
+        }
+    }
+
+    fn remedy(&self) -> String {
+        match &self.what {
+            What::UnknownKey(key, known) => {
+                format!("no such key here{}; keys known here: {}", did_you_mean(key, known), known.join(", "))
+            }
+            What::MissingKey(key) => format!("this key must be given: add `{key} = …`"),
+            What::Type(expected) => format!("expected {}", in_words(expected)),
+            What::Word(words) => {
+                let found = self.value.as_deref().unwrap_or_default().trim_matches('"');
+                let quoted: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
+                format!("expected one of {}{}", quoted.join(", "), did_you_mean(found, words))
+            }
+            What::Wrong(message) => message.clone(),
+        }
+    }
+
+    /// The complaint about `file`.
+    pub(super) fn complaint(&self, file: &str) -> SceneError {
+        SceneError {
+            file: file.to_owned(),
+            place: self.place(),
+            value: self.value.clone().unwrap_or_else(|| "nothing".to_owned()),
+            remedy: self.remedy(),
+        }
+    }
+}
+
+fn joined(place: &str, key: &str) -> String {
+    if place.is_empty() { key.to_owned() } else { format!("{place}.{key}") }
+}
+
+/// A value as it would stand in the file, cut where it gets long.
+pub(super) fn short(value: &Value) -> String {
+    const LONGEST: usize = 60;
+    let text = value.to_string().replace('\n', " ");
+    if text.chars().count() <= LONGEST {
+        return text;
+    }
+    let start: String = text.chars().take(LONGEST).collect();
+    format!("{start}…")
+}
+
+/// serde names Rust's types; a user writes TOML.
+fn in_words(expected: &str) -> String {
+    let number_of = expected.strip_prefix("an array of length ");
+    match expected {
+        "f64" | "f32" => "a number".to_owned(),
+        "u32" | "usize" => "a whole number, not negative".to_owned(),
+        "a sequence" => "a list: […], or tables under double brackets, [[…]]".to_owned(),
+        _ if expected.starts_with("struct ") => "a table of keys: {…}, or under single brackets, […]".to_owned(),
+        _ if expected.starts_with("enum ") => "one of the words known here".to_owned(),
+        _ => number_of.map_or_else(|| expected.to_owned(), |n| format!("a list of {n} values")),
+    }
+}
+
+/// `; did you mean …` when one of the known words is near.
+pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> String {
+    let near = known.iter().map(|k| (distance(word, k), *k)).min();
+    match near {
+        Some((d, known)) if d <= 2.max(known.len() / 3) => format!("; did you mean `{known}`?"),
+        _ => String::new(),
+    }
+}
+
+/// Number of letters to add, drop or change (Levenshtein) to make `a` into `b`.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(from != *to);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

@@ -1,0 +1,119 @@
+//! The scene file: TOML in, [`Scene`] out, and back.
+//!
+//! Reading says what stands where and what would be right instead; whether the numbers make sense is
+//! [`validate`](super::validate)'s business, so that a scene may pass through a senseless state while it is edited.
+//! Writing keeps every digit: `parse(&write(&scene)) == scene`.
+
+mod fault;
+mod read;
+mod write;
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+pub(crate) use fault::did_you_mean;
+pub use write::write;
+
+use super::{Scene, SceneError, SceneErrors};
+
+/// The version of the format that is read and written.
+pub const VERSION: u32 = 1;
+
+/// Reads the text of a scene file; `file` is how complaints call it.
+///
+/// # Errors
+/// The text is not TOML, or a key or value is not what stands in `docs/scene-format.md`.
+pub fn parse(text: &str, file: &str) -> Result<Scene, SceneErrors> {
+    from_table(table(text, file)?, file)
+}
+
+/// Reads the text of a scene file and checks what it says.
+///
+/// # Errors
+/// Every complaint of [`parse`] and [`validate`](super::validate::validate).
+pub fn read(text: &str, file: &str) -> Result<Scene, SceneErrors> {
+    let scene = parse(text, file)?;
+    super::validate::validate(&scene).map_err(|errors| errors.in_file(file))?;
+    Ok(scene)
+}
+
+/// The text as a plain table.
+pub(super) fn table(text: &str, file: &str) -> Result<Table, SceneErrors> {
+    text.parse().map_err(|error| not_toml(&error, text, file).into())
+}
+
+/// A plain table as a scene.
+pub(super) fn from_table(table: Table, file: &str) -> Result<Scene, SceneErrors> {
+    check_version(&table, file)?;
+    let value = Value::Table(table);
+    Scene::deserialize(read::Reader(&value)).map_err(|fault| fault.complaint(file).into())
+}
+
+/// The version comes first: a later format's keys are not this one's mistakes.
+fn check_version(table: &Table, file: &str) -> Result<(), SceneErrors> {
+    match table.get("format") {
+        None => Ok(()),
+        Some(Value::Integer(n)) if *n == i64::from(VERSION) => Ok(()),
+        Some(other) => Err(SceneError {
+            file: file.to_owned(),
+            place: "format".to_owned(),
+            value: fault::short(other),
+            remedy: format!("this program reads format {VERSION}: write `format = {VERSION}`"),
+        }
+        .into()),
+    }
+}
+
+fn not_toml(error: &toml::de::Error, text: &str, file: &str) -> SceneError {
+    let at = error.span().map_or(0, |span| span.start.min(text.len()));
+    let before = text.get(..at).unwrap_or_default();
+    let line = before.matches('\n').count();
+    let column = before.rsplit('\n').next().unwrap_or_default().chars().count();
+    let found = text.lines().nth(line).unwrap_or_default().trim();
+    SceneError {
+        file: file.to_owned(),
+        place: format!("line {}, column {}", line + 1, column + 1),
+        value: if found.is_empty() { "nothing".to_owned() } else { format!("`{found}`") },
+        remedy: format!("not TOML: {}", error.message().replace('\n', "; ")),
+    }
+}
+
+/// Two or three numbers; a missing third is 0, and a third of 0 is not written.
+pub mod two_or_three {
+    use serde::de::{SeqAccess, Visitor};
+    use serde::{Deserializer, Serialize, Serializer};
+
+    /// Writes two numbers where the third is 0.
+    ///
+    /// # Errors
+    /// What the serializer answers.
+    pub fn serialize<S: Serializer>(v: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
+        if v[2].to_bits() == 0 { v[..2].serialize(serializer) } else { v.serialize(serializer) }
+    }
+
+    /// Reads two or three numbers.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 3], D::Error> {
+        deserializer.deserialize_any(TwoOrThree)
+    }
+
+    struct TwoOrThree;
+
+    impl<'de> Visitor<'de> for TwoOrThree {
+        type Value = [f64; 3];
+
+        fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            f.write_str("a list of two or three numbers")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<[f64; 3], A::Error> {
+            let two = (seq.next_element()?, seq.next_element()?);
+            match two {
+                (Some(x), Some(y)) => Ok([x, y, seq.next_element()?.unwrap_or(0.0)]),
+                _ => Err(serde::de::Error::invalid_length(0, &self)),
+            }
+        }
+    }
+}

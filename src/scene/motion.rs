@@ -1,0 +1,142 @@
+//! How the ground moves, as written in a scene.
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::placed::sin_cos_deg;
+
+/// `kind = "sine"`: `A sin(2π f t + φ0)`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SineMotion {
+    /// `A` as a multiple of standard gravity; this or `amplitude_m_s2`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub amplitude_g: Option<f64>,
+    /// `A` \[m/s²\]; this or `amplitude_g`.
+    #[serde(rename = "amplitude_m_s2", default, skip_serializing_if = "Option::is_none")]
+    pub amplitude: Option<f64>,
+    /// `f` \[Hz\].
+    pub frequency_hz: f64,
+    /// `φ0` \[degrees\].
+    #[serde(default)]
+    pub phase_deg: f64,
+    /// Excitation angle α, anticlockwise from world x \[degrees\].
+    #[serde(default)]
+    pub angle_deg: f64,
+}
+
+/// `kind = "record"`: samples at a constant interval, straight lines between them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RecordMotion {
+    /// Acceleration samples \[m/s²\]; these with `dt_s`, or `file`.
+    #[serde(rename = "samples_m_s2", default, skip_serializing_if = "Option::is_none")]
+    pub samples: Option<Vec<f64>>,
+    /// Interval between samples \[s\].
+    #[serde(rename = "dt_s", default, skip_serializing_if = "Option::is_none")]
+    pub dt: Option<f64>,
+    /// A two-column CSV (`t_s, a_m_s2`), relative to the scene's file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Multiplies every sample.
+    #[serde(default = "one")]
+    pub scale: f64,
+    /// Excitation angle α, anticlockwise from world x \[degrees\].
+    #[serde(default)]
+    pub angle_deg: f64,
+    /// What `file` held, once whoever opens files has read it: `(dt, samples)` in s and m/s². Never written.
+    #[serde(skip)]
+    pub loaded: Option<(f64, Vec<f64>)>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// `[motion]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Motion {
+    /// The ground stands still.
+    #[default]
+    None,
+    /// Harmonic.
+    Sine(SineMotion),
+    /// A record.
+    Record(RecordMotion),
+}
+
+impl SineMotion {
+    /// `A`, from whichever of the two keys is given; 0 when neither is (validation says so in words) \[m/s²\].
+    pub fn amplitude_si(&self) -> f64 {
+        self.amplitude.or(self.amplitude_g.map(|g| g * super::STANDARD_GRAVITY)).unwrap_or(0.0)
+    }
+}
+
+impl RecordMotion {
+    /// `(dt, samples)` in s and m/s², unscaled, from the scene or from the file that was read; `None` until it is.
+    pub fn series(&self) -> Option<(f64, &[f64])> {
+        match (&self.samples, self.dt, &self.loaded) {
+            (Some(samples), Some(dt), _) => Some((dt, samples)),
+            (None, _, Some((dt, samples))) => Some((*dt, samples)),
+            _ => None,
+        }
+    }
+}
+
+impl Motion {
+    /// Excitation angle α; 0 when the ground stands still \[degrees\].
+    pub fn angle_deg(&self) -> f64 {
+        match self {
+            Self::None => 0.0,
+            Self::Sine(sine) => sine.angle_deg,
+            Self::Record(record) => record.angle_deg,
+        }
+    }
+
+    /// `(cos α, sin α)`, exact at multiples of 90°.
+    pub fn direction(&self) -> [f64; 2] {
+        let (sin, cos) = sin_cos_deg(self.angle_deg());
+        [cos, sin]
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum MotionKind {
+    None,
+    Sine,
+    Record,
+}
+
+/// Which keys are known depends on `kind`, so it is read first; the reader of scene files hands it out first.
+impl<'de> Deserialize<'de> for Motion {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(MotionVisitor)
+    }
+}
+
+struct MotionVisitor;
+
+impl<'de> Visitor<'de> for MotionVisitor {
+    type Value = Motion;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("a table of keys, the kind of motion among them")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Motion, A::Error> {
+        if map.next_key::<String>()?.as_deref() != Some("kind") {
+            return Err(A::Error::missing_field("kind"));
+        }
+        match map.next_value()? {
+            MotionKind::None => match map.next_key::<String>()? {
+                None => Ok(Motion::None),
+                Some(key) => Err(A::Error::unknown_field(&key, &["kind"])),
+            },
+            MotionKind::Sine => SineMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Sine),
+            MotionKind::Record => RecordMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Record),
+        }
+    }
+}

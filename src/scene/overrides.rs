@@ -1,0 +1,195 @@
+//! `--set motion.angle_deg=45`: any value of a scene, by its path in the file.
+//!
+//! A path walks the file's tables by key and its lists by name or number (`girder.deck.skew_deg`,
+//! `contact.pair.0.mu_static`). The scene is laid out as the table that it would be written as, changed there, and read
+//! again by the reader of files: so everything that a file can say can be set, and complaints are the same.
+
+use toml::{Table, Value};
+
+use super::{Motion, Scene, SceneError, SceneErrors, format};
+
+/// Keys that say the same thing in different ways: setting the first removes the others from its table.
+const REPLACES: &[(&str, &[&str])] = &[
+    ("amplitude_g", &["amplitude_m_s2"]),
+    ("amplitude_m_s2", &["amplitude_g"]),
+    ("gap_m", &["polygon_m"]),
+    ("polygon_m", &["gap_m", "width_m", "height_m", "offset_m"]),
+    ("stiffness_n_per_m", &["young_modulus_pa", "area_m2"]),
+    ("young_modulus_pa", &["stiffness_n_per_m"]),
+    ("area_m2", &["stiffness_n_per_m"]),
+    ("at_m", &["at_skewed_m"]),
+    ("at_skewed_m", &["at_m"]),
+    ("samples_m_s2", &["file"]),
+    ("file", &["samples_m_s2", "dt_s"]),
+];
+
+/// The scene with one value set: `path=value`.
+///
+/// # Errors
+/// Not of the form `path=value`, nothing of this name on the way, or a value that the file could not have either.
+pub fn apply(scene: &Scene, setting: &str) -> Result<Scene, SceneErrors> {
+    apply_all(scene, &[setting])
+}
+
+/// The scene with several values set, in this order; they are read together, so that keys that need each other
+/// (`motion.kind` and `motion.frequency_hz`) may come one by one.
+///
+/// # Errors
+/// As [`apply`]; the complaint names the setting.
+pub fn apply_all<S: AsRef<str>>(scene: &Scene, settings: &[S]) -> Result<Scene, SceneErrors> {
+    if settings.is_empty() {
+        return Ok(scene.clone());
+    }
+    let mut table =
+        Table::try_from(scene).map_err(|error| complaint("", error.to_string(), "this scene cannot be written"))?;
+    let settings: Vec<Setting<'_>> = settings.iter().map(|s| Setting::parse(s.as_ref())).collect::<Result<_, _>>()?;
+    for setting in &settings {
+        setting.set_in(&mut table)?;
+    }
+    let mut changed = format::from_table(table, "scene").map_err(|errors| blame(errors, &settings))?;
+    keep_loaded(scene, &mut changed);
+    Ok(changed)
+}
+
+/// What a record's file held is no part of the written scene; it stays while the file is the same.
+fn keep_loaded(scene: &Scene, changed: &mut Scene) {
+    if let (Motion::Record(before), Motion::Record(after)) = (&scene.motion, &mut changed.motion)
+        && before.file == after.file
+    {
+        after.loaded.clone_from(&before.loaded);
+    }
+}
+
+struct Setting<'a> {
+    /// As given.
+    text: &'a str,
+    path: Vec<&'a str>,
+    value: Value,
+}
+
+fn complaint(setting: &str, value: impl Into<String>, remedy: impl Into<String>) -> SceneErrors {
+    let place = format!("--set {setting}");
+    SceneError { file: "scene".to_owned(), place, value: value.into(), remedy: remedy.into() }.into()
+}
+
+impl<'a> Setting<'a> {
+    fn parse(text: &'a str) -> Result<Self, SceneErrors> {
+        let Some((path, value)) = text.split_once('=') else {
+            return Err(complaint(text, "no `=`", "write PATH=VALUE, as in motion.angle_deg=45"));
+        };
+        let path: Vec<&str> = path.split('.').map(str::trim).collect();
+        if path.iter().any(|step| step.is_empty()) {
+            return Err(complaint(text, "an empty step", "write PATH=VALUE, as in motion.angle_deg=45"));
+        }
+        Ok(Self { text, path, value: value_of(text, value.trim())? })
+    }
+
+    fn set_in(&self, table: &mut Table) -> Result<(), SceneErrors> {
+        let Some((key, way)) = self.path.split_last() else { return Ok(()) };
+        let mut here = table;
+        let mut rest = way;
+        while let Some((step, after)) = rest.split_first() {
+            let number = after.first().filter(|item| item.parse::<usize>().is_ok());
+            if let (false, Some(item)) = (here.contains_key(*step), number) {
+                return Err(self.not_there(item, &[]));
+            }
+            let next = here.entry(*step).or_insert_with(|| Value::Table(Table::new()));
+            rest = after;
+            let into = match next {
+                Value::Array(list) => {
+                    let Some((item, after)) = after.split_first() else {
+                        // The last step is an item of this list.
+                        return self.set_item(list, key);
+                    };
+                    rest = after;
+                    let names = items(list);
+                    item_of(list, item).ok_or_else(|| self.not_there(item, &names))?
+                }
+                other => other,
+            };
+            let found = into.type_str();
+            here = into.as_table_mut().ok_or_else(|| self.no_table(step, found))?;
+        }
+        if self.path == ["motion", "kind"] {
+            self.change_kind(here);
+        }
+        set(here, key, self.value.clone());
+        Ok(())
+    }
+
+    /// Another kind of motion has other keys; the direction is the one that they share.
+    fn change_kind(&self, motion: &mut Table) {
+        if motion.get("kind") != Some(&self.value) {
+            let moves = self.value.as_str() != Some("none");
+            motion.retain(|key, _| moves && key == "angle_deg");
+        }
+    }
+
+    /// `girder.deck.position_m.0=1`: a number of a list.
+    fn set_item(&self, list: &mut [Value], item: &str) -> Result<(), SceneErrors> {
+        let names = items(list);
+        *item_of(list, item).ok_or_else(|| self.not_there(item, &names))? = self.value.clone();
+        Ok(())
+    }
+
+    fn not_there(&self, item: &str, names: &[String]) -> SceneErrors {
+        let known: Vec<&str> = names.iter().map(String::as_str).collect();
+        let meant = format::did_you_mean(item, &known);
+        let there = if names.is_empty() { "nothing".to_owned() } else { names.join(", ") };
+        complaint(self.text, format!("`{item}`"), format!("nothing here has this name{meant}; there is: {there}"))
+    }
+
+    fn no_table(&self, step: &str, found: &str) -> SceneErrors {
+        complaint(self.text, format!("`{step}`, which is one value ({found})"), "the path ends there: it has no keys")
+    }
+}
+
+/// The value as TOML; a word that is not TOML stands for itself.
+fn value_of(setting: &str, text: &str) -> Result<Value, SceneErrors> {
+    let mut read = format!("value = {text}").parse::<Table>().unwrap_or_default();
+    match read.remove("value") {
+        Some(value) if read.is_empty() => Ok(value),
+        _ if text.is_empty() || text.starts_with(['[', '{', '"', '\'']) || text.contains('\n') => {
+            let remedy = "give a value as in the file: 45, true, paper, \"two words\", [0.07, 0.025]";
+            Err(complaint(setting, format!("`{text}`"), remedy))
+        }
+        _ => Ok(Value::String(text.to_owned())),
+    }
+}
+
+/// How the items of a list are called: by name, or by number.
+fn items(list: &[Value]) -> Vec<String> {
+    let name = |value: &Value| value.get("name").and_then(Value::as_str).map(str::to_owned);
+    list.iter().enumerate().map(|(n, value)| name(value).unwrap_or_else(|| n.to_string())).collect()
+}
+
+fn item_of<'l>(list: &'l mut [Value], item: &str) -> Option<&'l mut Value> {
+    let named = list.iter().position(|value| value.get("name").and_then(Value::as_str) == Some(item));
+    let index = named.or_else(|| item.parse().ok())?;
+    list.get_mut(index)
+}
+
+fn set(table: &mut Table, key: &str, value: Value) {
+    let rivals = REPLACES.iter().filter(|(setting, _)| *setting == key).flat_map(|(_, rivals)| *rivals);
+    for rival in rivals {
+        table.remove(*rival);
+    }
+    table.insert(key.to_owned(), value);
+}
+
+/// The reader's complaints, about the setting that they come from: the last one on the way to the place.
+fn blame(errors: SceneErrors, settings: &[Setting<'_>]) -> SceneErrors {
+    let about = |error: SceneError| {
+        let is_cause = |s: &&Setting<'_>| {
+            let path = s.path.join(".");
+            error.place == path
+                || error.place.starts_with(&format!("{path}."))
+                || path.starts_with(&format!("{}.", error.place))
+        };
+        let cause = settings.iter().rfind(is_cause).or(settings.last());
+        let (text, path) = cause.map_or(("", String::new()), |s| (s.text, s.path.join(".")));
+        let remedy = if error.place == path { error.remedy } else { format!("{}: {}", error.place, error.remedy) };
+        SceneError { place: format!("--set {text}"), remedy, ..error }
+    };
+    SceneErrors(errors.0.into_iter().map(about).collect())
+}

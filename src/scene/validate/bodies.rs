@@ -1,0 +1,145 @@
+//! Girders with what they stand on, and abutments, each for itself.
+
+use super::At;
+use super::complaints::numbers;
+use crate::geometry::{End, Face};
+use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, PerDirection, SharedBearings};
+
+pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+    at.positive("length_m", girder.length);
+    at.positive("width_m", girder.width);
+    at.positive("thickness_m", girder.thickness);
+    at.positive("mass_kg", girder.mass);
+    at.between("skew_deg", girder.skew_deg, [0.0, 180.0]);
+    at.each("position_m", &girder.position, At::finite);
+    at.finite("heading_deg", girder.heading_deg);
+    at.if_given("seat_m.+x", girder.seat.plus, At::positive);
+    at.if_given("seat_m.-x", girder.seat.minus, At::positive);
+    start(girder, kind, at);
+    end_faces(girder, at);
+    match &girder.bearings {
+        None => {}
+        Some(Bearings::Shared(bearings)) => shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings")),
+        Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), at),
+    }
+}
+
+/// Whether something must carry the girder's weight.
+fn needs_vertical(girder: &Girder, kind: Kind) -> bool {
+    kind == Kind::Spatial && !girder.held.contains(&Direction::Z)
+}
+
+fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+    let (initial, push) = (&girder.initial, &girder.push);
+    for (key, vector) in [
+        ("initial.displacement_m", &initial.displacement),
+        ("initial.velocity_m_s", &initial.velocity),
+        ("push.force_n", &push.force),
+    ] {
+        at.each(key, vector, At::finite);
+        if kind == Kind::Planar && vector[2] != 0.0 {
+            let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
+            at.add(key, numbers(vector), remedy);
+        }
+    }
+    at.finite("initial.rotation_deg", initial.rotation_deg);
+    at.finite("initial.spin_deg_s", initial.spin_deg_s);
+    at.finite("push.moment_n_m", push.moment);
+}
+
+/// Sound numbers may still make no face: an extreme skew, or a side a million million times the other.
+fn end_faces(girder: &Girder, at: &mut At<'_>) {
+    let sizes = [girder.length, girder.width, girder.thickness];
+    let sound = sizes.iter().all(|v| v.is_finite() && *v > 0.0) && girder.skew_deg > 0.0 && girder.skew_deg < 180.0;
+    if !sound {
+        return;
+    }
+    let prism = girder.prism();
+    let face = Face::new(prism.end_face(End::Plus), prism.depth_behind_end());
+    let finite = prism.corners().iter().all(|corner| corner.is_finite());
+    if !finite || face.is_err() {
+        let value = format!("{:?} m × {:?} m ends at {:?}°", girder.width, girder.thickness, girder.skew_deg);
+        at.add("", value, "no face can be computed from these ends: choose sizes and skew less extreme");
+    }
+}
+
+fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
+    per_direction("frequency_hz", bearings.frequency_hz, at);
+    per_direction("damping_ratio", bearings.damping_ratio, at);
+    at.if_given("vertical_damping_ratio", bearings.vertical_damping_ratio, At::not_negative);
+    match bearings.vertical_frequency_hz {
+        Some(f) if needs_vertical => at.positive("vertical_frequency_hz", f),
+        Some(f) => at.not_negative("vertical_frequency_hz", f),
+        None if needs_vertical => {
+            let remedy = "a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz";
+            at.add("vertical_frequency_hz", "nothing", remedy);
+        }
+        None => {}
+    }
+    let (key, places) = match (&bearings.at, &bearings.at_skewed) {
+        (Some(places), None) => ("at_m", places),
+        (None, Some(places)) => ("at_skewed_m", places),
+        (None, None) => {
+            return at.add("at_m", "nothing", "give the bearings' places: at_m = [[x, y], …], or at_skewed_m");
+        }
+        (Some(_), Some(_)) => return at.add("at_m", "at_m and at_skewed_m", "give one of the two"),
+    };
+    if places.is_empty() {
+        at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
+    }
+    for (n, place) in places.iter().enumerate() {
+        at.each(&format!("{key}[{n}]"), place, At::finite);
+    }
+}
+
+fn per_direction(key: &str, value: PerDirection, at: &mut At<'_>) {
+    match value {
+        PerDirection::Both(value) => at.not_negative(key, value),
+        PerDirection::Each(values) => at.each(key, &values, At::not_negative),
+    }
+}
+
+fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
+    if bearings.is_empty() {
+        at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
+    }
+    for (n, bearing) in bearings.iter().enumerate() {
+        let mut at = at.below(&format!("bearings[{n}]"));
+        at.each("at_m", &bearing.at, At::finite);
+        at.each("stiffness_n_per_m", &bearing.stiffness, At::not_negative);
+        at.each("damping_n_s_per_m", &bearing.damping, At::not_negative);
+    }
+    if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
+        let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
+        at.add("bearings[0].stiffness_n_per_m", numbers(&bearings[0].stiffness[..2]), remedy);
+    }
+}
+
+pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
+    at.if_given("width_m", abutment.width, At::positive);
+    at.if_given("height_m", abutment.height, At::positive);
+    at.if_given("depth_m", abutment.depth, At::positive);
+    at.if_given("offset_m", abutment.offset, At::finite);
+    at.if_given("gap_m", abutment.gap, At::not_negative);
+    match (abutment.gap, &abutment.polygon) {
+        (None, None) => at.add("gap_m", "nothing", "give gap_m, or the face's corners as polygon_m"),
+        (Some(_), Some(_)) => at.add("gap_m", "gap_m and polygon_m", "give one of the two"),
+        (Some(_), None) => {}
+        (None, Some(corners)) => polygon(abutment, corners, at),
+    }
+}
+
+fn polygon(abutment: &Abutment, corners: &[[f64; 3]], at: &mut At<'_>) {
+    if corners.len() != 4 {
+        at.add("polygon_m", format!("{} corners", corners.len()), "give four corners [x, y, z]");
+    }
+    for (n, corner) in corners.iter().enumerate() {
+        at.each(&format!("polygon_m[{n}]"), corner, At::finite);
+    }
+    let beside = [("width_m", abutment.width), ("height_m", abutment.height), ("offset_m", abutment.offset)];
+    for (key, value) in beside {
+        if let Some(value) = value {
+            at.add(key, value, "polygon_m says it already: leave this out");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Whether a scene makes sense: everything that can be known without running it.
+//!
+//! All complaints are collected, so that one reading of them is enough to mend the file. What needs sound sizes
+//! (faces, overlaps, facing ends) is asked only where the sizes are sound.
+
+mod bodies;
+mod complaints;
+mod numbers;
+mod placing;
+
+pub use complaints::{SceneError, SceneErrors};
+
+use super::{Scene, format};
+use complaints::{At, Complaints};
+
+/// Checks a whole scene (everything that can be known without running it).
+///
+/// # Errors
+/// Every complaint, about "scene"; [`SceneErrors::in_file`] names the file.
+pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
+    let mut complaints = Complaints::default();
+    top(scene, &mut complaints);
+    placing::names(scene, &mut complaints);
+    for girder in &scene.girders {
+        bodies::girder(girder, scene.kind, &mut complaints.at(format!("girder.{}", girder.name)));
+    }
+    for abutment in &scene.abutments {
+        bodies::abutment(abutment, &mut complaints.at(format!("abutment.{}", abutment.name)));
+    }
+    numbers::contact(&scene.contact, &mut complaints);
+    numbers::motion(&scene.motion, &mut complaints.at("motion"));
+    numbers::solver_and_view(scene, &mut complaints);
+    if complaints.is_empty() {
+        placing::faces(scene, &mut complaints);
+    }
+    if complaints.is_empty() {
+        placing::overlaps(scene, &mut complaints);
+    }
+    complaints.into_result()
+}
+
+fn top(scene: &Scene, complaints: &mut Complaints) {
+    let mut at = complaints.at("");
+    if scene.format != format::VERSION {
+        at.add("format", scene.format, format!("this program reads format {}", format::VERSION));
+    }
+    if scene.name.trim().is_empty() {
+        at.add("name", format!("\"{}\"", scene.name), "give the scene a name");
+    }
+    at.positive("duration_s", scene.duration);
+    at.not_negative("gravity_m_s2", scene.gravity);
+    if scene.girders.is_empty() {
+        at.add("girder", "nothing", "a scene needs at least one girder: add a [[girder]]");
+    }
+}

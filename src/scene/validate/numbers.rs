@@ -1,0 +1,119 @@
+//! Contact numbers, ground motion, solver and view settings.
+
+use super::complaints::number;
+use super::{At, Complaints};
+use crate::scene::{ContactSettings, Motion, PairSettings, RecordMotion, Scene, SineMotion};
+
+/// Restitution in a contact: 0 would be critical damping, and a free contact would never open again (65).
+const RESTITUTION: [f64; 2] = [0.01, 1.0];
+/// Below, rounding rules; above, nothing is computed.
+const TOLERANCE: [f64; 2] = [1e-13, 1e-2];
+
+pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
+    let mut at = complaints.at("contact");
+    stiffness(contact.stiffness, contact.young_modulus, contact.area, &mut at);
+    restitution(&mut at, "restitution_normal", contact.restitution_normal);
+    restitution(&mut at, "restitution_tangential", contact.restitution_tangential);
+    at.not_negative("mu_static", contact.mu_static);
+    at.not_negative("mu_kinetic", contact.mu_kinetic);
+    friction(contact.mu_static, contact.mu_kinetic, &mut at);
+    for (n, pair) in contact.pairs.iter().enumerate() {
+        pair_numbers(contact, pair, &mut complaints.at(format!("contact.pair[{n}]")));
+    }
+}
+
+fn pair_numbers(contact: &ContactSettings, pair: &PairSettings, at: &mut At<'_>) {
+    stiffness(pair.stiffness, pair.young_modulus, pair.area, at);
+    at.if_given("restitution_normal", pair.restitution_normal, restitution);
+    at.if_given("restitution_tangential", pair.restitution_tangential, restitution);
+    at.if_given("mu_static", pair.mu_static, At::not_negative);
+    at.if_given("mu_kinetic", pair.mu_kinetic, At::not_negative);
+    if pair.mu_static.is_some() || pair.mu_kinetic.is_some() {
+        let (mu_s, mu_k) = (pair.mu_static.unwrap_or(contact.mu_static), pair.mu_kinetic.unwrap_or(contact.mu_kinetic));
+        friction(mu_s, mu_k, at);
+    }
+}
+
+fn restitution(at: &mut At<'_>, key: &str, value: f64) {
+    at.within(key, value, RESTITUTION);
+}
+
+fn stiffness(stiffness: Option<f64>, young_modulus: Option<f64>, area: Option<f64>, at: &mut At<'_>) {
+    at.if_given("stiffness_n_per_m", stiffness, At::positive);
+    at.if_given("young_modulus_pa", young_modulus, At::positive);
+    at.if_given("area_m2", area, At::positive);
+    if let (Some(k), true) = (stiffness, young_modulus.is_some() || area.is_some()) {
+        let remedy = "K = E A / L comes from young_modulus_pa and area_m2: give either those or stiffness_n_per_m";
+        at.add("stiffness_n_per_m", number(k), remedy);
+    }
+}
+
+fn friction(mu_s: f64, mu_k: f64, at: &mut At<'_>) {
+    if mu_k > mu_s {
+        let remedy = format!("it must not exceed mu_static = {mu_s:?}: lower it, or raise mu_static");
+        at.add("mu_kinetic", number(mu_k), remedy);
+    }
+}
+
+pub(super) fn motion(motion: &Motion, at: &mut At<'_>) {
+    match motion {
+        Motion::None => {}
+        Motion::Sine(sine) => harmonic(sine, at),
+        Motion::Record(recorded) => record(recorded, at),
+    }
+}
+
+fn harmonic(sine: &SineMotion, at: &mut At<'_>) {
+    at.if_given("amplitude_g", sine.amplitude_g, At::finite);
+    at.if_given("amplitude_m_s2", sine.amplitude, At::finite);
+    at.not_negative("frequency_hz", sine.frequency_hz);
+    at.finite("phase_deg", sine.phase_deg);
+    at.finite("angle_deg", sine.angle_deg);
+    match (sine.amplitude_g, sine.amplitude) {
+        (None, None) => at.add("amplitude_g", "nothing", "give the amplitude: amplitude_g, or amplitude_m_s2"),
+        (Some(_), Some(_)) => at.add("amplitude_g", "amplitude_g and amplitude_m_s2", "give one of the two"),
+        _ => {}
+    }
+}
+
+fn record(record: &RecordMotion, at: &mut At<'_>) {
+    at.finite("scale", record.scale);
+    at.finite("angle_deg", record.angle_deg);
+    at.if_given("dt_s", record.dt, At::positive);
+    match (&record.samples, &record.file) {
+        (None, None) => at.add("samples_m_s2", "nothing", "give samples_m_s2 with dt_s, or file"),
+        (Some(_), Some(_)) => at.add("samples_m_s2", "samples_m_s2 and file", "give one of the two"),
+        (Some(list), None) => {
+            if record.dt.is_none() {
+                at.add("dt_s", "nothing", "give the interval between samples in seconds");
+            }
+            samples("samples_m_s2", list, at);
+        }
+        (None, Some(file)) => recorded_file(record, file, at),
+    }
+}
+
+fn recorded_file(record: &RecordMotion, file: &str, at: &mut At<'_>) {
+    if let Some(dt) = record.dt {
+        at.add("dt_s", number(dt), "the file's own times say it: leave this out");
+    }
+    match &record.loaded {
+        None => at.add("file", format!("\"{file}\""), "this record has not been read: load it beside the scene's file"),
+        Some((dt, list)) => {
+            at.positive("file", *dt);
+            samples("file", list, at);
+        }
+    }
+}
+
+fn samples(key: &str, list: &[f64], at: &mut At<'_>) {
+    if list.len() < 2 {
+        at.add(key, format!("{} samples", list.len()), "a record needs at least 2 samples");
+    }
+    at.each(key, list, At::finite);
+}
+
+pub(super) fn solver_and_view(scene: &Scene, complaints: &mut Complaints) {
+    complaints.at("solver").within("tolerance", scene.solver.tolerance, TOLERANCE);
+    complaints.at("view").if_given("force_scale_n_per_m", scene.view.force_scale, At::positive);
+}
