@@ -6,6 +6,17 @@
 //! their experimental verification", JSCE, 2004; equation and table numbers in these pages are that paper's). A run is
 //! driven by its events, so an answer is exact to a stated tolerance and can be asked for anything at any time.
 //!
+//! ```no_run
+//! use girderbench::{scene::presets, sim::History};
+//!
+//! let scene = presets::load("skew45-abutment")?;
+//! let history = History::of(&scene)?;
+//! let hardest = history.hardest().expect("the girder hits the abutment");
+//! println!("{} N at t = {} s", hardest.peak_force, hardest.peak_time);
+//! println!("rotation there: {} rad", history.motion(0, hardest.peak_time).theta);
+//! # Ok::<(), girderbench::scene::SceneErrors>(())
+//! ```
+//!
 //! # Conventions
 //!
 //! - SI everywhere inside; another unit is in the name (`_deg`, `_mm`, `_hz`).
@@ -40,10 +51,14 @@
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
+//! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
+//! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod contact;
+pub mod dynamics;
 pub mod geometry;
 pub mod motion;
 pub mod scene;
+pub mod sim;

@@ -1,0 +1,166 @@
+//! How a body stands in an integrator's vector, and what moves it.
+//!
+//! Planar: `x, y, θ, ẋ, ẏ, θ̇`. Spatial: displacement (3), attitude quaternion x, y, z, w (body to world), velocity (3),
+//! angular velocity in the world (3).
+
+use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
+
+use super::Body;
+use crate::contact::Frame;
+use crate::scene::Kind;
+
+/// Components of a planar body.
+pub const PLANAR: usize = 6;
+/// Components of a spatial body.
+pub const SPATIAL: usize = 13;
+
+/// Components of a body in a scene of this kind.
+pub fn width(kind: Kind) -> usize {
+    match kind {
+        Kind::Planar => PLANAR,
+        Kind::Spatial => SPATIAL,
+    }
+}
+
+/// State at the start of a run.
+pub fn initial(kind: Kind, body: &Body) -> Vec<f64> {
+    let ([x, y, z, turn], [vx, vy, vz, spin]) = (body.start, body.start_rate);
+    match kind {
+        Kind::Planar => vec![x, y, turn, vx, vy, spin],
+        Kind::Spatial => {
+            let q = DQuat::from_rotation_z(turn) * DQuat::from_mat3(&body.axes);
+            vec![x, y, z, q.x, q.y, q.z, q.w, vx, vy, vz, 0.0, 0.0, spin]
+        }
+    }
+}
+
+/// Attitude in a spatial state.
+pub fn attitude(state: &[f64]) -> DQuat {
+    let q = DQuat::from_xyzw(state[3], state[4], state[5], state[6]);
+    // Kept near 1 by every accepted step; never 0.
+    q * (1.0 / q.length())
+}
+
+/// Pose and twist of a body.
+#[inline]
+pub fn frame(kind: Kind, body: &Body, state: &[f64]) -> Frame {
+    match kind {
+        Kind::Planar => body.planar_frame(state),
+        Kind::Spatial => Frame {
+            home: body.home,
+            shift: DVec3::new(state[0], state[1], state[2]),
+            rotation: DMat3::from_quat(attitude(state)),
+            velocity: DVec3::new(state[7], state[8], state[9]),
+            spin: DVec3::new(state[10], state[11], state[12]),
+        },
+    }
+}
+
+/// Force at G and moment about it \[N, N·m\].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wrench {
+    /// Force.
+    pub force: DVec3,
+    /// Moment about G.
+    pub moment: DVec3,
+}
+
+impl Wrench {
+    /// Adds a force that acts at `arm` from G.
+    #[inline]
+    pub fn push(&mut self, force: DVec3, arm: DVec3) {
+        self.force += force;
+        self.moment += arm.cross(force);
+    }
+}
+
+/// Rate of a planar body's state under bearings, push, ground and contact (1).
+#[inline]
+pub fn planar_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    let q = DVec3::new(state[0], state[1], state[2]);
+    let v = DVec3::new(state[3], state[4], state[5]);
+    let bearings = body.planar.stiffness * q + body.planar.damping * v;
+    let force =
+        DVec3::new(contact.force.x + body.push.x, contact.force.y + body.push.y, contact.moment.z + body.moment);
+    let total = force - bearings;
+    let rates =
+        [total.x / body.mass - ground.x, total.y / body.mass - ground.y, total.z / (body.mass * body.gyration2)];
+    for (i, free) in [body.free[0], body.free[1], body.free[5]].into_iter().enumerate() {
+        out[i] = if free { state[3 + i] } else { 0.0 };
+        out[3 + i] = if free { rates[i] } else { 0.0 };
+    }
+}
+
+/// Rate of a spatial body's state: bearings at their true attachment points, gravity, Euler's equations.
+pub fn spatial_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, gravity: f64, out: &mut [f64]) {
+    let here = frame(Kind::Spatial, body, state);
+    let mut wrench = *contact;
+    for (arm, force) in bearing_forces(body, &here) {
+        wrench.push(force, arm);
+    }
+    wrench.force += body.push - DVec3::Z * (body.mass * gravity);
+    wrench.moment.z += body.moment;
+    let acceleration = wrench.force / body.mass - ground;
+    let spin_rate = spin_rate(body, &here, wrench.moment);
+    for i in 0..3 {
+        out[i] = if body.free[i] { state[7 + i] } else { 0.0 };
+        out[7 + i] = if body.free[i] { acceleration[i] } else { 0.0 };
+        out[10 + i] = spin_rate[i];
+    }
+    let w = here.spin;
+    let q = attitude(state);
+    // q̇ = ½ ω q, ω in the world.
+    let rate = DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * q * 0.5;
+    out[3..7].copy_from_slice(&[rate.x, rate.y, rate.z, rate.w]);
+}
+
+/// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.
+pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = (DVec3, DVec3)> + 'a {
+    let into_axes = body.axes.transpose();
+    body.bearings.iter().map(move |b| {
+        let arm = here.rotation * b.place;
+        let moved = into_axes * (here.shift + arm - body.axes * b.place);
+        let speed = into_axes * here.velocity_at(arm);
+        (arm, b.preload + body.axes * (-b.stiffness * moved - b.damping * speed))
+    })
+}
+
+/// Acceleration along two axes of the point at `arm` from G per force along them there \[1/kg\].
+pub fn mobility(body: &Body, rotation: &DMat3, arm: DVec3, axes: [DVec3; 2]) -> DMat2 {
+    let along = |force: DVec3| {
+        let free = |i: usize| if body.free[i] { force[i] / body.mass } else { 0.0 };
+        let turned = free_inverse(body, rotation, arm.cross(force)).cross(arm);
+        let acceleration = DVec3::new(free(0), free(1), free(2)) + turned;
+        DVec2::new(acceleration.dot(axes[0]), acceleration.dot(axes[1]))
+    };
+    DMat2::from_cols(along(axes[0]), along(axes[1]))
+}
+
+/// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.
+fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
+    let inertia = world_inertia(body, &here.rotation);
+    free_inverse(body, &here.rotation, moment - here.spin.cross(inertia * here.spin))
+}
+
+/// `I⁻¹ M` in the directions that the body is free to turn in.
+fn free_inverse(body: &Body, rotation: &DMat3, moment: DVec3) -> DVec3 {
+    let mut matrix = world_inertia(body, rotation);
+    let mut right = moment;
+    // A held direction becomes an equation of its own: its rate is 0.
+    for i in 0..3 {
+        if !body.free[3 + i] {
+            for j in 0..3 {
+                matrix.col_mut(j)[i] = 0.0;
+                matrix.col_mut(i)[j] = 0.0;
+            }
+            matrix.col_mut(i)[i] = 1.0;
+            right[i] = 0.0;
+        }
+    }
+    matrix.inverse() * right
+}
+
+/// Inertia about G in world axes \[kg·m²\].
+pub fn world_inertia(body: &Body, rotation: &DMat3) -> DMat3 {
+    *rotation * (body.prism.inertia_per_mass() * body.mass) * rotation.transpose()
+}

@@ -1,0 +1,91 @@
+//! How far, how fast and how sharply a flight can move at most, so that a search for crossings can leap.
+
+use glam::DVec3;
+
+use super::flight::{Dof, Planar, System, SystemForm};
+use crate::motion::Ground;
+
+/// Bounds on a motion over `[t, t + window]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// How long they hold \[s\].
+    pub window: f64,
+    /// Displacement of G \[m\].
+    pub reach: f64,
+    /// |θ| \[rad\].
+    pub turn: f64,
+    /// Speed of G \[m/s\].
+    pub speed: f64,
+    /// |θ̇| \[rad/s\].
+    pub spin: f64,
+    /// Acceleration of G \[m/s²\].
+    pub acceleration: f64,
+    /// |θ̈| \[rad/s²\].
+    pub spin_rate: f64,
+}
+
+impl System {
+    /// Bounds on the motion from `t`, where it is at `state`, for at most `horizon` \[s\].
+    ///
+    /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,
+    /// its work bounds it over a short window.
+    pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> Bound {
+        match &self.form {
+            SystemForm::Split { dof, .. } if !self.has_kinks() => self.bound_split(dof, t, state, horizon),
+            _ => self.bound_whole(state, horizon),
+        }
+    }
+
+    fn bound_split(&self, dof: &[Dof; 3], t: f64, state: &Planar, horizon: f64) -> Bound {
+        let drive = if let Ground::Sine { omega, .. } = self.ground { omega } else { 0.0 };
+        let steady = self.steady(dof, t);
+        let limits: [[f64; 3]; 3] = std::array::from_fn(|i| {
+            let free = [state[i] - steady[i], state[3 + i] - steady[3 + i]];
+            dof[i].limits(free, drive, self.push[i], horizon)
+        });
+        let plan = |k: usize| limits[0][k].hypot(limits[1][k]);
+        Bound {
+            window: horizon,
+            reach: plan(0),
+            turn: limits[2][0],
+            speed: plan(1),
+            spin: limits[2][1],
+            acceleration: plan(2),
+            spin_rate: limits[2][2],
+        }
+    }
+
+    fn bound_whole(&self, state: &Planar, horizon: f64) -> Bound {
+        let [omega, damping] = self.rates;
+        let window = horizon.min(0.5 / omega.max(damping).max(1e-9));
+        let i = self.gyration;
+        let push = DVec3::new(self.push[0], self.push[1], self.push[2] * i).length();
+        let force = self.ground.peak() + push;
+        let speed0 = DVec3::new(state[3], state[4], state[5] * i).length();
+        let place = DVec3::new(state[0], state[1], state[2] * i).length();
+        let speed = speed0.hypot(omega * place) + force * window;
+        let acceleration = (damping + omega) * speed + force;
+        let reach = place + speed * window;
+        Bound { window, reach, turn: reach / i, speed, spin: speed / i, acceleration, spin_rate: acceleration / i }
+    }
+}
+
+impl Dof {
+    /// `[displacement, speed, acceleration]` that free part, steady response and push never exceed.
+    pub(super) fn limits(&self, [q, v]: [f64; 2], drive: f64, push: f64, horizon: f64) -> [f64; 3] {
+        if !self.free {
+            return [q.abs(), 0.0, 0.0];
+        }
+        let (omega, gamma) = (self.oscillator.omega(), self.oscillator.gamma);
+        let amplitude = self.steady.0.hypot(self.steady.1);
+        let resting = if omega > 0.0 { push / self.oscillator.omega2 } else { 0.0 };
+        let driven = if omega > 0.0 { 0.0 } else { push.abs() };
+        let speed = v.hypot(omega * (q - resting)) + driven * horizon;
+        let free_reach = if omega > 0.0 { resting.abs() + speed / omega } else { q.abs() + speed * horizon };
+        [
+            free_reach + amplitude,
+            speed + drive * amplitude,
+            (2.0 * gamma + omega) * speed + driven + drive * drive * amplitude,
+        ]
+    }
+}

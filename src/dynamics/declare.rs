@@ -1,0 +1,128 @@
+//! Which nodes are declared against which faces (Fig. 24): both ways between girders, one way against a backwall unless a
+//! corner of the backwall can enter the girder's face.
+
+use glam::DVec3;
+
+use super::{Body, ContactSite};
+use crate::geometry::{End, Face, Prism};
+use crate::scene::facing::{Facing, Side};
+use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
+
+/// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
+const OVERHANG: f64 = 0.75;
+
+/// One side of a pair as the other sees it: nodes, and the face they may enter.
+struct Facade {
+    name: String,
+    body: Option<usize>,
+    /// Node names and places, in the frame of the body (about `fixed`, for an abutment).
+    nodes: Vec<(String, DVec3)>,
+    face: Face,
+    /// Where an abutment's frame stands: its corner a.
+    fixed: DVec3,
+}
+
+/// All contacts of a facing pair: nodes of the first against the face of the second, then back.
+///
+/// # Errors
+/// When an abutment's four corners are no face.
+pub(super) fn contacts(
+    scene: &Scene,
+    bodies: &[Body],
+    facing: &Facing,
+    pair: usize,
+) -> Result<Vec<ContactSite>, SceneErrors> {
+    let first = facade(scene, bodies, facing.first)?;
+    let mut second = facade(scene, bodies, facing.second)?;
+    if let (Some(girder), None) = (first.body, second.body) {
+        let fixed = second.fixed;
+        second.nodes.retain(|(_, point)| can_enter(&bodies[girder], &first.face, fixed + *point));
+    }
+    let declare = |nodes: &Facade, face: &Facade| -> Vec<ContactSite> {
+        nodes
+            .nodes
+            .iter()
+            .map(|(name, point)| ContactSite {
+                node: name.clone(),
+                face_name: face.name.clone(),
+                pair,
+                node_body: nodes.body,
+                point: *point,
+                face_body: face.body,
+                face: face.face.clone(),
+                fixed: if nodes.body.is_none() { nodes.fixed } else { face.fixed },
+            })
+            .collect()
+    };
+    let mut sites = declare(&first, &second);
+    sites.extend(declare(&second, &first));
+    Ok(sites)
+}
+
+fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
+    let local = body.axes.transpose() * (world - body.home);
+    face.inset(local) > -OVERHANG * body.prism.end_length()
+}
+
+fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<Facade, SceneErrors> {
+    match side {
+        Side::Girder(girder, end) => Ok(girder_facade(scene.kind, &bodies[girder], girder, end)),
+        Side::Abutment(number) => abutment_facade(scene, number),
+    }
+}
+
+fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> Facade {
+    let corners = body.prism.corners();
+    let plan = Prism::end_corners(end);
+    let nodes = match kind {
+        Kind::Planar => plan.iter().map(|&c| (format!("{}.corner{c}", body.name), corners[c].with_z(0.0))).collect(),
+        Kind::Spatial => plan
+            .iter()
+            .flat_map(|&c| {
+                [("bottom", corners[c]), ("top", corners[c + 4])]
+                    .map(|(level, at)| (format!("{}.corner{c}-{level}", body.name), at))
+            })
+            .collect(),
+    };
+    let quad = body.prism.end_face(end);
+    let [a, b, _, d] = quad;
+    let tangent = (b - a) / body.prism.end_length();
+    let bitangent = (d - a) / body.prism.thickness;
+    // An end face is a rectangle by construction.
+    let face = Face {
+        corners: quad,
+        normal: tangent.cross(bitangent),
+        tangent,
+        bitangent,
+        depth: body.prism.depth_behind_end(),
+    };
+    Facade { name: format!("{}{}", body.name, end.label()), body: Some(number), nodes, face, fixed: DVec3::ZERO }
+}
+
+fn abutment_facade(scene: &Scene, number: usize) -> Result<Facade, SceneErrors> {
+    let abutment = &scene.abutments[number];
+    let complaint = |value: String, remedy: String| {
+        SceneErrors(vec![SceneError {
+            file: scene.name.clone(),
+            place: format!("abutment.{}", abutment.name),
+            value,
+            remedy,
+        }])
+    };
+    let corners = placed::abutment_face(scene, abutment).ok_or_else(|| {
+        complaint("no face".into(), "give gap_m, or polygon_m with four corners, before a girder that is there".into())
+    })?;
+    let fixed = corners[0];
+    let corners = corners.map(|corner| corner - fixed);
+    let face = Face::new(corners, placed::abutment_depth(scene, abutment))
+        .map_err(|error| complaint("its face".into(), error.to_string()))?;
+    let [a, b, c, d] = corners;
+    let nodes: Vec<(String, DVec3)> = match scene.kind {
+        Kind::Planar => vec![
+            (format!("{}.side0", abutment.name), a.midpoint(d)),
+            (format!("{}.side1", abutment.name), b.midpoint(c)),
+        ],
+        Kind::Spatial => (0..4).map(|i| (format!("{}.corner{i}", abutment.name), corners[i])).collect(),
+    };
+    Ok(Facade { name: abutment.name.clone(), body: None, nodes, face, fixed })
+}

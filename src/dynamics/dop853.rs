@@ -1,0 +1,211 @@
+//! Dormand–Prince 8(5,3): explicit Runge–Kutta of order 8 with a seventh-order continuous answer
+//! (Hairer, Nørsett and Wanner, section II.5). Knows no physics; all buffers are kept from step to step.
+
+use super::dop853_coefficients::{A, C, D, E3, E5};
+
+/// Coefficients of the interpolant per component.
+pub const DENSE: usize = 8;
+
+/// A first-order system with its own idea of how large an error is.
+pub trait System {
+    /// `ẏ` at `(t, y)`.
+    fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]);
+    /// Squared size of a difference of states, 1 being what the tolerance allows.
+    fn size2(&self, difference: &[f64]) -> f64;
+}
+
+/// The integrator's memory for systems of one size.
+#[derive(Clone, Debug, Default)]
+pub struct Dop853 {
+    slopes: Vec<f64>,
+    stage: Vec<f64>,
+    end: Vec<f64>,
+    size: usize,
+}
+
+/// A continuous answer over one step: `[component][coefficient]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dense {
+    /// Where the step begins \[s\].
+    pub from: f64,
+    /// Its length \[s\].
+    pub step: f64,
+    coefficients: Vec<[f64; DENSE]>,
+}
+
+impl Dense {
+    /// Components `range` at `t`, written to `out`.
+    #[inline]
+    pub fn read(&self, range: std::ops::Range<usize>, t: f64, out: &mut [f64]) {
+        let x = (t - self.from) / self.step;
+        let y = 1.0 - x;
+        for (value, c) in out.iter_mut().zip(&self.coefficients[range]) {
+            // Horner in x and 1 − x by turns, from the highest coefficient down.
+            *value = c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))));
+        }
+    }
+
+    /// The same answer for some components only.
+    #[must_use]
+    pub fn part(&self, range: std::ops::Range<usize>) -> Self {
+        Self { from: self.from, step: self.step, coefficients: self.coefficients[range].to_vec() }
+    }
+
+    /// Every coefficient, for hashing.
+    pub fn coefficients(&self) -> &[[f64; DENSE]] {
+        &self.coefficients
+    }
+}
+
+impl Dop853 {
+    /// Makes room for a system of `size` components.
+    pub fn resize(&mut self, size: usize) {
+        self.size = size;
+        self.slopes.clear();
+        self.slopes.resize(16 * size, 0.0);
+        self.stage.resize(size, 0.0);
+        self.end.resize(size, 0.0);
+    }
+
+    /// Sets the slope at the start of the next step.
+    pub fn start(&mut self, system: &mut impl System, t: f64, y: &[f64]) {
+        let n = self.size;
+        system.slope(t, y, &mut self.slopes[..n]);
+    }
+
+    /// Slope at the start of the next step.
+    pub fn slope(&self) -> &[f64] {
+        &self.slopes[..self.size]
+    }
+
+    /// Tries a step of length `h` from `(t, y)`, whose slope stands in row 0; returns the error, 1 being the tolerance.
+    pub fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> f64 {
+        for stage in 1..12 {
+            self.evaluate(system, stage, t, y, h);
+        }
+        let n = self.size;
+        combine(&mut self.end, y, h, A[12], &self.slopes, n);
+        self.error(system, h)
+    }
+
+    /// Error of the step just tried, as the code of the method's authors weighs the two estimates.
+    fn error(&mut self, system: &impl System, h: f64) -> f64 {
+        let n = self.size;
+        difference(&mut self.stage, E5, &self.slopes, n);
+        let fifth = system.size2(&self.stage);
+        difference(&mut self.stage, E3, &self.slopes, n);
+        let third = system.size2(&self.stage);
+        let mixed = fifth + 0.01 * third;
+        if mixed > 0.0 {
+            h.abs() * fifth / mixed.sqrt()
+        } else if mixed == 0.0 {
+            0.0
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    fn evaluate(&mut self, system: &mut impl System, stage: usize, t: f64, y: &[f64], h: f64) {
+        let n = self.size;
+        combine(&mut self.stage, y, h, A[stage], &self.slopes, n);
+        let (_, after) = self.slopes.split_at_mut(stage * n);
+        system.slope(t + C[stage] * h, &self.stage, &mut after[..n]);
+    }
+
+    /// Accepts the step just tried: its continuous answer. The slope at its end becomes the next start.
+    pub fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Dense {
+        let n = self.size;
+        system.slope(t + h, &self.end, &mut self.slopes[12 * n..13 * n]);
+        for stage in 13..16 {
+            self.evaluate(system, stage, t, y, h);
+        }
+        let k = |stage: usize, i: usize| self.slopes[stage * n + i];
+        let coefficients = (0..n)
+            .map(|i| {
+                let delta = self.end[i] - y[i];
+                let (first, last) = (h * k(0, i), h * k(12, i));
+                let upper = |row: usize| h * D[row].iter().map(|&(j, f)| f * k(j, i)).sum::<f64>();
+                [y[i], delta, first - delta, 2.0 * delta - (last + first), upper(0), upper(1), upper(2), upper(3)]
+            })
+            .collect();
+        y.copy_from_slice(&self.end);
+        self.slopes.copy_within(12 * n..13 * n, 0);
+        Dense { from: t, step: h, coefficients }
+    }
+
+    /// State at the end of the step just tried.
+    pub fn end(&self) -> &[f64] {
+        &self.end
+    }
+}
+
+#[inline]
+fn combine(out: &mut [f64], y: &[f64], h: f64, row: &[(usize, f64)], slopes: &[f64], n: usize) {
+    out.fill(0.0);
+    for &(j, factor) in row {
+        for (o, k) in out.iter_mut().zip(&slopes[j * n..(j + 1) * n]) {
+            *o += factor * k;
+        }
+    }
+    for (o, y) in out.iter_mut().zip(y) {
+        *o = y + h * *o;
+    }
+}
+
+#[inline]
+fn difference(out: &mut [f64], row: &[(usize, f64)], slopes: &[f64], n: usize) {
+    out.fill(0.0);
+    for &(j, factor) in row {
+        for (o, k) in out.iter_mut().zip(&slopes[j * n..(j + 1) * n]) {
+            *o += factor * k;
+        }
+    }
+}
+
+/// Factor for the next step from the error of the last: order 8, kept between a fifth and six.
+pub fn next_factor(error: f64) -> f64 {
+    if error == 0.0 { 6.0 } else { (0.9 * error.powf(-0.125)).clamp(0.2, 6.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Circle;
+
+    impl System for Circle {
+        fn slope(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+            (out[0], out[1]) = (y[1], -y[0]);
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d.iter().map(|x| x * x).sum()
+        }
+    }
+
+    /// Largest error over one turn: at the steps, and halfway between them.
+    fn errors(steps: u32) -> (f64, f64) {
+        let h = std::f64::consts::TAU / f64::from(steps);
+        let (mut rk, mut y, mut worst) = (Dop853::default(), vec![0.0, 1.0], (0.0f64, 0.0f64));
+        rk.resize(2);
+        rk.start(&mut Circle, 0.0, &y);
+        for i in 0..steps {
+            let t = f64::from(i) * h;
+            rk.attempt(&mut Circle, t, &y, h);
+            let dense = rk.accept(&mut Circle, t, &mut y, h);
+            let mut middle = [0.0; 2];
+            dense.read(0..2, t + 0.5 * h, &mut middle);
+            worst.1 = worst.1.max((middle[0] - (t + 0.5 * h).sin()).abs());
+            worst.0 = worst.0.max((y[0] - (t + h).sin()).abs());
+        }
+        worst
+    }
+
+    #[test]
+    fn the_order_is_eight_at_the_steps_and_seven_between() {
+        let (coarse, fine) = (errors(8), errors(16));
+        let order = |a: f64, b: f64| (a / b).log2();
+        assert!((order(coarse.0, fine.0) - 8.0).abs() < 0.35, "steps: {}", order(coarse.0, fine.0));
+        assert!(order(coarse.1, fine.1) > 6.8, "between: {}", order(coarse.1, fine.1));
+    }
+}

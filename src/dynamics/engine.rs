@@ -1,0 +1,306 @@
+//! The event loop for one group of bodies that pairs join (physics section 4).
+//!
+//! Every body has a trajectory into the future: a closed-form flight, or the planned step of the island it touches in.
+//! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only
+//! the bodies it concerns get new trajectories, and only their pairs are looked at again. Nobody else notices.
+
+use std::sync::Arc;
+
+use super::Model;
+use super::agenda::{Agenda, Item};
+use super::body_state;
+use super::event::{Event, Stop};
+use super::flight::{Flight, System};
+use super::island::Island;
+use super::track::{Contact, ContactLog, Segment};
+use crate::contact::Frame;
+use crate::scene::Kind;
+
+/// Events of one contact at one instant before the run gives up there.
+const SAME_INSTANT: usize = 64;
+/// Planned steps, meetings and searches per body before the run gives up: hundreds of times what an hour of shaking needs.
+const WORK: usize = 1_000_000;
+/// Events of one contact during one touch before the run gives up there.
+const PER_TOUCH: usize = 100_000;
+
+/// How a body moves from now on.
+#[derive(Debug)]
+pub(super) enum Trajectory {
+    /// In closed form, until something happens.
+    Flight(Flight),
+    /// With others, as that island's body of that number.
+    Island { island: usize, index: usize },
+}
+
+/// A body of the group.
+#[derive(Debug)]
+pub(super) struct BodyTrack {
+    /// Its number in the model.
+    pub body: usize,
+    /// Its free motion, where that has a closed form.
+    pub system: Option<System>,
+    /// What it does now.
+    pub now: Trajectory,
+    /// What it did.
+    pub segments: Vec<Segment>,
+    /// The pairs it is in.
+    pub pairs: Vec<usize>,
+}
+
+/// A pair of the group.
+#[derive(Debug)]
+pub(super) struct PairTrack {
+    /// Its number in the model.
+    pub pair: usize,
+    /// Slots of its bodies; nothing for an abutment.
+    pub slots: [Option<usize>; 2],
+    /// Its contacts in the engine.
+    pub contacts: std::ops::Range<usize>,
+    /// Nodes that share K and C while it is closed; 0 while it is open.
+    pub sharers: usize,
+    /// Two events closer than this are one \[s\].
+    pub together: f64,
+}
+
+/// A contact of the group.
+#[derive(Debug)]
+pub(super) struct ContactTrack {
+    /// Its number in the model.
+    pub site: usize,
+    /// Its pair in the engine.
+    pub pair: usize,
+    /// Slots of the node's and the face's body.
+    pub slots: [Option<usize>; 2],
+    /// Its state now.
+    pub state: Contact,
+    /// Its next closing on the trajectories in force \[s\].
+    pub closing: Option<f64>,
+    /// Its states so far.
+    pub log: ContactLog,
+    /// Events of the touch in hand, and the time and number of those at one instant.
+    pub counted: (usize, f64, usize),
+}
+
+/// The run of one group of bodies.
+#[derive(Debug)]
+pub struct Engine {
+    pub(super) model: Arc<Model>,
+    pub(super) bodies: Vec<BodyTrack>,
+    pub(super) pairs: Vec<PairTrack>,
+    pub(super) contacts: Vec<ContactTrack>,
+    pub(super) islands: Vec<Option<Island>>,
+    pub(super) agenda: Agenda,
+    pub(super) events: Vec<Event>,
+    stop: Option<Stop>,
+    now: f64,
+    pub(super) work: usize,
+}
+
+impl Engine {
+    /// Sets up a group of bodies at t = 0.
+    pub fn new(model: &Arc<Model>, group: &[usize]) -> Self {
+        let mut engine = Self {
+            model: Arc::clone(model),
+            bodies: Vec::new(),
+            pairs: Vec::new(),
+            contacts: Vec::new(),
+            islands: Vec::new(),
+            agenda: Agenda::default(),
+            events: Vec::new(),
+            stop: None,
+            now: 0.0,
+            work: 0,
+        };
+        engine.gather(group);
+        engine.begin();
+        engine
+    }
+
+    fn gather(&mut self, group: &[usize]) {
+        let model = Arc::clone(&self.model);
+        let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
+        for &body in group {
+            let planar = model.kind == Kind::Planar;
+            let system = planar.then(|| System::new(&model.bodies[body], &model.ground, model.duration));
+            let rest = Flight::at_rest();
+            let now = Trajectory::Flight(rest);
+            self.bodies.push(BodyTrack { body, system, now, segments: Vec::new(), pairs: Vec::new() });
+        }
+        for (number, pair) in model.pairs.iter().enumerate() {
+            let slots = pair.bodies.map(slot);
+            if slots == [None, None] {
+                continue;
+            }
+            let from = self.contacts.len();
+            for site in pair.contacts.clone() {
+                let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
+                self.contacts.push(ContactTrack {
+                    site,
+                    pair: self.pairs.len(),
+                    slots: owners,
+                    state: Contact::Open { armed: true },
+                    closing: None,
+                    log: ContactLog::default(),
+                    counted: (0, -1.0, 0),
+                });
+            }
+            for slot in slots.into_iter().flatten() {
+                self.bodies[slot].pairs.push(self.pairs.len());
+            }
+            let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+            let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
+            let contacts = from..self.contacts.len();
+            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together });
+        }
+    }
+
+    /// States at t = 0: nodes that overlap start in stick, everyone gets a trajectory.
+    fn begin(&mut self) {
+        let model = Arc::clone(&self.model);
+        let slots: Vec<usize> = (0..self.bodies.len()).collect();
+        let states =
+            self.bodies.iter().map(|track| body_state::initial(model.kind, &model.bodies[track.body])).collect();
+        let now = self.instant(slots, states, 0.0);
+        self.close_overlapping(&now);
+        self.form(now, 0.0);
+    }
+
+    /// The time of whatever comes next; infinite when the run is over \[s\].
+    pub fn next_time(&self) -> f64 {
+        if self.stop.is_some() { f64::INFINITY } else { self.agenda.first_time() }
+    }
+
+    /// How far the run has come \[s\].
+    pub fn now(&self) -> f64 {
+        if self.stop.is_none() && self.agenda.first_time() > self.model.duration {
+            self.model.duration
+        } else {
+            self.now
+        }
+    }
+
+    /// Does everything that is due until `until` \[s\].
+    pub fn advance(&mut self, until: f64) {
+        while self.next_time() <= until.min(self.model.duration) {
+            let Some((t, item)) = self.agenda.pop() else { return };
+            self.now = t;
+            self.work += 1;
+            if self.work > WORK * self.bodies.len() {
+                self.out_of_work(t, item);
+                return;
+            }
+            match item {
+                Item::Island(island) => self.commit_step(island, t),
+                Item::Pair(pair) => self.meet(pair, t),
+            }
+        }
+    }
+
+    /// Everything that was computed: paths, contact states, events, and why it stopped early.
+    pub fn finish(mut self) -> Finished {
+        let end = self.now();
+        self.commit_all(end);
+        Finished {
+            end,
+            stop: self.stop,
+            bodies: self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect(),
+            contacts: self.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
+            events: self.events,
+        }
+    }
+
+    /// State of a body on its trajectory.
+    pub(super) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
+        let track = &self.bodies[slot];
+        match &track.now {
+            Trajectory::Flight(flight) => {
+                track.system.as_ref().map_or(flight.state, |system| system.state(flight, t)).to_vec()
+            }
+            Trajectory::Island { island, index } => match &self.islands[*island] {
+                Some(island) => island.state_at(&self.model, *index, t),
+                None => Vec::new(),
+            },
+        }
+    }
+
+    /// Pose of a body on its trajectory.
+    pub(super) fn frame(&self, slot: usize, t: f64) -> Frame {
+        let track = &self.bodies[slot];
+        let body = &self.model.bodies[track.body];
+        match (&track.now, &track.system) {
+            (Trajectory::Flight(flight), Some(system)) => body.planar_frame(&system.state(flight, t)),
+            (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
+                Some(island) => island.frame(&self.model, *index, t),
+                None => Frame::fixed(body.home),
+            },
+            _ => Frame::fixed(body.home),
+        }
+    }
+
+    /// Pose of one side of a contact.
+    pub(super) fn side(&self, contact: usize, side: usize, t: f64) -> Frame {
+        let track = &self.contacts[contact];
+        match track.slots[side] {
+            Some(slot) => self.frame(slot, t),
+            None => Frame::fixed(self.model.contacts[track.site].fixed),
+        }
+    }
+
+    /// Counts an event and says whether the contact has had too many.
+    pub(super) fn counted(&mut self, contact: usize, t: f64) {
+        let track = &mut self.contacts[contact];
+        let (touch, at, same) = &mut track.counted;
+        *touch += 1;
+        *same = if *at == t { *same + 1 } else { 1 };
+        *at = t;
+        if *same > SAME_INSTANT || *touch > PER_TOUCH {
+            let (touch, same) = (*touch, *same);
+            let place = self.model.contacts[track.site].node.clone();
+            self.give_up(
+                t,
+                place,
+                format!(
+                    "{touch} changes of state in one touch, {same} of them at this instant: stick and slip alternate without \
+                     end; another law, a lower stiffness or a larger tolerance may end it"
+                ),
+            );
+        }
+    }
+
+    /// The work bound: says who kept the run busy.
+    fn out_of_work(&mut self, t: f64, item: Item) {
+        let slots = match item {
+            Item::Island(island) => self.islands[island].as_ref().map(|i| i.slots.clone()).unwrap_or_default(),
+            Item::Pair(pair) => self.pairs[pair].slots.into_iter().flatten().collect(),
+        };
+        let names: Vec<&str> = slots.iter().map(|&s| self.model.bodies[self.bodies[s].body].name.as_str()).collect();
+        let place = names.join(", ");
+        let reason = format!(
+            "{} steps and looks are more than any answer is worth: a contact, a bearing or the ground is far too fast for \
+             the duration; lower its stiffness or frequency, or shorten the run",
+            self.work
+        );
+        self.give_up(t, place, reason);
+    }
+
+    pub(super) fn give_up(&mut self, t: f64, place: String, reason: String) {
+        if self.stop.is_none() {
+            self.stop = Some(Stop { t, place, reason });
+        }
+    }
+}
+
+/// What an engine leaves behind.
+#[derive(Debug)]
+pub struct Finished {
+    /// How far it came \[s\].
+    pub end: f64,
+    /// Why it stopped early.
+    pub stop: Option<Stop>,
+    /// Number, path and free motion of every body.
+    pub bodies: Vec<(usize, Vec<Segment>, Option<System>)>,
+    /// Number and states of every contact.
+    pub contacts: Vec<(usize, ContactLog)>,
+    /// Events in order of time.
+    pub events: Vec<Event>,
+}

@@ -1,0 +1,71 @@
+//! What happens to contacts, and what can end a run early.
+
+/// What happened to a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum EventKind {
+    /// Touched, and the anchor holds.
+    OpenToStick,
+    /// Touched, and slides at once.
+    OpenToSlip,
+    /// Broke away.
+    StickToSlip,
+    /// Came to hold.
+    SlipToStick,
+    /// Parted from the face.
+    Opened,
+    /// Left over the edge of the face.
+    LeftFace,
+    /// Went behind the plane of the face beside the polygon; no contact.
+    Missed,
+}
+
+impl EventKind {
+    /// The word used in tables.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::OpenToStick => "open->stick",
+            Self::OpenToSlip => "open->slip",
+            Self::StickToSlip => "stick->slip",
+            Self::SlipToStick => "slip->stick",
+            Self::Opened => "->open",
+            Self::LeftFace => "->left-face",
+            Self::Missed => "miss",
+        }
+    }
+
+    /// Whether a touch begins here.
+    pub fn is_touch(self) -> bool {
+        matches!(self, Self::OpenToStick | Self::OpenToSlip)
+    }
+
+    /// Whether a touch ends here.
+    pub fn is_parting(self) -> bool {
+        matches!(self, Self::Opened | Self::LeftFace)
+    }
+}
+
+/// One event of one contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// When \[s\].
+    pub t: f64,
+    /// The facing pair.
+    pub pair: usize,
+    /// The contact.
+    pub contact: usize,
+    /// What.
+    pub kind: EventKind,
+    /// Energy that a jump of the anchor released (section 9) \[J\].
+    pub released: f64,
+}
+
+/// Why a run stopped before its end.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Stop {
+    /// When \[s\].
+    pub t: f64,
+    /// Where: the pair or body.
+    pub place: String,
+    /// What was met, and what would help.
+    pub reason: String,
+}

@@ -1,0 +1,148 @@
+//! The equations of motion of bodies in contact, as an integrator sees them: one vector of body states, then the angles
+//! of slips that turn.
+
+use glam::{DVec2, DVec3};
+
+use super::body_state::{self, Wrench};
+use super::dop853::System;
+use super::track::Closed;
+use super::{Model, penalty3d};
+use crate::contact::{Frame, Mode};
+use crate::motion::{Ground, LinearPiece};
+use crate::scene::Kind;
+
+/// A closed contact between bodies of one island.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Active {
+    /// Its number in the model.
+    pub site: usize,
+    /// Which of the island's bodies owns the node; nothing for an abutment.
+    pub node: Option<usize>,
+    /// Which owns the face.
+    pub face: Option<usize>,
+    /// Its state.
+    pub closed: Closed,
+    /// Where its slip angle stands in the vector, if it is a state.
+    pub angle: Option<usize>,
+}
+
+impl Active {
+    /// The contact with its slip direction as the vector has it.
+    #[inline]
+    pub(super) fn turned(&self, y: &[f64]) -> Closed {
+        let mut closed = self.closed;
+        if let Some(at) = self.angle {
+            closed.mode = Mode::Slip { direction: DVec2::from_angle(y[at]) };
+        }
+        closed
+    }
+}
+
+/// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Scale {
+    /// What the tolerance allows \[m/s\].
+    pub speed: f64,
+    /// Fastest circular frequency in play \[rad/s\].
+    pub omega: f64,
+    /// What the tolerance allows of a slip angle \[rad\].
+    pub angle: f64,
+}
+
+/// The right-hand side for one island.
+#[derive(Debug)]
+pub(super) struct Field<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    /// Its bodies, numbers in the model.
+    pub bodies: &'a [usize],
+    /// Its closed contacts.
+    pub active: &'a [Active],
+    /// The stretch of ground motion that the step stays in.
+    pub piece: LinearPiece,
+    /// Error scale.
+    pub scale: Scale,
+    /// Scratch.
+    pub frames: &'a mut Vec<Frame>,
+    /// Scratch.
+    pub wrenches: &'a mut Vec<Wrench>,
+}
+
+impl Field<'_> {
+    fn ground(&self, t: f64) -> DVec3 {
+        match &self.model.ground {
+            Ground::Record { direction, .. } => {
+                *direction * (self.piece.start + self.piece.slope * (t - self.piece.from))
+            }
+            other => other.acceleration(t),
+        }
+    }
+
+    fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
+        for active in self.active {
+            let site = &self.model.contacts[active.site];
+            let fixed = Frame::fixed(site.fixed);
+            let node = active.node.map_or(&fixed, |i| &self.frames[i]);
+            let face = active.face.map_or(&fixed, |i| &self.frames[i]);
+            let closed = active.turned(y);
+            let action = penalty3d::act(site, &closed, node, face);
+            if let Some(i) = active.node {
+                self.wrenches[i].push(action.force, action.node_arm);
+            }
+            if let Some(i) = active.face {
+                self.wrenches[i].push(-action.force, action.face_arm);
+            }
+            if let (Some(at), Mode::Slip { direction }) = (active.angle, closed.mode) {
+                let length = closed.law.mu_k * action.here.penetration();
+                out[at] = direction.perp_dot(action.here.rate) / (length.max(0.0) + closed.ease);
+            }
+        }
+    }
+}
+
+impl System for Field<'_> {
+    fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+        let (model, width) = (self.model, body_state::width(self.model.kind));
+        self.frames.clear();
+        self.wrenches.clear();
+        for (i, &body) in self.bodies.iter().enumerate() {
+            self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
+            self.wrenches.push(Wrench::default());
+        }
+        self.contacts(y, out);
+        let ground = self.ground(t);
+        for (i, &body) in self.bodies.iter().enumerate() {
+            let (state, rate) = (&y[i * width..(i + 1) * width], &mut out[i * width..(i + 1) * width]);
+            let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
+            match model.kind {
+                Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
+                Kind::Spatial => body_state::spatial_slope(body, state, wrench, ground, model.gravity, rate),
+            }
+        }
+    }
+
+    fn size2(&self, d: &[f64]) -> f64 {
+        let width = body_state::width(self.model.kind);
+        let omega2 = self.scale.omega * self.scale.omega;
+        let mut sum = 0.0;
+        for (i, &body) in self.bodies.iter().enumerate() {
+            let d = &d[i * width..(i + 1) * width];
+            let arm2 = self.model.bodies[body].gyration2;
+            let (place, speed) = match self.model.kind {
+                Kind::Planar => (square(&d[..2]) + arm2 * d[2] * d[2], square(&d[3..5]) + arm2 * d[5] * d[5]),
+                // A quaternion turns half the angle.
+                Kind::Spatial => {
+                    (square(&d[..3]) + 4.0 * arm2 * square(&d[3..7]), square(&d[7..10]) + arm2 * square(&d[10..13]))
+                }
+            };
+            // Summed, not the largest: a NaN must come through and refuse the step.
+            sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
+        }
+        let angles = square(&d[self.bodies.len() * width..]) / (self.scale.angle * self.scale.angle);
+        sum + angles
+    }
+}
+
+fn square(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum()
+}

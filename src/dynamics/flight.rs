@@ -1,0 +1,342 @@
+//! Free motion of a planar girder in closed form: no steps (physics section 2).
+//!
+//! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
+//! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go
+//! through [`Coupled`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
+//! crossings can leap without missing one.
+
+use glam::{DMat3, DVec3};
+
+use super::Body;
+use super::coupled::{self, Coupled};
+use super::oscillator::{Free, Oscillator};
+use crate::motion::{Ground, LinearPiece};
+
+/// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
+pub type Planar = [f64; 6];
+
+/// Every so many samples of a record a flight keeps its state; between them it is advanced again, exactly.
+const STRIDE: usize = 8;
+
+/// Eccentricity below this part of the matrix is rounding of the legs' places.
+const DECOUPLED: f64 = 1e-14;
+
+/// A planar girder's free equation of motion, prepared once.
+#[derive(Clone, Debug)]
+pub struct System {
+    pub(super) form: SystemForm,
+    pub(super) ground: Ground,
+    /// `−direction` on x and y: what the ground's acceleration does to the girder.
+    forced: DVec3,
+    /// Constant push per unit mass.
+    pub(super) push: [f64; 3],
+    /// `√‖K/m‖` and `‖C/m‖`, for bounds.
+    pub(super) rates: [f64; 2],
+    /// Radius of gyration, which turns θ into a length \[m\].
+    pub(super) gyration: f64,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum SystemForm {
+    Split { dof: [Dof; 3], step: Option<Box<[PieceStep; 3]>> },
+    Coupled(Box<Coupled>),
+}
+
+/// One direction of a girder without eccentricity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dof {
+    pub(super) oscillator: Oscillator,
+    pub(super) free: bool,
+    /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
+    pub(super) steady: (f64, f64),
+}
+
+/// Factors that carry one direction across a whole interval of a record.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PieceStep {
+    free: Free,
+    s1: f64,
+    s2: f64,
+}
+
+/// One stretch of free motion.
+#[derive(Clone, Debug)]
+pub struct Flight {
+    /// When it begins \[s\].
+    pub start: f64,
+    /// State at its beginning.
+    pub state: Planar,
+    form: FlightForm,
+}
+
+#[derive(Clone, Debug)]
+enum FlightForm {
+    /// Free parts `(q, v)` at the start.
+    Split([[f64; 2]; 3]),
+    Coupled(coupled::State),
+    /// States at every [`STRIDE`]-th kink after the start; `first` is the piece that holds the start.
+    Record {
+        first: usize,
+        anchors: Vec<Planar>,
+    },
+}
+
+impl Flight {
+    /// At home and at rest, before the run begins.
+    pub fn at_rest() -> Self {
+        Self { start: 0.0, state: [0.0; 6], form: FlightForm::Split([[0.0; 2]; 3]) }
+    }
+
+    /// Every number that the flight's answer depends on, for hashing.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        std::iter::once(self.start).chain(self.state)
+    }
+}
+
+impl System {
+    /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
+    pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
+        let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
+        let free = [body.free[0], body.free[1], body.free[5]];
+        let mask = DVec3::from(free.map(|f| if f { 1.0 } else { 0.0 }));
+        let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
+        let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
+        let push = (DVec3::new(body.push.x, body.push.y, body.moment) * inverse * mask).to_array();
+        let axis = ground.axis();
+        let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
+        let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, ground, forced);
+        let form = split.unwrap_or_else(|| {
+            let (drive, amplitude) = match ground {
+                Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
+                _ => (0.0, 1.0),
+            };
+            SystemForm::Coupled(Box::new(Coupled::new(k, c, push.into(), forced * amplitude, drive, duration)))
+        });
+        // In lengths: θ counts by the radius of gyration.
+        let length = DVec3::new(1.0, 1.0, body.gyration2.sqrt());
+        let symmetric = |m: DMat3| frobenius(DMat3::from_diagonal(length) * m * DMat3::from_diagonal(length.recip()));
+        Self {
+            form,
+            ground: ground.clone(),
+            forced,
+            push,
+            rates: [symmetric(k).sqrt(), symmetric(c)],
+            gyration: body.gyration2.sqrt(),
+        }
+    }
+
+    /// Whether flights under this system have kinks, at which a record changes its slope.
+    pub(super) fn has_kinks(&self) -> bool {
+        matches!(self.ground, Ground::Record { .. })
+    }
+
+    /// Begins a flight.
+    pub fn fly(&self, start: f64, state: Planar) -> Flight {
+        let form = if self.has_kinks() {
+            FlightForm::Record { first: self.ground.piece_number(start), anchors: Vec::new() }
+        } else {
+            match &self.form {
+                SystemForm::Split { dof, .. } => {
+                    let steady = self.steady(dof, start);
+                    let part = |i: usize| [state[i] - steady[i], state[3 + i] - steady[3 + i]];
+                    FlightForm::Split([part(0), part(1), part(2)])
+                }
+                SystemForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
+            }
+        };
+        Flight { start, state, form }
+    }
+
+    /// Steady response to the sine at `t`.
+    pub(super) fn steady(&self, dof: &[Dof; 3], t: f64) -> Planar {
+        let Ground::Sine { omega, phase, .. } = self.ground else { return [0.0; 6] };
+        let (s, c) = (omega * t + phase).sin_cos();
+        let q = |d: &Dof| d.steady.0 * s + d.steady.1 * c;
+        let v = |d: &Dof| omega * (d.steady.0 * c - d.steady.1 * s);
+        [q(&dof[0]), q(&dof[1]), q(&dof[2]), v(&dof[0]), v(&dof[1]), v(&dof[2])]
+    }
+
+    fn augmented(&self, t: f64, state: &Planar) -> coupled::State {
+        let mut z = [0.0; coupled::SIZE];
+        z[..6].copy_from_slice(state);
+        z[coupled::ONE] = 1.0;
+        if let Ground::Sine { omega, phase, .. } = self.ground {
+            let (s, c) = (omega * t + phase).sin_cos();
+            (z[coupled::SIN], z[coupled::SIN + 1]) = (s, c);
+        }
+        z
+    }
+
+    /// State at `t` in `flight`.
+    pub fn state(&self, flight: &Flight, t: f64) -> Planar {
+        let tau = t - flight.start;
+        match (&flight.form, &self.form) {
+            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => {
+                let mut out = self.steady(dof, t);
+                for (i, d) in dof.iter().enumerate() {
+                    let [q, v] = d.advance(parts[i], [self.push[i], 0.0], tau);
+                    out[i] += q;
+                    out[3 + i] += v;
+                }
+                out
+            }
+            (FlightForm::Coupled(z), SystemForm::Coupled(system)) => first_six(&system.advance(z, tau)),
+            (FlightForm::Record { first, anchors }, _) => self.record_state(flight, *first, anchors, t),
+            // A flight is begun by its own system.
+            _ => flight.state,
+        }
+    }
+
+    fn record_state(&self, flight: &Flight, first: usize, anchors: &[Planar], t: f64) -> Planar {
+        let target = self.ground.piece_number(t);
+        let (mut state, mut number, mut at) = (flight.state, first, flight.start);
+        if target > first && !anchors.is_empty() {
+            let k = ((target - first - 1) / STRIDE).min(anchors.len() - 1);
+            (state, number) = (anchors[k], first + 1 + k * STRIDE);
+            at = self.ground.piece(number).from;
+        }
+        while number < target {
+            let piece = self.ground.piece(number);
+            state = self.cross(&piece, &state, at);
+            (number, at) = (number + 1, piece.until);
+        }
+        self.within(&self.ground.piece(target), &state, at, t - at)
+    }
+
+    /// From `at` in a piece to its end.
+    fn cross(&self, piece: &LinearPiece, state: &Planar, at: f64) -> Planar {
+        match &self.form {
+            SystemForm::Split { dof, step: Some(steps) } if at == piece.from => {
+                let mut out = [0.0; 6];
+                for i in 0..3 {
+                    let force = [self.forced[i] * piece.start + self.push[i], self.forced[i] * piece.slope];
+                    [out[i], out[3 + i]] = dof[i].step(&steps[i], [state[i], state[3 + i]], force);
+                }
+                out
+            }
+            _ => self.within(piece, state, at, piece.until - at),
+        }
+    }
+
+    /// From `at` in a piece on by τ within it.
+    fn within(&self, piece: &LinearPiece, state: &Planar, at: f64, tau: f64) -> Planar {
+        let value = piece.start + piece.slope * (at - piece.from);
+        match &self.form {
+            SystemForm::Split { dof, .. } => {
+                let mut out = [0.0; 6];
+                for i in 0..3 {
+                    let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
+                    [out[i], out[3 + i]] = dof[i].advance([state[i], state[3 + i]], force, tau);
+                }
+                out
+            }
+            SystemForm::Coupled(system) => {
+                let mut z = self.augmented(at, state);
+                (z[coupled::VALUE], z[coupled::VALUE + 1]) = (value, piece.slope);
+                first_six(&system.advance(&z, tau))
+            }
+        }
+    }
+
+    /// Keeps the states that later look-ups up to `t` start from.
+    pub fn remember(&self, flight: &mut Flight, t: f64) {
+        let FlightForm::Record { first, anchors } = &mut flight.form else { return };
+        let first = *first;
+        loop {
+            let next = first + 1 + anchors.len() * STRIDE;
+            let at = self.ground.piece(next).from;
+            if at > t || !at.is_finite() || self.ground.piece(next - 1).until.is_infinite() {
+                return;
+            }
+            let state = self.record_state_at_kink(flight.start, &flight.state, first, anchors, next);
+            anchors.push(state);
+        }
+    }
+
+    fn record_state_at_kink(&self, start: f64, from: &Planar, first: usize, anchors: &[Planar], next: usize) -> Planar {
+        let (mut state, mut number, mut at) = match anchors.last() {
+            Some(last) => {
+                let number = first + 1 + (anchors.len() - 1) * STRIDE;
+                (*last, number, self.ground.piece(number).from)
+            }
+            None => (*from, first, start),
+        };
+        while number < next {
+            let piece = self.ground.piece(number);
+            state = self.cross(&piece, &state, at);
+            (number, at) = (number + 1, piece.until);
+        }
+        state
+    }
+}
+
+impl Dof {
+    #[inline]
+    fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
+        if self.free { self.oscillator.advance(part, force, tau) } else { part }
+    }
+
+    fn step(&self, step: &PieceStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
+        if !self.free {
+            return [q, v];
+        }
+        let f = &step.free;
+        [
+            q * f.c + v * f.s + c0 * step.s1 + c1 * step.s2,
+            -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
+        ]
+    }
+}
+
+fn first_six(z: &coupled::State) -> Planar {
+    [z[0], z[1], z[2], z[3], z[4], z[5]]
+}
+
+fn frobenius(m: DMat3) -> f64 {
+    m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Three oscillators, when nothing couples them and no sine resonates.
+fn split(
+    stiffness: &DMat3,
+    damping: &DMat3,
+    k: DMat3,
+    c: DMat3,
+    free: [bool; 3],
+    ground: &Ground,
+    forced: DVec3,
+) -> Option<SystemForm> {
+    if !(is_diagonal(stiffness) && is_diagonal(damping)) {
+        return None;
+    }
+    let mut dof = [0, 1, 2].map(|i| Dof {
+        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
+        free: free[i],
+        steady: (0.0, 0.0),
+    });
+    let mut step = None;
+    match ground {
+        Ground::Still => {}
+        Ground::Sine { omega, amplitude, .. } => {
+            for (d, f) in dof.iter_mut().zip((forced * amplitude.length()).to_array()) {
+                if d.free && f != 0.0 {
+                    let (re, im) = d.oscillator.gain(*omega)?;
+                    d.steady = (f * re, f * im);
+                }
+            }
+        }
+        Ground::Record { dt, .. } => {
+            step = Some(Box::new(dof.map(|d| {
+                let free = d.oscillator.free(*dt);
+                let (s1, s2) = d.oscillator.forced(*dt, &free);
+                PieceStep { free, s1, s2 }
+            })));
+        }
+    }
+    Some(SystemForm::Split { dof, step })
+}
+
+/// Whether what stands off the diagonal is rounding, against the geometric mean of the diagonal it couples.
+fn is_diagonal(m: &DMat3) -> bool {
+    (0..3).all(|i| (0..i).all(|j| m.col(i)[j].abs() <= DECOUPLED * (m.col(i)[i] * m.col(j)[j]).sqrt()))
+}

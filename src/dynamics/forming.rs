@@ -1,0 +1,160 @@
+//! New trajectories after something happened: bodies that touch are integrated together, the others fly.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::agenda::Item;
+use super::engine::{Engine, Trajectory};
+use super::field::Active;
+use super::island::Island;
+use super::track::{Path, Segment};
+use super::transition::Juncture;
+use super::{predict, watch};
+
+impl Engine {
+    /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or go alone.
+    pub(super) fn form(&mut self, now: Juncture, step: f64) {
+        let Juncture { t, slots, states, .. } = now;
+        let mut new_islands = Vec::new();
+        for members in self.touching(&slots) {
+            let first = slots[members[0]];
+            let alone = members.len() == 1 && !self.is_touching(first);
+            if alone && self.bodies[first].system.is_some() {
+                self.fly(first, &states[members[0]], t);
+            } else {
+                let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
+                let members: Vec<usize> = members.into_iter().map(|i| slots[i]).collect();
+                new_islands.push(self.found(&members, y, t, if alone { 0.0 } else { step }));
+            }
+        }
+        for island in new_islands {
+            self.plan(island);
+        }
+        self.predict_around(&slots, t);
+    }
+
+    pub(super) fn fly(&mut self, slot: usize, state: &[f64], t: f64) {
+        self.end_flight(slot, t);
+        let track = &mut self.bodies[slot];
+        let mut planar = [0.0; 6];
+        planar.copy_from_slice(&state[..6]);
+        if let Some(system) = &track.system {
+            track.now = Trajectory::Flight(system.fly(t, planar));
+        }
+    }
+
+    /// Puts the flight that a body was on into its path.
+    pub(super) fn end_flight(&mut self, slot: usize, t: f64) {
+        let track = &mut self.bodies[slot];
+        if let Trajectory::Flight(flight) = &mut track.now
+            && t > flight.start
+        {
+            let mut flight = flight.clone();
+            if let Some(system) = &track.system {
+                system.remember(&mut flight, t);
+            }
+            track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(flight) });
+        }
+    }
+
+    /// Founds an island of bodies at `t`; returns its number.
+    pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, step: f64) -> usize {
+        let number = self.islands.iter().position(Option::is_none).unwrap_or_else(|| {
+            self.islands.push(None);
+            self.islands.len() - 1
+        });
+        for (index, &slot) in members.iter().enumerate() {
+            self.end_flight(slot, t);
+            self.bodies[slot].now = Trajectory::Island { island: number, index };
+        }
+        self.islands[number] = Some(self.assemble(members, y, t, step));
+        number
+    }
+
+    /// An island of bodies with the closed contacts between them.
+    pub(super) fn assemble(&self, members: &[usize], y: Vec<f64>, t: f64, step: f64) -> Island {
+        let pairs: BTreeSet<usize> = members.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
+        let active: Vec<(usize, Active)> = pairs
+            .into_iter()
+            .flat_map(|pair| self.pairs[pair].contacts.clone())
+            .filter_map(|contact| {
+                let track = &self.contacts[contact];
+                let closed = *track.state.closed()?;
+                let [node, face] = track.slots.map(index);
+                Some((contact, Active { site: track.site, node, face, closed, angle: None }))
+            })
+            .collect();
+        let bodies = members.iter().map(|&slot| self.bodies[slot].body).collect();
+        Island::new(&self.model, members.to_vec(), bodies, active, y, t, step)
+    }
+
+    /// Plans an island's next step and what is due in it.
+    pub(super) fn plan(&mut self, number: usize) {
+        let model = Arc::clone(&self.model);
+        let Some(mut island) = self.islands[number].take() else { return };
+        let from = island.until;
+        if from >= model.duration {
+            island.from = from;
+            self.islands[number] = Some(island);
+            return;
+        }
+        let cap = model.duration.min(model.ground.next_kink(from));
+        let outcome = island.plan(&model, cap);
+        if let Err(error) = outcome {
+            let names: Vec<&str> =
+                island.slots.iter().map(|&s| model.bodies[self.bodies[s].body].name.as_str()).collect();
+            self.give_up(
+                from,
+                names.join(", "),
+                format!(
+                    "the step fell to {:.1e} s; a lower stiffness or a larger tolerance would be followed",
+                    error.step
+                ),
+            );
+        } else if let Some((t, due)) = watch::first_due(&model, &island, 1e-9 / island.omega(&model)) {
+            island.due = due;
+            self.agenda.set(Item::Island(number), t.max(from));
+            self.islands[number] = Some(island);
+            return;
+        }
+        self.agenda.set(Item::Island(number), island.until);
+        self.islands[number] = Some(island);
+    }
+
+    pub(super) fn predict_around(&mut self, slots: &[usize], t: f64) {
+        let pairs: BTreeSet<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        for pair in pairs {
+            predict::pair(self, pair, t);
+        }
+    }
+
+    /// Groups of positions in `slots` whose bodies a chain of closed contacts joins.
+    pub(super) fn touching(&self, slots: &[usize]) -> Vec<Vec<usize>> {
+        let mut label: Vec<usize> = (0..slots.len()).collect();
+        let position = |slot: usize| slots.binary_search(&slot).ok();
+        for &slot in slots {
+            for &pair in &self.bodies[slot].pairs {
+                let track = &self.pairs[pair];
+                let closed = track.contacts.clone().any(|c| self.contacts[c].state.closed().is_some());
+                if let (true, [Some(a), Some(b)]) = (closed, track.slots.map(|s| s.and_then(position))) {
+                    let (low, high) = (label[a].min(label[b]), label[a].max(label[b]));
+                    label.iter_mut().filter(|l| **l == high).for_each(|l| *l = low);
+                }
+            }
+        }
+        let mut groups: Vec<Vec<usize>> = vec![Vec::new(); slots.len()];
+        for (i, &l) in label.iter().enumerate() {
+            groups[l].push(i);
+        }
+        groups.retain(|g| !g.is_empty());
+        groups
+    }
+
+    pub(super) fn is_touching(&self, slot: usize) -> bool {
+        self.bodies[slot]
+            .pairs
+            .iter()
+            .any(|&pair| self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some()))
+    }
+}

@@ -1,0 +1,156 @@
+//! What happens when something is due: a planned step ends, a contact changes, a pair meets.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::agenda::Item;
+use super::engine::{Engine, Trajectory};
+use super::island::Island;
+use super::track::{Contact, Path, Segment};
+use super::transition::Juncture;
+use super::watch::Due;
+use super::{body_state, predict};
+
+impl Engine {
+    pub(super) fn commit_all(&mut self, t: f64) {
+        for slot in 0..self.bodies.len() {
+            if let Trajectory::Flight(flight) = &mut self.bodies[slot].now {
+                let mut flight = flight.clone();
+                let track = &mut self.bodies[slot];
+                if let Some(system) = &track.system {
+                    system.remember(&mut flight, t);
+                }
+                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(flight) });
+            }
+        }
+        for island in 0..self.islands.len() {
+            if let Some(island) = self.islands[island].take() {
+                self.commit_island(&island, t);
+            }
+        }
+    }
+
+    /// Writes an island's planned step into the paths of its bodies, as far as `until`.
+    pub(super) fn commit_island(&mut self, island: &Island, until: f64) {
+        if until <= island.from {
+            return;
+        }
+        for (index, &slot) in island.slots.iter().enumerate() {
+            if let Some(dense) = island.path(&self.model, index) {
+                let path = Path::Dense(dense);
+                self.bodies[slot].segments.push(Segment { from: island.from, until, path });
+            }
+        }
+        for (number, &contact) in island.contacts.iter().enumerate() {
+            if let Some(angle) = island.angle_path(number) {
+                self.contacts[contact].log.angles.push((island.from, angle));
+            }
+        }
+    }
+
+    /// An island's planned step has come to its end, or to an event.
+    pub(super) fn commit_step(&mut self, number: usize, t: f64) {
+        let Some(mut island) = self.islands[number].take() else { return };
+        self.commit_island(&island, t);
+        if island.due.is_empty() {
+            if self.model.ground.next_kink(island.from) <= t {
+                let model = Arc::clone(&self.model);
+                island.rewind(&model, t);
+            }
+            let slots = island.slots.clone();
+            self.islands[number] = Some(island);
+            self.plan(number);
+            self.predict_around(&slots, t);
+            return;
+        }
+        let states = (0..island.slots.len()).map(|index| island.state_at(&self.model, index, t)).collect();
+        let now = self.instant(island.slots.clone(), states, t);
+        for (number, &contact) in island.contacts.iter().enumerate() {
+            self.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
+        }
+        for Due { number, reason } in std::mem::take(&mut island.due) {
+            self.change(island.contacts[number], reason, &now);
+        }
+        self.form(now, island.next_step());
+    }
+
+    /// Bodies at an instant.
+    pub(super) fn instant(&self, slots: Vec<usize>, states: Vec<Vec<f64>>, t: f64) -> Juncture {
+        let model = &self.model;
+        let frame = |(&slot, state): (&usize, &Vec<f64>)| {
+            body_state::frame(model.kind, &model.bodies[self.bodies[slot].body], state)
+        };
+        let frames = slots.iter().zip(&states).map(frame).collect();
+        Juncture { t, slots, states, frames }
+    }
+
+    /// A pair's next crossing is due, or its search has to go on.
+    pub(super) fn meet(&mut self, pair: usize, t: f64) {
+        let limit = t + self.pairs[pair].together;
+        let due: Vec<usize> = self.pairs[pair]
+            .contacts
+            .clone()
+            .filter(|&c| self.contacts[c].closing.is_some_and(|at| at <= limit))
+            .collect();
+        if due.is_empty() {
+            predict::pair(self, pair, t);
+            return;
+        }
+        let mut slots: Vec<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
+        slots.sort_unstable();
+        let frames = slots.iter().map(|&slot| self.frame(slot, t)).collect();
+        let seen = Juncture { t, slots, states: Vec::new(), frames };
+        let entered: Vec<usize> = due.into_iter().filter(|&contact| self.enters(contact, &seen)).collect();
+        if entered.is_empty() {
+            predict::pair(self, pair, t);
+            return;
+        }
+        let (now, step) = self.release(&seen.slots, t);
+        for contact in entered {
+            self.close(contact, &now);
+        }
+        self.form(now, step);
+    }
+
+    /// Ends the trajectories of bodies, and of everyone in an island with them, at `t`: how they are then, and the step
+    /// that their integrators would have taken.
+    pub(super) fn release(&mut self, slots: &[usize], t: f64) -> (Juncture, f64) {
+        let mut all = BTreeSet::new();
+        let mut step: f64 = 0.0;
+        for &slot in slots {
+            match self.bodies[slot].now {
+                Trajectory::Flight(_) => {
+                    all.insert(slot);
+                }
+                Trajectory::Island { island, .. } => {
+                    if let Some(island) = &self.islands[island] {
+                        all.extend(island.slots.iter().copied());
+                        step = if step == 0.0 { island.next_step() } else { step.min(island.next_step()) };
+                    }
+                }
+            }
+        }
+        let slots: Vec<usize> = all.into_iter().collect();
+        let states = slots.iter().map(|&slot| self.state(slot, t)).collect();
+        self.retire_islands(&slots, t);
+        (self.instant(slots, states, t), step)
+    }
+
+    pub(super) fn retire_islands(&mut self, slots: &[usize], t: f64) {
+        let mut numbers = BTreeSet::new();
+        for &slot in slots {
+            if let Trajectory::Island { island, .. } = self.bodies[slot].now {
+                numbers.insert(island);
+            }
+        }
+        for number in numbers {
+            self.agenda.remove(Item::Island(number));
+            if let Some(island) = self.islands[number].take() {
+                self.commit_island(&island, t);
+                for n in 0..island.contacts.len() {
+                    self.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
+                }
+            }
+        }
+    }
+}

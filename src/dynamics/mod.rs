@@ -1,0 +1,31 @@
+//! Bodies, bearings, flight, integrators and the event loop.
+//!
+//! [`Model`] is a scene compiled for computing; [`engine::Engine`] runs one group of its bodies and leaves exact paths
+//! behind. A girder that touches nothing flies in closed form ([`flight`]); girders that touch are integrated together
+//! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
+
+mod agenda;
+pub mod bearing;
+pub mod body_state;
+pub mod bound;
+pub mod coupled;
+mod declare;
+pub mod dop853;
+mod dop853_coefficients;
+pub mod engine;
+pub mod event;
+mod field;
+pub mod flight;
+mod forming;
+mod happening;
+mod island;
+mod model;
+pub mod oscillator;
+pub mod penalty3d;
+mod predict;
+pub mod search;
+pub mod track;
+mod transition;
+mod watch;
+
+pub use model::{Body, ContactSite, Model, Pair};

@@ -1,0 +1,43 @@
+//! The 3D contact-friction model between bodies (paper section 4): a law's forces, put where they act.
+//!
+//! `R_k` acts at the node `X_k`, `−R_k` at the point `X_p` that holds it (physics section 4), so a pair keeps its momentum
+//! exactly and its angular momentum up to the couple `(X_k − X_p) × R_k,t`.
+
+use glam::{DVec2, DVec3};
+
+use super::ContactSite;
+use super::track::Closed;
+use crate::contact::{Forces, Frame, Local, locate};
+
+/// A contact's forces and where they act, world frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Action {
+    /// The node against the face.
+    pub here: Local,
+    /// The law's forces in the face's axes.
+    pub forces: Forces,
+    /// `R_k` on the node's body \[N\].
+    pub force: DVec3,
+    /// `X_k` from the node body's G \[m\].
+    pub node_arm: DVec3,
+    /// `X_p` from the face body's G \[m\].
+    pub face_arm: DVec3,
+}
+
+/// Forces of a closed contact.
+#[inline]
+pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> Action {
+    let here = locate(site.point, node, &site.face, face);
+    let forces = closed.forces(&here);
+    let node_arm = node.rotation * site.point;
+    let apart = (node.home - face.home) + (node.shift - face.shift) + node_arm;
+    let force = to_world(site, face, forces.tangential_total(), forces.normal_total());
+    let offset = to_world(site, face, forces.stretch, here.gap);
+    Action { here, forces, force, node_arm, face_arm: apart - offset }
+}
+
+/// A vector given in the face's axes, in the world.
+#[inline]
+pub fn to_world(site: &ContactSite, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
+    face.rotation * (site.face.tangent * along.x + site.face.bitangent * along.y + site.face.normal * normal)
+}

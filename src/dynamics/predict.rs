@@ -1,0 +1,206 @@
+//! When the open contacts of a pair close next, on the trajectories that its bodies are on.
+
+use super::agenda::Item;
+use super::bound::Bound;
+use super::engine::{Engine, Trajectory};
+use super::search::{Found, Outlook, first_crossing, root};
+use super::track::Contact;
+use crate::contact::{Local, locate};
+use crate::motion::Ground;
+
+/// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
+const RESOLUTION: f64 = 4e-16;
+/// A node is in front of a face again when it is this many resolutions off it: at the crossing that it missed by, its gap is
+/// rounding of either sign.
+pub(super) const ARMED: f64 = 64.0;
+/// What a search that was cut short counts against the work bound.
+const CUT_SHORT: usize = 5_000;
+/// Looks at a gap per planned step.
+const LOOKS: usize = 5;
+
+/// Looks at a pair anew from `t` and enters what is due.
+pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
+    let until = horizon(engine, pair, t);
+    let flying = until.1;
+    let (mut first, mut searched) = (f64::INFINITY, until.0);
+    for contact in engine.pairs[pair].contacts.clone() {
+        let closing = open(engine, contact, t).and_then(|armed| {
+            if flying {
+                in_flight(engine, contact, t, until.0, armed, &mut searched)
+            } else {
+                in_step(engine, contact, t, until.0, armed)
+            }
+        });
+        engine.contacts[contact].closing = closing;
+        first = first.min(closing.unwrap_or(f64::INFINITY));
+    }
+    if first.is_finite() {
+        engine.agenda.set(Item::Pair(pair), first);
+    } else if flying && searched < engine.model.duration {
+        engine.agenda.set(Item::Pair(pair), searched);
+    } else {
+        engine.agenda.remove(Item::Pair(pair));
+    }
+}
+
+/// How far the pair's trajectories reach from `t`, and whether both are flights \[s\].
+fn horizon(engine: &Engine, pair: usize, t: f64) -> (f64, bool) {
+    let duration = engine.model.duration;
+    let mut planned = f64::INFINITY;
+    for slot in engine.pairs[pair].slots.into_iter().flatten() {
+        if let Trajectory::Island { island, .. } = &engine.bodies[slot].now
+            && let Some(island) = &engine.islands[*island]
+        {
+            planned = planned.min(island.until);
+        }
+    }
+    if planned.is_finite() {
+        return (planned, false);
+    }
+    let stretch = match &engine.model.ground {
+        Ground::Still => duration,
+        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
+        Ground::Record { dt, .. } => 64.0 * dt,
+    };
+    let until = t + stretch;
+    (if until >= duration { duration } else { until }, true)
+}
+
+/// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
+fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
+    let Contact::Open { armed } = engine.contacts[contact].state else { return None };
+    let face = &engine.model.contacts[engine.contacts[contact].site].face;
+    let in_front = ARMED * RESOLUTION * face.size();
+    if !armed && look(engine, contact, t).gap > in_front {
+        engine.contacts[contact].state = Contact::Open { armed: true };
+        return Some(true);
+    }
+    Some(armed)
+}
+
+fn look(engine: &Engine, contact: usize, t: f64) -> Local {
+    let site = &engine.model.contacts[engine.contacts[contact].site];
+    locate(site.point, &engine.side(contact, 0, t), &site.face, &engine.side(contact, 1, t))
+}
+
+/// Both sides fly or stand: leaps that cannot miss a touch.
+fn in_flight(engine: &mut Engine, contact: usize, t: f64, until: f64, armed: bool, searched: &mut f64) -> Option<f64> {
+    for slot in engine.contacts[contact].slots.into_iter().flatten() {
+        let track = &mut engine.bodies[slot];
+        if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
+            system.remember(flight, until);
+        }
+    }
+    let reach = Reach::of(engine, contact);
+    let ask = |at: f64| reach.outlook(engine, contact, at, until);
+    match first_crossing(ask, t, until, armed, reach.resolution) {
+        Found::Crossing(at) => Some(at),
+        Found::NoneUntil(at) => {
+            if at < until {
+                engine.work += CUT_SHORT;
+            }
+            *searched = searched.min(at);
+            None
+        }
+    }
+}
+
+/// What the gap of a contact can do at most, from the bounds of both flights.
+struct Reach {
+    /// Gap with both bodies as placed \[m\].
+    home_gap: f64,
+    /// Node from its G \[m\].
+    arm: f64,
+    /// Node from the face body's G, as placed \[m\].
+    apart: f64,
+    resolution: f64,
+}
+
+impl Reach {
+    fn of(engine: &Engine, contact: usize) -> Self {
+        let track = &engine.contacts[contact];
+        let site = &engine.model.contacts[track.site];
+        let placed = |slot: Option<usize>| match slot {
+            Some(slot) => {
+                let body = &engine.model.bodies[engine.bodies[slot].body];
+                body.planar_frame(&[0.0; 6])
+            }
+            None => crate::contact::Frame::fixed(site.fixed),
+        };
+        let (node, face) = (placed(track.slots[0]), placed(track.slots[1]));
+        let apart = (node.home - face.home + node.rotation * site.point).length();
+        let arm = site.point.length();
+        let size = arm + apart + site.face.size();
+        Self { home_gap: locate(site.point, &node, &site.face, &face).gap, arm, apart, resolution: RESOLUTION * size }
+    }
+
+    fn outlook(&self, engine: &Engine, contact: usize, t: f64, until: f64) -> Outlook {
+        let here = look(engine, contact, t);
+        let [node, face] = engine.contacts[contact].slots.map(|slot| bound(engine, slot, t, until));
+        let apart = self.apart + node.reach + face.reach;
+        let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
+        let moving = node.speed + node.spin * self.arm + face.speed + face.spin * apart;
+        let coriolis = if face.spin > 0.0 { 2.0 * face.spin * moving } else { 0.0 };
+        let curvature = node.acceleration
+            + turn(node.spin, node.spin_rate, self.arm)
+            + face.acceleration
+            + turn(face.spin, face.spin_rate, apart)
+            + coriolis;
+        let moved = node.reach + node.turn * self.arm + face.reach + face.turn * apart;
+        Outlook {
+            gap: here.gap,
+            rate: here.gap_rate,
+            curvature,
+            window: node.window.min(face.window),
+            out_of_reach: self.home_gap > moved,
+        }
+    }
+}
+
+fn bound(engine: &Engine, slot: Option<usize>, t: f64, until: f64) -> Bound {
+    let still = Bound {
+        window: (until - t).max(f64::MIN_POSITIVE),
+        reach: 0.0,
+        turn: 0.0,
+        speed: 0.0,
+        spin: 0.0,
+        acceleration: 0.0,
+        spin_rate: 0.0,
+    };
+    let Some(slot) = slot else { return still };
+    let track = &engine.bodies[slot];
+    match (&track.now, &track.system) {
+        (Trajectory::Flight(flight), Some(system)) => system.bound(t, &system.state(flight, t), still.window),
+        _ => still,
+    }
+}
+
+/// A side is in a planned step: five looks at gap and rate, closer where a dip shows between them.
+fn in_step(engine: &Engine, contact: usize, t: f64, until: f64, armed: bool) -> Option<f64> {
+    if until <= t {
+        return None;
+    }
+    let ask = |at: f64| look(engine, contact, at);
+    let (mut armed, mut before) = (armed, ask(t));
+    let mut from = t;
+    let size = engine.model.contacts[engine.contacts[contact].site].face.size();
+    if armed && before.gap <= RESOLUTION * size && before.gap_rate < 0.0 {
+        return Some(t);
+    }
+    for i in 1..LOOKS {
+        let to = if i == LOOKS - 1 { until } else { t + (until - t) * i as f64 / (LOOKS - 1) as f64 };
+        let here = ask(to);
+        if armed && here.gap < 0.0 && here.gap_rate < 0.0 {
+            return Some(root(|at| -ask(at).gap, from, to));
+        }
+        if armed && before.gap_rate < 0.0 && here.gap_rate > 0.0 {
+            let lowest = root(|at| ask(at).gap_rate, from, to);
+            if ask(lowest).gap < -RESOLUTION * size {
+                return Some(root(|at| -ask(at).gap, from, lowest));
+            }
+        }
+        armed = armed || here.gap > ARMED * RESOLUTION * size;
+        (from, before) = (to, here);
+    }
+    None
+}

@@ -1,0 +1,228 @@
+//! Finding the first crossing without missing one.
+//!
+//! In flight the second derivative of a gap is bounded, so from `g, ġ` the first crossing cannot come before the
+//! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
+//! everything else.
+
+/// Leaps before a search reports how far it has come.
+const MOST: u32 = 100_000;
+
+/// A gap at one instant, with a promise about its future.
+#[derive(Clone, Copy, Debug)]
+pub struct Outlook {
+    /// `g` \[m\].
+    pub gap: f64,
+    /// `ġ` \[m/s\].
+    pub rate: f64,
+    /// Bound on `|g̈|` while the promise holds \[m/s²\].
+    pub curvature: f64,
+    /// How long the promise holds \[s\].
+    pub window: f64,
+    /// Whether the gap cannot close while the promise holds, whatever the parabola says.
+    pub out_of_reach: bool,
+}
+
+/// What a search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Found {
+    /// The gap crosses 0 inwards \[s\].
+    Crossing(f64),
+    /// It does not, up to this time \[s\].
+    NoneUntil(f64),
+}
+
+/// Leaps at one resolution before it is doubled: a gap that stays at rounding level for long (two faces at rest on each
+/// other) ends in a defined way.
+const PATIENCE: u32 = 512;
+
+/// First crossing of 0 from above in `[from, to]`; `resolution` is the depth of a dip that may go unseen \[m\].
+///
+/// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
+/// is above 0 again.
+pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, armed: bool, resolution: f64) -> Found {
+    let (mut t, mut finest, mut leaps, mut floored, mut armed) = (from, resolution, 0, 0, armed);
+    let mut here = ask(t);
+    if armed && here.gap <= resolution && here.rate < 0.0 && closes_at_once(&here, resolution) {
+        return Found::Crossing(t);
+    }
+    while t < to {
+        let leap = if here.out_of_reach && armed { here.window } else { leap(&here, armed, finest) };
+        // Only leaps at the finest count: those that get on need no help.
+        floored = if leap <= floor_of(&here, finest) { floored + 1 } else { 0 };
+        let next = (t + leap.min(here.window)).min(to);
+        if next <= t {
+            // Less than the clock can tell.
+            return if armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
+        }
+        let there = ask(next);
+        if armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -finest) {
+            return Found::Crossing(bisect(&mut ask, t, next));
+        }
+        if armed && there.gap <= resolution && there.rate < 0.0 && closes_at_once(&there, resolution) {
+            return Found::Crossing(polish(&mut ask, next, &there, to));
+        }
+        armed = armed || there.gap > super::predict::ARMED * resolution;
+        (t, here) = (next, there);
+        finest = match floored {
+            0 => resolution,
+            n if n % PATIENCE == 0 => 16.0 * finest,
+            _ => finest,
+        };
+        leaps += 1;
+        if leaps >= MOST {
+            return Found::NoneUntil(t);
+        }
+    }
+    Found::NoneUntil(to)
+}
+
+/// The safe leap: root of the parabola that bounds the gap from below (armed) or above (waiting to be armed).
+fn leap(here: &Outlook, armed: bool, finest: f64) -> f64 {
+    let (gap, rate) = if armed { (here.gap.max(0.0), here.rate) } else { (-here.gap, -here.rate) };
+    let m = here.curvature;
+    let root = (rate * rate + 2.0 * m * gap).sqrt();
+    let safe = if rate < 0.0 {
+        2.0 * gap / (root - rate)
+    } else if m > 0.0 {
+        (rate + root) / m
+    } else {
+        f64::INFINITY
+    };
+    safe.max(if armed { floor_of(here, finest) } else { curved_floor(m, finest) })
+}
+
+/// The shortest leap worth taking: within it no dip is deeper than `finest`.
+fn floor_of(here: &Outlook, finest: f64) -> f64 {
+    let floor = curved_floor(here.curvature, finest);
+    // Where the speed is real, rounding of the gap is a time, not a curvature.
+    if here.rate < 0.0 { floor.min(finest / -here.rate) } else { floor }
+}
+
+fn curved_floor(curvature: f64, finest: f64) -> f64 {
+    if curvature > 0.0 { (2.0 * finest / curvature).sqrt() } else { f64::INFINITY }
+}
+
+/// Within the resolution and going in faster than the bound can turn it round.
+fn closes_at_once(here: &Outlook, resolution: f64) -> bool {
+    here.rate * here.rate > 2.0 * here.curvature * (here.gap.max(0.0) + resolution)
+}
+
+/// Newton's method from inside the resolution.
+fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64) -> f64 {
+    let (mut t, mut here) = (t, *here);
+    for _ in 0..3 {
+        let next = (t - here.gap / here.rate).min(to);
+        if next == t || !next.is_finite() {
+            break;
+        }
+        t = next;
+        here = ask(t);
+        if here.rate >= 0.0 {
+            break;
+        }
+    }
+    t
+}
+
+/// Root of the gap between a positive and a negative value, by bisection with regula falsi (Illinois).
+fn bisect(ask: &mut impl FnMut(f64) -> Outlook, from: f64, to: f64) -> f64 {
+    root(|t| -ask(t).gap, from, to)
+}
+
+/// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0: the ITP idea with Illinois steps, to the last bit.
+pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
+    let (mut a, mut b) = (a, b);
+    let (mut fa, mut fb) = (f(a), f(b));
+    if fa >= 0.0 {
+        return a;
+    }
+    let mut last_side = 0;
+    for count in 0..200 {
+        let middle = f64::midpoint(a, b);
+        if middle <= a || middle >= b {
+            break;
+        }
+        let secant = b - fb * (b - a) / (fb - fa);
+        // Every fourth step halves, so that a bad secant cannot creep.
+        let x = if count % 4 == 3 || !(secant > a && secant < b) { middle } else { secant };
+        let fx = f(x);
+        if fx == 0.0 {
+            return x;
+        }
+        if fx < 0.0 {
+            (a, fa) = (x, fx);
+            fb *= if last_side < 0 { 0.5 } else { 1.0 };
+            last_side = -1;
+        } else {
+            (b, fb) = (x, fx);
+            fa *= if last_side > 0 { 0.5 } else { 1.0 };
+            last_side = 1;
+        }
+        if b - a <= f64::EPSILON * a.abs().max(b.abs()) {
+            break;
+        }
+    }
+    b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave(offset: f64, ask_count: &mut u32) -> impl FnMut(f64) -> Outlook {
+        move |t| {
+            *ask_count += 1;
+            Outlook {
+                gap: offset + t.cos(),
+                rate: -t.sin(),
+                curvature: 1.0,
+                window: f64::INFINITY,
+                out_of_reach: false,
+            }
+        }
+    }
+
+    #[test]
+    fn a_dip_of_a_billionth_is_found_where_it_begins() {
+        let mut count = 0;
+        let depth: f64 = 1e-9;
+        let found = first_crossing(wave(1.0 - depth, &mut count), 0.0, 100.0, true, 1e-15);
+        let exact = std::f64::consts::PI - (2.0 * depth).sqrt();
+        let Found::Crossing(t) = found else { panic!("missed: {found:?}") };
+        // Near the tip rounding of the gap, 1e-16, moves the crossing by 1e-16/√(2e-9).
+        assert!((t - exact).abs() < 1e-11, "{t} against {exact}");
+        assert!(count < 200, "{count} looks");
+    }
+
+    #[test]
+    fn a_graze_above_the_face_is_no_crossing_and_costs_little() {
+        let mut count = 0;
+        let found = first_crossing(wave(1.0 + 1e-12, &mut count), 0.0, 20.0, true, 1e-15);
+        assert_eq!(found, Found::NoneUntil(20.0), "never touches");
+        assert!(count < 400, "{count} looks");
+    }
+
+    #[test]
+    fn faces_at_rest_on_each_other_end_the_search() {
+        let mut count = 0u32;
+        let rest = |_t: f64| Outlook { gap: 0.0, rate: 0.0, curvature: 10.0, window: 1.0, out_of_reach: false };
+        let found = first_crossing(
+            |t| {
+                count += 1;
+                rest(t)
+            },
+            0.0,
+            10.0,
+            true,
+            1e-15,
+        );
+        assert_eq!(found, Found::NoneUntil(10.0), "no motion, no touch");
+        assert!(count < 20_000, "{count} looks");
+    }
+
+    #[test]
+    fn roots_come_to_the_last_bits() {
+        let t = root(|t| t * t - 2.0, 0.0, 2.0);
+        assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{t}");
+    }
+}

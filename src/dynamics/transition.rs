@@ -1,0 +1,272 @@
+//! What an event makes of a contact (physics section 4, events 1–4).
+
+use glam::{DMat2, DVec2};
+
+use super::engine::Engine;
+use super::event::{Event, EventKind};
+use super::track::{Closed, Contact};
+use super::watch::{EDGE, Reason};
+use super::{body_state, penalty3d};
+use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
+use crate::scene::{FrictionLaw, Sharing, Tension};
+
+/// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
+pub(super) const V_STICK: f64 = 1e-6;
+/// Where a slip's direction turns on its own, it is eased below this part of the entry's depth.
+const EASE: f64 = 1e-3;
+/// With less friction than this the direction matters less than it costs to follow.
+const LEAST_EASED: f64 = 0.05;
+
+/// Bodies at the instant of an event.
+#[derive(Debug)]
+pub(super) struct Juncture {
+    /// When \[s\].
+    pub(super) t: f64,
+    /// Who, by slot, rising.
+    pub(super) slots: Vec<usize>,
+    /// Their states.
+    pub(super) states: Vec<Vec<f64>>,
+    /// Their poses.
+    pub(super) frames: Vec<Frame>,
+}
+
+impl Juncture {
+    fn frame(&self, slot: usize) -> Option<Frame> {
+        self.slots.binary_search(&slot).ok().and_then(|i| self.frames.get(i)).copied()
+    }
+}
+
+fn side(engine: &Engine, contact: usize, which: usize, now: &Juncture) -> Frame {
+    let track = &engine.contacts[contact];
+    let fixed = Frame::fixed(engine.model.contacts[track.site].fixed);
+    track.slots[which].map_or(fixed, |slot| now.frame(slot).unwrap_or(fixed))
+}
+
+impl Engine {
+    fn local(&self, contact: usize, now: &Juncture) -> Local {
+        let site = &self.model.contacts[self.contacts[contact].site];
+        locate(site.point, &side(self, contact, 0, now), &site.face, &side(self, contact, 1, now))
+    }
+
+    fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
+        let track = &mut self.contacts[contact];
+        track.state = state;
+        track.log.states.push((t, state));
+        let (site, pair) = (track.site, self.pairs[track.pair].pair);
+        self.events.push(Event { t, pair, contact: site, kind, released });
+        self.counted(contact, t);
+    }
+
+    /// A change within a state: kept, but no event.
+    fn remember(&mut self, contact: usize, closed: Closed, t: f64) {
+        let track = &mut self.contacts[contact];
+        track.state = Contact::Closed(closed);
+        track.log.states.push((t, track.state));
+        self.counted(contact, t);
+    }
+
+    /// Whether a node that has come through the plane of a face is inside its polygon; one that is not is logged as a
+    /// miss and ignored until it is in front again.
+    pub(super) fn enters(&mut self, contact: usize, now: &Juncture) -> bool {
+        let here = self.local(contact, now);
+        let face = &self.model.contacts[self.contacts[contact].site].face;
+        if face.inset_at(here.at) >= -EDGE * face.size() && !self.touches_elsewhere(contact) {
+            return true;
+        }
+        self.contacts[contact].closing = None;
+        self.log(contact, now.t, Contact::Open { armed: false }, EventKind::Missed, 0.0);
+        self.contacts[contact].counted.0 = 0;
+        false
+    }
+
+    /// Whether the same node is in another face already: it touches one at a time.
+    fn touches_elsewhere(&self, contact: usize) -> bool {
+        let owner = |c: usize| &self.model.contacts[self.contacts[c].site];
+        let mine = owner(contact);
+        (0..self.contacts.len()).any(|other| {
+            other != contact
+                && self.contacts[other].state.closed().is_some()
+                && owner(other).node == mine.node
+                && owner(other).node_body == mine.node_body
+        })
+    }
+
+    /// Event 1: a node enters a face.
+    pub(super) fn close(&mut self, contact: usize, now: &Juncture) {
+        let here = self.local(contact, now);
+        let law = self.law(contact, now);
+        let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
+        if normal == 0.0 && tangential == DVec2::ZERO {
+            (tangential, normal) = self.relative_acceleration(contact, &here, now);
+        }
+        let mode = law.on_closing(&here, tangential, normal);
+        let depth = normal.abs() * self.pairs[self.contacts[contact].pair].together * 1e9;
+        let closed = Closed { law, mode, ease: Self::ease(&law, depth), passing: false, slack: false };
+        let kind = match mode {
+            Mode::Stick { .. } => EventKind::OpenToStick,
+            Mode::Slip { .. } => EventKind::OpenToSlip,
+        };
+        self.contacts[contact].closing = None;
+        self.contacts[contact].counted.0 = 0;
+        // Rounding leaves a hair of overlap at the crossing; its strain appears from nowhere and is booked.
+        let appeared = -0.5 * law.k * here.gap * here.gap;
+        self.log(contact, now.t, Contact::Closed(closed), kind, appeared);
+    }
+
+    /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
+    /// ignored.
+    pub(super) fn close_overlapping(&mut self, now: &Juncture) {
+        for contact in 0..self.contacts.len() {
+            let here = self.local(contact, now);
+            let face = &self.model.contacts[self.contacts[contact].site].face;
+            if here.gap >= 0.0 {
+                continue;
+            }
+            let inside = face.inset_at(here.at) >= -EDGE * face.size() && here.penetration() < face.depth;
+            let inside = inside && !self.touches_elsewhere(contact);
+            let state = if inside {
+                let law = self.law(contact, now);
+                let ease = Self::ease(&law, here.penetration());
+                let mode = if law.has_friction() {
+                    Mode::Stick { anchor: here.at }
+                } else {
+                    let (sliding, _) = here.relative_velocity(DVec2::ZERO);
+                    Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
+                };
+                let mut closed = Closed { law, mode, ease, passing: false, slack: false };
+                closed.slack = law.clamp && closed.pull(&here) > 0.0;
+                Contact::Closed(closed)
+            } else {
+                Contact::Open { armed: false }
+            };
+            self.contacts[contact].state = state;
+            self.contacts[contact].log.states.push((0.0, state));
+        }
+    }
+
+    /// Events 2–4 of a closed contact.
+    pub(super) fn change(&mut self, contact: usize, reason: Reason, now: &Juncture) {
+        let Some(closed) = self.contacts[contact].state.closed().copied() else { return };
+        match reason {
+            Reason::Opening => self.part(contact, &closed, now, EventKind::Opened),
+            Reason::Edge => self.part(contact, &closed, now, EventKind::LeftFace),
+            Reason::Switching => self.switch(contact, closed, now),
+            Reason::Kink => self.remember(contact, Closed { slack: !closed.slack, ..closed }, now.t),
+        }
+    }
+
+    fn part(&mut self, contact: usize, closed: &Closed, now: &Juncture, kind: EventKind) {
+        let here = self.local(contact, now);
+        let released = closed.law.strain(&closed.forces(&here));
+        self.log(contact, now.t, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
+        let pair = self.contacts[contact].pair;
+        let touching = self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some());
+        if !touching {
+            self.pairs[pair].sharers = 0;
+        }
+    }
+
+    fn switch(&mut self, contact: usize, mut closed: Closed, now: &Juncture) {
+        let here = self.local(contact, now);
+        match closed.mode {
+            Mode::Stick { anchor } => {
+                let breakaway = closed.law.on_breakaway(anchor, &here);
+                closed.mode = breakaway.mode;
+                self.log(contact, now.t, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
+            }
+            Mode::Slip { direction } => {
+                if closed.law.v_stick > 0.0
+                    && closed.law.friction == Friction::Paper
+                    && !self.can_hold(contact, &closed, now)
+                {
+                    self.remember(contact, Closed { passing: true, ..closed }, now.t);
+                    return;
+                }
+                closed.passing = false;
+                closed.mode = closed.law.on_stopping(direction, &here);
+                self.log(contact, now.t, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
+            }
+        }
+    }
+
+    /// Whether a contact that has stopped sliding in two directions can hold: the tangential force that keeps `V_t` at
+    /// rest is within `μ_s |F_n|` (physics section 4, event 3).
+    fn can_hold(&self, contact: usize, closed: &Closed, now: &Juncture) -> bool {
+        let track = &self.contacts[contact];
+        let site = &self.model.contacts[track.site];
+        let frames = [side(self, contact, 0, now), side(self, contact, 1, now)];
+        let action = penalty3d::act(site, closed, &frames[0], &frames[1]);
+        let (acceleration, _) = self.relative_acceleration(contact, &action.here, now);
+        let mut mobility = DMat2::ZERO;
+        for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
+            if let Some(slot) = track.slots[which] {
+                let body = &self.model.bodies[self.bodies[slot].body];
+                let axes = [site.face.tangent, site.face.bitangent].map(|axis| frames[1].rotation * axis);
+                mobility += body_state::mobility(body, &frames[which].rotation, arm, axes);
+            }
+        }
+        // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair
+        // that slide with it share.
+        let sliding =
+            |c: &usize| matches!(self.contacts[*c].state.closed(), Some(Closed { mode: Mode::Slip { .. }, .. }));
+        let sharing = self.pairs[track.pair].contacts.clone().filter(sliding).count().max(1);
+        let needed = action.forces.tangential - mobility.inverse() * acceleration / sharing as f64;
+        // A NaN, where nothing can move tangentially, holds.
+        needed.is_nan() || needed.length() <= closed.law.mu_s * action.forces.normal
+    }
+
+    /// Tangential and normal acceleration of a node against a face under the forces of the contacts as they are
+    /// \[m/s²\].
+    fn relative_acceleration(&self, contact: usize, here: &Local, now: &Juncture) -> (DVec2, f64) {
+        let site = &self.model.contacts[self.contacts[contact].site];
+        let dt = 1e2 * self.pairs[self.contacts[contact].pair].together;
+        let mut after = Juncture { t: now.t + dt, slots: now.slots.clone(), states: Vec::new(), frames: Vec::new() };
+        after.frames = self.assemble(&now.slots, now.states.concat(), now.t, 0.0).frames_after(&self.model, dt);
+        let next = locate(site.point, &side(self, contact, 0, &after), &site.face, &side(self, contact, 1, &after));
+        ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
+    }
+
+    fn ease(law: &Law, depth: f64) -> f64 {
+        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping {
+            EASE * law.mu_k.max(LEAST_EASED) * depth.max(f64::MIN_POSITIVE)
+        } else {
+            0.0
+        }
+    }
+
+    /// The pair's numbers as this contact has them, shared when the pair first closes.
+    fn law(&mut self, contact: usize, now: &Juncture) -> Law {
+        let number = self.contacts[contact].pair;
+        if self.pairs[number].sharers == 0 {
+            self.pairs[number].sharers = self.sharers(number, now);
+        }
+        let pair = &self.model.pairs[self.pairs[number].pair];
+        let (numbers, share) = (&pair.contact, self.pairs[number].sharers as f64);
+        Law {
+            k: numbers.stiffness / share,
+            c_n: pair.c_n / share,
+            c_t: pair.c_t / share,
+            mu_s: numbers.mu_static,
+            mu_k: numbers.mu_kinetic,
+            friction: match numbers.law {
+                FrictionLaw::Paper => Friction::Paper,
+                FrictionLaw::ReturnMapping => Friction::ReturnMapping,
+            },
+            clamp: numbers.tension == Tension::Clamp,
+            v_stick: if pair.one_way { 0.0 } else { V_STICK },
+        }
+    }
+
+    /// Declared nodes of a pair whose projection lies inside the facing polygon, edges included; at least one.
+    fn sharers(&self, pair: usize, now: &Juncture) -> usize {
+        let track = &self.pairs[pair];
+        if self.model.pairs[track.pair].contact.sharing == Sharing::PerNode {
+            return 1;
+        }
+        let inside = |contact: &usize| {
+            let face = &self.model.contacts[self.contacts[*contact].site].face;
+            face.inset_at(self.local(*contact, now).at) >= -EDGE * face.size()
+        };
+        track.contacts.clone().filter(inside).count().max(1)
+    }
+}

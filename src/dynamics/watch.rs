@@ -1,0 +1,235 @@
+//! What is due within a planned step: zeros of the contacts' switching functions on the continuous answer.
+//!
+//! A step is short against everything that moves in it, so five looks see every sign change but a short excursion; that
+//! is caught where three looks bend towards 0.
+
+use super::island::Island;
+use super::search::root;
+use super::{ContactSite, Model};
+use crate::contact::{Frame, Local, Mode, locate};
+
+/// Looks per step.
+const LOOKS: usize = 5;
+/// Projections this far outside a face, in parts of its size, still count as on its edge.
+pub(super) const EDGE: f64 = 1e-9;
+/// Rounding of a node's coordinates on a face, in parts of the face's size: a stretch is no better known.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// A node that goes in and is less deep than this, in parts of the face's size, has only just touched.
+const ENTRY: f64 = 1e-14;
+/// At the start of a step, values below this part of their scale are the zero that the last event left.
+const ZERO: f64 = 1e-10;
+
+/// What ends a contact's state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Reason {
+    /// δ returns to 0.
+    Opening,
+    /// Breakaway, or sliding stops.
+    Switching,
+    /// The projection leaves the polygon, or the node comes out behind the body.
+    Edge,
+    /// The normal force reaches 0, or leaves it, under `clamp`.
+    Kink,
+}
+
+/// An event that is due.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Due {
+    /// Number of the contact in the island.
+    pub number: usize,
+    /// Which.
+    pub reason: Reason,
+}
+
+/// A node against a face within an island's planned step.
+pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Local {
+    let active = &island.active[number];
+    let site = &model.contacts[active.site];
+    let frame = |index: Option<usize>| match index {
+        Some(i) => island.frame(model, i, t),
+        None => Frame::fixed(site.fixed),
+    };
+    locate(site.point, &frame(active.node), &site.face, &frame(active.face))
+}
+
+/// The switching functions of a closed contact: each is negative while the state lasts.
+fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
+    let closed = island.closed_at(number, t);
+    let site: &ContactSite = &model.contacts[island.active[number].site];
+    match reason {
+        Reason::Opening => here.gap,
+        Reason::Switching => closed.law.switch(&closed.mode, here),
+        Reason::Edge => {
+            let outside = -(site.face.inset_at(here.at) + EDGE * site.face.size());
+            outside.max(here.penetration() - site.face.depth)
+        }
+        Reason::Kink => {
+            let pull = closed.pull(here);
+            if closed.slack { -pull } else { pull }
+        }
+    }
+}
+
+fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
+    let closed = &island.active[number].closed;
+    let switches = closed.law.has_friction();
+    let kinks = closed.law.clamp && closed.law.c_n > 0.0;
+    [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
+        .into_iter()
+        .filter_map(|(reason, wanted)| wanted.then_some(reason))
+}
+
+/// The first events within the planned step and when; contacts whose event comes within `together` of the first change
+/// with it.
+pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
+    let mut found: Vec<(f64, Due)> = Vec::new();
+    let times: [f64; LOOKS] = std::array::from_fn(|i| {
+        if i == LOOKS - 1 {
+            island.until
+        } else {
+            island.from + (island.until - island.from) * i as f64 / (LOOKS - 1) as f64
+        }
+    });
+    for number in 0..island.active.len() {
+        let looks = times.map(|t| look(model, island, number, t));
+        for reason in reasons(island, number) {
+            let values: [f64; LOOKS] =
+                std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]));
+            let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t);
+            let passing = reason == Reason::Switching && island.active[number].closed.passing;
+            let entering = is_entering(model, island, number, &looks[0]);
+            let rounding = ROUNDING * model.contacts[island.active[number].site].face.size();
+            let zero = match reason {
+                _ if entering => f64::INFINITY,
+                Reason::Switching if is_sticking(island, number) => {
+                    ZERO * scale(island, number, reason, &looks) + rounding
+                }
+                _ => ZERO * scale(island, number, reason, &looks),
+            };
+            if let Some(t) = first_rise(&times, &values, zero, passing, ask) {
+                found.push((t, Due { number, reason }));
+            }
+        }
+    }
+    let first = found.iter().map(|(t, _)| *t).min_by(f64::total_cmp)?;
+    let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= first + together).map(|(_, due)| *due).collect();
+    also_due(model, island, first + together, &mut due);
+    due.dedup_by_key(|d| d.number);
+    Some((first, due))
+}
+
+fn is_sticking(island: &Island, number: usize) -> bool {
+    matches!(island.active[number].closed.mode, Mode::Stick { .. })
+}
+
+/// Whether a node has just come through the face: its gap is rounding of either sign, and so are its forces.
+fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
+    let size = model.contacts[island.active[number].site].face.size();
+    here.gap_rate < 0.0 && here.gap > -ENTRY * size
+}
+
+/// Contacts in the same state whose same event lies within rounding of the first, just beyond the end of the step.
+fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
+    if t <= island.until {
+        due.sort_by_key(|d| (d.number, d.reason));
+        return;
+    }
+    let reasons_due: Vec<Reason> = due.iter().map(|d| d.reason).collect();
+    for number in 0..island.active.len() {
+        for &reason in &reasons_due {
+            let known = due.iter().any(|d| d.number == number);
+            if !known && function(model, island, number, reason, &look(model, island, number, t), t) > 0.0 {
+                due.push(Due { number, reason });
+            }
+        }
+    }
+    due.sort_by_key(|d| (d.number, d.reason));
+}
+
+/// Size of a switching function's values, to tell the zero that an event left from a value.
+fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local; LOOKS]) -> f64 {
+    let closed = &island.active[number].closed;
+    let largest = |f: fn(&Local) -> f64| looks.iter().map(f).fold(0.0, f64::max);
+    let depth = largest(|l| l.gap.abs());
+    let speed = largest(|l| l.gap_rate.abs() + l.rate.length());
+    match (reason, &closed.mode) {
+        (Reason::Opening, _) => depth,
+        (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * depth,
+        (Reason::Switching, Mode::Slip { .. }) => speed,
+        (Reason::Edge, _) => 0.0,
+        (Reason::Kink, _) => closed.law.k * depth + closed.law.c_n * speed,
+    }
+}
+
+/// First time at which a sampled function rises through 0. A start above `zero` is due at once, unless it is `passing`:
+/// then it must fall below 0 first.
+fn first_rise(
+    times: &[f64; LOOKS],
+    values: &[f64; LOOKS],
+    zero: f64,
+    passing: bool,
+    mut ask: impl FnMut(f64) -> f64,
+) -> Option<f64> {
+    if values[0] > zero && !passing {
+        return Some(times[0]);
+    }
+    let mut below = values[0] < 0.0;
+    for i in 1..LOOKS {
+        if values[i] > 0.0 && (below || !passing) {
+            let left = if values[i - 1] < 0.0 { Some(times[i - 1]) } else { dip(times[i - 1], times[i], &mut ask) };
+            return match left {
+                Some(left) => Some(root(&mut ask, left, times[i])),
+                // Never below 0 in between: the event follows at once on the last one.
+                None if below => Some(times[i]),
+                None => Some(times[i - 1]),
+            };
+        }
+        below = below || values[i] < 0.0;
+        if i >= 2
+            && let Some(peak) = bump(&times[i - 2..=i], &values[i - 2..=i], &mut ask)
+        {
+            return Some(root(&mut ask, times[i - 2], peak));
+        }
+    }
+    None
+}
+
+/// A point below 0 just after `from`, where the function starts at its zero.
+fn dip(from: f64, to: f64, ask: &mut impl FnMut(f64) -> f64) -> Option<f64> {
+    let mut step = (to - from) / 2.0;
+    for _ in 0..30 {
+        if ask(from + step) < 0.0 {
+            return Some(from + step);
+        }
+        step /= 2.0;
+    }
+    None
+}
+
+/// Where three negative values bend above 0 between them, if they do.
+fn bump(times: &[f64], values: &[f64], ask: &mut impl FnMut(f64) -> f64) -> Option<f64> {
+    let (a, b, c) = (values[0], values[1], values[2]);
+    let bend = a - 2.0 * b + c;
+    if !(a < 0.0 && b < 0.0 && c < 0.0 && bend < 0.0) {
+        return None;
+    }
+    let vertex = (a - c) / (2.0 * bend);
+    if vertex.abs() > 1.0 {
+        return None;
+    }
+    let top = b - (a - c) * vertex / 4.0;
+    // The parabola is good to a part of the bend; further off there is nothing to look for.
+    if top < 0.25 * bend {
+        return None;
+    }
+    let (mut left, mut right) = (times[0], times[2]);
+    for _ in 0..48 {
+        let (u, v) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
+        let (fu, fv) = (ask(u), ask(v));
+        if fu > 0.0 || fv > 0.0 {
+            return Some(if fu > 0.0 { u } else { v });
+        }
+        if fu < fv { left = u } else { right = v }
+    }
+    None
+}

@@ -1,0 +1,39 @@
+//! A hash of everything that a run's answer depends on, bit for bit.
+
+use xxhash_rust::xxh3::Xxh3;
+
+use super::History;
+use crate::contact::Mode;
+use crate::dynamics::track::{Contact, Path};
+
+/// Hash of paths, contact states and events.
+pub(super) fn of(history: &History) -> u64 {
+    let mut hash = Xxh3::new();
+    let mut add = |x: f64| hash.update(&x.to_bits().to_le_bytes());
+    for segment in history.paths.iter().flatten() {
+        add(segment.from);
+        add(segment.until);
+        match &segment.path {
+            Path::Flight(flight) => flight.numbers().for_each(&mut add),
+            Path::Dense(dense) => dense.coefficients().iter().flatten().copied().for_each(&mut add),
+        }
+    }
+    for (t, contact) in history.logs.iter().flat_map(|log| &log.states) {
+        add(*t);
+        match contact {
+            Contact::Open { armed } => add(if *armed { 1.0 } else { 2.0 }),
+            Contact::Closed(closed) => {
+                let (kind, vector) = match closed.mode {
+                    Mode::Stick { anchor } => (3.0, anchor),
+                    Mode::Slip { direction } => (4.0, direction),
+                };
+                [kind, vector.x, vector.y, closed.law.k].into_iter().for_each(&mut add);
+            }
+        }
+    }
+    for event in history.events() {
+        add(event.t);
+        add(event.released);
+    }
+    hash.digest()
+}

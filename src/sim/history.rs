@@ -1,0 +1,295 @@
+//! The answer: a dense, continuous history that can be asked for any quantity at any time.
+
+use std::sync::{Arc, OnceLock};
+
+use glam::{DQuat, DVec3};
+
+use super::ledger::Books;
+use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, touches};
+use crate::contact::{Frame, Mode};
+use crate::dynamics::engine::Finished;
+use crate::dynamics::flight::System;
+use crate::dynamics::penalty3d::{act, to_world};
+use crate::dynamics::track::{Closed, ContactLog, Path, Segment};
+use crate::dynamics::{Model, body_state};
+use crate::scene::{Kind, Scene, SceneErrors};
+
+/// Instants at which two runs are compared for the error estimate.
+const COMPARED: u32 = 2000;
+
+/// The headline numbers of a run.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Summary {
+    /// Largest displacement of any girder's G from where it was placed \[m\].
+    pub max_displacement: f64,
+    /// Largest |θ| of any girder \[rad\].
+    pub max_rotation: f64,
+    /// Largest |`R_k`| of any contact \[N\].
+    pub peak_force: f64,
+    /// When \[s\].
+    pub peak_time: Option<f64>,
+    /// Touches of single contacts.
+    pub touches: usize,
+    /// Hits: touches of a pair, from its first contact closing to its last opening.
+    pub hits: usize,
+    /// Contact time in stick, summed over contacts \[s\].
+    pub stick_time: f64,
+    /// Contact time in slip, summed over contacts \[s\].
+    pub slip_time: f64,
+}
+
+/// A run of a scene, from t = 0 to [`History::end`].
+#[derive(Clone, Debug)]
+pub struct History {
+    scene: Scene,
+    model: Arc<Model>,
+    end: f64,
+    stop: Option<Stop>,
+    pub(super) paths: Vec<Vec<Segment>>,
+    systems: Vec<Option<System>>,
+    pub(super) logs: Vec<ContactLog>,
+    events: Vec<Event>,
+    touches: OnceLock<Vec<Touch>>,
+    books: OnceLock<Books>,
+}
+
+impl History {
+    /// Runs a scene to the end of its duration.
+    ///
+    /// # Errors
+    /// Every complaint about the scene, each naming field, value and remedy.
+    pub fn of(scene: &Scene) -> Result<Self, SceneErrors> {
+        Session::run(scene)
+    }
+
+    /// Puts the groups of a run together.
+    pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
+        let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
+        let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
+        let mut paths = vec![Vec::new(); model.bodies.len()];
+        let mut systems: Vec<Option<System>> = model.bodies.iter().map(|_| None).collect();
+        let mut logs = vec![ContactLog::default(); model.contacts.len()];
+        let mut events = Vec::new();
+        for group in groups {
+            for (body, path, system) in group.bodies {
+                (paths[body], systems[body]) = (path, system);
+            }
+            for (contact, log) in group.contacts {
+                logs[contact] = log;
+            }
+            events.extend(group.events.into_iter().filter(|event| event.t <= end));
+        }
+        events.sort_by(|a, b| a.t.total_cmp(&b.t));
+        let (touches, books) = (OnceLock::new(), OnceLock::new());
+        Self { scene, model, end, stop, paths, systems, logs, events, touches, books }
+    }
+
+    /// The scene that was run.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Bodies, pairs and contacts as compiled from the scene.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// How far the answer reaches \[s\].
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// Why it stops before the scene's duration, if it does.
+    pub fn stop(&self) -> Option<&Stop> {
+        self.stop.as_ref()
+    }
+
+    /// State of a body as its integrator holds it, at `t` clamped to what was computed.
+    pub(super) fn state(&self, body: usize, t: f64) -> [f64; body_state::SPATIAL] {
+        let t = t.clamp(0.0, self.end);
+        let path = &self.paths[body];
+        let mut state = [0.0; body_state::SPATIAL];
+        let number = path.partition_point(|segment| segment.from <= t).saturating_sub(1);
+        match path.get(number).map(|segment| &segment.path) {
+            Some(Path::Flight(flight)) => {
+                if let Some(system) = &self.systems[body] {
+                    state[..6].copy_from_slice(&system.state(flight, t));
+                }
+            }
+            Some(Path::Dense(dense)) => {
+                let width = body_state::width(self.model.kind);
+                dense.read(0..width, t, &mut state[..width]);
+            }
+            // Nothing was computed: the run gave up at its start.
+            None => {
+                let initial = body_state::initial(self.model.kind, &self.model.bodies[body]);
+                state[..initial.len()].copy_from_slice(&initial);
+            }
+        }
+        state
+    }
+
+    /// Pose and twist of a body.
+    pub(super) fn frame(&self, body: usize, t: f64) -> Frame {
+        body_state::frame(self.model.kind, &self.model.bodies[body], &self.state(body, t))
+    }
+
+    /// Motion of a girder at `t`, clamped to what was computed.
+    pub fn motion(&self, girder: usize, t: f64) -> Motion {
+        let body = &self.model.bodies[girder];
+        let state = self.state(girder, t);
+        let here = body_state::frame(self.model.kind, body, &state);
+        let (theta, attitude) = match self.model.kind {
+            Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
+            Kind::Spatial => {
+                let attitude = body_state::attitude(&state);
+                let x = here.rotation * (body.axes.transpose() * DVec3::X);
+                (x.y.atan2(x.x), attitude)
+            }
+        };
+        Motion {
+            place: here.origin(),
+            displacement: here.shift,
+            theta,
+            attitude,
+            velocity: here.velocity,
+            spin: here.spin,
+        }
+    }
+
+    /// The two sides of a contact at `t`: node's body, face's body.
+    pub(super) fn sides(&self, contact: usize, t: f64) -> [Frame; 2] {
+        let site = &self.model.contacts[contact];
+        [site.node_body, site.face_body].map(|body| match body {
+            Some(body) => self.frame(body, t),
+            None => Frame::fixed(site.fixed),
+        })
+    }
+
+    /// Contacts closed at `t`, in the order of their numbers.
+    pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
+        let t = t.clamp(0.0, self.end);
+        let closed = |(contact, log): (usize, &ContactLog)| Some(self.contact(contact, log.at(t).closed()?, t));
+        self.logs.iter().enumerate().filter_map(closed).collect()
+    }
+
+    /// One contact at `t`; nothing when it is open.
+    pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
+        let t = t.clamp(0.0, self.end);
+        Some(self.contact(contact, self.logs.get(contact)?.at(t).closed()?, t))
+    }
+
+    pub(super) fn contact(&self, contact: usize, closed: &Closed, t: f64) -> ContactNow {
+        let site = &self.model.contacts[contact];
+        let [node, face] = self.sides(contact, t);
+        let action = act(site, closed, &node, &face);
+        let forces = &action.forces;
+        let point = node.place(site.point);
+        let world = |v: glam::DVec2| to_world(site, &face, v, 0.0);
+        ContactNow {
+            contact,
+            pair: site.pair,
+            state: match closed.mode {
+                Mode::Stick { .. } => ContactState::Stick,
+                Mode::Slip { .. } => ContactState::Slip,
+            },
+            point,
+            anchor: face.origin() + action.face_arm,
+            normal: face.rotation * site.face.normal,
+            penetration: action.here.penetration(),
+            normal_velocity: forces.normal_velocity,
+            sliding: world(forces.sliding),
+            normal_force: forces.normal,
+            tangential_force: world(forces.tangential),
+            normal_damping: forces.normal_damping,
+            tangential_damping: world(forces.tangential_damping),
+            force: action.force,
+            mu_static: closed.law.mu_s,
+            mu_kinetic: closed.law.mu_k,
+        }
+    }
+
+    /// All events in order of time.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// All touches, ordered by their start.
+    pub fn touches(&self) -> &[Touch] {
+        self.touches.get_or_init(|| touches::find(self))
+    }
+
+    /// The touch with the largest force.
+    pub fn hardest(&self) -> Option<&Touch> {
+        // Of equal forces the first.
+        self.touches().iter().rev().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))
+    }
+
+    /// The energy ledger at `t`.
+    pub fn ledger(&self, t: f64) -> Ledger {
+        let books = self.books.get_or_init(|| Books::open(self));
+        books.at(self, t.clamp(0.0, self.end))
+    }
+
+    /// Headline numbers.
+    pub fn summary(&self) -> Summary {
+        let touches = self.touches();
+        let hardest = self.hardest();
+        let (displacement, rotation) = self.extremes();
+        Summary {
+            max_displacement: displacement,
+            max_rotation: rotation,
+            peak_force: hardest.map_or(0.0, |touch| touch.peak_force),
+            peak_time: hardest.map(|touch| touch.peak_time),
+            touches: touches.len(),
+            hits: touches::hits(touches),
+            stick_time: touches.iter().fold(0.0, |sum, touch| sum + touch.stick),
+            slip_time: touches.iter().fold(0.0, |sum, touch| sum + touch.slip),
+        }
+    }
+
+    /// Largest displacement and |θ| of any girder, looked for at a rate that the fastest bearing cannot outrun.
+    fn extremes(&self) -> (f64, f64) {
+        let (mut displacement, mut rotation) = (0.0f64, 0.0f64);
+        for body in 0..self.model.bodies.len() {
+            let times = touches::looks(self, body);
+            displacement = displacement.max(touches::largest(&times, |t| self.motion(body, t).displacement.length()));
+            rotation = rotation.max(touches::largest(&times, |t| self.motion(body, t).theta.abs()));
+        }
+        (displacement, rotation)
+    }
+
+    /// Hash of the whole answer, bit for bit.
+    pub fn digest(&self) -> u64 {
+        digest::of(self)
+    }
+
+    /// Largest displacement difference from a run at a hundredth of the tolerance \[m\].
+    pub fn estimate_error(&self) -> f64 {
+        let mut finer = self.scene.clone();
+        finer.solver.tolerance = (self.scene.solver.tolerance / 100.0).max(1e-13);
+        if self.scene.solver.tolerance <= 1e-13 {
+            // Nothing finer is left: from a coarser run, which errs the other way.
+            finer.solver.tolerance = 1e-12;
+        }
+        match Self::of(&finer) {
+            Ok(other) => self.difference(&other),
+            // The scene has been run before.
+            Err(_) => f64::NAN,
+        }
+    }
+
+    /// Largest difference in displacement from another run of the same bodies \[m\].
+    pub fn difference(&self, other: &Self) -> f64 {
+        let end = self.end.min(other.end);
+        let mut largest: f64 = 0.0;
+        for i in 0..=COMPARED {
+            let t = end * f64::from(i) / f64::from(COMPARED);
+            for body in 0..self.model.bodies.len().min(other.model.bodies.len()) {
+                let apart = self.motion(body, t).displacement - other.motion(body, t).displacement;
+                largest = largest.max(apart.length());
+            }
+        }
+        largest
+    }
+}

@@ -1,0 +1,261 @@
+//! The energy ledger (physics section 9), kept after the run from what the run left.
+//!
+//! Powers are integrated over every body's path and every contact's states, each on its own steps, so the balance checks
+//! the trajectory against the forces that it claims; nothing is booked while a run is computed.
+
+use glam::DVec3;
+
+use super::quadrature::integrate;
+use super::touches::flight_rate;
+use super::{EventKind, History, Ledger};
+use crate::dynamics::body_state::{self, bearing_forces, world_inertia};
+use crate::dynamics::penalty3d::act;
+use crate::dynamics::track::{Contact, Path};
+use crate::motion::Ground;
+use crate::scene::Kind;
+
+/// Quadrature cells per look in free flight.
+const PER_LOOK: f64 = 0.25;
+
+/// Running sums of a few integrals at the borders of their cells.
+#[derive(Clone, Debug)]
+struct Account<const N: usize> {
+    /// Start of each cell, its end, and the sums up to its start.
+    cells: Vec<(f64, f64, [f64; N])>,
+    total: [f64; N],
+}
+
+impl<const N: usize> Account<N> {
+    fn new() -> Self {
+        Self { cells: Vec::new(), total: [0.0; N] }
+    }
+
+    fn add(&mut self, from: f64, until: f64, amounts: [f64; N]) {
+        self.cells.push((from, until, self.total));
+        for (sum, amount) in self.total.iter_mut().zip(amounts) {
+            *sum += amount;
+        }
+    }
+
+    /// Sums up to `t`; `rest` integrates over the part of the cell that `t` is in.
+    fn at(&self, t: f64, rest: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
+        let n = self.cells.partition_point(|(from, ..)| *from < t);
+        let Some(&(from, until, sums)) = n.checked_sub(1).and_then(|i| self.cells.get(i)) else { return [0.0; N] };
+        if t >= until && n == self.cells.len() {
+            return self.total;
+        }
+        let part = rest(from, t.min(until));
+        std::array::from_fn(|i| sums[i] + part[i])
+    }
+}
+
+/// Everything that flows, booked.
+#[derive(Clone, Debug)]
+pub(super) struct Books {
+    /// Per body: work of the ground, work of pushes, loss in bearings.
+    bodies: Vec<Account<3>>,
+    /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
+    contacts: Vec<Account<3>>,
+    initial: f64,
+}
+
+impl Books {
+    /// Books a whole history.
+    pub(super) fn open(history: &History) -> Self {
+        let mut books = Self {
+            bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
+            contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
+            initial: 0.0,
+        };
+        let start = books.stored(history, 0.0);
+        books.initial = start.kinetic + start.bearing + start.gravity + start.contact;
+        books
+    }
+
+    /// The ledger at `t`.
+    pub(super) fn at(&self, history: &History, t: f64) -> Ledger {
+        let mut ledger = self.stored(history, t);
+        for (body, account) in self.bodies.iter().enumerate() {
+            let [ground, push, loss] = account.at(t, |a, b| integrate(a, b, |s| body_powers(history, body, s)));
+            ledger.work_ground += ground;
+            ledger.work_push += push;
+            ledger.loss_bearing += loss;
+        }
+        for (contact, account) in self.contacts.iter().enumerate() {
+            let [normal, tangential, friction] =
+                account.at(t, |a, b| integrate(a, b, |s| contact_powers(history, contact, s)));
+            ledger.loss_normal += normal;
+            ledger.loss_tangential += tangential;
+            ledger.loss_friction += friction;
+        }
+        jumps(history, t, &mut ledger);
+        balance(&mut ledger, self.initial);
+        ledger
+    }
+
+    fn stored(&self, history: &History, t: f64) -> Ledger {
+        let mut ledger = Ledger::default();
+        for body in 0..self.bodies.len() {
+            let [kinetic, bearing, gravity] = energies(history, body, t);
+            ledger.kinetic += kinetic;
+            ledger.bearing += bearing;
+            ledger.gravity += gravity;
+        }
+        for (contact, log) in history.logs.iter().enumerate() {
+            if let Contact::Closed(closed) = log.at(t) {
+                let [node, face] = history.sides(contact, t);
+                let action = act(&history.model().contacts[contact], &closed, &node, &face);
+                ledger.contact += closed.law.strain(&action.forces);
+            }
+        }
+        ledger
+    }
+}
+
+fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
+    for event in history.events().iter().take_while(|event| event.t <= t) {
+        let entry = match event.kind {
+            EventKind::StickToSlip | EventKind::SlipToStick => &mut ledger.jump_slip,
+            EventKind::Opened => &mut ledger.jump_open,
+            EventKind::LeftFace => &mut ledger.jump_edge,
+            EventKind::OpenToStick | EventKind::OpenToSlip | EventKind::Missed => &mut ledger.jump_entry,
+        };
+        *entry += event.released;
+    }
+}
+
+fn balance(ledger: &mut Ledger, initial: f64) {
+    let l = &*ledger;
+    let stored = l.kinetic + l.bearing + l.gravity + l.contact;
+    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction;
+    let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry;
+    let worked = l.work_ground + l.work_push;
+    let scale =
+        [stored, lost, initial, l.work_ground, l.work_push, l.kinetic].into_iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    ledger.residual = stored + lost + jumped - worked - initial;
+    ledger.scale = scale;
+}
+
+fn body_account(history: &History, body: usize) -> Account<3> {
+    let mut account = Account::new();
+    let rate = flight_rate(history, body) * PER_LOOK;
+    for segment in &history.paths[body] {
+        let until = segment.until.min(history.end());
+        let cells = match segment.path {
+            Path::Flight(_) => (until - segment.from) * rate,
+            Path::Dense(_) => 1.0,
+        };
+        for (a, b) in cut(&history.model().ground, segment.from, until, cells) {
+            account.add(a, b, integrate(a, b, |t| body_powers(history, body, t)));
+        }
+    }
+    account
+}
+
+/// Cuts a stretch into about `cells` equal parts, and at every kink of the ground motion.
+fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of cells, clamped")]
+    let count = cells.ceil().clamp(1.0, 2e5) as usize;
+    let mut borders: Vec<f64> = (0..=count).map(|i| from + (until - from) * i as f64 / count as f64).collect();
+    borders[count] = until;
+    let mut kink = ground.next_kink(from);
+    while kink < until {
+        borders.push(kink);
+        kink = ground.next_kink(kink);
+    }
+    borders.sort_by(f64::total_cmp);
+    borders.windows(2).map(|w| (w[0], w[1])).filter(|(a, b)| b > a).collect()
+}
+
+fn contact_account(history: &History, contact: usize) -> Account<3> {
+    let mut account = Account::new();
+    let site = &history.model().contacts[contact];
+    let states = &history.logs[contact].states;
+    for (i, (from, state)) in states.iter().enumerate() {
+        let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
+        if !matches!(state, Contact::Closed(_)) || until <= *from {
+            continue;
+        }
+        let mut borders = vec![*from, until];
+        for body in [site.node_body, site.face_body].into_iter().flatten() {
+            let path = &history.paths[body];
+            let first = path.partition_point(|s| s.until <= *from);
+            borders.extend(path[first..].iter().map(|s| s.from).take_while(|t| *t < until).filter(|t| t > from));
+        }
+        borders.sort_by(f64::total_cmp);
+        for w in borders.windows(2).filter(|w| w[1] > w[0]) {
+            account.add(w[0], w[1], integrate(w[0], w[1], |t| contact_powers(history, contact, t)));
+        }
+        // An idle cell after the last, so that what follows is not integrated again.
+        account.add(until, until, [0.0; 3]);
+    }
+    account
+}
+
+/// Powers of the ground and of pushes, and the power lost in bearings \[W\].
+fn body_powers(history: &History, number: usize, t: f64) -> [f64; 3] {
+    let model = history.model();
+    let body = &model.bodies[number];
+    let state = history.state(number, t);
+    let here = body_state::frame(model.kind, body, &state);
+    let ground = -body.mass * model.ground.acceleration(t).dot(here.velocity);
+    let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
+    let loss = match model.kind {
+        Kind::Planar => {
+            let v = DVec3::new(state[3], state[4], state[5]);
+            v.dot(body.planar.damping * v)
+        }
+        Kind::Spatial => {
+            let into_axes = body.axes.transpose();
+            bearing_forces(body, &here)
+                .zip(&body.bearings)
+                .map(|((arm, _), b)| {
+                    let v = into_axes * here.velocity_at(arm);
+                    v.dot(b.damping * v)
+                })
+                .sum()
+        }
+    };
+    [ground, push, loss]
+}
+
+/// Kinetic energy, strain in the bearings, potential of gravity \[J\].
+fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
+    let model = history.model();
+    let body = &model.bodies[number];
+    let state = history.state(number, t);
+    let here = body_state::frame(model.kind, body, &state);
+    let inertia = match model.kind {
+        Kind::Planar => body.mass * body.gyration2 * here.spin.z * here.spin.z,
+        Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation) * here.spin),
+    };
+    let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
+    let bearing = match model.kind {
+        Kind::Planar => {
+            let q = DVec3::new(state[0], state[1], state[2]);
+            0.5 * q.dot(body.planar.stiffness * q)
+        }
+        Kind::Spatial => {
+            let into_axes = body.axes.transpose();
+            let strain = |b: &crate::dynamics::bearing::Bearing| {
+                let moved = into_axes * (here.shift + here.rotation * b.place - body.axes * b.place);
+                // The preload is a constant vertical force; it pays for the weight.
+                0.5 * moved.dot(b.stiffness * moved) - b.preload.dot(moved)
+            };
+            body.bearings.iter().map(strain).sum()
+        }
+    };
+    [kinetic, bearing, body.mass * model.gravity * here.shift.z]
+}
+
+/// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].
+fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 3] {
+    let Contact::Closed(closed) = history.logs[contact].at(t) else { return [0.0; 3] };
+    let [node, face] = history.sides(contact, t);
+    let forces = act(&history.model().contacts[contact], &closed, &node, &face).forces;
+    [
+        -forces.normal_damping * forces.normal_velocity,
+        -forces.tangential_damping.dot(forces.sliding - forces.anchor_rate),
+        -forces.tangential_total().dot(forces.anchor_rate),
+    ]
+}

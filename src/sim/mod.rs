@@ -1,0 +1,16 @@
+//! A run of a scene: advance it, then ask the answer anything.
+//!
+//! [`Session`] computes, [`History`] answers: motion, contacts, events and energy at any time, from the paths and states
+//! that the run left, never from samples.
+
+mod digest;
+mod history;
+mod ledger;
+mod quadrature;
+mod report;
+mod session;
+mod touches;
+
+pub use history::{History, Summary};
+pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
+pub use session::Session;

@@ -1,0 +1,147 @@
+//! What a run answers with: motion, contacts, events, energy. Plain data at one instant, SI, world frame.
+
+use glam::{DQuat, DVec3};
+
+pub use crate::dynamics::event::{Event, EventKind, Stop};
+
+/// A body's motion at one instant, relative to the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Where G is \[m\].
+    pub place: DVec3,
+    /// Displacement of G from where it was placed \[m\].
+    pub displacement: DVec3,
+    /// Rotation about the vertical since placed, anticlockwise, without jumps at ±π \[rad\].
+    pub theta: f64,
+    /// Attitude, body to world, heading included.
+    pub attitude: DQuat,
+    /// Velocity of G \[m/s\].
+    pub velocity: DVec3,
+    /// Angular velocity in the world frame; z is the planar ω \[rad/s\].
+    pub spin: DVec3,
+}
+
+/// State of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ContactState {
+    /// Not touching.
+    Open,
+    /// The anchor stays where it is on the face.
+    Stick,
+    /// The node slides along the face.
+    Slip,
+}
+
+impl ContactState {
+    /// The word used in tables and legends.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Stick => "stick",
+            Self::Slip => "slip",
+        }
+    }
+}
+
+/// A closed contact at one instant. Forces act on the body that owns the node; the face's body gets the opposite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactNow {
+    /// Its number in [`Model::contacts`](crate::dynamics::Model::contacts).
+    pub contact: usize,
+    /// The facing pair, its number in [`Model::pairs`](crate::dynamics::Model::pairs).
+    pub pair: usize,
+    /// Stick or slip.
+    pub state: ContactState,
+    /// `X_k`, the node \[m\].
+    pub point: DVec3,
+    /// `X_p`, the point of the face that holds it: anchor in stick, projection in slip (paper), dragged anchor in slip
+    /// (return mapping) \[m\].
+    pub anchor: DVec3,
+    /// Outward unit normal of the face, towards the node's body.
+    pub normal: DVec3,
+    /// `δ = −g` \[m\].
+    pub penetration: f64,
+    /// `V_n = (V_k − V_p)·n` \[m/s\].
+    pub normal_velocity: f64,
+    /// `V_t`, the sliding velocity \[m/s\].
+    pub sliding: DVec3,
+    /// `|F_n| = K δ`, without the dashpot \[N\].
+    pub normal_force: f64,
+    /// Tangential force without the dashpot: the tangential spring in stick, friction in slip \[N\].
+    pub tangential_force: DVec3,
+    /// Dashpot force along the normal, signed along `normal` \[N\].
+    pub normal_damping: f64,
+    /// Tangential dashpot force \[N\].
+    pub tangential_damping: DVec3,
+    /// `R_k`, all of it, on the body that owns the node \[N\].
+    pub force: DVec3,
+    /// `μ_s` in force.
+    pub mu_static: f64,
+    /// `μ_k` in force.
+    pub mu_kinetic: f64,
+}
+
+impl ContactNow {
+    /// Force without dashpots, `K δ n` plus the tangential force: the arrow that lies in the friction cone \[N\].
+    pub fn elastic_force(&self) -> DVec3 {
+        self.normal * self.normal_force + self.tangential_force
+    }
+}
+
+/// One touch of one contact, from closing to opening.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// The facing pair.
+    pub pair: usize,
+    /// The contact.
+    pub contact: usize,
+    /// Closed at \[s\].
+    pub start: f64,
+    /// Opened at, or where the answer ends \[s\].
+    pub end: f64,
+    /// When `|R_k|` is largest \[s\].
+    pub peak_time: f64,
+    /// Largest `|R_k|` \[N\].
+    pub peak_force: f64,
+    /// Time spent in stick \[s\].
+    pub stick: f64,
+    /// Time spent in slip \[s\].
+    pub slip: f64,
+}
+
+/// Energy at one instant, and where it went since t = 0 (physics section 9) \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct Ledger {
+    /// Kinetic energy, relative to the ground.
+    pub kinetic: f64,
+    /// Strain energy of the bearings.
+    pub bearing: f64,
+    /// Potential of gravity, relative to the placed pose (spatial).
+    pub gravity: f64,
+    /// Strain energy of the contacts.
+    pub contact: f64,
+    /// Work of the ground's inertia forces.
+    pub work_ground: f64,
+    /// Work of given pushes.
+    pub work_push: f64,
+    /// Lost in the bearings' dashpots.
+    pub loss_bearing: f64,
+    /// Lost in the normal dashpots of contacts.
+    pub loss_normal: f64,
+    /// Lost in the tangential dashpots of contacts.
+    pub loss_tangential: f64,
+    /// Lost in friction.
+    pub loss_friction: f64,
+    /// Released by jumps of the anchor at breakaway and re-stick.
+    pub jump_slip: f64,
+    /// Released at opening.
+    pub jump_open: f64,
+    /// Released over an edge of the face.
+    pub jump_edge: f64,
+    /// Brought in by a start or an entry with overlap (negative: energy that appeared).
+    pub jump_entry: f64,
+    /// What the balance leaves over: stored + lost − worked − initial. 0 but for rounding and integration error.
+    pub residual: f64,
+    /// Largest energy in play, to compare the residual with.
+    pub scale: f64,
+}

@@ -1,0 +1,161 @@
+//! Touches and their peaks, found from the states that the run left and the forces at any time.
+
+use super::{History, Touch};
+use crate::contact::Mode;
+use crate::dynamics::track::{Contact, Path};
+
+/// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
+const LOOKS: usize = 6;
+/// Looks per period of the fastest motion in free flight.
+const PER_PERIOD: f64 = 24.0;
+
+/// Every touch of every contact, by start, then by contact.
+pub(super) fn find(history: &History) -> Vec<Touch> {
+    let mut all: Vec<Touch> = (0..history.logs.len()).flat_map(|contact| of_contact(history, contact)).collect();
+    all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
+    all
+}
+
+fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
+    let states = &history.logs[contact].states;
+    let pair = history.model().contacts[contact].pair;
+    let mut touches: Vec<Touch> = Vec::new();
+    let mut open = true;
+    for (i, (from, state)) in states.iter().enumerate().filter(|(_, (t, _))| *t <= history.end()) {
+        let Contact::Closed(closed) = state else {
+            open = true;
+            continue;
+        };
+        let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
+        if open {
+            touches.push(Touch {
+                pair,
+                contact,
+                start: *from,
+                end: until,
+                peak_time: *from,
+                peak_force: 0.0,
+                stick: 0.0,
+                slip: 0.0,
+            });
+            open = false;
+        }
+        if let Some(touch) = touches.last_mut() {
+            touch.end = until;
+            match closed.mode {
+                Mode::Stick { .. } => touch.stick += until - from,
+                Mode::Slip { .. } => touch.slip += until - from,
+            }
+            let (t, force) = peak(history, contact, *from, until);
+            if force > touch.peak_force {
+                (touch.peak_time, touch.peak_force) = (t, force);
+            }
+        }
+    }
+    touches
+}
+
+/// Largest force of a contact in one state, sampled and then closed in on by golden section.
+fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
+    let force = |t: f64| {
+        let state = history.logs[contact].at(t.min(until));
+        state.closed().map_or(0.0, |closed| history.contact(contact, closed, t).force.length())
+    };
+    let mut times = vec![from];
+    let site = &history.model().contacts[contact];
+    for body in [site.node_body, site.face_body].into_iter().flatten() {
+        let path = &history.paths[body];
+        let first = path.partition_point(|s| s.until <= from);
+        for segment in path[first..].iter().take_while(|s| s.from < until) {
+            let (a, b) = (segment.from.max(from), segment.until.min(until));
+            times.extend((0..LOOKS).map(|i| a + (b - a) * (i as f64 + 0.5) / LOOKS as f64));
+        }
+    }
+    // Just inside: at its very end the next state begins.
+    times.push(until - (until - from) * 1e-9);
+    times.sort_by(f64::total_cmp);
+    let forces: Vec<f64> = times.iter().map(|t| force(*t)).collect();
+    let best = (0..times.len()).max_by(|&a, &b| forces[a].total_cmp(&forces[b]).then(b.cmp(&a))).unwrap_or(0);
+    let (a, b) = (times[best.saturating_sub(1)], times[(best + 1).min(times.len() - 1)]);
+    let (t, f) = golden(force, a, b);
+    if f > forces[best] { (t, f) } else { (times[best], forces[best]) }
+}
+
+/// Highest value of a function with one hump.
+fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+    const RATIO: f64 = 0.618_033_988_749_894_9;
+    let (mut x, mut y) = (b - RATIO * (b - a), a + RATIO * (b - a));
+    let (mut fx, mut fy) = (f(x), f(y));
+    // A peak is flat: its height is right to the last digits when its place is right to half of them.
+    for _ in 0..36 {
+        if fx > fy {
+            (b, y, fy) = (y, x, fx);
+            x = b - RATIO * (b - a);
+            fx = f(x);
+        } else {
+            (a, x, fx) = (x, y, fy);
+            y = a + RATIO * (b - a);
+            fy = f(y);
+        }
+    }
+    if fx > fy { (x, fx) } else { (y, fy) }
+}
+
+/// Largest value over `times`, in rising order, and about every look that is higher than both its neighbours and comes
+/// near the highest: between looks a peak rises by a few per cent at the most.
+pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> f64 {
+    let values: Vec<f64> = times.iter().map(|&t| value(t)).collect();
+    let seen = values.iter().copied().fold(0.0, f64::max);
+    let peaks = values.windows(3).zip(times.windows(3));
+    let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen);
+    peaks.map(|(_, t)| golden(&value, t[0], t[2]).1).fold(seen, f64::max)
+}
+
+/// Touches of pairs: contacts of one pair whose touches overlap in time are one hit.
+pub(super) fn hits(touches: &[Touch]) -> usize {
+    let mut until: std::collections::BTreeMap<usize, f64> = std::collections::BTreeMap::new();
+    let mut count = 0;
+    for touch in touches {
+        let end = until.entry(touch.pair).or_insert(f64::NEG_INFINITY);
+        if touch.start > *end {
+            count += 1;
+        }
+        *end = end.max(touch.end);
+    }
+    count
+}
+
+/// Times at which a body's extremes are looked for: every step of an integrator several times, flights at a rate that
+/// neither its bearings nor the ground can outrun.
+pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
+    let rate = flight_rate(history, body);
+    let mut times = Vec::new();
+    for segment in &history.paths[body] {
+        let (from, until) = (segment.from, segment.until.min(history.end()));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
+        let count = match segment.path {
+            Path::Flight(_) => ((until - from) * rate).clamp(4.0, 2e5) as usize,
+            Path::Dense(_) => 4,
+        };
+        times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
+    }
+    times.push(history.end());
+    times
+}
+
+/// Looks per second in free flight.
+pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
+    use crate::motion::Ground;
+    let model = history.model();
+    let body = &model.bodies[body];
+    let quantities = body.quantities();
+    let inertia = [body.mass, body.mass, body.mass * body.gyration2];
+    let decay = (0..3).map(|i| body.planar.damping.col(i)[i] / inertia[i]);
+    let omega = quantities.omega.into_iter().chain(decay).fold(0.0, f64::max);
+    let drive = match &model.ground {
+        Ground::Still => 0.0,
+        Ground::Sine { omega, .. } => *omega,
+        Ground::Record { dt, .. } => std::f64::consts::TAU / (8.0 * dt),
+    };
+    PER_PERIOD * omega.max(drive) / std::f64::consts::TAU
+}

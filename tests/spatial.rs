@@ -1,0 +1,148 @@
+//! Six degrees of freedom: the planar answer in the limit, Euler's top, gravity, edges.
+
+mod support;
+
+use girderbench::scene::{Direction, FrictionLaw, Kind, Motion, Scene, presets};
+use girderbench::sim::EventKind;
+use support::{run, scene, within};
+
+/// The paper's skewed girder as a planar scene and as a spatial one that is held flat, shaken gently enough for rotations
+/// of a given size.
+fn flat(scale: f64, law: FrictionLaw) -> (Scene, Scene) {
+    let mut planar = presets::load("skew60-abutment").unwrap_or_else(|errors| panic!("{errors}"));
+    planar.solver.tolerance = 1e-12;
+    planar.duration = 2.0;
+    planar.contact.law = law;
+    let Motion::Sine(sine) = &mut planar.motion else { panic!("it shakes by a sine") };
+    sine.amplitude_g = sine.amplitude_g.map(|a| a * scale);
+    sine.angle_deg = -30.0;
+    planar.abutments[0].gap = planar.abutments[0].gap.map(|gap| gap * scale);
+    let mut spatial = planar.clone();
+    spatial.kind = Kind::Spatial;
+    spatial.girders[0].held = vec![Direction::Z, Direction::Roll, Direction::Pitch];
+    if let Some(girderbench::scene::Bearings::Shared(shared)) = &mut spatial.girders[0].bearings {
+        shared.vertical_frequency_hz = Some(10.0);
+    }
+    (planar, spatial)
+}
+
+#[test]
+fn a_spatial_girder_held_flat_tends_to_the_planar_one_as_rotations_fall() {
+    for law in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
+        let differences = [1.0, 0.1, 0.01].map(|scale| {
+            let (planar, spatial) = flat(scale, law);
+            let (a, b) = (run(&planar), run(&spatial));
+            let (mut apart, mut turn) = (0.0f64, 0.0f64);
+            for i in 0..=400 {
+                let t = 2.0 * f64::from(i) / 400.0;
+                let (m, n) = (a.motion(0, t), b.motion(0, t));
+                apart = apart.max((m.displacement - n.displacement).length() / (0.02 * scale));
+                turn = turn.max(m.theta.abs());
+            }
+            assert!(a.touches().len() > 4, "{law:?}, {scale}: contacts are in play");
+            (apart, turn)
+        });
+        for w in differences.windows(2) {
+            let order = (w[0].0 / w[1].0).ln() / (w[0].1 / w[1].1).ln();
+            assert!((order - 2.0).abs() < 0.4, "{law:?}: falls as θ^{order:.2}, {differences:?}");
+        }
+    }
+}
+
+#[test]
+fn a_free_prism_keeps_its_energy_and_its_angular_momentum() {
+    let mut top = scene(
+        r#"
+        name = "top"
+        kind = "spatial"
+        gravity_m_s2 = 0.0
+        duration_s = 20.0
+        [[girder]]
+        name = "top"
+        length_m = 1.0
+        width_m = 0.5
+        thickness_m = 0.2
+        skew_deg = 50.0
+        mass_kg = 3.0
+        position_m = [0.0, 0.0, 0.0]
+        initial = { spin_deg_s = 400.0, velocity_m_s = [0.1, 0.2, 0.3] }
+        push = { moment_n_m = 0.05 }
+        "#,
+    );
+    top.solver.tolerance = 1e-12;
+    let history = run(&top);
+    let ledger = history.ledger(20.0);
+    assert!(ledger.work_push > 0.1, "the moment works");
+    within("ledger", ledger.residual / ledger.scale, 1e-11);
+    let i2 = history.model().bodies[0].gyration2;
+    let expected = 400f64.to_radians() + 0.05 / (3.0 * i2) * 20.0;
+    within("spin about the vertical", history.motion(0, 20.0).spin.z / expected - 1.0, 1e-11);
+    within("attitude stays a rotation", history.motion(0, 13.7).attitude.length() - 1.0, 1e-12);
+}
+
+#[test]
+fn a_body_without_bearings_falls_as_it_must() {
+    let mut drop = scene(
+        r#"
+        name = "drop"
+        kind = "spatial"
+        duration_s = 1.0
+        [[girder]]
+        name = "block"
+        length_m = 1.0
+        width_m = 0.5
+        thickness_m = 0.2
+        mass_kg = 3.0
+        initial = { velocity_m_s = [1.0, 0.0, 2.0] }
+        "#,
+    );
+    drop.solver.tolerance = 1e-12;
+    let motion = run(&drop).motion(0, 1.0);
+    within("x", motion.displacement.x - 1.0, 1e-12);
+    within("z", motion.displacement.z - (2.0 - 0.5 * 9.806_65), 1e-12);
+}
+
+#[test]
+fn a_deck_that_leaves_over_the_top_of_a_low_backwall_books_the_edge() {
+    let mut low = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
+    low.solver.tolerance = 1e-12;
+    low.duration = 1.0;
+    low.motion = Motion::None;
+    low.girders[0].bearings = None;
+    // Thrown at the wall and upwards: the lower nodes touch, then slide out over its top.
+    low.gravity = 0.0;
+    low.girders[0].initial.velocity = [0.5, 0.0, 1.5];
+    for wall in &mut low.abutments {
+        wall.height = Some(1.6);
+        wall.gap = Some(0.001);
+    }
+    let history = run(&low);
+    assert!(history.events().iter().any(|e| e.kind == EventKind::LeftFace), "an edge is left: {:?}", history.events());
+    let ledger = history.ledger(1.0);
+    assert!(ledger.jump_edge > 0.0, "its spring energy goes to the ledger");
+    within("ledger", ledger.residual / ledger.scale, 1e-11);
+}
+
+#[test]
+fn the_tangential_dashpot_works_on_the_rate_of_the_stretch_as_it_turns() {
+    let mut scene = presets::load("flush-free-hit").unwrap_or_else(|errors| panic!("{errors}"));
+    scene.kind = Kind::Spatial;
+    scene.gravity = 0.0;
+    scene.solver.tolerance = 1e-12;
+    scene.contact.law = FrictionLaw::ReturnMapping;
+    scene.contact.restitution_tangential = 0.2;
+    scene.girders[0].initial.velocity = [0.3, 0.2, 0.1];
+    scene.girders[0].push.force = [0.0, -300.0, 200.0];
+    let history = run(&scene);
+    let touch = history.touches()[0];
+    let (t, h) = (touch.start + 0.3 * (touch.end - touch.start), 1e-7);
+    let stretch = |t: f64| history.contact_at(touch.contact, t).map(|c| (c.point - c.anchor).reject_from(c.normal));
+    let (Some(before), Some(after), Some(now)) = (stretch(t - h), stretch(t + h), history.contact_at(touch.contact, t))
+    else {
+        panic!("it touches from {} to {}", touch.start, touch.end)
+    };
+    let share = history.model().pairs[0].c_t / 4.0;
+    let expected = (after - before) / (2.0 * h) * -share;
+    // The eased direction lags by a thousandth of the entry's depth over the depth in hand.
+    within("dashpot force", (now.tangential_damping - expected).length() / expected.length(), 1e-4);
+}
