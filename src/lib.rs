@@ -53,12 +53,16 @@
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
+//! | [`tables`] | an answer as CSV and JSON |
+//! | [`files`] | opens scenes and records, writes files whole or not at all |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod contact;
 pub mod dynamics;
+pub mod files;
 pub mod geometry;
 pub mod motion;
 pub mod scene;
 pub mod sim;
+pub mod tables;

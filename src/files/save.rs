@@ -1,0 +1,94 @@
+//! Writes files whole or not at all.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::scene::{Motion, Scene, format};
+
+/// A file that could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: cannot be written ({source}): choose a folder that exists and may be written to", path.display())]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// What the system said.
+    source: std::io::Error,
+}
+
+/// Saves a scene as TOML.
+///
+/// A record is written by the path it was read from if that path, seen from the new folder, is there; else its samples
+/// go into the scene, so that a saved scene always opens again.
+///
+/// # Errors
+/// When the file cannot be written; what stood there before then still does.
+pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
+    let mut scene = scene.clone();
+    if let Motion::Record(record) = &mut scene.motion
+        && let (Some(file), Some((dt, samples))) = (&record.file, &record.loaded)
+        && !folder_of(path).join(file).is_file()
+    {
+        (record.dt, record.samples, record.file) = (Some(*dt), Some(samples.clone()), None);
+    }
+    write_atomic(path, format::write(&scene).as_bytes())
+}
+
+/// Writes one file: readers see what stood there before or all of `bytes`.
+///
+/// # Errors
+/// When the file cannot be written; what stood there before then still does.
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    persist(stage(path, bytes)?, path)
+}
+
+/// Writes several files into a folder, which is made if it is missing; none gets its name before all are on the disk.
+///
+/// # Errors
+/// When the folder or a file cannot be written.
+pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]) -> Result<(), WriteError> {
+    let name = |source| WriteError { path: folder.to_owned(), source };
+    std::fs::create_dir_all(folder).map_err(name)?;
+    let staged = files
+        .iter()
+        .map(|(name, bytes)| {
+            let path = folder.join(name);
+            Ok((stage(&path, bytes.as_ref())?, path))
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    staged.into_iter().try_for_each(|(file, path)| persist(file, &path))
+}
+
+/// Puts the bytes on the disk beside `path`, under a name of its own; dropped, it is removed.
+fn stage(path: &Path, bytes: &[u8]) -> Result<NamedTempFile, WriteError> {
+    let write = || {
+        let mut file = temporary_in(folder_of(path))?;
+        file.write_all(bytes)?;
+        Ok(file)
+    };
+    write().map_err(|source| WriteError { path: path.to_owned(), source })
+}
+
+fn persist(file: NamedTempFile, path: &Path) -> Result<(), WriteError> {
+    file.persist(path).map(|_| ()).map_err(|error| WriteError { path: path.to_owned(), source: error.error })
+}
+
+#[cfg(unix)]
+fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt as _;
+    // Temporary files are private by default; a result is for whoever the user's umask lets read it.
+    tempfile::Builder::new().permissions(std::fs::Permissions::from_mode(0o666)).tempfile_in(folder)
+}
+
+#[cfg(not(unix))]
+fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
+    NamedTempFile::new_in(folder)
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}

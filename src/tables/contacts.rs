@@ -1,0 +1,74 @@
+//! `contacts.csv`: every closed contact, at each sample and at every event and force peak.
+//!
+//! A touch of the model girder lasts about 10 ms, one sample at the usual rate, so the samples alone would miss what
+//! matters: events and peaks have rows of their own, and `why` tells which instant a row is.
+
+use super::events::law_label;
+use super::{number, sample_times, to_csv, xyz, xyz_header};
+use crate::sim::{ContactNow, History};
+
+/// The table. At an event, a row shows the contact just after it; a contact that has just opened has no row.
+///
+/// `point` is the node, `anchor` the point of the face that holds it, `normal` points out of the face; forces \[N\]:
+/// `normal_force` is `K δ`, `friction` the tangential spring or friction, the dashpots apart, `force` the sum of all,
+/// on the node's body.
+pub fn contacts(history: &History, sample_hz: f64) -> Vec<u8> {
+    let rows = instants(history, sample_hz).into_iter().flat_map(|(t, why)| {
+        let closed = history.contacts(t);
+        closed.into_iter().map(move |contact| row(history, t, why, &contact)).collect::<Vec<_>>()
+    });
+    to_csv(&header(), rows)
+}
+
+/// Samples, events and force peaks in order of time, each instant once; an event's name wins over a peak's, and a
+/// peak's over a sample's.
+fn instants(history: &History, sample_hz: f64) -> Vec<(f64, &'static str)> {
+    let events = history.events().iter().map(|event| (event.t, "event"));
+    let peaks = history.touches().iter().map(|touch| (touch.peak_time, "peak"));
+    let samples = sample_times(history.end(), sample_hz).map(|t| (t, "sample"));
+    let mut all: Vec<_> = events.chain(peaks).chain(samples).collect();
+    // Stable, so that the first of equals is the one named first above.
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|later, kept| later.0 == kept.0);
+    all
+}
+
+fn header() -> Vec<String> {
+    let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+    [
+        names(&["t", "why", "pair", "node", "face", "state"]),
+        xyz_header("point").into(),
+        xyz_header("anchor").into(),
+        xyz_header("normal").into(),
+        names(&["penetration", "normal_velocity"]),
+        xyz_header("sliding").into(),
+        names(&["normal_force"]),
+        xyz_header("friction").into(),
+        names(&["normal_dashpot"]),
+        xyz_header("tangential_dashpot").into(),
+        xyz_header("force").into(),
+        names(&["law"]),
+    ]
+    .concat()
+}
+
+fn row(history: &History, t: f64, why: &str, contact: &ContactNow) -> Vec<String> {
+    let model = history.model();
+    let (pair, site) = (&model.pairs[contact.pair], &model.contacts[contact.contact]);
+    let state = contact.state.label().to_owned();
+    [
+        vec![number(t), why.to_owned(), pair.name.clone(), site.node.clone(), site.face_name.clone(), state],
+        xyz(contact.point).into(),
+        xyz(contact.anchor).into(),
+        xyz(contact.normal).into(),
+        vec![number(contact.penetration), number(contact.normal_velocity)],
+        xyz(contact.sliding).into(),
+        vec![number(contact.normal_force)],
+        xyz(contact.tangential_force).into(),
+        vec![number(contact.normal_damping)],
+        xyz(contact.tangential_damping).into(),
+        xyz(contact.force).into(),
+        vec![law_label(pair.contact.law).to_owned()],
+    ]
+    .concat()
+}

@@ -1,0 +1,123 @@
+//! Reads `trajectory.csv` and `events.csv` back, to compare runs that were written to disk.
+
+/// A table of numbers against time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trajectory {
+    /// Column `t` \[s\].
+    pub t: Vec<f64>,
+    /// The other columns, by name, in the order of the file.
+    pub columns: Vec<(String, Vec<f64>)>,
+}
+
+/// One row of `events.csv`, as far as a comparison needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EventRow {
+    /// When \[s\].
+    pub t: f64,
+    /// The contact: pair, and node and face where the file has them.
+    pub contact: String,
+    /// What, as [`EventKind::label`](crate::sim::EventKind::label) spells it.
+    pub kind: String,
+}
+
+/// What is wrong with a table, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {value}: {remedy}")]
+pub struct TableError {
+    /// `line 3, column deck.x`.
+    pub place: String,
+    /// What stands there.
+    pub value: String,
+    /// What would be right.
+    pub remedy: &'static str,
+}
+
+/// Reads the bytes of a `trajectory.csv`.
+///
+/// # Errors
+/// When they are not a table of finite numbers whose first column is `t`.
+pub fn trajectory(bytes: &[u8]) -> Result<Trajectory, TableError> {
+    let mut reader = csv::Reader::from_reader(bytes);
+    let names: Vec<String> = reader.headers().map_err(not_csv)?.iter().map(str::to_owned).collect();
+    if names.first().is_none_or(|name| name != "t") {
+        let value = format!("the columns {}", names.join(", "));
+        return Err(TableError { place: "line 1".into(), value, remedy: "the first column is called t" });
+    }
+    let mut values = vec![Vec::new(); names.len()];
+    for record in reader.records() {
+        let record = record.map_err(not_csv)?;
+        for ((field, name), column) in record.iter().zip(&names).zip(&mut values) {
+            column.push(number(field, name, &record)?);
+        }
+    }
+    let mut columns = names.into_iter().zip(values);
+    let t = columns.next().map(|(_, t)| t).unwrap_or_default();
+    Ok(Trajectory { t, columns: columns.collect() })
+}
+
+/// Reads the bytes of an `events.csv`; columns other than `t`, `pair`, `kind`, `node` and `face` are passed over.
+///
+/// # Errors
+/// When they are not a table with those first three columns.
+pub fn events(bytes: &[u8]) -> Result<Vec<EventRow>, TableError> {
+    let mut reader = csv::Reader::from_reader(bytes);
+    let names = reader.headers().map_err(not_csv)?.clone();
+    let find = |name: &str| names.iter().position(|have| have == name);
+    let need = |name: &'static str| {
+        let remedy = "the columns t, pair and kind are there";
+        find(name).ok_or_else(|| TableError { place: "line 1".into(), value: format!("no column {name}"), remedy })
+    };
+    let (t, pair, kind) = (need("t")?, need("pair")?, need("kind")?);
+    let contact = [Some(pair), find("node"), find("face")];
+    let row = |record: Result<csv::StringRecord, csv::Error>| {
+        let record = record.map_err(not_csv)?;
+        let field = |column: usize| record.get(column).unwrap_or_default();
+        let parts: Vec<&str> = contact.into_iter().flatten().map(field).collect();
+        let time = number(field(t), "t", &record)?;
+        Ok(EventRow { t: time, contact: parts.join(" "), kind: field(kind).to_owned() })
+    };
+    reader.records().map(row).collect()
+}
+
+fn number(field: &str, column: &str, record: &csv::StringRecord) -> Result<f64, TableError> {
+    field.trim().parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| TableError {
+        place: format!("line {}, column {column}", record.position().map_or(0, csv::Position::line)),
+        value: format!("{field:?}"),
+        remedy: "a finite number stands there",
+    })
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "for map_err")]
+fn not_csv(error: csv::Error) -> TableError {
+    let line = error.position().map_or(0, csv::Position::line);
+    TableError {
+        place: format!("line {line}"),
+        value: error.to_string(),
+        remedy: "every line of the table has the same number of fields, as UTF-8 text",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_for_a_number_is_refused_by_line_and_column() {
+        let error = trajectory(b"t,deck.x\n0,0\n0.1,abc\n").expect_err("abc is no number");
+        assert_eq!(error.place, "line 3, column deck.x", "where it stands");
+        assert!(error.to_string().contains("abc"), "what stands there: {error}");
+    }
+
+    #[test]
+    fn a_short_line_is_refused() {
+        assert!(trajectory(b"t,deck.x\n0\n").is_err(), "one field is missing");
+    }
+
+    #[test]
+    fn events_are_told_apart_by_node_where_the_file_has_nodes() {
+        let rows = events(b"t,pair,kind,node,face\n0.5,deck+x|wall,->open,deck.corner1,wall\n").expect("a table");
+        assert_eq!(rows[0].contact, "deck+x|wall deck.corner1 wall", "pair, node, face");
+        let rows = events(b"t,pair,kind\n0.5,deck+x|wall,->open\n").expect("the short form is a table too");
+        assert_eq!(rows[0].contact, "deck+x|wall", "pair only");
+    }
+}

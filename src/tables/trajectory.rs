@@ -1,0 +1,54 @@
+//! `trajectory.csv`: where every girder is and how fast, at a constant rate.
+
+use super::{number, sample_times, to_csv};
+use crate::scene::Kind;
+use crate::sim::{History, Motion};
+
+/// Columns of a planar girder: displacement of G \[m\], rotation since placed \[rad\], their rates.
+const PLANAR: [&str; 6] = ["x", "y", "theta", "vx", "vy", "omega"];
+/// What a spatial girder adds: height \[m\], attitude (unit quaternion, body to world), the other rates.
+const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
+
+/// The table: `t`, then per girder `NAME.x, NAME.y, NAME.theta, NAME.vx, NAME.vy, NAME.omega`; a spatial girder adds
+/// `z, qx, qy, qz, qw, vz, wx, wy`.
+pub fn trajectory(history: &History, sample_hz: f64) -> Vec<u8> {
+    let spatial = history.scene().kind == Kind::Spatial;
+    let bodies = &history.model().bodies;
+    let rows = sample_times(history.end(), sample_hz).map(|t| {
+        let mut row = vec![number(t)];
+        for girder in 0..bodies.len() {
+            row.extend(columns(&history.motion(girder, t), spatial));
+        }
+        row
+    });
+    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial), rows)
+}
+
+fn header<'a>(names: impl Iterator<Item = &'a str>, spatial: bool) -> Vec<String> {
+    let more = if spatial { &SPATIAL[..] } else { &[] };
+    let of_girder = |name: &str| PLANAR.iter().chain(more).map(|column| format!("{name}.{column}")).collect::<Vec<_>>();
+    std::iter::once("t".to_owned()).chain(names.flat_map(of_girder)).collect()
+}
+
+fn columns(m: &Motion, spatial: bool) -> Vec<String> {
+    let planar = [m.displacement.x, m.displacement.y, m.theta, m.velocity.x, m.velocity.y, m.spin.z];
+    let (q, more) = (m.attitude, [m.displacement.z, m.velocity.z, m.spin.x, m.spin.y]);
+    let [z, vz, wx, wy] = more;
+    let spatial = if spatial { vec![z, q.x, q.y, q.z, q.w, vz, wx, wy] } else { Vec::new() };
+    planar.into_iter().chain(spatial).map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_header_names_the_body_and_the_quantity() {
+        assert_eq!(
+            header(["deck"].into_iter(), false).join(","),
+            "t,deck.x,deck.y,deck.theta,deck.vx,deck.vy,deck.omega",
+            "planar"
+        );
+        assert_eq!(header(["a", "b"].into_iter(), true).len(), 1 + 2 * (6 + 8), "spatial girders have more columns");
+    }
+}
