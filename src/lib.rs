@@ -54,6 +54,9 @@
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
 //! | [`tables`] | an answer as CSV and JSON |
+//! | [`view`] | an answer as a list of things to draw |
+//! | `render` | draw lists as pixels, on or off screen (feature `render`) |
+//! | `snapshot` | scene in, picture out (feature `render`) |
 //! | [`files`] | opens scenes and records, writes files whole or not at all |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
@@ -66,3 +69,9 @@ pub mod motion;
 pub mod scene;
 pub mod sim;
 pub mod tables;
+pub mod view;
+
+#[cfg(feature = "render")]
+pub mod render;
+#[cfg(feature = "render")]
+pub mod snapshot;

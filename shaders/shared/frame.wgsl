@@ -1,0 +1,43 @@
+// What every pass knows of the picture: camera, light, background. World space is metres, z up; clip space has z in
+// [0, 1] and y up. Colours leave every pass sRGB-encoded and premultiplied.
+
+struct Frame {
+    clip_from_world: mat4x4<f32>,
+    light_from_world: mat4x4<f32>,
+    // Homogeneous: a point in perspective, a direction (w = 0) in orthographic views.
+    eye: vec4<f32>,
+    // xyz: unit vector towards the light.
+    towards_light: vec4<f32>,
+    // Width and height in pixels; z: how far lines are lifted towards the eye [m].
+    viewport: vec4<f32>,
+    // x: root of the look-ups per pixel, 1, 2 or 3; y: size of a texel in [0, 1] of the map; z: the same in the world [m].
+    shadow: vec4<f32>,
+    // xy: middle of the scene in plan; z, w: how far from it fading begins and ends [m].
+    fade: vec4<f32>,
+    sky: vec4<f32>,
+    floor: vec4<f32>,
+};
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+fn linear_from_srgb(c: vec3<f32>) -> vec3<f32> {
+    return select(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, c <= vec3(0.04045));
+}
+
+fn srgb_from_linear(c: vec3<f32>) -> vec3<f32> {
+    let x = clamp(c, vec3(0.0), vec3(1.0));
+    return select(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, x * 12.92, x <= vec3(0.0031308));
+}
+
+fn premultiplied(c: vec4<f32>) -> vec4<f32> {
+    return vec4(c.rgb * c.a, c.a);
+}
+
+// 1 near the scene, 0 far from it.
+fn nearness(world: vec3<f32>) -> f32 {
+    return 1.0 - smoothstep(frame.fade.z, frame.fade.w, distance(world.xy, frame.fade.xy));
+}
+
+fn towards_eye(world: vec3<f32>) -> vec3<f32> {
+    return normalize(frame.eye.xyz - world * frame.eye.w);
+}

@@ -1,0 +1,100 @@
+//! A device to draw with: brought up without a window, or handed over by one.
+
+/// What draws.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AdapterSummary {
+    /// The adapter's own name.
+    pub name: String,
+    /// The graphics interface, `vulkan`, `gl`, …
+    pub backend: String,
+    /// Whether a processor does a graphics card's work.
+    pub is_cpu: bool,
+}
+
+impl AdapterSummary {
+    fn of(info: &wgpu::AdapterInfo) -> Self {
+        // A GLES adapter does not say that it is software; its name does.
+        let named = ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|n| info.name.contains(n));
+        Self {
+            name: info.name.clone(),
+            backend: info.backend.to_str().to_owned(),
+            is_cpu: info.device_type == wgpu::DeviceType::Cpu || named,
+        }
+    }
+}
+
+impl std::fmt::Display for AdapterSummary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ({})", self.name, self.backend)
+    }
+}
+
+/// Why nothing can be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum GpuError {
+    /// There is no adapter, not even in software.
+    #[error(
+        "no graphics adapter, not even in software: install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri); {0}"
+    )]
+    NoAdapter(String),
+    /// An adapter would not give a device.
+    #[error("{adapter} gives no device: {reason}")]
+    NoDevice {
+        /// Which adapter.
+        adapter: AdapterSummary,
+        /// In its words.
+        reason: String,
+    },
+    /// A picture larger than the device draws.
+    #[error("a picture of {0} x {1} pixels: choose 1 to {2} each way, and no more than 33 million in all")]
+    Size(u32, u32, u32),
+    /// The picture could not be read back.
+    #[error("the picture could not be read back: {0}")]
+    Readback(String),
+}
+
+/// A device to draw with.
+#[derive(Clone, Debug)]
+pub struct Gpu {
+    /// The device.
+    pub device: wgpu::Device,
+    /// Its queue.
+    pub queue: wgpu::Queue,
+    /// What it is.
+    pub adapter: AdapterSummary,
+}
+
+impl Gpu {
+    /// Takes over a window's device.
+    #[expect(clippy::needless_pass_by_value, reason = "all three are handed over together")]
+    pub fn from_parts(info: wgpu::AdapterInfo, device: wgpu::Device, queue: wgpu::Queue) -> Self {
+        Self { device, queue, adapter: AdapterSummary::of(&info) }
+    }
+
+    /// Brings up a device with no window and no display: Vulkan, or GLES over EGL where there is none.
+    ///
+    /// # Errors
+    /// When there is no adapter (the missing packages are named) or it gives no device.
+    pub fn headless() -> Result<Self, GpuError> {
+        pollster::block_on(Self::bring_up())
+    }
+
+    async fn bring_up() -> Result<Self, GpuError> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let adapter = instance
+            .request_adapter(&wgpu::RequestAdapterOptions::default())
+            .await
+            .map_err(|e| GpuError::NoAdapter(e.to_string()))?;
+        let info = adapter.get_info();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("girderbench"),
+            required_limits: wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+            ..Default::default()
+        };
+        let (device, queue) = adapter
+            .request_device(&descriptor)
+            .await
+            .map_err(|e| GpuError::NoDevice { adapter: AdapterSummary::of(&info), reason: e.to_string() })?;
+        Ok(Self::from_parts(info, device, queue))
+    }
+}

@@ -1,0 +1,22 @@
+//! Draw lists to pixels with wgpu. Knows the view's lists and nothing of physics.
+//!
+//! One pass is one file in `pass/` and one shader of the same stem in `shaders/`. A [`Renderer`] builds a pass when a
+//! list first has something for it, and runs it only for lists that have. Everything stays inside
+//! `downlevel_webgl2_defaults`: instance vertex buffers, uniforms, a comparison sampler, sRGB encoded in the shader.
+
+mod buffer;
+mod flat;
+mod frame;
+mod gpu;
+mod image;
+mod mesh;
+mod pass;
+mod quality;
+mod renderer;
+mod target;
+
+pub use gpu::{AdapterSummary, Gpu, GpuError};
+pub use image::Image;
+pub use pass::shaders;
+pub use quality::Quality;
+pub use renderer::Renderer;

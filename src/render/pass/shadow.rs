@@ -1,0 +1,112 @@
+//! The shadow map: depth of the solids as the light sees them.
+
+use super::solid::Solids;
+use super::{DEPTH, Depth, Recipe};
+use crate::render::frame::Frame;
+use crate::render::{Gpu, Quality};
+
+pub(in crate::render) const SHADER: &str = concat!(
+    include_str!("../../../shaders/shared/frame.wgsl"),
+    include_str!("../../../shaders/shared/prism.wgsl"),
+    include_str!("../../../shaders/shadow.wgsl")
+);
+
+/// The shadow map and its pass.
+#[derive(Debug)]
+pub(in crate::render) struct Shadow {
+    pipeline: wgpu::RenderPipeline,
+    map: wgpu::TextureView,
+    /// For the passes that look shadows up.
+    pub(in crate::render) layout: wgpu::BindGroupLayout,
+    /// For the passes that look shadows up.
+    pub(in crate::render) group: wgpu::BindGroup,
+}
+
+impl Shadow {
+    pub(in crate::render) fn new(gpu: &Gpu, frame: &Frame, quality: Quality) -> Self {
+        let attributes = Solids::attributes();
+        let recipe = Recipe {
+            label: "shadow",
+            shader: SHADER,
+            vertex: "vertex",
+            fragment: "",
+            groups: &[&frame.layout],
+            buffers: &Solids::buffers(&attributes),
+            depth: Depth::Write,
+            cull: None,
+            samples: 1,
+        };
+        let map = map(gpu, quality.shadow_map_size());
+        let layout = layout(gpu);
+        let group = group(gpu, &layout, &map);
+        Self { pipeline: recipe.build_depth(gpu), map, layout, group }
+    }
+
+    /// Draws the solids' depth into the map.
+    pub(in crate::render) fn draw(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, solids: Option<&Solids>) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("shadow"),
+            color_attachments: &[],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.map,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &frame.group, &[]);
+        if let Some(solids) = solids {
+            solids.draw(&mut pass);
+        }
+    }
+}
+
+fn map(gpu: &Gpu, side: u32) -> wgpu::TextureView {
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("shadow map"),
+        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: DEPTH,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+    let entry =
+        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
+    let map = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Depth,
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison);
+    gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("shadow map"),
+        entries: &[entry(0, map), entry(1, sampler)],
+    })
+}
+
+fn group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, map: &wgpu::TextureView) -> wgpu::BindGroup {
+    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("shadow map"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare: Some(wgpu::CompareFunction::LessEqual),
+        ..Default::default()
+    });
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("shadow map"),
+        layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(map) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+        ],
+    })
+}

@@ -1,0 +1,179 @@
+//! Scene in, picture out: for the command line, the window's export and anyone's tests.
+//!
+//! ```no_run
+//! use girderbench::{scene::presets, snapshot::{Shot, picture}};
+//!
+//! let scene = presets::load("skew45-abutment")?;
+//! let image = picture(&scene, &Shot::default())?;
+//! assert_eq!([image.width, image.height], [1280, 720]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::render::{Gpu, GpuError, Image, Quality, Renderer};
+use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};
+use crate::sim::History;
+use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, draw_list};
+
+/// Which instant of a run a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Instant {
+    /// When the largest contact force acts; the start of a run without contact.
+    #[default]
+    Peak,
+    /// This time \[s\].
+    At(f64),
+}
+
+impl Instant {
+    /// The time in a run \[s\].
+    pub fn of(self, history: &History) -> f64 {
+        match self {
+            Self::Peak => history.hardest().map_or(0.0, |touch| touch.peak_time),
+            Self::At(t) => t,
+        }
+    }
+}
+
+/// How a picture is taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shot {
+    /// When.
+    pub at: Instant,
+    /// From where; the scene's own view when absent.
+    pub view: Option<ViewPreset>,
+    /// Width and height \[pixels\].
+    pub size: [u32; 2],
+    /// Which layers; the scene's own when absent.
+    pub overlays: Option<Overlays>,
+    /// What stands behind the bodies.
+    pub background: Background,
+    /// Scale of the arrows \[N/m\]; from the run's peak when absent.
+    pub force_scale: Option<f64>,
+    /// What is selected.
+    pub selected: Option<Target>,
+    /// Title; the scene's name when absent.
+    pub title: Option<String>,
+}
+
+impl Default for Shot {
+    fn default() -> Self {
+        Self {
+            at: Instant::Peak,
+            view: None,
+            size: [1280, 720],
+            overlays: None,
+            background: Background::Studio,
+            force_scale: None,
+            selected: None,
+            title: None,
+        }
+    }
+}
+
+impl Shot {
+    /// The draw list of this picture of a run.
+    pub fn list(&self, history: &History) -> DrawList {
+        let scene = history.scene();
+        let t = self.at.of(history);
+        let aspect = f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1));
+        let camera = camera(history, self.view.unwrap_or(scene.view.camera), t, aspect);
+        draw_list(&ViewInput {
+            scene,
+            history: Some(history),
+            t,
+            camera: &camera,
+            overlays: self.overlays.unwrap_or(scene.view.overlays),
+            force_scale: self.force_scale,
+            selected: self.selected,
+            size: self.size,
+            pixels_per_point: points(self.size),
+            background: self.background,
+            title: self.title.as_deref(),
+        })
+    }
+}
+
+fn camera(history: &History, view: ViewPreset, t: f64, aspect: f64) -> Camera {
+    match view {
+        ViewPreset::Contact => Camera::contact(history, t, aspect),
+        other => Camera::preset(other, Bounds::of_scene(history.scene()), aspect),
+    }
+}
+
+/// Pixels to a point: 1 at 1280 × 720, in proportion above; texts shrink more slowly below, to stay readable.
+pub fn points(size: [u32; 2]) -> f32 {
+    let share = (size[0] as f32 / 1280.0).min(size[1] as f32 / 720.0);
+    if share >= 1.0 { share } else { share.max(0.05).sqrt() }
+}
+
+/// A device with its pipelines, kept for many pictures.
+#[derive(Debug)]
+pub struct Studio {
+    /// What draws.
+    pub gpu: Gpu,
+    renderer: Renderer,
+}
+
+impl Studio {
+    /// Brings up a device without a window; the quality suits it unless given.
+    ///
+    /// # Errors
+    /// When there is no adapter, not even in software.
+    pub fn open(quality: Option<Quality>) -> Result<Self, GpuError> {
+        let gpu = Gpu::headless()?;
+        let quality = quality.unwrap_or_else(|| Quality::for_stills(&gpu.adapter));
+        let renderer = Renderer::new(&gpu, quality);
+        Ok(Self { gpu, renderer })
+    }
+
+    /// A picture of a run.
+    ///
+    /// # Errors
+    /// When the size is not one that the device draws.
+    pub fn shoot(&mut self, history: &History, shot: &Shot) -> Result<Image, GpuError> {
+        self.draw(&shot.list(history))
+    }
+
+    /// A picture of a draw list.
+    ///
+    /// # Errors
+    /// When the size is not one that the device draws.
+    pub fn draw(&mut self, list: &DrawList) -> Result<Image, GpuError> {
+        self.renderer.picture(&self.gpu, list, list.size)
+    }
+
+    /// The passes that pictures so far have needed.
+    pub fn passes(&self) -> Vec<&'static str> {
+        self.renderer.built()
+    }
+
+    /// What a picture's file says about its making: keywords and texts.
+    pub fn texts(&self, scene: &Scene, t: f64) -> [(&'static str, String); 4] {
+        [
+            ("Software", format!("girderbench {}", env!("CARGO_PKG_VERSION"))),
+            ("Source", self.gpu.adapter.to_string()),
+            ("Title", scene.name.clone()),
+            ("Time", format!("{t:?} s")),
+        ]
+    }
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum SnapshotError {
+    /// The scene cannot be run.
+    #[error(transparent)]
+    Scene(#[from] SceneErrors),
+    /// Nothing draws it.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+/// Runs a scene and takes one picture of it.
+///
+/// # Errors
+/// When the scene cannot be run, or nothing draws it.
+pub fn picture(scene: &Scene, shot: &Shot) -> Result<Image, SnapshotError> {
+    let history = History::of(scene)?;
+    Ok(Studio::open(None)?.shoot(&history, shot)?)
+}

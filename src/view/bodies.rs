@@ -1,0 +1,131 @@
+//! Girders, abutments and bearings as solids with crisp edges, and the ground under them.
+
+use glam::DVec3;
+
+use super::block::{Block, abutment_block, moved_girder_block};
+use super::hiding::solidity;
+use super::list::{Ground, Line, Rgba, Solid};
+use super::moment::Moment;
+use super::palette::{Palette, SELECTED};
+use super::scale::round_down;
+use super::{Bounds, Target, ViewInput};
+use crate::scene::{Bearings, Girder, Scene};
+use crate::sim::Motion;
+
+/// Side of a bearing pad, as a share of the girder's thickness.
+const PAD_SIDE: f64 = 0.6;
+/// Height of a bearing pad, as a share of the girder's thickness, where no abutment says where the ground is.
+const PAD_HEIGHT: f64 = 0.8;
+
+/// Bodies and the lines along their edges.
+#[derive(Debug, Default)]
+pub(super) struct Bodies {
+    pub(super) solids: Vec<Solid>,
+    pub(super) ghosts: Vec<Solid>,
+    pub(super) lines: Vec<Line>,
+    pub(super) outline: Vec<Line>,
+}
+
+/// How high the ground lies: at the foot of the abutments, and below every girder \[m\].
+pub(super) fn ground_level(scene: &Scene) -> f64 {
+    let walls = scene.abutments.iter().filter_map(|a| abutment_block(scene, a)).flat_map(|b| b.corners());
+    let girders = scene.girders.iter().map(|g| g.position[2] - g.thickness * (0.5 + PAD_HEIGHT));
+    let lowest = walls.map(|p| p.z).chain(girders).filter(|z| z.is_finite()).fold(f64::INFINITY, f64::min);
+    if lowest.is_finite() { lowest } else { 0.0 }
+}
+
+/// The ground under a scene; `grid` asks for its lines.
+pub(super) fn ground(scene: &Scene, bounds: Bounds, palette: &Palette, grid: bool) -> Ground {
+    let centre = bounds.centre().with_z(ground_level(scene));
+    let radius = 2.2 * bounds.radius();
+    Ground {
+        centre: centre.as_vec3(),
+        radius: radius as f32,
+        spacing: grid.then(|| grid_spacing(bounds) as f32),
+        grid: palette.grid,
+        shadow: palette.shadow,
+    }
+}
+
+/// A round spacing that puts eight to twenty lines across the scene \[m\].
+pub(super) fn grid_spacing(bounds: Bounds) -> f64 {
+    round_down(2.0 * bounds.radius() / 8.0)
+}
+
+/// Every body of the scene at a moment.
+pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Bodies {
+    let mut out = Bodies::default();
+    let level = ground_level(input.scene);
+    let girders: Vec<_> =
+        input.scene.girders.iter().zip(&moment.motions).map(|(g, m)| moved_girder_block(g, m)).collect();
+    for (i, abutment) in input.scene.abutments.iter().enumerate() {
+        if let Some(block) = abutment_block(input.scene, abutment) {
+            let selected = input.selected == Some(Target::Abutment(i));
+            let color = palette.abutment.fainter(solidity(&block, &girders, input.camera));
+            out.add(input, &block, &abutment.name, color, palette.edge, selected);
+        }
+    }
+    for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {
+        if input.overlays.bearings {
+            for (k, pad) in pads(girder, motion, level).iter().enumerate() {
+                out.add(
+                    input,
+                    pad,
+                    &format!("{} bearing {}", girder.name, k + 1),
+                    palette.bearing,
+                    palette.edge,
+                    false,
+                );
+            }
+        }
+        let selected = input.selected == Some(Target::Girder(i));
+        out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
+    }
+    out
+}
+
+impl Bodies {
+    fn add(&mut self, input: &ViewInput<'_>, block: &Block, name: &str, color: Rgba, edge: Rgba, selected: bool) {
+        let face = block.face.map(DVec3::as_vec3);
+        let list = if color.0[3] == 0xff { &mut self.solids } else { &mut self.ghosts };
+        list.push(Solid { name: name.to_owned(), face, sweep: block.sweep.as_vec3(), color });
+        let line = |group, [from, to]: [DVec3; 2], width: f32, color| Line {
+            group,
+            from: from.as_vec3(),
+            to: to.as_vec3(),
+            width: width * input.pixels_per_point,
+            color,
+        };
+        self.lines.extend(block.edges().map(|e| line("edges", e, 1.3, edge)));
+        if selected {
+            self.outline.extend(block.edges().map(|e| line("selection", e, 2.6, SELECTED)));
+        }
+    }
+}
+
+/// A girder's bearings: pads that stand where they were placed and follow the girder with their top.
+fn pads(girder: &Girder, motion: &Motion, level: f64) -> Vec<Block> {
+    let underside = -girder.thickness / 2.0;
+    let half = PAD_SIDE * girder.thickness / 2.0;
+    let home = super::moment::at_rest(girder);
+    bearing_places(girder)
+        .into_iter()
+        .map(|[x, y]| {
+            let at = DVec3::new(x, y, underside);
+            let foot = (home.place + home.attitude * at).with_z(level);
+            let top = motion.place + motion.attitude * at;
+            let (u, v) = (home.attitude * DVec3::X * half, home.attitude * DVec3::Y * half);
+            // Seen from below, against the clock seen from above.
+            Block { face: [foot - u - v, foot - u + v, foot + u + v, foot + u - v], sweep: top - foot }
+        })
+        .collect()
+}
+
+/// Where a girder's bearings are attached, in its own frame in plan \[m\].
+fn bearing_places(girder: &Girder) -> Vec<[f64; 2]> {
+    match &girder.bearings {
+        None => Vec::new(),
+        Some(Bearings::Each(each)) => each.iter().map(|b| b.at).collect(),
+        Some(Bearings::Shared(shared)) => shared.places(girder),
+    }
+}

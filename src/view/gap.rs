@@ -1,0 +1,95 @@
+//! The gap at each facing pair as a dimension line with its value, measured along the bridge axis.
+
+use glam::DVec3;
+
+use super::ViewInput;
+use super::block::{abutment_block, moved_girder_block};
+use super::list::Line;
+use super::moment::Moment;
+use super::palette::Palette;
+use crate::geometry::End;
+use crate::scene::Scene;
+use crate::scene::facing::Side;
+
+/// A gap as it is now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GapNow {
+    /// Along the first girder's axis, from the middle of its end to the facing plane; negative in overlap \[m\].
+    pub gap: f64,
+    /// Middle of the end's upper edge \[m\].
+    pub from: DVec3,
+    /// Where the axis through it meets the facing plane \[m\].
+    pub to: DVec3,
+}
+
+/// The face of a side at a moment: a point in its middle and its outward normal.
+fn face_of(scene: &Scene, moment: &Moment, side: Side) -> Option<(DVec3, DVec3)> {
+    let corners = match side {
+        Side::Girder(i, end) => end_corners(scene, moment, i, end)?,
+        Side::Abutment(i) => abutment_block(scene, scene.abutments.get(i)?)?.face,
+    };
+    let [a, b, c, d] = corners;
+    Some(((a + b + c + d) / 4.0, (c - a).cross(d - b).normalize_or_zero()))
+}
+
+fn end_corners(scene: &Scene, moment: &Moment, girder: usize, end: End) -> Option<[DVec3; 4]> {
+    let (girder, motion) = (scene.girders.get(girder)?, moment.motions.get(girder)?);
+    Some(girder.prism().end_face(end).map(|p| motion.place + motion.attitude * p))
+}
+
+/// The gap of each facing pair at a moment, in the order of the pairs.
+pub fn gaps(scene: &Scene, moment: &Moment) -> Vec<Option<GapNow>> {
+    moment.facings.iter().map(|f| gap_of(scene, moment, f.first, f.second)).collect()
+}
+
+fn gap_of(scene: &Scene, moment: &Moment, first: Side, second: Side) -> Option<GapNow> {
+    let Side::Girder(i, end) = first else { return None };
+    let motion = moment.motions.get(i)?;
+    let axis = motion.attitude * DVec3::X * end.sign();
+    let (middle, _) = face_of(scene, moment, first)?;
+    let (there, normal) = face_of(scene, moment, second)?;
+    let slope = axis.dot(normal);
+    if slope.abs() < 1e-9 {
+        return None;
+    }
+    let gap = (there - middle).dot(normal) / slope;
+    let up = motion.attitude * DVec3::Z * (scene.girders.get(i)?.thickness / 2.0);
+    Some(GapNow { gap, from: middle + up, to: middle + up + axis * gap })
+}
+
+/// A dimension line as drawn: the strokes, and where its value stands.
+#[derive(Debug)]
+pub(super) struct Dimension {
+    pub(super) lines: Vec<Line>,
+    /// Its two ends, outside of the arrows \[m\].
+    pub(super) ends: [DVec3; 2],
+    pub(super) gap: f64,
+}
+
+/// The dimension line of a gap: a tick at either side and arrows from outside, as drawings have it.
+pub(super) fn dimension(input: &ViewInput<'_>, now: &GapNow, palette: &Palette) -> Dimension {
+    let pixel = input.camera.metres_per_pixel(now.from, f64::from(input.size[1])) * f64::from(input.pixels_per_point);
+    let axis = (now.to - now.from).normalize_or(DVec3::X);
+    let reach = axis * (22.0 * pixel);
+    let raised = DVec3::Z * (9.0 * pixel);
+    let across = (DVec3::Z.cross(axis)).normalize_or(DVec3::Y) * (4.0 * pixel);
+    let (from, to) = (now.from + raised, now.to + raised);
+    let mut strokes = vec![(now.from, from + raised * 0.5), (now.to, to + raised * 0.5)];
+    for (tip, away) in [(from, -1.0), (to, 1.0)] {
+        let back = axis * (away * 7.0 * pixel);
+        strokes.extend([(tip, tip + reach * away), (tip, tip + back + across), (tip, tip + back - across)]);
+    }
+    let line = |(a, b): (DVec3, DVec3)| Line {
+        group: "gap dimension",
+        from: a.as_vec3(),
+        to: b.as_vec3(),
+        width: 1.3 * input.pixels_per_point,
+        color: palette.dimension,
+    };
+    Dimension { lines: strokes.into_iter().map(line).collect(), ends: [from - reach, to + reach], gap: now.gap }
+}
+
+/// The block of a girder at a moment, by number.
+pub(super) fn girder_block_at(scene: &Scene, moment: &Moment, girder: usize) -> Option<super::block::Block> {
+    Some(moved_girder_block(scene.girders.get(girder)?, moment.motions.get(girder)?))
+}

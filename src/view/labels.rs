@@ -1,0 +1,195 @@
+//! Texts in the picture, placed so that they do not lie on one another.
+
+use glam::Vec2;
+
+use super::list::{Mark, Rgba};
+
+/// A rectangle on the picture \[pixels\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Area {
+    pub(super) min: Vec2,
+    pub(super) max: Vec2,
+}
+
+impl Area {
+    fn overlap(&self, other: &Self) -> f32 {
+        let size = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
+        size.x * size.y
+    }
+
+    fn size(&self) -> Vec2 {
+        self.max - self.min
+    }
+
+    pub(super) fn about(middle: Vec2, half: Vec2) -> Self {
+        Self { min: middle - half, max: middle + half }
+    }
+}
+
+/// About how large a text is; the renderer lays it out exactly, this only keeps texts apart \[pixels\].
+pub(super) fn text_size(text: &str, size: f32) -> Vec2 {
+    let em: f32 = text
+        .chars()
+        .map(|c| match c {
+            'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | '\'' | '|' | '·' => 0.27,
+            ' ' | 'f' | 't' | 'r' | '(' | ')' | '/' => 0.36,
+            'm' | 'w' | 'M' | 'W' => 0.84,
+            '_' => 0.0,
+            c if c.is_uppercase() => 0.66,
+            _ => 0.56,
+        })
+        .sum();
+    Vec2::new(em * size, 1.3 * size)
+}
+
+/// A text that wants to stand at a point.
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    /// What it names \[pixels\].
+    pub(super) at: Vec2,
+    /// How far from it the text may start \[pixels\].
+    pub(super) clear: f32,
+    pub(super) text: String,
+    pub(super) size: f32,
+    pub(super) color: Rgba,
+    pub(super) plate: Rgba,
+    /// Directions to try, the best first; `ZERO` is on the point itself.
+    pub(super) directions: Vec<Vec2>,
+}
+
+/// On the point, else around it.
+pub(super) const ON: &[Vec2] = &[Vec2::ZERO, Vec2::new(0.0, -1.0), Vec2::new(0.0, 1.0), Vec2::X, Vec2::NEG_X];
+/// Beside the point, above first.
+pub(super) const BESIDE: &[Vec2] = &[
+    Vec2::new(0.0, -1.0),
+    Vec2::new(0.8, -0.8),
+    Vec2::new(-0.8, -0.8),
+    Vec2::X,
+    Vec2::NEG_X,
+    Vec2::new(0.8, 0.8),
+    Vec2::new(-0.8, 0.8),
+    Vec2::new(0.0, 1.0),
+];
+
+/// Places labels one after another on what is still free.
+#[derive(Debug)]
+pub(super) struct Placer {
+    picture: Area,
+    taken: Vec<Area>,
+    ppp: f32,
+    leader: Rgba,
+}
+
+impl Placer {
+    /// An empty picture; `leader` is the colour of the strokes that tie a far text to its point.
+    pub(super) fn new(size: [u32; 2], ppp: f32, leader: Rgba) -> Self {
+        let picture = Area { min: Vec2::splat(6.0 * ppp), max: Vec2::from(size.map(|s| s as f32)) - 6.0 * ppp };
+        Self { picture, taken: Vec::new(), ppp, leader }
+    }
+
+    /// Keeps an area free of labels.
+    pub(super) fn take(&mut self, area: Area) {
+        self.taken.push(area);
+    }
+
+    /// Keeps a stroke free of labels.
+    pub(super) fn take_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
+        let (length, step) = ((to - from).length(), 2.0 * width);
+        let along = (0..64).map(|i| i as f32 * step).take_while(|way| *way < length);
+        for way in along {
+            let at = from + (to - from) * (way / length);
+            self.take(Area::about(at, Vec2::splat(width)));
+        }
+    }
+
+    /// Places a label where it covers least; nothing where its point is outside the picture, or a quarter of the text
+    /// would lie on other things.
+    pub(super) fn place(&mut self, label: &Label) -> Vec<Mark> {
+        let half = text_size(&label.text, label.size) / 2.0 + Vec2::new(4.0, 1.5) * self.ppp;
+        let inside = label.at.cmpge(self.picture.min).all() && label.at.cmple(self.picture.max).all();
+        if !inside {
+            return Vec::new();
+        }
+        let spots = [1.0, 2.6, 4.4].into_iter().flat_map(|far| {
+            label.directions.iter().filter(move |d| far == 1.0 || **d != Vec2::ZERO).map(move |d| (far, *d))
+        });
+        let mut best: Option<(f32, f32, Area)> = None;
+        for (far, direction) in spots {
+            let middle = label.at + direction * (half + label.clear * far);
+            let area = Area::about(middle, half);
+            let cost = self.cost(&area);
+            if best.is_none_or(|(_, least, _)| cost < least) {
+                best = Some((far, cost, area));
+            }
+            if cost == 0.0 {
+                break;
+            }
+        }
+        // A text half hidden says less than none.
+        best.filter(|(_, cost, _)| *cost <= half.x * half.y)
+            .map(|(far, _, area)| self.settle(label, far, area))
+            .unwrap_or_default()
+    }
+
+    /// What a spot would cover: other labels, and the outside of the picture \[pixels²\].
+    fn cost(&self, area: &Area) -> f32 {
+        let size = area.size();
+        let outside = size.x * size.y - area.overlap(&self.picture);
+        self.taken.iter().map(|t| t.overlap(area)).sum::<f32>() + outside.max(0.0)
+    }
+
+    fn settle(&mut self, label: &Label, far: f32, area: Area) -> Vec<Mark> {
+        let middle = (area.min + area.max) / 2.0;
+        self.take(area);
+        let mut marks = Vec::new();
+        if far > 1.0 {
+            let end = label.at.clamp(area.min, area.max);
+            let points = vec![label.at, end];
+            marks.push(Mark::Stroke { points, width: self.ppp, color: self.leader });
+        }
+        marks.push(Mark::Text {
+            at: middle,
+            align: Vec2::splat(0.5),
+            size: label.size,
+            text: label.text.clone(),
+            color: label.color,
+            plate: Some(label.plate),
+        });
+        marks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn label(text: &str) -> Label {
+        let ink = Rgba::rgb(0, 0, 0);
+        Label {
+            at: Vec2::splat(200.0),
+            clear: 6.0,
+            text: text.into(),
+            size: 13.0,
+            color: ink,
+            plate: ink,
+            directions: ON.to_vec(),
+        }
+    }
+
+    #[test]
+    fn labels_of_one_point_do_not_lie_on_one_another() {
+        let mut placer = Placer::new([400, 400], 1.0, Rgba::CLEAR);
+        for text in ["deck", "wall", "124 N", "gap 3.00 mm", "another"] {
+            assert!(!placer.place(&label(text)).is_empty(), "{text} is placed");
+        }
+        let taken = &placer.taken;
+        let clear = |i: usize| taken[..i].iter().all(|other| other.overlap(&taken[i]) == 0.0);
+        assert!((0..taken.len()).all(clear), "no two areas overlap: {taken:?}");
+    }
+
+    #[test]
+    fn a_point_outside_the_picture_gets_no_label() {
+        let mut placer = Placer::new([100, 100], 1.0, Rgba::CLEAR);
+        assert!(placer.place(&label("far away")).is_empty(), "(200, 200) is outside 100 x 100");
+    }
+}

@@ -1,0 +1,210 @@
+//! The legend: what an arrow's length, a glyph, a cone and the grid mean. Only what the picture can show is explained.
+
+use glam::Vec2;
+
+use super::ViewInput;
+use super::forces::glyph;
+use super::labels::{Area, text_size};
+use super::list::{Mark, Rgba};
+use super::moment::Moment;
+use super::palette::{DAMPING, NORMAL, Palette, STICK, TANGENTIAL};
+use super::scale::{round_down, round_force, round_length};
+use super::texts::TEXT;
+use crate::sim::ContactState;
+
+/// Height of a row \[points\].
+const ROW: f32 = 19.0;
+/// Width of the signs' column \[points\].
+const SIGN: f32 = 40.0;
+/// Longest force bar \[points\].
+const LONGEST_BAR: f64 = 150.0;
+
+/// A row of the legend: a sign, and what it means.
+#[derive(Clone, Debug)]
+struct Row {
+    sign: Sign,
+    text: String,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Sign {
+    None,
+    Bar(f32),
+    Arrow(Rgba),
+    State(ContactState),
+    Cone,
+    Grid,
+}
+
+fn row(sign: Sign, text: impl Into<String>) -> Row {
+    Row { sign, text: text.into() }
+}
+
+/// The force whose bar is a round number of newtons, and the bar's length \[N, pixels\].
+pub(super) fn force_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, f32)> {
+    let scale = moment.force_scale?;
+    let focus = focus(input, moment);
+    let per_pixel = input.camera.metres_per_pixel(focus, f64::from(input.size[1])) * scale;
+    let force = round_down(LONGEST_BAR * f64::from(input.pixels_per_point) * per_pixel);
+    Some((force, (force / per_pixel) as f32))
+}
+
+/// Where the scale is true in a perspective view: the middle of the contacts, or what the camera looks at.
+fn focus(input: &ViewInput<'_>, moment: &Moment) -> glam::DVec3 {
+    let points = moment.contacts.iter().map(|c| c.point);
+    let count = moment.contacts.len();
+    if count == 0 { input.camera.target } else { points.sum::<glam::DVec3>() / count as f64 }
+}
+
+fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
+    let o = input.overlays;
+    let mut rows = Vec::new();
+    let arrows = [
+        (o.resultant, input_resultant(input), "force without dashpots"),
+        (o.normal, NORMAL, "normal force K δ"),
+        (o.tangential, TANGENTIAL, "tangential force"),
+        (o.damping, DAMPING, "dashpot force"),
+    ];
+    let shown = |(on, color, text): (bool, Rgba, &str)| on.then(|| row(Sign::Arrow(color), text));
+    let can_touch = !moment.facings.is_empty();
+    if let (true, Some((force, length))) =
+        (can_touch && (o.cones || arrows.iter().any(|a| a.0)), force_bar(input, moment))
+    {
+        rows.push(row(Sign::Bar(length), round_force(force)));
+        rows.extend(arrows.into_iter().filter_map(shown));
+        rows.push(row(Sign::None, "on the body that owns the node"));
+        if o.cones {
+            rows.push(row(Sign::Cone, "outline μ_s, filled μ_k"));
+        }
+    }
+    if o.contacts && can_touch {
+        rows.push(row(Sign::State(ContactState::Stick), "stick"));
+        rows.push(row(Sign::State(ContactState::Slip), "slip"));
+        rows.push(row(Sign::State(ContactState::Open), "just opened"));
+    }
+    if can_touch && !moment.laws.is_empty() {
+        rows.push(row(Sign::None, format!("friction law: {}", moment.laws.join(", "))));
+    }
+    rows.extend(grid.map(|g| row(Sign::Grid, format!("grid {}", round_length(g)))));
+    rows
+}
+
+fn input_resultant(input: &ViewInput<'_>) -> Rgba {
+    Palette::of(input.background).resultant
+}
+
+/// The legend at the bottom right (bridges run to the upper right in the standing views), and the area that it covers; nothing where there is nothing to explain.
+pub(super) fn legend(
+    input: &ViewInput<'_>,
+    moment: &Moment,
+    palette: &Palette,
+    grid: Option<f64>,
+) -> Option<(Vec<Mark>, Area)> {
+    let rows = rows(input, moment, grid);
+    let ppp = input.pixels_per_point;
+    let size = (TEXT - 1.0) * ppp;
+    let width = rows.iter().map(|r| sign_width(r, ppp) + text_size(&r.text, size).x).reduce(f32::max)?;
+    let pad = 10.0 * ppp;
+    let height = rows.len() as f32 * ROW * ppp;
+    let max = Vec2::from(input.size.map(|s| s as f32)) - 12.0 * ppp;
+    let min = max - Vec2::new(width, height) - 2.0 * pad;
+    let rim = palette.faint_ink.with_alpha(0x50);
+    let mut marks = vec![Mark::Panel { min, max, color: palette.plate, rim }];
+    for (i, row) in rows.iter().enumerate() {
+        let at = min + Vec2::new(pad, pad + (i as f32 + 0.5) * ROW * ppp);
+        sign_marks(row.sign, at, ppp, palette, &mut marks);
+        let text_at = at + Vec2::new(sign_width(row, ppp), 0.0);
+        let align = Vec2::new(0.0, 0.5);
+        marks.push(Mark::Text { at: text_at, align, size, text: row.text.clone(), color: palette.ink, plate: None });
+    }
+    Some((marks, Area { min, max }))
+}
+
+/// Room for a row's sign \[pixels\].
+fn sign_width(row: &Row, ppp: f32) -> f32 {
+    match row.sign {
+        Sign::None => 0.0,
+        Sign::Bar(length) => length + 10.0 * ppp,
+        _ => SIGN * ppp,
+    }
+}
+
+fn stroke(points: impl Into<Vec<Vec2>>, width: f32, color: Rgba) -> Mark {
+    Mark::Stroke { points: points.into(), width, color }
+}
+
+fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<Mark>) {
+    let p = |x: f32, y: f32| at + Vec2::new(x, y) * ppp;
+    match sign {
+        Sign::None => {}
+        Sign::Bar(length) => {
+            let end = at + Vec2::new(length, 0.0);
+            let tick = Vec2::new(0.0, 5.0 * ppp);
+            out.push(stroke([at, end], 2.4 * ppp, palette.ink));
+            out.extend([at, end].map(|x| stroke([x - tick, x + tick], 1.6 * ppp, palette.ink)));
+        }
+        Sign::Arrow(color) => {
+            out.push(stroke([p(2.0, 0.0), p(20.0, 0.0)], 3.2 * ppp, color));
+            out.push(Mark::Fill { points: vec![p(18.0, -5.0), p(30.0, 0.0), p(18.0, 5.0)], color });
+        }
+        Sign::State(state) => out.push(glyph(p(15.0, 0.0), state, ppp, palette)),
+        Sign::Cone => {
+            let fill = STICK.with_alpha(0x48);
+            out.push(Mark::Fill { points: vec![p(15.0, 7.0), p(9.0, -7.0), p(21.0, -7.0)], color: fill });
+            let outline = [p(6.0, -7.0), p(15.0, 7.0), p(24.0, -7.0)];
+            out.push(stroke(outline, 1.2 * ppp, palette.faint_ink));
+        }
+        Sign::Grid => {
+            let color = palette.grid.with_alpha(0xb0);
+            for k in [5.0, 15.0, 25.0] {
+                out.push(stroke([p(k, -7.0), p(k, 7.0)], ppp, color));
+            }
+            out.extend([-4.0, 4.0].map(|y| stroke([p(2.0, y), p(28.0, y)], ppp, color)));
+        }
+    }
+}
+
+/// World axes as they stand in the picture, at the bottom left.
+pub(super) fn axes(input: &ViewInput<'_>, palette: &Palette) -> (Vec<Mark>, Area) {
+    let ppp = input.pixels_per_point;
+    let reach = 34.0 * ppp;
+    let origin = Vec2::new(62.0 * ppp, input.size[1] as f32 - 62.0 * ppp);
+    let basis = input.camera.basis();
+    let directions = [glam::DVec3::X, glam::DVec3::Y, glam::DVec3::Z];
+    let mut axes: Vec<_> = directions.iter().zip(palette.axes).zip(["x", "y", "z"]).collect();
+    // The one that points away from the eye first, so that the nearer ones lie over it.
+    axes.sort_by(|((a, _), _), ((b, _), _)| a.dot(basis.back).total_cmp(&b.dot(basis.back)));
+    let mut marks = Vec::new();
+    for ((direction, color), name) in axes {
+        let flat = Vec2::new(direction.dot(basis.right) as f32, -direction.dot(basis.up) as f32);
+        axis_marks(origin, flat, reach, color, name, ppp, palette, &mut marks);
+    }
+    (marks, Area::about(origin, Vec2::splat(reach + 16.0 * ppp)))
+}
+
+#[expect(clippy::too_many_arguments, reason = "one call, and every value is a plain one")]
+fn axis_marks(
+    origin: Vec2,
+    flat: Vec2,
+    reach: f32,
+    color: Rgba,
+    name: &str,
+    ppp: f32,
+    palette: &Palette,
+    out: &mut Vec<Mark>,
+) {
+    let length = flat.length();
+    if length < 0.08 {
+        // Straight at the eye or away from it.
+        out.push(Mark::Disk { at: origin, radius: 3.0 * ppp, color, halo: palette.halo });
+        return;
+    }
+    let (along, tip) = (flat / length, origin + flat * reach);
+    let aside = Vec2::new(-along.y, along.x) * (3.6 * ppp);
+    let neck = tip - along * (8.0 * ppp).min(length * reach);
+    out.push(stroke([origin, neck], 2.0 * ppp, color));
+    out.push(Mark::Fill { points: vec![neck + aside, tip, neck - aside], color });
+    let at = tip + along * (9.0 * ppp);
+    let align = Vec2::splat(0.5);
+    out.push(Mark::Text { at, align, size: TEXT * ppp, text: name.to_owned(), color, plate: None });
+}

@@ -1,0 +1,172 @@
+//! From an answer to a picture's contents: a draw list that knows no graphics library.
+//!
+//! Here f64 becomes f32. [`draw_list`] is a pure function of a [`ViewInput`]: the scene, its history, an instant, a
+//! camera and the layers wanted. The renderer draws the list; tests read it as text.
+
+#![expect(clippy::cast_possible_truncation, reason = "f64 becomes f32 in this room, for the renderer's sake")]
+
+pub mod block;
+mod bodies;
+mod bounds;
+mod camera;
+mod forces;
+mod friction_circle;
+pub mod gap;
+mod hiding;
+mod labels;
+mod legend;
+mod light;
+pub mod list;
+pub mod moment;
+mod palette;
+mod pick;
+mod print;
+pub mod scale;
+mod texts;
+
+pub use bounds::Bounds;
+pub use camera::{Basis, Camera, Projection};
+pub use list::{Background, DrawList};
+pub use moment::Moment;
+pub use pick::pick;
+pub use scale::auto_force_scale;
+
+use crate::scene::{Overlays, Scene};
+use crate::sim::History;
+use labels::Placer;
+use palette::Palette;
+
+/// Where what is far from the scene begins and ends to fade, in radii of the scene: long backwalls, in the main.
+const FADE: [f64; 2] = [1.1, 2.1];
+
+/// Something in the picture that can be picked and selected, by its number in the scene or in the run's model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Target {
+    /// A girder of the scene.
+    Girder(usize),
+    /// An abutment of the scene.
+    Abutment(usize),
+    /// A contact of the run's model.
+    Contact(usize),
+}
+
+/// What a picture is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewInput<'a> {
+    /// What is placed.
+    pub scene: &'a Scene,
+    /// Its run; the bodies as placed when there is none.
+    pub history: Option<&'a History>,
+    /// The instant \[s\].
+    pub t: f64,
+    /// Where it is seen from.
+    pub camera: &'a Camera,
+    /// Which layers.
+    pub overlays: Overlays,
+    /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
+    pub force_scale: Option<f64>,
+    /// What is selected.
+    pub selected: Option<Target>,
+    /// Width and height \[pixels\].
+    pub size: [u32; 2],
+    /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.
+    pub pixels_per_point: f32,
+    /// What stands behind the bodies.
+    pub background: Background,
+    /// Title; the scene's name when absent.
+    pub title: Option<&'a str>,
+}
+
+impl ViewInput<'_> {
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1))
+    }
+}
+
+/// Everything that the picture shows.
+pub fn draw_list(input: &ViewInput<'_>) -> DrawList {
+    draw_moment(input, &Moment::of(input))
+}
+
+/// Everything that the picture shows of one instant that is already gathered.
+pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
+    let palette = Palette::of(input.background);
+    let bounds = Bounds::of_scene(input.scene);
+    let bodies = bodies::bodies(input, moment, &palette);
+    let forces = forces::forces(input, moment, &palette);
+    let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
+    let gaps: Vec<_> = gaps.iter().flatten().map(|g| gap::dimension(input, g, &palette)).collect();
+    let marks = marks(input, moment, &palette, &forces, &gaps);
+    let gap_lines = gaps.into_iter().flat_map(|g| g.lines);
+    DrawList {
+        size: input.size,
+        pixels_per_point: input.pixels_per_point,
+        frame: frame(input, bounds, &palette),
+        ground: Some(bodies::ground(input.scene, bounds, &palette, input.overlays.grid)),
+        solids: bodies.solids,
+        ghosts: bodies.ghosts,
+        lines: bodies.lines,
+        xray_lines: bodies.outline.into_iter().chain(gap_lines).chain(forces.lines).collect(),
+        cones: forces.cones,
+        arrows: forces.arrows,
+        marks,
+    }
+}
+
+fn frame(input: &ViewInput<'_>, bounds: Bounds, palette: &Palette) -> list::Frame {
+    let walls = input.scene.abutments.iter().filter_map(|a| block::abutment_block(input.scene, a));
+    let ground = bodies::ground(input.scene, bounds, palette, false);
+    let about = Bounds { min: ground.centre.as_dvec3(), max: ground.centre.as_dvec3() }.grown(f64::from(ground.radius));
+    let everything = Bounds::of_points(walls.flat_map(|b| b.corners()).chain(about.corners()).chain(bounds.corners()));
+    let lit = bounds.grown(0.35 * bounds.radius());
+    let (towards_light, light_from_world) = light::light(lit);
+    list::Frame {
+        clip_from_world: input.camera.clip_from_world(input.aspect(), everything).as_mat4(),
+        eye: input.camera.homogeneous_eye().as_vec4(),
+        lift: (1.2e-3 * input.camera.distance) as f32,
+        towards_light: towards_light.as_vec3(),
+        light_from_world: light_from_world.as_mat4(),
+        light_width: (2.0 * lit.radius()) as f32,
+        middle: bounds.centre().truncate().as_vec2(),
+        fade: FADE.map(|share| (share * bounds.radius()) as f32),
+        sky: palette.sky,
+        floor: palette.floor,
+    }
+}
+
+/// Everything flat: panels first, since labels keep clear of them, then labels, glyphs on top.
+fn marks(
+    input: &ViewInput<'_>,
+    moment: &Moment,
+    palette: &Palette,
+    forces: &forces::Forces,
+    gaps: &[gap::Dimension],
+) -> Vec<list::Mark> {
+    let o = input.overlays;
+    let mut placer = Placer::new(input.size, input.pixels_per_point, palette.faint_ink);
+    let mut marks = Vec::new();
+    let spacing = o.grid.then(|| bodies::grid_spacing(Bounds::of_scene(input.scene)));
+    let legend = o.legend.then(|| legend::legend(input, moment, palette, spacing)).flatten();
+    let axes = o.axes.then(|| legend::axes(input, palette));
+    let circle = friction_circle::friction_circle(input, moment, palette);
+    let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
+    let panels: Vec<_> = legend.into_iter().chain(axes).chain(circle).collect();
+    for (_, area) in &panels {
+        placer.take(*area);
+    }
+    texts::keep_clear(input, moment, forces, &mut placer);
+    if o.contacts {
+        marks.extend(texts::force_values(input, moment, forces, palette, &mut placer));
+    }
+    marks.extend(texts::gap_values(input, gaps, palette, &mut placer));
+    if o.names {
+        marks.extend(texts::names(input, moment, palette, &mut placer));
+    }
+    // Leaders under every text.
+    marks.sort_by_key(|mark| !matches!(mark, list::Mark::Stroke { .. }));
+    marks.extend(forces.marks.iter().cloned());
+    marks.extend(panels.into_iter().flat_map(|(marks, _)| marks));
+    marks.extend(heading);
+    marks
+}

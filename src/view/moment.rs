@@ -1,0 +1,150 @@
+//! One instant of a run, gathered in one place: all that a picture needs to know of physics.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::ViewInput;
+use super::scale::auto_force_scale;
+use crate::scene::facing::{self, Side};
+use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
+use crate::sim::{ContactNow, History, Motion};
+
+/// Two ends that face each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Facing {
+    /// A girder's end.
+    pub first: Side,
+    /// A girder's end or an abutment.
+    pub second: Side,
+}
+
+/// A contact that opened a moment ago.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opened {
+    /// Its number.
+    pub contact: usize,
+    /// Where it parted \[m\].
+    pub point: DVec3,
+}
+
+/// One instant of a run, or a scene as placed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// When; nothing as placed \[s\].
+    pub t: Option<f64>,
+    /// Motion of each girder.
+    pub motions: Vec<Motion>,
+    /// Facing ends.
+    pub facings: Vec<Facing>,
+    /// Closed contacts.
+    pub contacts: Vec<ContactNow>,
+    /// Contacts that opened a moment ago.
+    pub opened: Vec<Opened>,
+    /// The friction laws in use, by name; empty where nothing can touch.
+    pub laws: Vec<&'static str>,
+    /// Scale of the arrows, where there can be any \[N/m\].
+    pub force_scale: Option<f64>,
+}
+
+impl Moment {
+    /// What `input` asks for: the history at `t`, or the scene as placed.
+    pub fn of(input: &ViewInput<'_>) -> Self {
+        let mut moment = match input.history {
+            Some(history) => Self::at(history, input.t),
+            None => Self::placed(input.scene),
+        };
+        moment.force_scale = force_scale(input);
+        moment
+    }
+
+    /// A run at `t`, clamped to what was computed.
+    pub fn at(history: &History, t: f64) -> Self {
+        let scene = history.scene();
+        let t = if t.is_finite() { t.clamp(0.0, history.end()) } else { 0.0 };
+        let model = history.model();
+        let contacts = history.contacts(t);
+        Self {
+            t: Some(t),
+            motions: (0..model.bodies.len()).map(|i| history.motion(i, t)).collect(),
+            facings: model.pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
+            opened: just_opened(history, t, linger(scene), &contacts),
+            contacts,
+            laws: law_names(model.pairs.iter().map(|p| p.contact.law)),
+            force_scale: Some(auto_force_scale(history)),
+        }
+    }
+
+    /// A scene as placed, before it has been run.
+    pub fn placed(scene: &Scene) -> Self {
+        let pairs = facing::find(scene).unwrap_or_default();
+        Self {
+            t: None,
+            motions: scene.girders.iter().map(at_rest).collect(),
+            facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
+            contacts: Vec::new(),
+            opened: Vec::new(),
+            laws: law_names(pairs.iter().map(|p| p.contact.law)),
+            force_scale: None,
+        }
+    }
+}
+
+/// What the user asked for, then what the scene asks for, then what suits the run.
+fn force_scale(input: &ViewInput<'_>) -> Option<f64> {
+    let usable = |s: &f64| s.is_finite() && *s > 0.0;
+    let asked = input.force_scale.filter(usable).or(input.scene.view.force_scale.filter(usable));
+    asked.or_else(|| input.history.map(auto_force_scale))
+}
+
+/// A girder's motion as placed: none.
+pub fn at_rest(girder: &Girder) -> Motion {
+    let axes: DMat3 = placed::axes(girder);
+    Motion {
+        place: DVec3::from(girder.position),
+        displacement: DVec3::ZERO,
+        theta: 0.0,
+        attitude: DQuat::from_mat3(&axes),
+        velocity: DVec3::ZERO,
+        spin: DVec3::ZERO,
+    }
+}
+
+/// The period of a harmonic motion \[s\].
+pub fn period(scene: &Scene) -> Option<f64> {
+    match &scene.motion {
+        GroundMotion::Sine(sine) if sine.frequency_hz > 0.0 => Some(1.0 / sine.frequency_hz),
+        _ => None,
+    }
+}
+
+/// For how long an opened contact stays marked: a tenth of a period \[s\].
+fn linger(scene: &Scene) -> f64 {
+    period(scene).map_or((scene.duration / 100.0).clamp(0.01, 0.2), |p| p / 10.0)
+}
+
+fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) -> Vec<Opened> {
+    let mut opened: Vec<Opened> = Vec::new();
+    let ended = history.touches().iter().filter(|u| u.end <= t && u.end > t - linger && u.end < history.end());
+    for touch in ended {
+        let again = closed.iter().any(|c| c.contact == touch.contact);
+        // Between the peak and the end the contact is closed; close to the end it is nearly where it parted.
+        let before = touch.end - 1e-3 * (touch.end - touch.start);
+        let last = history.contacts(before).into_iter().find(|c| c.contact == touch.contact);
+        if let (false, Some(last)) = (again, last) {
+            opened.retain(|o| o.contact != touch.contact);
+            opened.push(Opened { contact: touch.contact, point: last.point });
+        }
+    }
+    opened
+}
+
+fn law_names(laws: impl Iterator<Item = FrictionLaw>) -> Vec<&'static str> {
+    let mut names: Vec<_> = laws
+        .map(|law| match law {
+            FrictionLaw::Paper => "paper",
+            FrictionLaw::ReturnMapping => "return-mapping",
+        })
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}

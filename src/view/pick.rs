@@ -1,0 +1,46 @@
+//! What is seen at a point of the picture.
+
+use super::moment::Moment;
+use super::{Target, ViewInput};
+use crate::geometry::shape::{Convex, Stand};
+use crate::scene::placed;
+
+/// A contact is picked this near its glyph \[points\].
+const REACH: f64 = 9.0;
+
+/// What is seen at a point of the picture (`[-1, 1]`, y up): a contact's glyph, else the nearest body.
+pub fn pick(input: &ViewInput<'_>, ndc: [f64; 2]) -> Option<Target> {
+    let moment = Moment::of(input);
+    pick_contact(input, &moment, ndc).or_else(|| pick_body(input, &moment, ndc))
+}
+
+fn pick_contact(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Target> {
+    if !input.overlays.contacts {
+        return None;
+    }
+    let size = input.size.map(f64::from);
+    let at = [f64::midpoint(1.0, ndc[0]) * size[0], f64::midpoint(1.0, -ndc[1]) * size[1]];
+    let reach = REACH * f64::from(input.pixels_per_point);
+    let near = moment.contacts.iter().filter_map(|c| {
+        let [x, y] = input.camera.project(c.point, size)?;
+        let distance = (x - at[0]).hypot(y - at[1]);
+        (distance <= reach).then_some((distance, c.contact))
+    });
+    near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, contact)| Target::Contact(contact))
+}
+
+fn pick_body(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Target> {
+    let (from, along) = input.camera.ray(ndc, input.aspect());
+    let girders = input.scene.girders.iter().zip(&moment.motions).enumerate();
+    let girders = girders.filter_map(|(i, (girder, motion))| {
+        let stand = Stand { place: motion.place, attitude: motion.attitude };
+        Some((Convex::girder(&girder.prism())?.pick(stand, from, along)?, Target::Girder(i)))
+    });
+    let walls = input.scene.abutments.iter().enumerate();
+    let walls = walls.filter_map(|(i, abutment)| {
+        let face = placed::abutment_face(input.scene, abutment)?;
+        let wall = Convex::behind(face, placed::abutment_depth(input.scene, abutment))?;
+        Some((wall.pick(Stand::WORLD, from, along)?, Target::Abutment(i)))
+    });
+    girders.chain(walls).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, target)| target)
+}

@@ -1,0 +1,157 @@
+//! What the picture says at bodies, gaps and contacts, and its title and time.
+
+use glam::{DVec3, Vec2};
+
+use super::block::{Block, abutment_block};
+use super::gap::{Dimension, girder_block_at};
+use super::labels::{Area, BESIDE, Label, ON, Placer, text_size};
+use super::list::{ArrowKind, Mark};
+use super::moment::{Moment, period};
+use super::palette::Palette;
+use super::{ViewInput, forces::Forces, scale};
+use crate::scene::Motion as GroundMotion;
+
+/// Height of ordinary text \[points\].
+pub(super) const TEXT: f32 = 13.0;
+/// Height of the title \[points\].
+const TITLE: f32 = 20.0;
+/// At most this many contacts carry a number: the hardest.
+const MOST_NUMBERS: usize = 4;
+
+fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
+    let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
+    (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))
+}
+
+/// Keeps glyphs and arrows free of labels.
+pub(super) fn keep_clear(input: &ViewInput<'_>, moment: &Moment, forces: &Forces, placer: &mut Placer) {
+    let ppp = input.pixels_per_point;
+    let points = moment.contacts.iter().map(|c| c.point).chain(moment.opened.iter().map(|o| o.point));
+    for at in points.filter_map(|p| pixel(input, p)) {
+        placer.take(Area::about(at, Vec2::splat(8.0 * ppp)));
+    }
+    for arrow in &forces.arrows {
+        if let (Some(from), Some(to)) = (pixel(input, arrow.from.as_dvec3()), pixel(input, arrow.to.as_dvec3())) {
+            placer.take_stroke(from, to, 4.0 * ppp);
+        }
+    }
+}
+
+/// Title and time at the top left; their area is taken from the labels.
+pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
+    let ppp = input.pixels_per_point;
+    let left = Vec2::new(18.0, 14.0) * ppp;
+    let title = input.title.unwrap_or(&input.scene.name).to_owned();
+    let rows = [
+        (title, TITLE, palette.ink, 0.0),
+        (time_stamp(input, moment), 15.0, palette.ink, 29.0),
+        (shaking(input), TEXT, palette.faint_ink, 51.0),
+    ];
+    rows.into_iter()
+        .filter(|(text, ..)| !text.is_empty())
+        .map(|(text, size, color, down)| {
+            let at = left + Vec2::new(0.0, down * ppp);
+            placer.take(Area { min: at, max: at + text_size(&text, size * ppp) });
+            let plate = Some(palette.plate.with_alpha(0x90));
+            Mark::Text { at, align: Vec2::ZERO, size: size * ppp, text, color, plate }
+        })
+        .collect()
+}
+
+/// `t = 1.2500 s   3.250 periods`.
+fn time_stamp(input: &ViewInput<'_>, moment: &Moment) -> String {
+    let Some(t) = moment.t else { return "as placed".to_owned() };
+    match period(input.scene) {
+        Some(period) => format!("t = {t:.4} s  ·  {:.3} periods", t / period),
+        None => format!("t = {t:.4} s"),
+    }
+}
+
+/// How the ground moves, in a line.
+fn shaking(input: &ViewInput<'_>) -> String {
+    let g = crate::scene::STANDARD_GRAVITY;
+    match &input.scene.motion {
+        GroundMotion::None => "no ground motion".to_owned(),
+        GroundMotion::Sine(s) => {
+            let amplitude = s.amplitude_g.or(s.amplitude.map(|a| a / g)).unwrap_or(0.0);
+            let (f, angle) = (scale::plain(s.frequency_hz), scale::plain(s.angle_deg));
+            format!("ground: sine {amplitude:.2} g, {f} Hz at {angle}°")
+        }
+        GroundMotion::Record(r) => {
+            format!("ground: record × {} at {}°", scale::plain(r.scale), scale::plain(r.angle_deg))
+        }
+    }
+}
+
+/// The middle of a block's upper side \[m\].
+fn top_of(block: &Block) -> DVec3 {
+    let corners = block.corners();
+    let highest = corners.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
+    let middle = corners.iter().sum::<DVec3>() / 8.0;
+    middle.with_z(highest)
+}
+
+/// Names of girders and abutments, on their upper sides.
+pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
+    let girders = input.scene.girders.iter().enumerate();
+    let girders = girders.filter_map(|(i, g)| Some((&g.name, girder_block_at(input.scene, moment, i)?)));
+    let walls = input.scene.abutments.iter().filter_map(|a| Some((&a.name, abutment_block(input.scene, a)?)));
+    let size = TEXT * input.pixels_per_point;
+    girders
+        .chain(walls)
+        .filter_map(|(name, block)| {
+            let at = pixel(input, top_of(&block))?;
+            let text = name.clone();
+            let (color, plate) = (palette.ink, palette.plate.with_alpha(0xa8));
+            Some(placer.place(&Label { at, clear: 8.0, text, size, color, plate, directions: ON.to_vec() }))
+        })
+        .flatten()
+        .collect()
+}
+
+/// The values of the gaps.
+pub(super) fn gap_values(
+    input: &ViewInput<'_>,
+    dimensions: &[Dimension],
+    palette: &Palette,
+    placer: &mut Placer,
+) -> Vec<Mark> {
+    let ppp = input.pixels_per_point;
+    let label = |d: &Dimension| {
+        let text = format!("gap {}", scale::length(d.gap));
+        let (color, plate) = (palette.ink, palette.plate);
+        let at = pixel(input, d.ends[0])?;
+        Some(Label { at, clear: 5.0 * ppp, text, size: TEXT * ppp, color, plate, directions: BESIDE.to_vec() })
+    };
+    for d in dimensions {
+        if let [Some(from), Some(to)] = d.ends.map(|end| pixel(input, end)) {
+            placer.take_stroke(from, to, 4.0 * ppp);
+        }
+    }
+    dimensions.iter().filter_map(label).flat_map(|l| placer.place(&l)).collect()
+}
+
+/// The size of the force without dashpots at the hardest contacts, beside the tip of its arrow or the contact.
+pub(super) fn force_values(
+    input: &ViewInput<'_>,
+    moment: &Moment,
+    forces: &Forces,
+    palette: &Palette,
+    placer: &mut Placer,
+) -> Vec<Mark> {
+    let ppp = input.pixels_per_point;
+    let mut hardest: Vec<_> = moment.contacts.iter().collect();
+    hardest.sort_by(|a, b| b.elastic_force().length().total_cmp(&a.elastic_force().length()));
+    let label = |c: &&crate::sim::ContactNow| {
+        let tip = forces.arrows.iter().find(|a| a.contact == c.contact && a.kind == ArrowKind::Resultant);
+        let node = pixel(input, c.point)?;
+        let at = tip.and_then(|a| pixel(input, a.to.as_dvec3())).unwrap_or(node);
+        // Beyond the tip, else beside it.
+        let beyond = (at - node).try_normalize();
+        let directions = beyond.into_iter().chain(BESIDE.iter().copied()).collect();
+        let text = format!("{}, {}", scale::force(c.elastic_force().length()), c.state.label());
+        let (color, plate) = (palette.ink, palette.plate);
+        Some(Label { at, clear: 6.0 * ppp, text, size: TEXT * ppp, color, plate, directions })
+    };
+    hardest.iter().take(MOST_NUMBERS).filter_map(label).flat_map(|l| placer.place(&l)).collect()
+}
