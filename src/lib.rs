@@ -58,6 +58,7 @@
 //! | `render` | draw lists as pixels, on or off screen (feature `render`) |
 //! | `snapshot` | scene in, picture out (feature `render`) |
 //! | [`files`] | opens scenes and records, writes files whole or not at all |
+//! | `app` | the workbench window (feature `gui`) |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
@@ -71,6 +72,8 @@ pub mod sim;
 pub mod tables;
 pub mod view;
 
+#[cfg(feature = "gui")]
+pub mod app;
 #[cfg(feature = "render")]
 pub mod render;
 #[cfg(feature = "render")]

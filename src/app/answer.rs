@@ -1,0 +1,110 @@
+//! A finished run with what the window asks of it again and again: closed intervals, state spans, headline numbers.
+
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use super::clock::merged;
+use crate::sim::{ContactState, EventKind, History, Summary};
+
+/// A stretch of time that a contact of a pair spends in one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// The facing pair.
+    pub pair: usize,
+    /// Stick or slip.
+    pub state: ContactState,
+    /// From \[s\].
+    pub start: f64,
+    /// To \[s\].
+    pub end: f64,
+}
+
+/// A run, ready to be looked at.
+pub struct Answer {
+    /// The run itself.
+    pub history: History,
+    /// Counts the runs of this window, so that what is derived from one can be kept until the next.
+    pub number: u64,
+    /// How long the run took on the wall.
+    pub took: Duration,
+    /// Headline numbers.
+    pub summary: Summary,
+    /// Intervals in which any contact is closed, merged and ordered \[s\].
+    pub touches: Vec<(f64, f64)>,
+    /// Times of events, ordered, without repetition \[s\].
+    pub event_times: Vec<f64>,
+    /// Stick and slip of every contact, ordered by start.
+    pub spans: Vec<Span>,
+    error: OnceLock<f64>,
+}
+
+impl Answer {
+    /// Gathers what the window asks of a run.
+    pub fn new(history: History, took: Duration, number: u64) -> Self {
+        let summary = history.summary();
+        let touches = merged(history.touches().iter().map(|t| (t.start, t.end)));
+        let mut event_times: Vec<f64> = history.events().iter().map(|e| e.t).collect();
+        event_times.dedup();
+        let spans = spans(&history);
+        Self { history, number, took, summary, touches, event_times, spans, error: OnceLock::new() }
+    }
+
+    /// Estimated error, once it is known; NaN when it could not be had \[m\].
+    pub fn error(&self) -> Option<f64> {
+        self.error.get().copied()
+    }
+
+    /// Keeps the estimated error.
+    pub fn set_error(&self, error: f64) {
+        // The first estimate stands: the answer does not change.
+        let _ = self.error.set(error);
+    }
+
+    /// Time of the next event after `t`, or of the one before (`forward` false) \[s\].
+    pub fn neighbour_event(&self, t: f64, forward: bool) -> Option<f64> {
+        // A look-up lands on the event itself: it must not find the same one again.
+        let step = 1e-9 * self.history.end().max(1.0);
+        if forward {
+            let next = self.event_times.partition_point(|&e| e <= t + step);
+            self.event_times.get(next).copied()
+        } else {
+            let next = self.event_times.partition_point(|&e| e < t - step);
+            next.checked_sub(1).map(|i| self.event_times[i])
+        }
+    }
+
+    /// Seconds of the answer per second of computing.
+    pub fn times_real_time(&self) -> f64 {
+        self.history.end() / self.took.as_secs_f64().max(1e-9)
+    }
+}
+
+/// Turns events into stretches of one state.
+fn spans(history: &History) -> Vec<Span> {
+    let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
+    let mut spans = Vec::new();
+    for event in history.events() {
+        let Some(slot) = open.get_mut(event.contact) else { continue };
+        if let Some((state, start)) = slot.take() {
+            spans.push(Span { pair: event.pair, state, start, end: event.t });
+        }
+        *slot = after(event.kind).map(|state| (state, event.t));
+    }
+    for (contact, slot) in open.into_iter().enumerate() {
+        if let Some((state, start)) = slot {
+            let pair = history.model().contacts[contact].pair;
+            spans.push(Span { pair, state, start, end: history.end() });
+        }
+    }
+    spans.sort_by(|a, b| a.start.total_cmp(&b.start));
+    spans
+}
+
+/// The state that an event leaves behind; `None` is open.
+fn after(kind: EventKind) -> Option<ContactState> {
+    match kind {
+        EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
+        EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
+        EventKind::Opened | EventKind::LeftFace | EventKind::Missed => None,
+    }
+}

@@ -1,0 +1,124 @@
+//! What the panels, the mouse and the keys ask for.
+//!
+//! A panel reads the workbench and returns commands; [`Workbench::apply`](super::Workbench::apply) is the one place
+//! where they change anything.
+
+use std::path::PathBuf;
+
+use crate::scene::edit::Edit;
+use crate::scene::{Overlays, ViewPreset};
+use crate::view::{Camera, Target};
+
+/// Which way to go in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// Later.
+    Forward,
+    /// Earlier.
+    Back,
+}
+
+impl Way {
+    /// +1 or −1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Forward => 1.0,
+            Self::Back => -1.0,
+        }
+    }
+}
+
+/// Something to be written to a folder or file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Export {
+    /// The picture in view, as PNG.
+    Picture,
+    /// Trajectory, contacts, events and summary.
+    Tables,
+}
+
+/// One wish.
+#[derive(Clone, Debug)]
+pub enum Command {
+    /// Change the scene. Edits with the same gesture, one after the other, are undone together.
+    Edit {
+        /// What is changed.
+        edit: Edit,
+        /// What the hand is on: a slider, a drag; none for a click.
+        gesture: Option<u64>,
+    },
+    /// Take the last change back.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Select something, or nothing.
+    Select(Option<Target>),
+    /// Put a new girder after the last one.
+    AddGirder,
+    /// Put an abutment before a free end.
+    AddAbutment,
+    /// Put a copy of what is selected beside it.
+    Duplicate,
+    /// Remove what is selected.
+    Remove,
+    /// Give something another name.
+    Rename(Target, String),
+    /// Play or pause.
+    TogglePlay,
+    /// Move the playhead by so many steps.
+    Step(f64),
+    /// To the next event, or the one before.
+    StepEvent(Way),
+    /// To a time \[s\].
+    Seek(f64),
+    /// Playing speed.
+    Speed(f64),
+    /// The next faster (+1) or slower (−1) playing speed.
+    StepSpeed(i32),
+    /// Begin again at the end, or not.
+    Loop(bool),
+    /// Slow down around hits, or not.
+    SlowAtHits(bool),
+    /// Show a stretch of time in the timeline and the plots \[s\].
+    TimeWindow(Option<[f64; 2]>),
+    /// A standing place for the camera.
+    View(ViewPreset),
+    /// The camera as the mouse has moved it.
+    Camera(Camera),
+    /// Frame what is selected, or everything.
+    Frame,
+    /// Which layers are shown.
+    Overlays(Overlays),
+    /// Force scale \[N per m\]; from the run's peak when none.
+    ForceScale(Option<f64>),
+    /// Light or dark.
+    Theme(egui::Theme),
+    /// Show the help, or not.
+    Help(bool),
+    /// Open a preset.
+    OpenPreset(String),
+    /// Ask which file to open.
+    OpenDialog,
+    /// Open a file.
+    OpenFile(PathBuf),
+    /// Save where it came from, or ask.
+    Save,
+    /// Ask where to save.
+    SaveAs,
+    /// Save into a file.
+    SaveFile(PathBuf),
+    /// Ask where to, and export.
+    Export(Export),
+    /// Export to a file (picture) or folder (tables).
+    ExportTo(Export, PathBuf),
+    /// Stop computing.
+    CancelRun,
+    /// Close the window; asks first when something is not saved.
+    Close,
+    /// Close the window and lose what is not saved.
+    CloseAnyway,
+    /// Do not close.
+    KeepOpen,
+    /// The notice at the bottom has been read.
+    Dismiss,
+}

@@ -1,0 +1,75 @@
+//! What follows from the numbers of a girder, and the forces of a contact at the time shown.
+
+use egui::{Grid, RichText, Ui};
+
+use super::{Workbench, field, text};
+use crate::dynamics::bearing::Quantities;
+use crate::scene::Girder;
+
+/// A list of names and values.
+fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
+    ui.add_space(4.0);
+    Grid::new(salt).num_columns(2).spacing([8.0, 2.0]).striped(true).show(ui, |ui| {
+        for (name, value) in rows {
+            ui.label(RichText::new(name).weak());
+            ui.add(egui::Label::new(value).wrap());
+            ui.end_row();
+        }
+    });
+}
+
+/// What (3), (4) and (6) say of a girder.
+pub(super) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::COMPUTED).strong());
+    // A straight girder's is 0 but for the rounding of sin π.
+    let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
+    let turns = if number >= 1.0 { "≥ 1: can turn" } else { "< 1: cannot" };
+    let mut rows = vec![("US skew", format!("{}°", field::trimmed(90.0 - girder.skew_deg)))];
+    let body = bench.answer().and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
+    if let Some(body) = body.filter(|_| !bench.is_stale()) {
+        rows.extend(quantities(&body.quantities()));
+    }
+    rows.push(("condition (6)", format!("{} {turns}", text::short(number))));
+    table(ui, "computed", rows);
+}
+
+/// (3), (4) in words.
+fn quantities(q: &Quantities) -> [(&'static str, String); 6] {
+    let three = |v: [f64; 3]| v.map(text::short).join("  ");
+    let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
+    let hertz = q.omega.map(|w| w / std::f64::consts::TAU);
+    [
+        ("ω x y θ", format!("{} rad/s", three(q.omega))),
+        ("f x y θ", format!("{} Hz", three(hertz))),
+        ("h x y θ", three(q.damping_ratio)),
+        ("ε x y", millimetres(q.stiffness_eccentricity)),
+        ("η x y", millimetres(q.damping_eccentricity)),
+        ("i (4e)", text::length(q.gyration)),
+    ]
+}
+
+/// A contact at the time shown.
+pub(super) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize) {
+    let Some(answer) = bench.answer() else { return };
+    let Some(site) = answer.history.model().contacts.get(contact) else { return };
+    ui.label(format!("{} | {}", site.node, site.face_name));
+    let now = answer.history.contacts(bench.clock().t);
+    let Some(c) = now.iter().find(|c| c.contact == contact) else {
+        ui.label(RichText::new(text::CONTACT_OPEN).weak());
+        return;
+    };
+    let newtons = text::force;
+    let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
+    let rows = [
+        ("state", c.state.label().to_owned()),
+        ("normal K δ", newtons(c.normal_force)),
+        ("tangential", newtons(c.tangential_force.length())),
+        ("T / N", format!("{} of {}", text::short(used), text::short(c.mu_static))),
+        ("dashpots", newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
+        ("all of it |R|", newtons(c.force.length())),
+        ("overlap δ", format!("{} µm", text::short(c.penetration * 1e6))),
+        ("sliding", format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
+    ];
+    table(ui, "contact", rows);
+}

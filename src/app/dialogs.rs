@@ -1,0 +1,84 @@
+//! The system's file dialogs, on threads: the window goes on while one is open.
+
+use std::future::Future;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use rfd::{AsyncFileDialog, FileHandle};
+
+use super::command::{Command, Export};
+use super::runner::Wake;
+
+/// Dialogs that are open, and what was chosen in them.
+pub(super) struct Dialogs {
+    send: Sender<Command>,
+    chosen: Receiver<Command>,
+    wake: Wake,
+}
+
+impl Dialogs {
+    /// No dialog yet.
+    pub(super) fn new(wake: Wake) -> Self {
+        let (send, chosen) = channel();
+        Self { send, chosen, wake }
+    }
+
+    /// Who is to be told when something was chosen.
+    pub(super) fn set_wake(&mut self, wake: Wake) {
+        self.wake = wake;
+    }
+
+    /// What was chosen since the last time.
+    pub(super) fn take(&self) -> Vec<Command> {
+        self.chosen.try_iter().collect()
+    }
+
+    /// Which scene to open.
+    pub(super) fn open(&self) {
+        self.wait(scenes().pick_file(), Command::OpenFile);
+    }
+
+    /// Where to save the scene.
+    pub(super) fn save(&self, name: &str) {
+        self.wait(scenes().set_file_name(format!("{name}.toml")).save_file(), |path| {
+            Command::SaveFile(with_extension(path, "toml"))
+        });
+    }
+
+    /// Where to export to.
+    pub(super) fn export(&self, what: Export, name: &str) {
+        match what {
+            Export::Picture => {
+                let dialog = AsyncFileDialog::new().add_filter("PNG", &["png"]).set_file_name(format!("{name}.png"));
+                self.wait(dialog.save_file(), move |path| Command::ExportTo(what, with_extension(path, "png")));
+            }
+            Export::Tables => {
+                self.wait(AsyncFileDialog::new().pick_folder(), move |path| Command::ExportTo(what, path));
+            }
+        }
+    }
+
+    fn wait(
+        &self,
+        dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,
+        then: impl FnOnce(PathBuf) -> Command + Send + 'static,
+    ) {
+        let (send, wake) = (self.send.clone(), self.wake.clone());
+        std::thread::spawn(move || {
+            if let Some(file) = pollster::block_on(dialog) {
+                // Nobody listens any more when the window has closed: nothing to do then.
+                let _ = send.send(then(file.path().to_owned()));
+                wake();
+            }
+        });
+    }
+}
+
+fn scenes() -> AsyncFileDialog {
+    AsyncFileDialog::new().add_filter("Girderbench scene", &["toml"])
+}
+
+/// Some dialogs leave the extension to the program.
+fn with_extension(path: PathBuf, extension: &str) -> PathBuf {
+    if path.extension().is_some() { path } else { path.with_extension(extension) }
+}

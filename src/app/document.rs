@@ -1,0 +1,126 @@
+//! The scene that is worked on: edits, undo and redo, the file it came from.
+
+use std::path::{Path, PathBuf};
+
+use super::edits;
+use crate::scene::Scene;
+use crate::scene::edit::{Edit, EditError, UndoStack};
+
+/// What a stretch of the past was read from or saved to.
+struct Origin {
+    /// Steps done when it began: opening a scene is a step that can be undone, and then the older file is meant again.
+    depth: usize,
+    file: Option<PathBuf>,
+    saved: Scene,
+}
+
+/// A scene with its past.
+pub(super) struct Document {
+    scene: Scene,
+    steps: UndoStack,
+    origins: Vec<Origin>,
+    revision: u64,
+}
+
+impl Document {
+    /// A scene as it was read.
+    pub(super) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
+        let origins = vec![Origin { depth: 0, file, saved: scene.clone() }];
+        Self { scene, steps: UndoStack::default(), origins, revision: 0 }
+    }
+
+    pub(super) fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Counts the changes: the same number is the same scene.
+    pub(super) fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    fn origin(&self) -> Option<&Origin> {
+        self.origins.iter().rev().find(|o| o.depth <= self.steps.depth())
+    }
+
+    pub(super) fn file(&self) -> Option<&Path> {
+        self.origin()?.file.as_deref()
+    }
+
+    /// Whether something would be lost by closing.
+    pub(super) fn is_dirty(&self) -> bool {
+        self.origin().is_none_or(|o| o.saved != self.scene)
+    }
+
+    /// What undo would take back.
+    pub(super) fn undo_label(&self) -> Option<&str> {
+        self.steps.undo_label()
+    }
+
+    /// What redo would make again.
+    pub(super) fn redo_label(&self) -> Option<&str> {
+        self.steps.redo_label()
+    }
+
+    /// Changes the scene; edits of one gesture become one step of undo. `false` when nothing is different after it.
+    ///
+    /// # Errors
+    /// An edit that does not fit the scene; nothing is changed then.
+    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<u64>) -> Result<bool, EditError> {
+        let mut after = self.scene.clone();
+        edit.clone().apply(&mut after)?;
+        if after == self.scene {
+            return Ok(false);
+        }
+        let depth = self.steps.depth();
+        self.origins.retain(|o| o.depth <= depth);
+        let label = edits::label(&edit, &self.scene);
+        match gesture {
+            Some(hand) => self.steps.drag(&mut self.scene, edit, &label, &hand.to_string())?,
+            None => self.steps.perform(&mut self.scene, edit, &label)?,
+        }
+        self.revision += 1;
+        Ok(true)
+    }
+
+    /// Takes the last change back; `false` when there is none.
+    ///
+    /// # Errors
+    /// As [`UndoStack::undo`].
+    pub(super) fn undo(&mut self) -> Result<bool, EditError> {
+        let done = self.steps.undo(&mut self.scene)?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
+    /// Makes it again; `false` when there is none.
+    ///
+    /// # Errors
+    /// As [`UndoStack::redo`].
+    pub(super) fn redo(&mut self) -> Result<bool, EditError> {
+        let done = self.steps.redo(&mut self.scene)?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
+    /// Another scene; the one before can be had back by undo.
+    ///
+    /// # Errors
+    /// None that is known: any scene can be put in another's place.
+    pub(super) fn open(&mut self, scene: Scene, file: Option<PathBuf>) -> Result<(), EditError> {
+        self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
+        self.begin(file, scene);
+        Ok(())
+    }
+
+    /// It is on the disk now.
+    pub(super) fn saved_as(&mut self, file: PathBuf) {
+        self.begin(Some(file), self.scene.clone());
+        self.steps.seal();
+    }
+
+    fn begin(&mut self, file: Option<PathBuf>, saved: Scene) {
+        let depth = self.steps.depth();
+        self.origins.retain(|o| o.depth < depth);
+        self.origins.push(Origin { depth, file, saved });
+    }
+}

@@ -1,0 +1,143 @@
+//! Curves of x, y, θ and contact force against time, under the timeline and on its axis.
+
+use egui::{Color32, Id, Rect, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
+
+use super::Workbench;
+use super::command::Command;
+use super::text;
+use super::theme::Palette;
+use super::time_axis::{TimeAxis, ticks};
+use super::traces::{Curve, Traces};
+
+/// Width of the value axis; the timeline above begins as far from the edge \[points\].
+pub(super) const AXIS_WIDTH: f32 = 62.0;
+
+/// A set of curves in one frame.
+struct Chart<'a> {
+    label: &'a str,
+    curves: Vec<(&'a Curve, Color32, LineStyle, bool)>,
+    words: fn(f64) -> String,
+}
+
+/// Shows the plots over the rest of the room.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let size = ui.available_size();
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::PLOTS));
+    let strip = Rect::from_min_max(pos2(rect.left() + AXIS_WIDTH, rect.top()), rect.max);
+    let axis = TimeAxis::over(strip, bench.time_window(), bench.end());
+    axis.interact(ui, &response, out);
+    let traces = bench.traces(axis.window, samples(strip.width()));
+    let palette = Palette::of(ui);
+    let charts = charts(bench, &traces, &palette);
+    let height = (rect.height() + 4.0) / charts.len() as f32 - 4.0;
+    for (i, chart) in charts.iter().enumerate() {
+        let top = rect.top() + i as f32 * (height + 4.0);
+        let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
+        draw(ui, i, chart, place, &axis, bench.clock().t, &palette);
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a width in points, clamped")]
+fn samples(width: f32) -> usize {
+    (width * 1.5).clamp(16.0, 8000.0) as usize
+}
+
+fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<Chart<'a>> {
+    let shown = bench.shown_girder();
+    let pick = |curves: &'a [Curve], color: Color32, style: LineStyle| -> Vec<_> {
+        let curve = move |(i, c): (usize, &'a Curve)| {
+            let chosen = i == shown;
+            (c, if chosen { color } else { color.gamma_multiply(0.3) }, style, chosen)
+        };
+        let mut all: Vec<_> = curves.iter().enumerate().map(curve).collect();
+        // The girder in question is drawn last, over the others.
+        all.sort_by_key(|c| c.3);
+        all
+    };
+    let mut place = pick(&traces.x, palette.x, LineStyle::Solid);
+    place.extend(pick(&traces.y, palette.y, LineStyle::Dashed { length: 7.0 }));
+    place.sort_by_key(|c| c.3);
+    let force = traces.force.iter().map(|c| (c, palette.force, LineStyle::Solid, true)).collect();
+    vec![
+        Chart { label: text::PLOT_PLACE, curves: place, words: text::short },
+        Chart {
+            label: text::PLOT_THETA,
+            curves: pick(&traces.theta, palette.theta, LineStyle::Solid),
+            words: text::short,
+        },
+        Chart { label: text::PLOT_FORCE, curves: force, words: text::force },
+    ]
+}
+
+fn draw(ui: &mut Ui, number: usize, chart: &Chart<'_>, place: Rect, axis: &TimeAxis, t: f64, palette: &Palette) {
+    let mut inner = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("plot", number)));
+    let [low, high] = range(&chart.curves);
+    let bounds = PlotBounds::from_min_max([axis.window[0], low], [axis.window[1], high]);
+    Plot::new(Id::unique(("plot", number)))
+        .height(place.height())
+        .width(place.width())
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .show_axes([false, true])
+        .show_x(false)
+        .show_y(false)
+        .sense(Sense::hover())
+        .custom_y_axes(vec![values(chart.words)])
+        .x_grid_spacer(move |grid| marks(grid.bounds, place.width() / 90.0))
+        .y_grid_spacer(move |grid| inside(marks(grid.bounds, place.height() / 17.0), grid.bounds, place.height()))
+        .grid_spacing(6.0..=14.0)
+        .grid_color(palette.line)
+        .set_margin_fraction(egui::Vec2::ZERO)
+        .show(&mut inner, |plot: &mut PlotUi<'_>| {
+            plot.set_plot_bounds(bounds);
+            for (curve, color, style, chosen) in &chart.curves {
+                let width = if *chosen { 1.4 } else { 1.0 };
+                let points = PlotPoints::new((*curve).clone());
+                plot.line(Line::new("", points).stroke(Stroke::new(width, *color)).style(*style).allow_hover(false));
+            }
+            plot.vline(VLine::new("", t).stroke(Stroke::new(1.2, palette.playhead)).allow_hover(false));
+        });
+    legend(ui, chart, place, palette);
+}
+
+/// The axis of values, its numbers written by `words`.
+fn values(words: fn(f64) -> String) -> AxisHints<'static> {
+    AxisHints::new_y().min_thickness(AXIS_WIDTH).label_spacing(6.0..=12.0).formatter(move |mark, _| words(mark.value))
+}
+
+/// About `wanted` round values.
+fn marks((low, high): (f64, f64), wanted: f32) -> Vec<GridMark> {
+    let values = ticks([low, high], f64::from(wanted));
+    let step_size = values.get(1).zip(values.first()).map_or(high - low, |(b, a)| b - a);
+    values.into_iter().map(|value| GridMark { value, step_size }).collect()
+}
+
+/// Only values whose numbers do not reach into the next chart.
+fn inside(mut marks: Vec<GridMark>, (low, high): (f64, f64), height: f32) -> Vec<GridMark> {
+    let margin = (high - low) * 6.0 / f64::from(height.max(12.0));
+    marks.retain(|mark| mark.value > low + margin && mark.value < high - margin);
+    marks
+}
+
+/// The name of the chart in its corner, with a plate behind it so that curves do not cross the letters.
+fn legend(ui: &Ui, chart: &Chart<'_>, place: Rect, palette: &Palette) {
+    let galley = ui.painter().layout_job(text::legend(chart.label, palette, ui));
+    let at = pos2(place.left() + AXIS_WIDTH + 6.0, place.top() + 3.0);
+    let plate = Rect::from_min_size(at, galley.size()).expand2(vec2(3.0, 1.0));
+    ui.painter().rect_filled(plate, 2.0, palette.track.gamma_multiply(0.8));
+    ui.painter().galley(at, galley, palette.force);
+}
+
+/// Lowest and highest value with a margin, 0 always inside.
+fn range(curves: &[(&Curve, Color32, LineStyle, bool)]) -> [f64; 2] {
+    let values = curves.iter().flat_map(|c| c.0.iter().map(|p| p[1])).filter(|v| v.is_finite());
+    let (low, high) = values.fold((0.0f64, 0.0f64), |(l, h), v| (l.min(v), h.max(v)));
+    let margin = ((high - low) * 0.08).max(1e-9);
+    [low - margin, high + margin]
+}

@@ -1,0 +1,79 @@
+//! The 3D view's paint callback: draws the list into its own target when the list has changed, and copies it in.
+
+use std::sync::Arc;
+
+use egui_wgpu::{CallbackResources, CallbackTrait, ScreenDescriptor};
+use wgpu::{BindGroup, CommandBuffer, CommandEncoder, Device, Queue, RenderPass, TextureFormat};
+
+use super::blit::Blit;
+use crate::render::{Gpu, Quality, Renderer};
+use crate::view::DrawList;
+
+/// One picture to be shown.
+#[derive(Clone)]
+pub(super) struct Screen {
+    /// What is in it.
+    pub(super) list: Arc<DrawList>,
+    /// Counts the pictures of this window: the same number is the same picture.
+    pub(super) number: u64,
+    /// Width and height \[pixels\].
+    pub(super) size: [u32; 2],
+    /// Format of egui's own target.
+    pub(super) format: TextureFormat,
+}
+
+/// What a window keeps between frames.
+struct Kept {
+    gpu: Gpu,
+    renderer: Renderer,
+    blit: Blit,
+    format: TextureFormat,
+    shown: Option<(u64, [u32; 2])>,
+    picture: Option<BindGroup>,
+}
+
+impl Kept {
+    fn new(device: &Device, queue: &Queue, format: TextureFormat) -> Self {
+        let gpu = Gpu::from_parts(device.adapter_info(), device.clone(), queue.clone());
+        let renderer = Renderer::new(&gpu, Quality::for_adapter(&gpu.adapter));
+        let blit = Blit::new(device, format);
+        Self { gpu, renderer, blit, format, shown: None, picture: None }
+    }
+
+    fn draw(&mut self, encoder: &mut CommandEncoder, screen: &Screen) {
+        let wanted = (screen.number, screen.size);
+        if self.shown == Some(wanted) {
+            return;
+        }
+        let target = self.renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
+        self.picture = Some(self.blit.bind(&self.gpu.device, target));
+        self.shown = Some(wanted);
+    }
+}
+
+impl CallbackTrait for Screen {
+    fn prepare(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        _screen: &ScreenDescriptor,
+        encoder: &mut CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<CommandBuffer> {
+        if resources.get::<Kept>().is_none_or(|kept| kept.format != self.format) {
+            resources.insert(Kept::new(device, queue, self.format));
+        }
+        if let Some(kept) = resources.get_mut::<Kept>() {
+            kept.draw(encoder, self);
+        }
+        Vec::new()
+    }
+
+    fn paint(&self, _info: egui::PaintCallbackInfo, pass: &mut RenderPass<'static>, resources: &CallbackResources) {
+        if let Some(kept) = resources.get::<Kept>()
+            && let Some(picture) = &kept.picture
+        {
+            kept.blit.paint(pass, picture);
+        }
+    }
+}

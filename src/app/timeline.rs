@@ -1,0 +1,132 @@
+//! The strip of time: every contact of every pair, the playhead, and the mouse on it.
+//!
+//! Each pair has a lane. Stick fills its upper half in blue, slip its lower half in hatched vermilion: the state can be
+//! read by place, texture and colour. A touch shorter than a pixel is still drawn.
+
+use egui::{Align2, FontId, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use super::Workbench;
+use super::answer::{Answer, Span};
+use super::command::Command;
+use super::text;
+use super::theme::{Palette, SLIP, STICK};
+use super::time_axis::{TimeAxis, ticks};
+use crate::sim::ContactState;
+
+/// Height of the ticks' row \[points\].
+const RULER: f32 = 15.0;
+
+/// Height of all lanes together \[points\].
+const LANES: f32 = 24.0;
+
+/// Narrowest bar \[points\].
+const NARROWEST: f32 = 1.5;
+
+/// Between the hatch lines of slip \[points\].
+const HATCH: f32 = 4.0;
+
+/// Shows the timeline over the rest of the row, its time axis beginning at `left`.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut Vec<Command>) {
+    let size = vec2(ui.available_width(), RULER + LANES);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    let end = bench.end();
+    let t = bench.clock().t;
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::Slider, true, text::TIMELINE);
+        info.value = Some(t);
+        info
+    });
+    let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), rect.max);
+    let axis = TimeAxis::over(strip, bench.time_window(), end);
+    axis.interact(ui, &response, out);
+    let painter = ui.painter_at(rect);
+    let palette = Palette::of(ui);
+    let lanes = Rect::from_min_max(pos2(strip.left(), strip.top() + RULER), strip.max);
+    painter.rect_filled(lanes, 2.0, palette.track);
+    ruler(&painter, &axis, strip, &palette);
+    caption(ui, rect, lanes);
+    if let Some(answer) = bench.answer() {
+        draw_lanes(&painter, answer, &axis, lanes, &palette);
+    }
+    playhead(&painter, &axis, strip, t, &palette);
+}
+
+fn caption(ui: &Ui, rect: Rect, lanes: Rect) {
+    let at = pos2(rect.left(), lanes.center().y);
+    ui.painter().text(at, Align2::LEFT_CENTER, text::CONTACTS, small(), Palette::of(ui).weak);
+}
+
+fn small() -> FontId {
+    FontId::proportional(10.5)
+}
+
+fn ruler(painter: &Painter, axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    let every = ticks(axis.window, f64::from(strip.width()) / 90.0);
+    let step = every.get(1).zip(every.first()).map_or(1.0, |(b, a)| b - a);
+    for t in every {
+        let x = axis.x(t);
+        painter.vline(x, strip.top() + RULER - 4.0..=strip.bottom(), Stroke::new(1.0, palette.line));
+        let align = if x > strip.right() - 46.0 { Align2::RIGHT_TOP } else { Align2::LEFT_TOP };
+        let aside = if align == Align2::LEFT_TOP { 2.0 } else { -2.0 };
+        painter.text(pos2(x + aside, strip.top()), align, text::tick(t, step), small(), palette.weak);
+    }
+}
+
+fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
+    let pairs = answer.history.model().pairs.len().max(1);
+    let height = lanes.height() / pairs as f32;
+    for i in 1..pairs {
+        painter.hline(lanes.x_range(), lanes.top() + i as f32 * height, Stroke::new(0.5, palette.line));
+    }
+    let mut last = vec![[f32::NEG_INFINITY; 2]; pairs];
+    for span in visible(&answer.spans, axis.window) {
+        let slip = usize::from(span.state == ContactState::Slip);
+        let (from, to) = (axis.x(span.start), axis.x(span.end));
+        let to = to.max(from + NARROWEST);
+        // Far out, thousands of touches share a pixel: one bar for each is enough.
+        let Some(done) = last.get_mut(span.pair).map(|l| &mut l[slip]) else { continue };
+        if to - *done < 0.5 {
+            continue;
+        }
+        *done = to;
+        let top = lanes.top() + span.pair as f32 * height + slip as f32 * height / 2.0;
+        let bar = Rect::from_min_max(pos2(from, top + 1.0), pos2(to, top + height / 2.0));
+        if slip == 0 {
+            painter.rect_filled(bar, 0.0, STICK);
+        } else {
+            hatched(painter, bar.intersect(lanes));
+        }
+    }
+}
+
+/// The spans that reach into a window; spans are ordered by start, touches are short.
+fn visible(spans: &[Span], window: [f64; 2]) -> impl Iterator<Item = &Span> {
+    let upto = spans.partition_point(|s| s.start <= window[1]);
+    spans[..upto].iter().filter(move |s| s.end >= window[0])
+}
+
+fn hatched(painter: &Painter, bar: Rect) {
+    let line = Stroke::new(1.2, SLIP);
+    if bar.width() < HATCH {
+        painter.rect_filled(bar, 0.0, SLIP);
+        return;
+    }
+    painter.rect_filled(bar, 0.0, SLIP.gamma_multiply(0.35));
+    let inside = painter.with_clip_rect(painter.clip_rect().intersect(bar));
+    let mut x = bar.left() - bar.height();
+    while x < bar.right() {
+        inside.line_segment([Pos2::new(x, bar.bottom()), Pos2::new(x + bar.height(), bar.top())], line);
+        x += HATCH;
+    }
+}
+
+fn playhead(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &Palette) {
+    let x = axis.x(t);
+    if x < strip.left() - 1.0 || x > strip.right() + 1.0 {
+        return;
+    }
+    painter.vline(x, strip.y_range(), Stroke::new(1.5, palette.playhead));
+    let top = strip.top();
+    let handle = vec![pos2(x - 5.0, top), pos2(x + 5.0, top), pos2(x, top + 7.0)];
+    painter.add(egui::Shape::convex_polygon(handle, palette.playhead, Stroke::NONE));
+}

@@ -1,0 +1,190 @@
+//! Curves for the plots: only what can be seen is sampled, and no force peak is lost.
+//!
+//! About two samples a pixel are taken of the motion. The force of a touch of 10 ms would fall between them, so every
+//! touch in the window adds its start, its end and its peak; where there are more touches than pixels, the highest of
+//! each pixel stands for the rest.
+
+use std::sync::Arc;
+
+use super::answer::Answer;
+use crate::sim::Touch;
+
+/// A curve: `[t, value]`.
+pub(super) type Curve = Vec<[f64; 2]>;
+
+/// Samples for one window of time.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Traces {
+    /// Displacement of G along world x, per girder \[mm\].
+    pub(super) x: Vec<Curve>,
+    /// Displacement of G along world y, per girder \[mm\].
+    pub(super) y: Vec<Curve>,
+    /// Rotation, per girder \[degrees\].
+    pub(super) theta: Vec<Curve>,
+    /// Largest `|R_k|` of a contact, hit by hit of every pair \[N\].
+    pub(super) force: Vec<Curve>,
+}
+
+/// What a [`Traces`] was sampled for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Key {
+    answer: u64,
+    window: [f64; 2],
+    points: usize,
+}
+
+/// Keeps the last samples until something else is to be seen.
+#[derive(Default)]
+pub(super) struct TraceCache {
+    key: Option<Key>,
+    traces: Arc<Traces>,
+}
+
+impl TraceCache {
+    /// The curves of a window, about `points` samples long.
+    pub(super) fn of(&mut self, answer: &Answer, window: [f64; 2], points: usize) -> Arc<Traces> {
+        let key = Key { answer: answer.number, window, points };
+        if self.key != Some(key) {
+            self.traces = Arc::new(sample(answer, window, points.max(2)));
+            self.key = Some(key);
+        }
+        self.traces.clone()
+    }
+}
+
+fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
+    let history = &answer.history;
+    let girders = history.model().bodies.len();
+    let pairs = history.model().pairs.len();
+    let mut traces = Traces {
+        x: vec![Vec::with_capacity(points); girders],
+        y: vec![Vec::with_capacity(points); girders],
+        theta: vec![Vec::with_capacity(points); girders],
+        force: Vec::new(),
+    };
+    for t in grid(window, points, history.end()) {
+        for girder in 0..girders {
+            let motion = history.motion(girder, t);
+            traces.x[girder].push([t, motion.displacement.x * 1e3]);
+            traces.y[girder].push([t, motion.displacement.y * 1e3]);
+            traces.theta[girder].push([t, motion.theta.to_degrees()]);
+        }
+    }
+    traces.force = (0..pairs).flat_map(|pair| force(answer, pair, window, points)).collect();
+    traces
+}
+
+/// Evenly spaced times in a window, both ends included, not past the end of the answer.
+fn grid(window: [f64; 2], points: usize, end: f64) -> impl Iterator<Item = f64> {
+    let step = (window[1] - window[0]) / (points - 1) as f64;
+    (0..points).map(move |i| window[0] + step * i as f64).filter(move |&t| t <= end * (1.0 + 1e-12))
+}
+
+/// One curve for every hit that can be told apart: a spike as high as its peak, or its shape.
+fn force(answer: &Answer, pair: usize, window: [f64; 2], points: usize) -> Vec<Curve> {
+    let per_point = (window[1] - window[0]) / points as f64;
+    let hits = highest(hits(answer.history.touches(), pair, window), per_point);
+    let curve = |hit: &Hit| {
+        if hit.end - hit.start < 4.0 * per_point {
+            vec![[hit.peak_time, 0.0], [hit.peak_time, hit.peak_force]]
+        } else {
+            shape(answer, pair, hit, window, per_point)
+        }
+    };
+    hits.iter().map(curve).collect()
+}
+
+/// A stretch in which a pair is closed, and its highest peak.
+#[derive(Clone, Debug, PartialEq)]
+struct Hit {
+    start: f64,
+    end: f64,
+    peak_time: f64,
+    peak_force: f64,
+    /// Peaks of all its touches \[s\].
+    peaks: Vec<f64>,
+}
+
+/// Merges the touches of a pair's contacts that reach into a window.
+fn hits(touches: &[Touch], pair: usize, window: [f64; 2]) -> Vec<Hit> {
+    let upto = touches.partition_point(|t| t.start <= window[1]);
+    let mut hits: Vec<Hit> = Vec::new();
+    for touch in touches[..upto].iter().filter(|t| t.pair == pair && t.end >= window[0]) {
+        match hits.last_mut() {
+            Some(hit) if touch.start <= hit.end => {
+                hit.end = hit.end.max(touch.end);
+                hit.peaks.push(touch.peak_time);
+                if touch.peak_force > hit.peak_force {
+                    (hit.peak_time, hit.peak_force) = (touch.peak_time, touch.peak_force);
+                }
+            }
+            _ => hits.push(Hit {
+                start: touch.start,
+                end: touch.end,
+                peak_time: touch.peak_time,
+                peak_force: touch.peak_force,
+                peaks: vec![touch.peak_time],
+            }),
+        }
+    }
+    hits
+}
+
+/// Of the hits that end within one point of each other, keeps the highest.
+fn highest(hits: Vec<Hit>, per_point: f64) -> Vec<Hit> {
+    let mut kept: Vec<Hit> = Vec::with_capacity(hits.len());
+    for hit in hits {
+        match kept.last_mut() {
+            Some(last) if hit.end - last.start < per_point => {
+                if hit.peak_force > last.peak_force {
+                    *last = hit;
+                }
+            }
+            _ => kept.push(hit),
+        }
+    }
+    kept
+}
+
+/// Samples a hit that is wide enough to be seen, its peaks among the samples.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of samples, clamped")]
+fn shape(answer: &Answer, pair: usize, hit: &Hit, window: [f64; 2], per_point: f64) -> Curve {
+    let (from, to) = (hit.start.max(window[0]), hit.end.min(window[1]));
+    let n = ((to - from) / per_point).ceil().clamp(4.0, 8000.0) as usize;
+    let mut times: Vec<f64> = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
+    times.extend(hit.peaks.iter().filter(|&&t| t > from && t < to));
+    times.sort_by(f64::total_cmp);
+    times.into_iter().map(|t| [t, at(answer, pair, t)]).collect()
+}
+
+/// Largest `|R_k|` of the pair's contacts \[N\].
+fn at(answer: &Answer, pair: usize, t: f64) -> f64 {
+    let contacts = answer.history.contacts(t);
+    contacts.iter().filter(|c| c.pair == pair).map(|c| c.force.length()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn touch(start: f64, end: f64, peak_force: f64) -> Touch {
+        let peak_time = start.midpoint(end);
+        Touch { pair: 0, contact: 0, start, end, peak_time, peak_force, stick: 0.0, slip: end - start }
+    }
+
+    #[test]
+    fn no_peak_is_lost_where_hits_share_a_point() {
+        let touches = [touch(1.0, 1.01, 5.0), touch(1.02, 1.03, 50.0), touch(1.04, 1.05, 7.0), touch(3.0, 3.01, 2.0)];
+        let kept = highest(hits(&touches, 0, [0.0, 10.0]), 0.1);
+        let peaks: Vec<f64> = kept.iter().map(|h| h.peak_force).collect();
+        assert_eq!(peaks, vec![50.0, 2.0], "the highest of the first three, and the last");
+    }
+
+    #[test]
+    fn corners_that_touch_together_are_one_hit() {
+        let touches = [touch(1.0, 1.01, 5.0), touch(1.005, 1.02, 9.0)];
+        let hits = hits(&touches, 0, [0.0, 10.0]);
+        assert_eq!(hits.len(), 1, "they overlap");
+        assert_eq!((hits[0].end, hits[0].peak_force), (1.02, 9.0), "to the last opening, with the higher peak");
+    }
+}

@@ -1,0 +1,145 @@
+//! The scene's main numbers as sliders: move one, and the whole history is computed anew.
+
+use egui::{ComboBox, RichText, Ui};
+
+use super::Workbench;
+use super::command::Command;
+use super::field::{Change, DEGREES, GRAVITIES, HERTZ, PURE, Place, SECONDS, length_unit, slider};
+use super::{edits, overlays, text};
+use crate::scene::edit::Edit;
+use crate::scene::{FrictionLaw, Motion, STANDARD_GRAVITY, Scene, SineMotion};
+use crate::view::Target;
+
+/// Shows the sliders, then the overlays.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    ui.label(RichText::new(text::WHAT_IF).strong());
+    geometry(ui, bench, out);
+    section(ui, text::MOTION_SECTION, |ui| motion(ui, bench, out));
+    section(ui, text::CONTACT_SECTION, |ui| contact(ui, bench, out));
+    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
+}
+
+fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
+    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show_unindented(ui, body);
+}
+
+fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> Edit) {
+    if let Some(change) = change {
+        out.push(Command::Edit { edit: edit(), gesture: change.gesture });
+    }
+}
+
+/// The girder whose skew the slider turns, or none: all of them.
+fn chosen(bench: &Workbench) -> Option<usize> {
+    match bench.selected() {
+        Some(Target::Girder(i)) if i < bench.scene().girders.len() => Some(i),
+        _ => None,
+    }
+}
+
+fn geometry(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let one = chosen(bench);
+    let Some(girder) = scene.girders.get(one.unwrap_or(0)) else { return };
+    let table = format!("girder.{}", girder.name);
+    let place = Place { problems: bench.problems(), table: &table };
+    let mut skew = girder.skew_deg;
+    let whose = if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS };
+    ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
+    let change = slider(ui, place, ("skew_deg", text::SKEW), &mut skew, DEGREES, 20.0..=160.0);
+    push(out, change, || edits::skew(scene, one, skew));
+    if let Some(mut gap) = edits::gap_of(scene) {
+        let unit = length_unit(girder.length);
+        let place = Place { problems: bench.problems(), table: "abutment" };
+        let change = slider(ui, place, ("gap_m", text::GAP), &mut gap, unit, 0.0..=girder.length * 0.05);
+        push(out, change, || edits::gap(scene, gap));
+    }
+}
+
+fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let mut new = scene.contact.clone();
+    let place = Place { problems: bench.problems(), table: "contact" };
+    let changes = [
+        slider(ui, place, ("mu_static", text::MU_STATIC), &mut new.mu_static, PURE, 0.0..=1.0),
+        slider(ui, place, ("mu_kinetic", text::MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
+        slider(ui, place, ("restitution_normal", text::E_NORMAL), &mut new.restitution_normal, PURE, 0.01..=1.0),
+        slider(
+            ui,
+            place,
+            ("restitution_tangential", text::E_TANGENTIAL),
+            &mut new.restitution_tangential,
+            PURE,
+            0.01..=1.0,
+        ),
+        law(ui, &mut new.law),
+    ];
+    push(out, changes.into_iter().flatten().next(), || edits::contact(new));
+}
+
+fn law(ui: &mut Ui, law: &mut FrictionLaw) -> Option<Change> {
+    let before = *law;
+    let word = |l: FrictionLaw| match l {
+        FrictionLaw::Paper => text::LAW_PAPER,
+        FrictionLaw::ReturnMapping => text::LAW_RETURN,
+    };
+    ui.horizontal(|ui| {
+        let label = ui.label(text::LAW);
+        let combo = ComboBox::from_id_salt("law").selected_text(word(before)).show_ui(ui, |ui| {
+            for option in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
+                ui.selectable_value(law, option, word(option));
+            }
+        });
+        combo.response.labelled_by(label.id);
+    });
+    (*law != before).then_some(Change { gesture: None })
+}
+
+fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let mut new = scene.motion.clone();
+    let place = Place { problems: bench.problems(), table: "motion" };
+    let change = match &mut new {
+        Motion::None => none(ui, &mut new),
+        Motion::Sine(sine) => sine_sliders(ui, place, sine),
+        Motion::Record(record) => {
+            let scale = slider(ui, place, ("scale", text::RECORD_SCALE), &mut record.scale, PURE, 0.0..=3.0);
+            scale.or(slider(ui, place, ("angle_deg", text::ANGLE), &mut record.angle_deg, DEGREES, -180.0..=180.0))
+        }
+    };
+    push(out, change, || edits::motion(new));
+    let mut duration = scene.duration;
+    let place = Place { problems: bench.problems(), table: "scene" };
+    let change = slider(ui, place, ("duration_s", text::DURATION), &mut duration, SECONDS, 0.1..=60.0);
+    push(out, change, || edits::duration(scene, duration));
+}
+
+fn none(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
+    ui.label(RichText::new(text::NO_MOTION).weak());
+    if !ui.button(text::SHAKE).clicked() {
+        return None;
+    }
+    let (amplitude_g, frequency_hz) = (Some(0.4), 2.6);
+    *motion = Motion::Sine(SineMotion { amplitude_g, amplitude: None, frequency_hz, phase_deg: 0.0, angle_deg: 0.0 });
+    Some(Change { gesture: None })
+}
+
+fn sine_sliders(ui: &mut Ui, place: Place<'_>, sine: &mut SineMotion) -> Option<Change> {
+    let mut amplitude = sine.amplitude_si() / STANDARD_GRAVITY;
+    let key = if sine.amplitude_g.is_some() { "amplitude_g" } else { "amplitude_m_s2" };
+    let moved = slider(ui, place, (key, text::AMPLITUDE), &mut amplitude, GRAVITIES, 0.0..=1.0);
+    if moved.is_some() {
+        (sine.amplitude_g, sine.amplitude) = (Some(amplitude), None);
+    }
+    let frequency = slider(ui, place, ("frequency_hz", text::FREQUENCY), &mut sine.frequency_hz, HERTZ, 0.1..=10.0);
+    let angle = slider(ui, place, ("angle_deg", text::ANGLE), &mut sine.angle_deg, DEGREES, -180.0..=180.0);
+    moved.or(frequency).or(angle)
+}
+
+/// Period of the shaking, to count time in \[s\].
+pub(super) fn period(scene: &Scene) -> Option<f64> {
+    match &scene.motion {
+        Motion::Sine(sine) if sine.frequency_hz > 0.0 => Some(1.0 / sine.frequency_hz),
+        _ => None,
+    }
+}

@@ -1,0 +1,193 @@
+//! The whole window as one function of its state: `ui` shows it, commands change it.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
+use wgpu::TextureFormat;
+
+use super::clock::Clock;
+use super::command::Command;
+use super::dialogs::Dialogs;
+use super::document::Document;
+use super::runner::{Runner, Wake};
+use super::theme::{self, Palette};
+use super::traces::TraceCache;
+use super::viewport::{self, Viewport};
+use super::{help, input, inspector, menu, notices, outliner, plots, status, timeline, transport, whatif};
+use crate::scene::{Overlays, Scene};
+use crate::view::Target;
+
+/// The workbench: a scene, its answer, and how both are looked at.
+pub struct Workbench {
+    pub(super) document: Document,
+    pub(super) runner: Runner,
+    pub(super) clock: Clock,
+    pub(super) viewport: Viewport,
+    pub(super) dialogs: Dialogs,
+    pub(super) selected: Option<Target>,
+    pub(super) overlays: Overlays,
+    pub(super) force_scale: Option<f64>,
+    pub(super) time_window: Option<[f64; 2]>,
+    pub(super) help: bool,
+    pub(super) closing: Closing,
+    pub(super) notice: Option<String>,
+    pub(super) notices: (Sender<String>, Receiver<String>),
+    pub(super) traces: RefCell<TraceCache>,
+    pub(super) automatic_scale: (u64, f64),
+    pub(super) target_format: TextureFormat,
+    pub(super) adapter: String,
+    wake: Wake,
+    dressed: bool,
+}
+
+/// Whether the window is about to close.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Closing {
+    /// No.
+    Open,
+    /// Something is not saved: the user is asked.
+    Asking,
+    /// It is being saved first.
+    Saving,
+    /// Yes.
+    Now,
+}
+
+impl Workbench {
+    /// Opens on a scene and runs it.
+    pub fn new(scene: Scene, file: Option<PathBuf>) -> Self {
+        let wake: Wake = Arc::new(|| ());
+        let mut bench = Self {
+            runner: Runner::default(),
+            clock: Clock::default(),
+            viewport: Viewport::new(scene.view.camera),
+            dialogs: Dialogs::new(wake.clone()),
+            selected: None,
+            overlays: scene.view.overlays,
+            force_scale: scene.view.force_scale,
+            time_window: None,
+            help: false,
+            closing: Closing::Open,
+            notice: None,
+            notices: channel(),
+            traces: RefCell::default(),
+            automatic_scale: (0, 1.0),
+            target_format: TextureFormat::Rgba8Unorm,
+            adapter: String::new(),
+            wake,
+            dressed: false,
+            document: Document::new(scene, file),
+        };
+        bench.run();
+        bench
+    }
+
+    /// Tells who is to be woken when a thread has news; the window's event loop.
+    pub fn set_wake(&mut self, wake: Wake) {
+        self.runner.set_wake(wake.clone());
+        self.dialogs.set_wake(wake.clone());
+        self.wake = wake;
+    }
+
+    /// Tells which format egui draws into, and with what.
+    pub fn set_target(&mut self, format: TextureFormat, adapter: String) {
+        self.target_format = format;
+        self.adapter = adapter;
+    }
+
+    /// Whether the error is estimated while the window is idle (it is unless told otherwise).
+    pub fn set_estimates(&mut self, wanted: bool) {
+        self.runner.set_estimates(wanted);
+    }
+
+    /// Shows everything and does what is asked.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        if !self.dressed {
+            theme::install(ui.ctx());
+            self.dressed = true;
+        }
+        self.listen(ui);
+        let mut out = Vec::new();
+        input::keys(ui, self, &mut out);
+        self.panels(ui, &mut out);
+        help::show(ui, self, &mut out);
+        notices::over_all(ui, self, &mut out);
+        self.apply_all(ui, out);
+        let view = Frame::new().fill(Palette::of(ui).view);
+        CentralPanel::no_frame().frame(view).show(ui, |ui| viewport::show(ui, self));
+        self.go_on(ui);
+    }
+
+    /// Takes in what threads, dialogs and dropped files have brought, and lets the clock run.
+    fn listen(&mut self, ui: &Ui) {
+        self.runner.poll();
+        if let Ok(words) = self.notices.1.try_recv() {
+            self.notice = Some(words);
+        }
+        let mut brought = self.dialogs.take();
+        let dropped = ui.input(|i| i.raw.dropped_files.clone());
+        brought.extend(dropped.iter().map(|file| Command::OpenFile(file.path().to_owned())));
+        self.apply_all(ui, brought);
+        let dt = f64::from(ui.input(|i| i.stable_dt));
+        if let Some(answer) = self.runner.answer() {
+            self.clock.advance(dt, answer.history.end(), &answer.touches);
+        }
+    }
+
+    fn panels(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        Panel::top("bar").resizable(false).show(ui, |ui| menu::show(ui, self, out));
+        Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, self));
+        let room = ui.available_height();
+        Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7).show(
+            ui,
+            |ui| {
+                transport::show(ui, self, out);
+                timeline::show(ui, self, plots::AXIS_WIDTH, out);
+                plots::show(ui, self, out);
+            },
+        );
+        let side = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(8));
+        Panel::left("placed").frame(side).default_size(244.0).size_range(220.0..=420.0).show(ui, |ui| {
+            outliner::show(ui, self, out);
+            ui.separator();
+            ScrollArea::vertical()
+                .id_salt("inspector")
+                .auto_shrink(false)
+                .show(ui, |ui| inspector::show(ui, self, out));
+        });
+        Panel::right("what if").frame(side).default_size(264.0).size_range(240.0..=440.0).show(ui, |ui| {
+            ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, self, out));
+        });
+    }
+
+    /// Asks for another frame only when there is a reason.
+    fn go_on(&mut self, ui: &Ui) {
+        if self.clock.playing {
+            ui.request_repaint();
+        } else if let Some(wait) = self.runner.when_idle() {
+            ui.request_repaint_after(wait);
+        }
+        if self.runner.progress().is_some() {
+            ui.request_repaint_after(std::time::Duration::from_millis(50));
+        }
+    }
+
+    /// Runs the scene as it is now.
+    pub(super) fn run(&mut self) {
+        self.runner.start(self.document.scene());
+    }
+
+    /// Lets a thread say something at the bottom of the window.
+    pub(super) fn in_background(&self, work: impl FnOnce() -> Result<String, String> + Send + 'static) {
+        let (send, wake) = (self.notices.0.clone(), self.wake.clone());
+        std::thread::spawn(move || {
+            let words = work().unwrap_or_else(|problem| problem);
+            // Nobody listens any more when the window has closed: nothing to do then.
+            let _ = send.send(words);
+            wake();
+        });
+    }
+}

@@ -1,0 +1,92 @@
+//! What the window tests share: the whole workbench in a harness, and the mouse in its 3D view.
+
+use egui::accesskit::Role;
+use egui::{Pos2, Rect};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::Workbench;
+use girderbench::scene::presets;
+use glam::DVec3;
+
+/// Time that one frame of the harness takes \[s\].
+pub(crate) const FRAME: f32 = 0.02;
+
+/// The workbench on a preset, its first run done, at 1280×720.
+pub(crate) fn open(preset: &str) -> Harness<'static, Workbench> {
+    let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench(preset));
+    settle(&mut harness);
+    harness
+}
+
+/// A workbench on a preset that leaves the machine alone while idle, so that tests do not depend on time.
+pub(crate) fn bench(preset: &str) -> Workbench {
+    let mut bench = Workbench::new(presets::load(preset).expect("the preset ships"), None);
+    bench.set_estimates(false);
+    bench.wait();
+    bench
+}
+
+/// A harness whose inside is a window of this size: the harness itself keeps 8 points on every side.
+pub(crate) fn builder(size: [f32; 2]) -> egui_kittest::HarnessBuilder<Workbench> {
+    Harness::builder().with_size([size[0] + 16.0, size[1] + 16.0]).with_step_dt(FRAME)
+}
+
+/// The whole window.
+pub(crate) fn show(ui: &mut egui::Ui, bench: &mut Workbench) {
+    bench.ui(ui);
+}
+
+/// Lets the window come to rest. A run that a busy machine did not finish within a frame is waited for.
+pub(crate) fn settle(harness: &mut Harness<'_, Workbench>) {
+    harness.step();
+    harness.state_mut().wait();
+    harness.run();
+}
+
+/// Moves a slider by its name.
+pub(crate) fn slide(harness: &mut Harness<'_, Workbench>, label: &str, value: f64) {
+    harness.get_by_role_and_label(Role::Slider, label).set_value_accesskit(value);
+    settle(harness);
+}
+
+/// Presses a button by its name.
+pub(crate) fn press(harness: &mut Harness<'_, Workbench>, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).click();
+    settle(harness);
+}
+
+/// The 3D view on the screen.
+pub(crate) fn view(harness: &Harness<'_, Workbench>) -> Rect {
+    harness.get_by_label("3D view").rect()
+}
+
+/// Where a point of the world is on the screen.
+pub(crate) fn on_screen(harness: &Harness<'_, Workbench>, world: DVec3) -> Pos2 {
+    let rect = view(harness);
+    let size = [f64::from(rect.width()), f64::from(rect.height())];
+    let camera = harness.state().camera().expect("the view has been shown");
+    let [x, y] = camera.project(world, size).expect("before the eye");
+    #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+    let aside = egui::vec2(x as f32, y as f32);
+    rect.min + aside
+}
+
+/// Clicks at a place.
+pub(crate) fn click(harness: &mut Harness<'_, Workbench>, at: Pos2) {
+    harness.drag_at(at);
+    settle(harness);
+    harness.drop_at(at);
+    settle(harness);
+}
+
+/// Drags from a place to another, in two strokes.
+pub(crate) fn drag(harness: &mut Harness<'_, Workbench>, from: Pos2, to: Pos2) {
+    harness.drag_at(from);
+    settle(harness);
+    harness.hover_at(from + (to - from) * 0.5);
+    settle(harness);
+    harness.hover_at(to);
+    settle(harness);
+    harness.drop_at(to);
+    settle(harness);
+}

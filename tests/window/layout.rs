@@ -1,0 +1,162 @@
+//! How the window looks: its panels keep to their places, nothing is cut off, and the picture is the blessed one.
+
+use egui::accesskit::Role;
+use egui::{Key, Rect, Theme};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use girderbench::app::{Command, Export, Way, Workbench};
+use girderbench::render::Image;
+use girderbench::scene::presets;
+use girderbench::view::Target;
+
+use super::harness::{bench, builder, open, press, settle, show, view};
+use super::{golden, studio};
+
+/// Labels of the panels, with where they are; what is scrolled out of sight is not shown and not asked.
+fn labels(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
+    let roles = [Role::Label, Role::Button, Role::CheckBox, Role::Slider, Role::SpinButton];
+    let nodes = harness.root().children_recursive();
+    let named = nodes.filter(|n| roles.contains(&n.accesskit_node().role()) && !n.accesskit_node().is_hidden());
+    named.map(|n| (n.accesskit_node().label().or(n.accesskit_node().value()).unwrap_or_default(), n.rect())).collect()
+}
+
+#[test]
+fn panels_keep_their_words_to_themselves() {
+    for preset in presets::all() {
+        for size in [[1280.0, 720.0], [2560.0, 1440.0]] {
+            let mut harness = builder(size).build_ui_state(show, bench(preset.name));
+            harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+            // A panel that grows with what is in it does so frame by frame.
+            harness.run_steps(10);
+            let (view, window) = (view(&harness), harness.get_by_label("Timeline").rect());
+            for (words, rect) in labels(&harness) {
+                let at = format!("{} at {size:?}: \"{words}\" at {rect}", preset.name);
+                assert!(rect.left() >= window.left() - 1.0 && rect.right() <= window.right() + 1.0, "inside, {at}");
+                let beside = rect.center().y > view.top() && rect.center().y < view.bottom();
+                let over = rect.left() < view.right() - 1.0 && rect.right() > view.left() + 1.0;
+                assert!(!(beside && over), "beside the view, not over it: {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_view_has_most_of_the_middle() {
+    let harness = open(presets::OPENING);
+    let rect = view(&harness);
+    assert!(rect.width() > 700.0 && rect.height() > 380.0, "room to look at 1280 × 720: {rect}");
+}
+
+#[test]
+fn the_help_names_every_key_and_closes() {
+    let mut harness = open(presets::OPENING);
+    harness.key_press(Key::F1);
+    settle(&mut harness);
+    assert!(harness.state().help_is_open(), "F1");
+    assert!(harness.query_by_label("play, pause").is_some(), "the keys are listed");
+    harness.key_press(Key::Escape);
+    settle(&mut harness);
+    assert!(!harness.state().help_is_open(), "Esc");
+}
+
+#[test]
+fn both_themes_can_be_had() {
+    let mut harness = builder([1280.0, 720.0]).with_theme(Theme::Dark).build_ui_state(show, bench(presets::OPENING));
+    press(&mut harness, "Light");
+    assert_eq!(harness.ctx.theme(), Theme::Light, "light");
+    press(&mut harness, "Dark");
+    assert_eq!(harness.ctx.theme(), Theme::Dark, "dark");
+}
+
+#[test]
+fn what_is_selected_can_be_framed() {
+    let mut harness = open("row-of-5");
+    let far = harness.state().camera().expect("shown").distance;
+    harness.state_mut().apply(Command::Select(Some(Target::Girder(2))));
+    harness.key_press(Key::F);
+    settle(&mut harness);
+    let near = harness.state().camera().expect("shown").distance;
+    assert!(near < 0.5 * far, "one of five fills the view: from {far} to {near}");
+}
+
+#[test]
+fn a_window_without_room_for_a_view_does_not_mind() {
+    let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench(presets::OPENING));
+    for size in [[300.0, 120.0], [1.0, 1.0], [1280.0, 720.0]] {
+        harness.set_size(size.into());
+        harness.run_steps(3);
+    }
+    assert!(harness.state().picture().is_some(), "and the view is back");
+}
+
+/// The opening scene half way through its first hit, near in time.
+fn at_a_hit(harness: &mut Harness<'_, Workbench>) {
+    for _ in 0..2 {
+        harness.state_mut().apply(Command::StepEvent(Way::Forward));
+    }
+    let t = harness.state().clock().t;
+    harness.state_mut().apply(Command::TimeWindow(Some([t - 0.02, t + 0.05])));
+    settle(harness);
+    harness.remove_cursor();
+    harness.run();
+}
+
+fn picture(harness: &mut Harness<'_, Workbench>) -> Image {
+    let image = harness.render().expect("the harness draws");
+    Image { width: image.width(), height: image.height(), rgba: image.into_raw() }
+}
+
+#[test]
+fn the_whole_window_looks_as_blessed() {
+    let Some(studio) = studio::studio("the_whole_window_looks_as_blessed") else { return };
+    let state = bench(presets::OPENING);
+    let mut harness = builder([1280.0, 720.0]).with_theme(Theme::Dark).wgpu().build_ui_state(show, state);
+    at_a_hit(&mut harness);
+    // How long the run took differs from run to run, and so does the width of its words.
+    let mut took = harness.get_by_label_contains("real time").rect();
+    took.max.x = harness.get_by_label("Timeline").rect().right();
+    harness.mask(took);
+    let image = picture(&mut harness);
+    let texts = studio.texts(harness.state().scene(), harness.state().clock().t);
+    golden::check("window", &image, &texts).unwrap_or_else(|problem| panic!("{problem}"));
+}
+
+#[test]
+fn the_3d_view_is_drawn_in_the_window() {
+    let Some(_studio) = studio::studio("the_3d_view_is_drawn_in_the_window") else { return };
+    let mut harness = builder([1280.0, 720.0]).wgpu().build_ui_state(show, bench(presets::OPENING));
+    harness.run();
+    let rect = view(&harness);
+    let image = picture(&mut harness);
+    let colours: std::collections::BTreeSet<&[u8]> = image
+        .rgba
+        .chunks_exact(4)
+        .enumerate()
+        .filter(|(i, _)| {
+            let (x, y) = (i % image.width as usize, i / image.width as usize);
+            rect.shrink(4.0).contains(egui::pos2(x as f32, y as f32))
+        })
+        .map(|(_, pixel)| pixel)
+        .collect();
+    assert!(colours.len() > 500, "shaded bodies, not one colour: {}", colours.len());
+}
+
+#[test]
+fn the_picture_is_exported_while_the_window_goes_on() {
+    let Some(_studio) = studio::studio("the_picture_is_exported_while_the_window_goes_on") else { return };
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("view.png");
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::ExportTo(Export::Picture, path.clone()));
+    for _ in 0..3000 {
+        harness.run();
+        if harness.state().notice().is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{e}: {:?}", harness.state().notice()));
+    let image = Image::from_png(&bytes).expect("a PNG");
+    let rect = view(&harness);
+    assert_eq!((image.width as f32, image.height as f32), (rect.width(), rect.height()), "as large as the view");
+}

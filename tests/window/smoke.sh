@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# A real window on a display of its own: it opens, plays on a key, takes a click, rests without work, closes cleanly.
+#
+#   tests/window/smoke.sh [BINARY] [WIDTHxHEIGHT]
+#
+# Pictures of what was seen are left in target/window. Wants Xvfb, xdotool and ImageMagick.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+binary=${1:-}
+size=${2:-1280x720}
+seen=target/window
+mkdir -p "$seen"
+
+if [ -z "$binary" ]; then
+  cargo build --locked --all-features --bin girderbench
+  binary=target/debug/girderbench
+fi
+
+fail() {
+  echo "window: $1" >&2
+  exit 1
+}
+
+# A free display: the first whose socket is not there.
+number=70
+while [ -e "/tmp/.X11-unix/X$number" ] || [ -e "/tmp/.X$number-lock" ]; do number=$((number + 1)); done
+export DISPLAY=":$number"
+unset WAYLAND_DISPLAY
+server='' program=''
+finish() {
+  [ -z "$program" ] || kill "$program" 2>/dev/null || true
+  [ -z "$server" ] || kill "$server" 2>/dev/null || true
+}
+trap finish EXIT
+
+Xvfb "$DISPLAY" -noreset -screen 0 "${size}x24" >/dev/null 2>&1 &
+server=$!
+for _ in $(seq 100); do
+  [ -e "/tmp/.X11-unix/X$number" ] && break
+  sleep 0.1
+done
+[ -e "/tmp/.X11-unix/X$number" ] || fail "Xvfb did not come up"
+
+"$binary" >"$seen/output.txt" 2>&1 &
+program=$!
+
+window=''
+for _ in $(seq 200); do
+  kill -0 "$program" 2>/dev/null || fail "the program ended before it had a window: $(cat "$seen/output.txt")"
+  window=$(xdotool search --onlyvisible --name Girderbench 2>/dev/null | head -n 1) && [ -n "$window" ] && break
+  sleep 0.1
+done
+[ -n "$window" ] || fail "no window within 20 s"
+
+# No window manager: the window is put where it fills the screen, and given the keyboard.
+xdotool windowmove "$window" 0 0 windowsize "$window" "${size%x*}" "${size#*x}"
+xdotool windowfocus --sync "$window"
+xdotool mousemove 5 5
+
+look() { import -window "$window" "$seen/$1.png"; }
+# How many pixels differ; `compare` answers 1 when any does.
+differ() { { compare -metric AE "$seen/$1.png" "$seen/$2.png" null: 2>&1 || true; } | awk '{ printf "%d", $1 }'; }
+# Ticks of processor time that the program has used, all its threads together.
+ticks() { awk '{ print $14 + $15 }' "/proc/$program/stat"; }
+
+# Drawn when two looks are the same and not one colour.
+settle() {
+  look settling
+  for _ in $(seq 100); do
+    sleep 0.3
+    look "$1"
+    if [ "$(identify -format '%k' "$seen/$1.png")" -gt 50 ] && [ "$(differ settling "$1")" = 0 ]; then return; fi
+    cp "$seen/$1.png" "$seen/settling.png"
+  done
+  fail "the window does not come to rest ($1)"
+}
+
+settle opened
+
+# An idle window does nothing: at most 2 ticks (20 ms) in 2 s, and the idle estimate is over by then.
+sleep 2
+before=$(ticks)
+sleep 2
+used=$(($(ticks) - before))
+[ "$used" -le 2 ] || fail "an idle window used $used ticks in 2 s"
+
+xdotool key space
+sleep 1
+look playing
+changed=$(differ opened playing)
+[ "$changed" -gt 100 ] || fail "Space does not play: $changed pixels differ"
+xdotool key space
+settle paused
+
+# "Top" in the bar, which is laid out from the left: another picture.
+xdotool mousemove 370 12
+sleep 0.3
+xdotool click 1
+xdotool mousemove 5 5
+settle clicked
+changed=$(differ paused clicked)
+[ "$changed" -gt 1000 ] || fail "a click on Top does not turn the view: $changed pixels differ"
+
+# Smaller and back: the surface is made anew each time, and drawn on to its new edges.
+for other in 800x480 "$size"; do
+  xdotool windowsize "$window" "${other%x*}" "${other#*x}"
+  settle "resized-$other"
+  [ "$(identify -format '%wx%h' "$seen/resized-$other.png")" = "$other" ] || fail "the window is not $other"
+done
+
+xdotool key ctrl+q
+for _ in $(seq 100); do
+  kill -0 "$program" 2>/dev/null || break
+  sleep 0.1
+done
+kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not close the window"
+status=0
+wait "$program" || status=$?
+program=''
+[ "$status" = 0 ] || fail "closed with status $status: $(cat "$seen/output.txt")"
+echo "window: opened, rested ($used ticks in 2 s), played, took a click, closed ($size)"

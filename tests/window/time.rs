@@ -1,0 +1,150 @@
+//! Playing, stepping, scrubbing; and nothing at all when nothing happens.
+
+use super::harness::{FRAME, open, press, view};
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{Clock, HIT_SPEED};
+use girderbench::scene::presets;
+use std::time::Duration;
+
+#[test]
+fn it_opens_on_the_preset_with_its_answer() {
+    let harness = open(presets::OPENING);
+    let bench = harness.state();
+    let answer = bench.answer().expect("the run is done");
+    assert_eq!(bench.scene().name, presets::OPENING, "the opening scene");
+    assert!(answer.summary.hits > 0, "the girder hits the wall");
+    assert!(!bench.is_stale() && bench.problems().is_none(), "and the answer is the scene's");
+    assert!(bench.picture().is_some_and(|list| !list.solids.is_empty()), "its bodies are in the picture");
+}
+
+#[test]
+fn an_idle_window_asks_for_no_frame() {
+    let mut harness = open(presets::OPENING);
+    let pictures = harness.state().pictures();
+    harness.run_steps(5);
+    let delay = harness.output().viewport_output.values().next().expect("one window").repaint_delay;
+    assert_eq!(delay, Duration::MAX, "nothing is to come");
+    assert_eq!(harness.state().pictures(), pictures, "and the 3D view is not made again");
+}
+
+#[test]
+fn playing_advances_by_the_speed() {
+    let mut harness = open(presets::OPENING);
+    harness.key_press(Key::Space);
+    harness.run_steps(1);
+    let (before, pictures) = (harness.state().clock().t, harness.state().pictures());
+    harness.run_steps(10);
+    let played = harness.state().clock().t - before;
+    let wanted = 10.0 * f64::from(FRAME) * Clock::default().speed;
+    // Frames are f32 seconds in egui.
+    assert!((played - wanted).abs() < 1e-6, "ten frames at a tenth: {wanted}, got {played}");
+    assert_eq!(harness.state().pictures(), pictures + 10, "every frame shows another instant");
+    harness.key_press(Key::Space);
+    harness.run();
+    assert!(!harness.state().clock().playing, "Space pauses");
+}
+
+#[test]
+fn playing_slows_by_itself_at_hits_when_asked() {
+    let mut harness = open(presets::OPENING);
+    let hit = harness.state().answer().expect("run").touches[0].0;
+    harness.key_press(Key::M);
+    harness.state_mut().apply(girderbench::app::Command::Seek(hit));
+    harness.key_press(Key::Space);
+    harness.run_steps(1);
+    let before = harness.state().clock().t;
+    harness.run_steps(5);
+    let played = harness.state().clock().t - before;
+    assert!((played - 5.0 * f64::from(FRAME) * HIT_SPEED).abs() < 1e-6, "a hundredth while touching, got {played}");
+}
+
+#[test]
+fn keys_step_jump_and_change_speed() {
+    let mut harness = open(presets::OPENING);
+    let events = harness.state().answer().expect("run").event_times.clone();
+    let step = Clock::default().speed / 60.0;
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    assert!((harness.state().clock().t - step).abs() < 1e-12, "one step");
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
+    harness.run();
+    assert!((harness.state().clock().t - 11.0 * step).abs() < 1e-12, "ten more");
+    harness.key_press(Key::Home);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::ArrowRight);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::ArrowRight);
+    harness.run();
+    assert_eq!(harness.state().clock().t, events[1], "the second event from the start");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::ArrowLeft);
+    harness.run();
+    assert_eq!(harness.state().clock().t, events[0], "and back");
+    harness.key_press(Key::End);
+    harness.run();
+    assert_eq!(harness.state().clock().t, harness.state().scene().duration, "the end");
+    for _ in 0..20 {
+        harness.key_press(Key::Comma);
+    }
+    harness.run();
+    assert_eq!(harness.state().clock().speed, 0.001, "down to a thousandth");
+}
+
+#[test]
+fn a_click_in_timeline_or_plots_goes_there() {
+    let mut harness = open(presets::OPENING);
+    for strip in ["Timeline", "Plots"] {
+        let rect = harness.get_by_label(strip).rect();
+        // The axis begins behind the column of numbers.
+        let x = rect.left() + 62.0 + (rect.width() - 62.0) * 0.5;
+        super::harness::click(&mut harness, egui::pos2(x, rect.center().y));
+        let t = harness.state().clock().t;
+        assert!((t - 5.0).abs() < 0.02, "half way of ten seconds, got {t} in {strip}");
+        harness.key_press(Key::Home);
+        harness.run();
+    }
+}
+
+#[test]
+fn dragging_the_timeline_scrubs_and_the_picture_follows() {
+    let mut harness = open(presets::OPENING);
+    let rect = harness.get_by_label("Timeline").rect();
+    let pictures = harness.state().pictures();
+    let y = rect.center().y;
+    super::harness::drag(&mut harness, egui::pos2(rect.left() + 100.0, y), egui::pos2(rect.left() + 300.0, y));
+    assert!(harness.state().clock().t > 1.0, "moved, got {}", harness.state().clock().t);
+    assert!(harness.state().pictures() > pictures, "another instant is another picture");
+}
+
+#[test]
+fn the_wheel_zooms_in_time_and_a_button_shows_the_whole_run() {
+    let mut harness = open(presets::OPENING);
+    let rect = harness.get_by_label("Plots").rect();
+    harness.hover_at(rect.center());
+    harness.run();
+    harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 200.0),
+        modifiers: Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    });
+    // A wheel's turn is spread over some frames.
+    harness.run_steps(30);
+    let [from, to] = harness.state().time_window().expect("a part of the run");
+    assert!(to - from < 9.0, "nearer, got {from} to {to}");
+    press(&mut harness, "Whole run");
+    assert_eq!(harness.state().time_window(), None, "all of it");
+}
+
+#[test]
+fn buttons_do_what_keys_do() {
+    let mut harness = open(presets::OPENING);
+    press(&mut harness, "Next contact event");
+    let first = harness.state().answer().expect("run").event_times[0];
+    assert_eq!(harness.state().clock().t, first, "the first event");
+    press(&mut harness, "To the start");
+    assert_eq!(harness.state().clock().t, 0.0, "the start");
+    harness.get_by_label("Play").click();
+    harness.run_steps(3);
+    assert!(harness.state().clock().playing, "plays");
+    assert!(view(&harness).width() > 500.0, "and the view is still there");
+}

@@ -1,0 +1,15 @@
+//! The whole window, driven headless by its labels: time, scene, layout.
+#![cfg(feature = "ui-tests")]
+
+#[path = "pictures/golden.rs"]
+mod golden;
+#[path = "window/harness.rs"]
+mod harness;
+#[path = "window/layout.rs"]
+mod layout;
+#[path = "window/scene.rs"]
+mod scene;
+#[path = "pictures/studio.rs"]
+mod studio;
+#[path = "window/time.rs"]
+mod time;
