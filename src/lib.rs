@@ -59,9 +59,11 @@
 //! | `snapshot` | scene in, picture out (feature `render`) |
 //! | [`files`] | opens scenes and records, writes files whole or not at all |
 //! | `app` | the workbench window (feature `gui`) |
+//! | [`cli`] | the command line |
 //!
 //! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
+pub mod cli;
 pub mod contact;
 pub mod dynamics;
 pub mod files;

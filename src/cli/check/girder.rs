@@ -1,0 +1,121 @@
+//! What `check` says of a girder: its shape, where and how it starts, what it stands on.
+
+use std::f64::consts::TAU;
+
+use crate::cli::digits::{list, six};
+use crate::dynamics::Body;
+use crate::dynamics::bearing::Quantities;
+use crate::scene::{Direction, Girder, Initial, Kind, Push, Seat};
+
+/// All of it, a fact a line.
+pub(super) fn text(girder: &Girder, body: &Body, kind: Kind) -> String {
+    let shape = shape(girder, body);
+    let place = format!("  at {} m, heading {}°\n", list(&girder.position), six(girder.heading_deg));
+    let rotation = rotation(girder);
+    [shape, place, start(&girder.initial), push(&girder.push), held(&girder.held), seats(girder.seat)]
+        .into_iter()
+        .chain([bearings(&body.quantities(), body.bearings.len()), vertical(body, kind), rotation])
+        .collect()
+}
+
+fn shape(girder: &Girder, body: &Body) -> String {
+    let [length, width, thickness, mass, skew, complement, gyration] = [
+        girder.length,
+        girder.width,
+        girder.thickness,
+        girder.mass,
+        girder.skew_deg,
+        90.0 - girder.skew_deg,
+        body.quantities().gyration,
+    ]
+    .map(six);
+    format!(
+        "girder {}: {length} × {width} × {thickness} m, {mass} kg, β = {skew}° (skew_US {complement}°), \
+         i = {gyration} m\n",
+        girder.name
+    )
+}
+
+fn start(initial: &Initial) -> String {
+    if *initial == Initial::default() {
+        return String::new();
+    }
+    format!(
+        "  starts displaced by {} m, turned by {}°, at {} m/s, {}°/s\n",
+        list(&initial.displacement),
+        six(initial.rotation_deg),
+        list(&initial.velocity),
+        six(initial.spin_deg_s)
+    )
+}
+
+fn push(push: &Push) -> String {
+    if *push == Push::default() {
+        return String::new();
+    }
+    format!("  pushed by {} N and {} N·m\n", list(&push.force), six(push.moment))
+}
+
+fn held(directions: &[Direction]) -> String {
+    if directions.is_empty() {
+        return String::new();
+    }
+    let name = |direction: &Direction| match direction {
+        Direction::X => "x",
+        Direction::Y => "y",
+        Direction::Z => "z",
+        Direction::Roll => "roll",
+        Direction::Pitch => "pitch",
+        Direction::Yaw => "yaw",
+    };
+    format!("  held in {}\n", directions.iter().map(name).collect::<Vec<_>>().join(", "))
+}
+
+fn seats(seat: Seat) -> String {
+    let ends = [("+x", seat.plus), ("-x", seat.minus)];
+    let of_end = |(end, length): (&str, Option<f64>)| Some(format!("{} m under {end}", six(length?)));
+    let given: Vec<_> = ends.into_iter().filter_map(of_end).collect();
+    if given.is_empty() { String::new() } else { format!("  seats: {}\n", given.join(", ")) }
+}
+
+/// (3), (4): what the bearings make of the girder, in its own axes.
+fn bearings(q: &Quantities, count: usize) -> String {
+    if count == 0 {
+        return "  no bearings\n".to_owned();
+    }
+    let three = |[x, y, theta]: [f64; 3]| format!("{x:.5}, {y:.5}, {theta:.5}");
+    let two = |[x, y]: [f64; 2]| format!("{}, {} mm", micrometres(x), micrometres(y));
+    format!(
+        "  {count} bearings: ω_x, ω_y, ω_θ = {} rad/s ({} Hz); h_x, h_y, h_θ = {}\n  \
+         eccentricities of stiffness ε_x, ε_y = {}, of dashpots η_x, η_y = {}\n",
+        three(q.omega),
+        three(q.omega.map(|omega| omega / TAU)),
+        three(q.damping_ratio),
+        two(q.stiffness_eccentricity),
+        two(q.damping_eccentricity)
+    )
+}
+
+/// What the bearings make of a spatial girder that moves straight up and down.
+fn vertical(body: &Body, kind: Kind) -> String {
+    if kind == Kind::Planar || body.bearings.is_empty() {
+        return String::new();
+    }
+    let sum = |of: fn(&crate::dynamics::bearing::Bearing) -> f64| body.bearings.iter().map(of).sum::<f64>();
+    let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
+    let omega = (stiffness / body.mass).sqrt();
+    let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };
+    format!("  vertical: ω_z = {omega:.5} rad/s ({:.5} Hz), h_z = {ratio:.5}\n", omega / TAU)
+}
+
+/// A length in mm to the micrometre; adding 0 turns −0 into 0.
+fn micrometres(length: f64) -> f64 {
+    (length * 1e6).round() / 1e3 + 0.0
+}
+
+/// Condition (6), written for β < 90°; the mirrored girder turns as easily, a straight one never.
+fn rotation(girder: &Girder) -> String {
+    let number = girder.prism().rotation_number().abs();
+    let can = if number >= 1.0 { "it can rotate" } else { "it cannot rotate by itself" };
+    format!("  condition (6): a0 sin 2β / (2 b0) = {number:.3}: {can}\n")
+}

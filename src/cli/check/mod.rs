@@ -1,0 +1,114 @@
+//! `girderbench check`: validates a scene and prints what was understood.
+
+mod girder;
+
+use super::args::SceneArgs;
+use super::digits::six;
+use super::{Console, Failure};
+use crate::dynamics::{Model, Pair};
+use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene, Sharing, SolverMethod, Tension, ViewPreset};
+use crate::tables::law_label;
+
+/// Validate a scene and print what was understood
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct CheckArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Every complaint about the scene.
+pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.scene.load()?;
+    let model = Model::compile(&scene)?;
+    console.print(&text(&scene, &model));
+    Ok(())
+}
+
+fn text(scene: &Scene, model: &Model) -> String {
+    let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(g, body, scene.kind));
+    let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
+    let none = model.pairs.is_empty().then(|| "no facing ends: nothing can touch\n".to_owned());
+    std::iter::once(head(scene)).chain(girders).chain(pairs).chain(none).collect()
+}
+
+/// What holds for the scene as a whole.
+fn head(scene: &Scene) -> String {
+    let kind = match scene.kind {
+        Kind::Planar => "planar".to_owned(),
+        Kind::Spatial => format!("spatial, gravity {} m/s²", six(scene.gravity)),
+    };
+    let method = match scene.solver.method {
+        SolverMethod::EventDriven => "event-driven",
+    };
+    let camera = match scene.view.camera {
+        ViewPreset::Iso => "iso",
+        ViewPreset::Top => "top",
+        ViewPreset::Side => "side",
+        ViewPreset::Contact => "contact",
+    };
+    format!(
+        "{}: {kind}, {} s\nground: {}\nsolver: {method}, tolerance {}\nview: {camera}\n",
+        scene.name,
+        six(scene.duration),
+        motion_words(&scene.motion),
+        six(scene.solver.tolerance)
+    )
+}
+
+fn motion_words(motion: &Motion) -> String {
+    match motion {
+        Motion::None => "it stands still".to_owned(),
+        Motion::Sine(sine) => {
+            let amplitude = sine.amplitude_si();
+            let [si, g] = [amplitude, amplitude / STANDARD_GRAVITY].map(six);
+            let [frequency, phase, angle] = [sine.frequency_hz, sine.phase_deg, sine.angle_deg].map(six);
+            format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°")
+        }
+        Motion::Record(record) => {
+            let (dt, samples) = record.series().unwrap_or((0.0, &[]));
+            let [dt, scale, angle] = [dt, record.scale, record.angle_deg].map(six);
+            format!("record of {} samples × {dt} s, scale {scale}, angle {angle}°", samples.len())
+        }
+    }
+}
+
+fn pair_text(pair: &Pair, nodes: &str) -> String {
+    let c = &pair.contact;
+    let sharing = match c.sharing {
+        Sharing::Tributary => "tributary",
+        Sharing::PerNode => "per-node",
+    };
+    let tension = match c.tension {
+        Tension::Keep => "keep",
+        Tension::Clamp => "clamp",
+    };
+    format!(
+        "pair {}: gap {} mm along the axis, law {}, sharing {sharing}, tension {tension}\n  \
+         K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}\n  \
+         nodes: {nodes}\n",
+        pair.name,
+        six(pair.gap * 1e3),
+        law_label(c.law),
+        short(c.stiffness),
+        six(c.restitution_normal),
+        six(c.restitution_tangential),
+        short(pair.c_n),
+        short(pair.c_t),
+        six(c.mu_static),
+        six(c.mu_kinetic)
+    )
+}
+
+/// A number that may be very large, to seven digits.
+fn short(value: f64) -> String {
+    if value < 1e5 { format!("{value:.4}") } else { format!("{value:.6e}") }
+}
+
+/// `deck.corner1 on wall, …`
+fn nodes(model: &Model, pair: usize) -> String {
+    let sites = model.contacts.iter().filter(|site| site.pair == pair);
+    sites.map(|site| format!("{} on {}", site.node, site.face_name)).collect::<Vec<_>>().join(", ")
+}

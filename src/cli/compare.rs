@@ -1,0 +1,138 @@
+//! `girderbench compare`: runs or reads two answers and prints where they part.
+
+use std::path::Path;
+
+use super::args::{Changes, positive};
+use super::compute::compute;
+use super::run::check_rows;
+use super::{Console, Failure};
+use crate::files;
+use crate::tables::compare::{Comparison, Difference, EventDifference, compare, compare_events};
+use crate::tables::read::{self, EventRow, TableError, Trajectory};
+use crate::tables::{self, DEFAULT_SAMPLE_HZ};
+
+/// Run or read two answers and print where they part
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct CompareArgs {
+    /// A scene file, a preset, or a folder that `run --out` wrote
+    #[arg(value_name = "A")]
+    a: String,
+    /// The same
+    #[arg(value_name = "B")]
+    b: String,
+    /// What to change in the scenes that are run
+    #[command(flatten)]
+    changes: Changes,
+    /// Rows per second of what is run [Hz]
+    #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
+    sample: f64,
+    /// When two quantities count as parted, relative to their largest value
+    #[arg(long, value_name = "R", default_value_t = 1e-6, value_parser = positive, allow_negative_numbers = true)]
+    within: f64,
+}
+
+/// One side of the comparison.
+struct Answer {
+    trajectory: Trajectory,
+    events: Vec<EventRow>,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input; two answers that share no instant or no quantity.
+pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failure> {
+    let a = answer(&args.a, args, console)?;
+    let b = answer(&args.b, args, console)?;
+    let comparison = compare(&a.trajectory, &b.trajectory, args.within);
+    if comparison.instants == 0 || comparison.differences.is_empty() {
+        return Err(Failure::Input(format!(
+            "{} and {}: {} instants and {} quantities in common: give both the same bodies and --sample",
+            args.a,
+            args.b,
+            comparison.instants,
+            comparison.differences.len()
+        )));
+    }
+    console.print(&motion_text(&comparison, args.within));
+    console.print(&events_text(&a.events, &b.events));
+    Ok(())
+}
+
+fn answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
+    if Path::new(source).is_dir() { read_answer(Path::new(source)) } else { run_answer(source, args, console) }
+}
+
+fn read_answer(folder: &Path) -> Result<Answer, Failure> {
+    Ok(Answer {
+        trajectory: read_table(&folder.join("trajectory.csv"), read::trajectory)?,
+        events: read_table(&folder.join("events.csv"), read::events)?,
+    })
+}
+
+fn read_table<T>(path: &Path, parse: fn(&[u8]) -> Result<T, TableError>) -> Result<T, Failure> {
+    let bytes = files::read(path)?;
+    parse(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
+}
+
+/// Runs a scene and takes its answer by way of the tables, which lose nothing.
+fn run_answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
+    let scene = args.changes.load(source)?;
+    check_rows(args.sample, scene.duration)?;
+    let history = compute(&scene)?.history;
+    if let Some(stop) = history.stop() {
+        console.note(&Failure::GaveUp { scene: source.to_owned(), stop: stop.clone() }.to_string());
+    }
+    let of_table = |error: TableError| Failure::Input(format!("{source}: {error}"));
+    Ok(Answer {
+        trajectory: read::trajectory(&tables::trajectory(&history, args.sample)).map_err(of_table)?,
+        events: read::events(&tables::events(&history)).map_err(of_table)?,
+    })
+}
+
+fn motion_text(comparison: &Comparison, within: f64) -> String {
+    let matched = match comparison.unmatched {
+        0 => format!("{} instants in both\n", comparison.instants),
+        others => format!("{} instants in both, {others} in one only\n", comparison.instants),
+    };
+    let head = format!(
+        "{:<20} {:>12} {:>10} {:>12}  parts by more than {within:e} of the largest at\n",
+        "quantity", "difference", "at t [s]", "largest"
+    );
+    let only =
+        [(&comparison.only_a, "A"), (&comparison.only_b, "B")].into_iter().filter(|(names, _)| !names.is_empty());
+    let only = only.map(|(names, which)| format!("only in {which}: {}\n", names.join(", ")));
+    [matched, head].into_iter().chain(comparison.differences.iter().map(difference_line)).chain(only).collect()
+}
+
+fn difference_line(d: &Difference) -> String {
+    let parts = d.parts_at.map_or("never".to_owned(), |t| format!("{t} s"));
+    format!("{:<20} {:>12} {:>10} {:>12}  {parts}\n", d.name, short(d.largest), d.at, short(d.scale))
+}
+
+fn events_text(a: &[EventRow], b: &[EventRow]) -> String {
+    let differences = compare_events(a, b);
+    let same = |d: &EventDifference| if let EventDifference::Same(apart) = d { Some(*apart) } else { None };
+    let agreeing = differences.iter().filter_map(|(_, d)| same(d));
+    let (count, apart) = agreeing.fold((0, 0.0_f64), |(n, apart), more| (n + 1, apart.max(more)));
+    let head = format!("events: {} in A, {} in B\n", a.len(), b.len());
+    let agree = match count {
+        0 => String::new(),
+        count => format!("  same events in the same order at {count} contacts, times within {} s\n", short(apart)),
+    };
+    let differ = differences.iter().filter_map(|(contact, difference)| match difference {
+        EventDifference::Same(_) => None,
+        EventDifference::From(a, b) => {
+            Some(format!("  {contact}: A {}, B {}\n", event_words(a.as_ref()), event_words(b.as_ref())))
+        }
+    });
+    [head, agree].into_iter().chain(differ).collect()
+}
+
+fn event_words(event: Option<&EventRow>) -> String {
+    event.map_or("has no more".to_owned(), |event| format!("{} at {} s", event.kind, event.t))
+}
+
+fn short(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.4e}") }
+}

@@ -1,0 +1,70 @@
+//! How a command fails, and the exit status that says so.
+
+use std::process::ExitCode;
+
+use super::summary::plain;
+use crate::files::{ReadError, WriteError};
+use crate::scene::SceneErrors;
+use crate::sim::Stop;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Failure {
+    /// The input cannot be used, or the output cannot be written; each line names file or flag, place, value, remedy.
+    #[error("{0}")]
+    Input(String),
+    /// Nothing draws pictures here; the message says what is missing.
+    #[error("{0}")]
+    NoPicture(String),
+    /// The run ended before its time; what it has was kept.
+    #[error("the run of {scene} gave up at t = {t} s, {place}: {reason}", t = plain(stop.t), place = stop.place, reason = stop.reason)]
+    GaveUp {
+        /// The scene's name.
+        scene: String,
+        /// Where and why.
+        stop: Stop,
+    },
+}
+
+impl Failure {
+    /// 2 for input that cannot be used (as for a mistyped flag), 1 for a run that gave up, 3 where nothing draws.
+    pub(super) fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Input(_) => ExitCode::from(2),
+            Self::NoPicture(_) => ExitCode::from(3),
+            Self::GaveUp { .. } => ExitCode::from(1),
+        }
+    }
+}
+
+impl From<SceneErrors> for Failure {
+    fn from(errors: SceneErrors) -> Self {
+        Self::Input(errors.to_string())
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_that_gives_up_says_where_and_why() {
+        let stop = Stop { t: 0.25, place: "deck".into(), reason: "the step fell to 1e-20 s".into() };
+        let failure = Failure::GaveUp { scene: "bridge".into(), stop };
+        let said = failure.to_string();
+        assert_eq!(said, "the run of bridge gave up at t = 0.25 s, deck: the step fell to 1e-20 s", "all of it");
+        assert_eq!(failure.exit_code(), ExitCode::from(1), "not bad input");
+    }
+}

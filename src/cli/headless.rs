@@ -1,0 +1,55 @@
+//! The main job without a window: the scene's pictures, its tables and a short summary.
+
+use std::path::Path;
+
+use super::compute::compute;
+use super::run::write_files;
+use super::{Console, Failure, summary};
+use crate::scene::Scene;
+use crate::sim::History;
+use crate::tables::{self, Report, TableOptions};
+
+/// Runs a scene and writes everything about it into a folder.
+///
+/// # Errors
+/// Bad input; a run that gave up, after its answer has been written.
+pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result<(), Failure> {
+    let timed = compute(scene)?;
+    let error = timed.estimate_error();
+    let options =
+        TableOptions { estimated_error: Some(error), run_time: Some(timed.run_time), ..TableOptions::default() };
+    console.print(&summary::text(&Report::of(&timed.history, &options)));
+    let mut all = tables::all(&timed.history, &options);
+    match pictures(&timed.history) {
+        Ok(pictures) => all.extend(pictures),
+        Err(why) => console.note(&format!("no pictures: {why}")),
+    }
+    console.print(&write_files(folder, &all)?);
+    match timed.history.stop() {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
+#[cfg(feature = "render")]
+fn pictures(history: &History) -> Result<Vec<(&'static str, Vec<u8>)>, crate::render::GpuError> {
+    use crate::scene::ViewPreset::{Contact, Iso, Side, Top};
+    use crate::snapshot::{Shot, Studio};
+
+    let mut studio = Studio::open(None)?;
+    [("iso.png", Iso), ("top.png", Top), ("side.png", Side), ("contact.png", Contact)]
+        .into_iter()
+        .map(|(name, view)| {
+            let shot = Shot { view: Some(view), ..Shot::default() };
+            let image = studio.shoot(history, &shot)?;
+            Ok((name, image.to_png(&studio.texts(history.scene(), shot.at.of(history)))))
+        })
+        .collect()
+}
+
+/// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
+#[cfg(not(feature = "render"))]
+fn pictures(_: &History) -> Result<Vec<(&'static str, Vec<u8>)>, &'static str> {
+    Err("this build has none (feature render)")
+}

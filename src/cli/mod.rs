@@ -1,0 +1,100 @@
+//! The command line: one file per subcommand, one place that prints, one that turns failures into exit statuses.
+
+mod args;
+mod check;
+mod compare;
+mod compute;
+mod console;
+mod digits;
+mod failure;
+mod headless;
+mod open;
+mod presets;
+mod progress;
+#[cfg(feature = "render")]
+mod render;
+mod run;
+mod summary;
+
+#[cfg(feature = "render")]
+use args::SceneArgs;
+use console::Console;
+use failure::Failure;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Bridge girders that pound, stick, slip and turn.
+///
+/// Without a command it opens the workbench; where there is no display it writes the opening scene's pictures and
+/// tables instead.
+#[derive(Debug, Parser)]
+#[command(version, about, long_about, max_term_width = 100, args_conflicts_with_subcommands = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Where the pictures and tables go when there is no display
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    out: PathBuf,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Open(open::OpenArgs),
+    Run(run::RunArgs),
+    Check(check::CheckArgs),
+    Compare(compare::CompareArgs),
+    /// List the scenes that come with the program
+    Presets,
+    #[cfg(feature = "render")]
+    Render(render::RenderArgs),
+    /// Draw pictures of a scene (this build has no pictures: build it with `--features render`)
+    #[cfg(not(feature = "render"))]
+    Render {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+        rest: Vec<String>,
+    },
+}
+
+/// Runs the program on the process's arguments.
+pub fn main() -> ExitCode {
+    let mut console = Console::standard();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(help_or_mistake) => {
+            // A reader that has gone does not want the help either.
+            let _ = help_or_mistake.print();
+            let code = u8::try_from(help_or_mistake.exit_code()).unwrap_or(2);
+            return ExitCode::from(code);
+        }
+    };
+    match dispatch(cli, &mut console) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            console.note(&format!("error: {failure}"));
+            failure.exit_code()
+        }
+    }
+}
+
+fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
+    match cli.command {
+        None => open::run(&open::OpenArgs::opening(cli.out), console),
+        Some(Command::Open(args)) => open::run(&args, console),
+        Some(Command::Run(args)) => run::run(&args, console),
+        Some(Command::Check(args)) => check::run(&args, console),
+        Some(Command::Compare(args)) => compare::run(&args, console),
+        Some(Command::Presets) => {
+            presets::run(console);
+            Ok(())
+        }
+        #[cfg(feature = "render")]
+        Some(Command::Render(args)) => render::run(&args, console),
+        #[cfg(not(feature = "render"))]
+        Some(Command::Render { .. }) => Err(Failure::NoPicture(
+            "render: this build has no pictures: build it with `cargo build --release --features render`".into(),
+        )),
+    }
+}

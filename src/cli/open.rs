@@ -1,0 +1,56 @@
+//! The workbench, or, where there is no display, the main job without it.
+
+use std::path::PathBuf;
+
+use super::args::Changes;
+use super::{Console, Failure, headless};
+use crate::scene::{Scene, presets};
+
+/// Open the workbench on a scene
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct OpenArgs {
+    /// A scene file, or the name of a preset
+    #[arg(value_name = "SCENE|PRESET", default_value = presets::OPENING)]
+    scene: String,
+    /// What to change in it.
+    #[command(flatten)]
+    changes: Changes,
+    /// Where the pictures and tables go when there is no display
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    out: PathBuf,
+}
+
+impl OpenArgs {
+    /// The scene that the workbench opens on when none is named.
+    pub(super) fn opening(out: PathBuf) -> Self {
+        Self { scene: presets::OPENING.to_owned(), changes: Changes::default(), out }
+    }
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input; without a window, what [`headless::run`] says.
+pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.changes.load(&args.scene)?;
+    if let Some(why) = window(&scene, args) {
+        console.note(&format!("{why}: writing pictures and tables to {} instead", args.out.display()));
+        headless::run(&scene, &args.out, console)?;
+    }
+    Ok(())
+}
+
+/// Runs the workbench until it is closed; else says why there is none.
+#[cfg(feature = "gui")]
+fn window(scene: &Scene, args: &OpenArgs) -> Option<String> {
+    let path = presets::get(&args.scene).is_none().then(|| PathBuf::from(&args.scene));
+    // A display that nothing can draw on is as good as none.
+    crate::app::run(scene.clone(), path).err().map(|error| error.to_string())
+}
+
+/// Runs the workbench until it is closed; else says why there is none.
+#[cfg(not(feature = "gui"))]
+#[expect(clippy::unnecessary_wraps, reason = "as with a window")]
+fn window(_: &Scene, _: &OpenArgs) -> Option<String> {
+    Some("this build has no window (feature gui)".to_owned())
+}

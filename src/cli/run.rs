@@ -1,0 +1,86 @@
+//! `girderbench run`: computes a scene, prints a summary, writes the tables.
+
+use std::path::{Path, PathBuf};
+
+use super::args::{SceneArgs, positive};
+use super::compute::{Timed, compute};
+use super::summary;
+use super::{Console, Failure};
+use crate::files;
+use crate::tables::{self, DEFAULT_SAMPLE_HZ, Report, TableOptions};
+
+/// More rows than this are refused: the table would not fit a disk or a memory.
+const MOST_ROWS: f64 = 2e7;
+
+/// Run a scene: a summary here, the tables into a folder
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct RunArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Rows per second in the tables [Hz]
+    #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
+    sample: f64,
+    /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print a hash of the whole answer and nothing else
+    #[arg(long)]
+    digest: bool,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input; a run that gave up, after its answer has been printed and written.
+pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.scene.load()?;
+    check_rows(args.sample, scene.duration)?;
+    let timed = compute(&scene)?;
+    if args.digest {
+        console.print(&format!("{:016x}\n", timed.history.digest()));
+    }
+    if !args.digest || args.out.is_some() {
+        report(args, &timed, console)?;
+    }
+    match timed.history.stop() {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// Prints the summary and writes the tables.
+fn report(args: &RunArgs, timed: &Timed, console: &mut Console) -> Result<(), Failure> {
+    let options = TableOptions {
+        sample_hz: args.sample,
+        estimated_error: Some(timed.estimate_error()),
+        run_time: Some(timed.run_time),
+    };
+    if !args.digest {
+        console.print(&summary::text(&Report::of(&timed.history, &options)));
+    }
+    let Some(folder) = &args.out else { return Ok(()) };
+    let written = write_files(folder, &tables::all(&timed.history, &options))?;
+    if !args.digest {
+        console.print(&written);
+    }
+    Ok(())
+}
+
+/// Writes files of an answer into a folder and says so.
+pub(super) fn write_files(folder: &Path, all: &[(&str, Vec<u8>)]) -> Result<String, Failure> {
+    files::write_set(folder, all)?;
+    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    Ok(format!("written to {}: {}\n", folder.display(), names.join(", ")))
+}
+
+/// Refuses tables that would not fit.
+pub(super) fn check_rows(sample_hz: f64, duration: f64) -> Result<(), Failure> {
+    let rows = sample_hz * duration;
+    if rows <= MOST_ROWS {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "--sample: {sample_hz}: {rows:.1e} rows over {duration} s are too many: give at most {:.3e} samples a second",
+        MOST_ROWS / duration
+    )))
+}

@@ -1,0 +1,95 @@
+//! A run's summary as text; millimetres and degrees, since people read it.
+
+use crate::tables::Report;
+
+/// The summary, one fact a line.
+pub(super) fn text(report: &Report) -> String {
+    let lines = [head(report), answer(report), accuracy(report), effort(report)].concat();
+    let lines = lines.into_iter().map(|(label, value)| format!("  {label:<22} {value}\n"));
+    std::iter::once(format!("{}: {} of {} s\n", report.scene, plain(report.end), report.duration))
+        .chain(lines)
+        .collect()
+}
+
+type Line = (String, String);
+
+fn line(label: &str, value: String) -> Line {
+    (label.to_owned(), value)
+}
+
+fn head(report: &Report) -> Vec<Line> {
+    let gave_up = report.gave_up.iter();
+    gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason))).collect()
+}
+
+fn answer(report: &Report) -> Vec<Line> {
+    let n = &report.numbers;
+    let peak = match n.peak_time {
+        Some(t) => format!("{} at {t:.6} s", force(n.peak_force)),
+        None => "no contact".to_owned(),
+    };
+    let mut lines = vec![
+        line("largest displacement", format!("{:.4} mm", n.max_displacement * 1e3)),
+        line("largest rotation", format!("{:.4}°", n.max_rotation.to_degrees())),
+        line("largest contact force", peak),
+        line("hits", format!("{} ({} touches of single contacts)", n.hits, n.touches)),
+        line(
+            "time in stick, slip",
+            format!("{} s, {} s, summed over contacts", short(n.stick_time), short(n.slip_time)),
+        ),
+    ];
+    lines.extend(report.pairs.iter().map(|pair| {
+        let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
+        line(&format!("pair {}", pair.name), value)
+    }));
+    lines.extend(report.seats.iter().map(|seat| {
+        let value = format!(
+            "{:.3} mm of {:.3} mm remain at the least, at {:.4} s",
+            seat.least_remaining * 1e3,
+            seat.length * 1e3,
+            seat.t
+        );
+        line(&format!("seat {}{}", seat.girder, seat.end), value)
+    }));
+    lines
+}
+
+fn accuracy(report: &Report) -> Vec<Line> {
+    let ledger = &report.ledger;
+    let share = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
+    let error = match report.estimated_error {
+        Some(error) => format!("{error:.2e} m (against a hundredth of the tolerance {:e})", report.tolerance),
+        None => "not asked for".to_owned(),
+    };
+    vec![
+        line("estimated error", error),
+        line("ledger residual", format!("{:.2e} J, {share:.1e} of the largest energy", ledger.residual)),
+    ]
+}
+
+fn effort(report: &Report) -> Vec<Line> {
+    let timed = report.run_time.zip(report.times_real_time);
+    let time =
+        timed.map(|(time, factor)| line("run time", format!("{} s, {} × real time", short(time), times(factor))));
+    time.into_iter().chain([line("digest", report.digest.clone())]).collect()
+}
+
+/// A force, in kN where newtons would be many.
+fn force(newtons: f64) -> String {
+    if newtons < 1e4 { format!("{newtons:.4} N") } else { format!("{:.4} kN", newtons / 1e3) }
+}
+
+/// A time in few digits; adding 0 turns −0 into 0.
+fn short(seconds: f64) -> String {
+    if seconds == 0.0 || seconds >= 1e-3 { format!("{:.4}", seconds + 0.0) } else { format!("{seconds:.2e}") }
+}
+
+/// A number in all its digits, without a row of zeros before them.
+pub(super) fn plain(value: f64) -> String {
+    if value == 0.0 || value.abs() >= 1e-4 { format!("{value}") } else { format!("{value:e}") }
+}
+
+/// How many times, in three digits.
+fn times(factor: f64) -> String {
+    if factor >= 100.0 { format!("{factor:.0}") } else { format!("{factor:.2}") }
+}

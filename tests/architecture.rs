@@ -1,0 +1,300 @@
+//! The house's rules that a compiler does not know: which room may use which, what the physics rooms keep out, one
+//! shader a pass, short files.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Every room and the rooms that it may use: arrows run one way.
+const ROOMS: &[(&str, &[&str])] = &[
+    ("geometry", &[]),
+    ("contact", &["geometry"]),
+    ("motion", &["geometry"]),
+    ("scene", &["geometry"]),
+    ("dynamics", &["geometry", "contact", "motion", "scene"]),
+    ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
+    ("tables", &["geometry", "scene", "dynamics", "sim"]),
+    ("view", &["geometry", "scene", "dynamics", "sim"]),
+    ("render", &["view"]),
+    ("snapshot", &["scene", "sim", "view", "render"]),
+    ("files", &["scene", "motion"]),
+    ("app", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "files"]),
+    ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app"]),
+];
+
+/// Rooms whose answer depends on their input alone, to the last bit.
+const PHYSICS: &[&str] = &["geometry", "contact", "motion", "scene", "dynamics", "sim"];
+
+/// Rooms that may open files.
+const MAY_OPEN_FILES: &[&str] = &["app", "cli", "files", "snapshot"];
+
+/// Where a physics room may use such a word all the same, and why.
+const EXCUSED: &[(&str, &str, &str)] =
+    &[("src/scene/format/read.rs", "f32", "serde's list of every type; a scene has no f32 to read")];
+
+/// Lines a file may have; look twice long before.
+const LONGEST_FILE: usize = 400;
+/// Lines a test may have: a table of cases is read by row.
+const LONGEST_TEST: usize = 600;
+/// Files that may be longer, and why.
+const LONG_FILES: &[(&str, &str)] = &[];
+
+/// A source file: its path from the package's root, and its code with comments and string contents blanked out.
+struct Source {
+    path: String,
+    text: String,
+    code: String,
+}
+
+impl Source {
+    /// The room that a file of `src/` belongs to; none for `lib.rs` and `main.rs`.
+    fn room(&self) -> Option<&str> {
+        let inside = self.path.strip_prefix("src/")?;
+        let name = inside.split('/').next()?.trim_end_matches(".rs");
+        (!["lib", "main"].contains(&name)).then_some(name)
+    }
+
+    /// Code outside of a test module at the end of the file.
+    fn production(&self) -> &str {
+        self.code.split("#[cfg(test)]\nmod ").next().unwrap_or(&self.code)
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn files_under(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![root().join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|have| have == extension) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+fn sources(folder: &str, extension: &str) -> Vec<Source> {
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(&path).expect("a source file is text");
+        let path = path.strip_prefix(root()).expect("inside the package").to_string_lossy().replace('\\', "/");
+        Source { path, code: blank_comments_and_strings(&text), text }
+    };
+    files_under(folder, extension).into_iter().map(read).collect()
+}
+
+/// Keeps the line structure; good enough for this package's own style (no block comments, no raw strings with quotes).
+fn blank_comments_and_strings(text: &str) -> String {
+    text.lines().map(blank_line).collect::<Vec<_>>().join("\n")
+}
+
+fn blank_line(line: &str) -> String {
+    let (mut out, mut in_string, mut escaped) = (String::new(), false, false);
+    let mut characters = line.chars().peekable();
+    while let Some(c) = characters.next() {
+        if in_string {
+            in_string = escaped || c != '"';
+            escaped = !escaped && c == '\\';
+            out.push(if in_string { ' ' } else { c });
+        } else if c == '/' && characters.peek() == Some(&'/') {
+            break;
+        } else {
+            in_string = c == '"' && !out.ends_with('\'');
+            out.push(c);
+        }
+    }
+    out
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// Whether `word` stands in `code` by itself, not as a part of a longer one.
+fn has_word(code: &str, word: &str) -> bool {
+    code.match_indices(word).any(|(at, _)| {
+        let before = code[..at].chars().next_back();
+        let after = code[at + word.len()..].chars().next();
+        !before.is_some_and(is_word) && !after.is_some_and(is_word)
+    })
+}
+
+/// Rooms that a piece of code reaches through `crate::…`, grouped imports included.
+fn used_rooms(code: &str) -> BTreeSet<String> {
+    let mut used = BTreeSet::new();
+    for (at, path) in code.match_indices("crate::") {
+        let rest = &code[at + path.len()..];
+        match rest.strip_prefix('{') {
+            None => used.extend([rest.chars().take_while(|&c| is_word(c)).collect()]),
+            Some(group) => used.extend(first_words_of_group(group)),
+        }
+    }
+    used
+}
+
+/// `a::b, c::{d, e}, f}` → a, c, f.
+fn first_words_of_group(group: &str) -> Vec<String> {
+    let (mut depth, mut words, mut word, mut at_start) = (0_i32, Vec::new(), String::new(), true);
+    for c in group.chars() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth == 0 => break,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                words.push(std::mem::take(&mut word));
+                at_start = true;
+            }
+            c if depth == 0 && at_start && is_word(c) => word.push(c),
+            c if c.is_whitespace() => {}
+            _ => at_start = false,
+        }
+    }
+    words.push(word);
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// Fails with every complaint in one message.
+fn expect_none(complaints: &[String], rule: &str) {
+    assert!(complaints.is_empty(), "{rule}:\n  {}", complaints.join("\n  "));
+}
+
+#[test]
+fn imports_run_one_way() {
+    let allowed: BTreeMap<&str, &[&str]> = ROOMS.iter().copied().collect();
+    let mut complaints = Vec::new();
+    for source in sources("src", "rs") {
+        let Some(room) = source.room() else { continue };
+        let Some(may_use) = allowed.get(room) else {
+            complaints.push(format!("{}: the room {room} has no place in ROOMS", source.path));
+            continue;
+        };
+        for used in used_rooms(&source.code) {
+            if allowed.contains_key(used.as_str()) && used != room && !may_use.contains(&used.as_str()) {
+                complaints.push(format!("{}: {room} uses {used}", source.path));
+            }
+        }
+    }
+    expect_none(&complaints, "a room uses only rooms below it (ROOMS)");
+}
+
+#[test]
+fn physics_knows_no_clock_no_file_no_hash_order_and_no_f32() {
+    let words = ["f32", "Instant", "SystemTime", "HashMap", "HashSet", "RandomState", "std::fs", "File", "std::env"];
+    let sources = sources("src", "rs");
+    let physics = sources.iter().filter(|source| source.room().is_some_and(|room| PHYSICS.contains(&room)));
+    let excused = |path: &str, word: &str| EXCUSED.iter().any(|(p, w, _)| *p == path && *w == word);
+    let mut found = Vec::new();
+    for source in physics {
+        let used = words.iter().filter(|word| has_word(source.production(), word) && !excused(&source.path, word));
+        found.extend(used.map(|word| format!("{}: {word}", source.path)));
+    }
+    expect_none(&found, "a physics room's answer depends on its input alone");
+}
+
+#[test]
+fn only_the_outer_rooms_open_files() {
+    let sources = sources("src", "rs");
+    let inner = sources.iter().filter(|source| source.room().is_some_and(|room| !MAY_OPEN_FILES.contains(&room)));
+    let opens = inner.filter(|source| ["std::fs", "File"].iter().any(|word| has_word(source.production(), word)));
+    expect_none(&opens.map(|source| source.path.clone()).collect::<Vec<_>>(), "files are opened by app, cli and files");
+}
+
+#[test]
+fn every_pass_has_its_shader_and_every_shader_its_pass() {
+    let stems = |folder: &str, extension: &str| -> BTreeSet<String> {
+        let here = root().join(folder);
+        let own = files_under(folder, extension).into_iter().filter(|path| path.parent() == Some(here.as_path()));
+        own.filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned())).filter(|s| s != "mod").collect()
+    };
+    let (shaders, passes) = (stems("shaders", "wgsl"), stems("src/render/pass", "rs"));
+    assert!(!shaders.is_empty(), "shaders/ has shaders");
+    assert_eq!(shaders, passes, "shaders/<stem>.wgsl and src/render/pass/<stem>.rs come in pairs");
+}
+
+#[test]
+fn every_shader_says_something() {
+    for source in sources("shaders", "wgsl") {
+        assert!(!source.code.trim().is_empty(), "{} has code", source.path);
+        assert!(source.text.starts_with("//"), "{} opens with what goes in, what comes out", source.path);
+    }
+}
+
+#[test]
+fn files_are_short() {
+    let folders = [("src", "rs", LONGEST_FILE), ("shaders", "wgsl", LONGEST_FILE), ("tests", "rs", LONGEST_TEST)];
+    let mut complaints = Vec::new();
+    for (folder, extension, longest) in folders {
+        for source in sources(folder, extension) {
+            let lines = source.text.lines().count();
+            if lines > longest && !LONG_FILES.iter().any(|(long, _)| *long == source.path) {
+                complaints.push(format!("{}: {lines} lines, {longest} at most", source.path));
+            }
+        }
+    }
+    expect_none(&complaints, "a file is short, or has a reason in LONG_FILES");
+}
+
+#[test]
+fn every_file_says_what_it_is_for() {
+    let sources = sources("src", "rs");
+    let silent = sources
+        .iter()
+        .filter(|source| source.text.lines().next().is_none_or(|line| line.len() < 20 || !line.starts_with("//! ")));
+    expect_none(
+        &silent.map(|source| source.path.clone()).collect::<Vec<_>>(),
+        "a file opens with //! and what it is for",
+    );
+}
+
+#[test]
+fn links_in_the_pages_lead_somewhere() {
+    let mut broken = Vec::new();
+    for page in [vec![root().join("README.md")], files_under("docs", "md")].concat() {
+        let text = fs::read_to_string(&page).expect("a page is text");
+        let folder = page.parent().expect("a page lies in a folder");
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = link.split('#').next().unwrap_or(link);
+            if !file.is_empty() && !file.contains("://") && !folder.join(file).exists() {
+                broken.push(format!("{}: {link}", page.display()));
+            }
+        }
+    }
+    expect_none(&broken, "a link leads to a file of this package");
+}
+
+#[test]
+fn lints_are_expected_with_a_reason_never_allowed() {
+    let sources = sources("src", "rs");
+    let allowing = sources.iter().filter(|source| source.code.contains("[allow("));
+    expect_none(&allowing.map(|source| source.path.clone()).collect::<Vec<_>>(), "use #[expect(lint, reason = …)]");
+}
+
+#[test]
+fn the_lint_table_is_in_force() {
+    let manifest: toml::Table =
+        fs::read_to_string(root().join("Cargo.toml")).expect("a manifest").parse().expect("a manifest is TOML");
+    let lints = &manifest["lints"];
+    assert_eq!(lints["rust"]["unsafe_code"].as_str(), Some("forbid"), "no unsafe code");
+    assert_eq!(lints["rust"]["missing_docs"].as_str(), Some("warn"), "public items are documented");
+    for lint in ["unwrap_used", "print_stdout", "print_stderr", "dbg_macro", "todo", "iter_over_hash_type"] {
+        assert_eq!(lints["clippy"][lint].as_str(), Some("warn"), "{lint} is on (and an error in CI)");
+    }
+}
+
+#[test]
+fn the_rules_find_what_they_are_for() {
+    assert_eq!(used_rooms("use crate::{scene::{a, b}, sim, view::c};\ncrate::app::run()").len(), 4, "all four");
+    assert!(has_word("let x: f32 = 0.0;", "f32"), "a plain use");
+    assert!(!has_word("as_f32_bits", "f32"), "a part of a longer word");
+    let blanked = blank_comments_and_strings("let a = \"f32 \\\" f32\"; // f32\nlet b = '\"';");
+    assert!(!has_word(&blanked, "f32"), "comments and strings do not count: {blanked}");
+    assert!(blanked.contains("let b"), "the next line does: {blanked}");
+}

@@ -1,0 +1,110 @@
+//! Opening and saving: files are whole or not there, and a saved scene opens again as it was.
+
+use std::fs;
+use std::path::Path;
+
+use girderbench::files::{load_scene, save_scene, write_atomic, write_set};
+use girderbench::scene::{Motion, Scene, presets};
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a folder")
+}
+
+fn load(path: &Path) -> Scene {
+    load_scene(path.to_str().expect("a UTF-8 path"), &[]).unwrap_or_else(|errors| panic!("it opens: {errors}"))
+}
+
+fn count_in(folder: &Path) -> usize {
+    fs::read_dir(folder).expect("the folder is there").count()
+}
+
+/// A scene whose ground moves as the file `shake.csv` beside it says.
+fn write_recorded_scene(folder: &Path) -> std::path::PathBuf {
+    fs::write(folder.join("shake.csv"), "t_s,a_m_s2\n0.00,0.0\n0.02,0.5\n0.04,-0.25\n").expect("the record is written");
+    let text = presets::get("flush-free-hit").expect("a preset").text;
+    let path = folder.join("scene.toml");
+    let text = format!("{}\n[motion]\nkind = \"record\"\nfile = \"shake.csv\"\n", without_motion(text));
+    fs::write(&path, text).expect("the scene is written");
+    path
+}
+
+fn without_motion(text: &str) -> String {
+    let mut table: toml::Table = text.parse().expect("a preset is TOML");
+    table.remove("motion");
+    toml::to_string(&table).expect("a table is TOML")
+}
+
+#[test]
+fn a_file_is_replaced_whole_and_nothing_is_left_beside_it() {
+    let folder = folder();
+    let path = folder.path().join("a.txt");
+    write_atomic(&path, b"old").expect("written");
+    write_atomic(&path, b"new and longer").expect("replaced");
+    assert_eq!(fs::read(&path).expect("there"), b"new and longer", "the new bytes");
+    assert_eq!(count_in(folder.path()), 1, "no temporary file stays");
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_named_and_leaves_no_trace() {
+    let folder = folder();
+    let path = folder.path().join("nowhere").join("a.txt");
+    let error = write_atomic(&path, b"x").expect_err("the folder is missing");
+    assert!(error.to_string().contains("a.txt"), "names the file: {error}");
+    fs::create_dir(folder.path().join("b.txt")).expect("a folder in the way");
+    write_atomic(&folder.path().join("b.txt"), b"x").expect_err("a folder stands there");
+    assert_eq!(count_in(folder.path()), 1, "only the folder in the way");
+}
+
+#[test]
+fn a_set_of_files_makes_its_folder() {
+    let folder = folder();
+    let inner = folder.path().join("deep").join("er");
+    write_set(&inner, &[("a.csv", b"1"), ("b.csv", b"2")]).expect("written");
+    assert_eq!(count_in(&inner), 2, "both and nothing else");
+}
+
+#[test]
+fn a_saved_preset_opens_as_it_was() {
+    let folder = folder();
+    for preset in presets::all() {
+        let scene = presets::load(preset.name).expect("a preset");
+        let path = folder.path().join(format!("{}.toml", preset.name));
+        save_scene(&scene, &path).expect("saved");
+        assert_eq!(load(&path), scene, "{} comes back", preset.name);
+    }
+}
+
+#[test]
+fn a_record_is_read_relative_to_its_scene() {
+    let folder = folder();
+    let scene = load(&write_recorded_scene(folder.path()));
+    let Motion::Record(record) = &scene.motion else { panic!("a record: {:?}", scene.motion) };
+    let (dt, samples) = record.series().expect("it has been read");
+    assert_eq!((dt, samples), (0.02, &[0.0, 0.5, -0.25][..]), "interval and samples");
+}
+
+#[test]
+fn a_scene_saved_away_from_its_record_takes_the_samples_along() {
+    let (here, there) = (folder(), folder());
+    let scene = load(&write_recorded_scene(here.path()));
+    let (beside, away) = (here.path().join("copy.toml"), there.path().join("copy.toml"));
+    save_scene(&scene, &beside).expect("saved");
+    save_scene(&scene, &away).expect("saved");
+    let series = |scene: &Scene| match &scene.motion {
+        Motion::Record(record) => record.series().map(|(dt, samples)| (dt, samples.to_vec())),
+        _ => None,
+    };
+    assert_eq!(load(&beside), scene, "beside the record, the scene still names it");
+    assert_eq!(series(&load(&away)), series(&scene), "away from it, the samples are the scene's own");
+}
+
+#[test]
+fn a_broken_record_is_named_in_its_scene() {
+    let folder = folder();
+    let path = write_recorded_scene(folder.path());
+    fs::write(folder.path().join("shake.csv"), "0.00,0.0\n0.02,much\n").expect("spoilt");
+    let errors = load_scene(path.to_str().expect("a UTF-8 path"), &[]).expect_err("much is no number").to_string();
+    for word in ["shake.csv", "much"] {
+        assert!(errors.contains(word), "{word} in {errors}");
+    }
+}
