@@ -288,3 +288,36 @@ fn a_node_touches_one_of_two_faces_at_the_same_place() {
     scene.abutments.push(second);
     within("restitution", -run(&scene).motion(0, 0.1).velocity.x / 0.5 - 0.4, 1e-9);
 }
+
+#[test]
+fn a_long_search_misses_no_touch() {
+    // Two undamped decks whose phases drift apart for two minutes before they meet: one search looks ahead over the whole
+    // run, the other, under a sine of no amplitude, over a period at a time.
+    let mut scene = free_pair();
+    scene.duration = 125.0;
+    scene.solver.tolerance = 1e-9;
+    scene.girders[1].position[0] = 0.19 + 0.009;
+    for (girder, frequency) in scene.girders.iter_mut().zip([30.0, 30.003]) {
+        girder.initial.velocity = [0.0; 3];
+        girder.initial.displacement = [0.005, 0.0, 0.0];
+        girder.bearings = Some(girderbench::scene::Bearings::Shared(girderbench::scene::SharedBearings {
+            frequency_hz: girderbench::scene::PerDirection::Both(frequency),
+            damping_ratio: girderbench::scene::PerDirection::Both(0.0),
+            vertical_frequency_hz: None,
+            vertical_damping_ratio: None,
+            at_skewed: None,
+            at: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
+        }));
+    }
+    let at_once = run(&scene);
+    scene.motion = girderbench::scene::Motion::Sine(girderbench::scene::SineMotion {
+        amplitude_g: None,
+        amplitude: Some(0.0),
+        frequency_hz: 1.0,
+        phase_deg: 0.0,
+        angle_deg: 0.0,
+    });
+    let by_periods = run(&scene);
+    let first = |h: &History| h.touches().first().map(|touch| touch.start).expect("they meet");
+    within("first touch", first(&at_once) - first(&by_periods), 1e-9);
+}

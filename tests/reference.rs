@@ -22,7 +22,7 @@ fn places(case: &Case, history: &History) {
         let column = |k: usize| move |row: &Vec<f64>| row[1 + 6 * body + k];
         let largest = |k: usize| case.rows.iter().map(column(k)).fold(0.0f64, |m, v| m.max(v.abs()));
         // x and y share a scale: a component that stays at rounding level has none of its own. Likewise θ.
-        let scale = [largest(0).max(largest(1)), largest(0).max(largest(1)), largest(2).max(1e-6)];
+        let scale = [largest(0).max(largest(1)), largest(0).max(largest(1)), largest(2).max(1e-4)];
         for (k, label) in ["x", "y", "theta"].into_iter().enumerate() {
             let worst = case.rows.iter().map(|row| {
                 let motion = history.motion(body, row[0]);
