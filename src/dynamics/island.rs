@@ -24,8 +24,13 @@ const SPARE: f64 = 0.02;
 const AGAIN: f64 = 0.2;
 /// So many of them in a row change the method.
 const CONVINCED: u32 = 4;
+/// Explicit steps of one touch after which the other method is tried, and after twice as many again: noise, too, can hold
+/// them short.
+const TRIAL: u32 = 64;
 /// An implicit step costs as much as explicit ones over so many time constants.
 const WORTH: f64 = 12.0;
+/// With a smaller error than this the next step will be longer.
+const GROWING: f64 = 0.2;
 /// Components beyond which elimination costs more than short steps.
 const LARGEST: usize = 160;
 
@@ -73,6 +78,9 @@ pub(super) struct Island {
     radii: Vec<f64>,
     /// Steps in a row that spoke against the method in use.
     doubts: u32,
+    /// Steps with the method in use, and explicit ones after which the other is given a try.
+    steps: u32,
+    trial: u32,
     frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
@@ -123,6 +131,8 @@ impl Island {
             radau: None,
             pace,
             doubts: 0,
+            steps: 0,
+            trial: TRIAL,
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
@@ -226,7 +236,7 @@ impl Island {
             Some(radau) if stiff => {
                 let dense = radau.accept(t, &mut y, h);
                 rk.start(&mut field, t + h, &y);
-                (dense, h * radau.fastest(&field) < WORTH)
+                (dense, error > GROWING && h * radau.fastest(&field) < WORTH)
             }
             _ => {
                 let dense = rk.accept(&mut field, t, &mut y, h);
@@ -238,13 +248,18 @@ impl Island {
         normalise(model, &self.bodies, &mut y);
         (self.rk, self.y, self.radau, self.dense) = (rk, y, radau, Some(dense));
         self.doubts = if doubt { self.doubts + 1 } else { 0 };
-        if self.doubts >= CONVINCED {
+        self.steps += 1;
+        let try_it = !stiff && self.steps >= self.trial && size <= LARGEST && !self.active.is_empty();
+        if try_it {
+            self.trial *= 2;
+        }
+        if self.doubts >= CONVINCED || try_it {
             self.change_method();
         }
     }
 
     fn change_method(&mut self) {
-        self.doubts = 0;
+        (self.doubts, self.steps) = (0, 0);
         self.pace.stiff = !self.pace.stiff;
         if let Some(radau) = &mut self.radau {
             radau.resize(self.y.len());

@@ -80,8 +80,8 @@ impl<T: Entry> Lu<T> {
             if other[k] != T::ZERO {
                 let factor = other[k] / row[k];
                 other[k] = factor;
-                for j in k + 1..n {
-                    other[j] -= factor * row[j];
+                for (entry, pivot) in other[k + 1..].iter_mut().zip(&row[k + 1..]) {
+                    *entry -= factor * *pivot;
                 }
             }
         }
@@ -93,15 +93,15 @@ impl<T: Entry> Lu<T> {
         let n = self.rows.len();
         for i in 0..n {
             let mut sum = right[self.rows[i]];
-            for j in 0..i {
-                sum -= self.entries[i * n + j] * out[j];
+            for (entry, x) in self.entries[i * n..i * n + i].iter().zip(out.iter()) {
+                sum -= *entry * *x;
             }
             out[i] = sum;
         }
         for i in (0..n).rev() {
             let mut sum = out[i];
-            for j in i + 1..n {
-                sum -= self.entries[i * n + j] * out[j];
+            for (entry, x) in self.entries[i * n + i + 1..(i + 1) * n].iter().zip(&out[i + 1..]) {
+                sum -= *entry * *x;
             }
             out[i] = sum / self.entries[i * n + i];
         }

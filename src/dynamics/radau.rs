@@ -142,9 +142,8 @@ impl Radau {
         let Some((before, polynomial)) = &self.last else { return };
         for (stage, c) in C.iter().enumerate() {
             let x = 1.0 + c * h / before;
-            for i in 0..n {
-                let p = &polynomial[i];
-                self.stages[stage * n + i] = increment(p, x) - increment(p, 1.0);
+            for (z, p) in self.stages[stage * n..].iter_mut().zip(polynomial) {
+                *z = increment(p, x) - increment(p, 1.0);
             }
         }
     }
