@@ -21,9 +21,9 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             let site = &history.model().contacts[contact.contact];
             let stiffness = history.model().pairs[contact.pair].contact.stiffness;
             let place = super::size(history) + contact.point.length();
-            let allowed = BEYOND * mu * peak + ROUNDING * stiffness * place * (1.0 + mu);
+            let beyond = beyond - ROUNDING * stiffness * place * (1.0 + mu);
             figures.cone = figures.cone.max(beyond / peak.max(f64::MIN_POSITIVE));
-            if beyond > allowed {
+            if beyond > BEYOND * mu * peak {
                 let detail = format!(
                     "{} on {} at t = {t} s, {}: |F_t| = {:e} N is {beyond:e} N beyond μ |F_n| = {:e} N",
                     site.node,
