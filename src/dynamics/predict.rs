@@ -190,17 +190,18 @@ fn in_step(engine: &Engine, contact: usize, t: f64, until: f64, armed: bool) -> 
     for i in 1..LOOKS {
         let to = if i == LOOKS - 1 { until } else { t + (until - t) * i as f64 / (LOOKS - 1) as f64 };
         let here = ask(to);
-        if armed && here.gap < 0.0 && here.gap_rate < 0.0 {
-            return Some(root(|at| -ask(at).gap, from, to));
-        }
-        if armed && before.gap_rate < 0.0 && here.gap_rate > 0.0 {
-            let lowest = root(|at| ask(at).gap_rate, from, to);
-            if ask(lowest).gap < -resolution {
-                return Some(root(|at| -ask(at).gap, from, lowest));
+        // Where the gap turns round between two looks: a dip behind the face, or a node that comes out before it.
+        let turns = (before.gap_rate < 0.0 && here.gap_rate > 0.0) || (before.gap_rate > 0.0 && here.gap_rate < 0.0);
+        let way = if before.gap_rate < 0.0 { 1.0 } else { -1.0 };
+        let turn = turns.then(|| root(|at| way * ask(at).gap_rate, from, to)).map(|at| (at, ask(at)));
+        for (at, there) in turn.into_iter().chain([(to, here)]) {
+            if armed && there.gap < 0.0 && (there.gap_rate < 0.0 || there.gap < -resolution) {
+                return Some(root(|at| -ask(at).gap, from, at));
             }
+            armed = armed || there.gap > ARMED * resolution;
+            from = at;
         }
-        armed = armed || here.gap > ARMED * resolution;
-        (from, before) = (to, here);
+        before = here;
     }
     None
 }
