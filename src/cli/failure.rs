@@ -24,6 +24,9 @@ pub(super) enum Failure {
         /// Where and why.
         stop: Stop,
     },
+    /// A study found what it looked for; everything was written.
+    #[error("{0}")]
+    Study(String),
 }
 
 impl Failure {
@@ -32,7 +35,7 @@ impl Failure {
         match self {
             Self::Input(_) => ExitCode::from(2),
             Self::NoPicture(_) => ExitCode::from(3),
-            Self::GaveUp { .. } => ExitCode::from(1),
+            Self::GaveUp { .. } | Self::Study(_) => ExitCode::from(1),
         }
     }
 }

@@ -67,9 +67,7 @@ fn horizon(engine: &Engine, pair: usize, t: f64) -> (f64, bool) {
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
     let Contact::Open { armed } = engine.contacts[contact].state else { return None };
-    let face = &engine.model.contacts[engine.contacts[contact].site].face;
-    let in_front = ARMED * RESOLUTION * face.size();
-    if !armed && look(engine, contact, t).gap > in_front {
+    if !armed && look(engine, contact, t).gap > ARMED * Reach::of(engine, contact, t).resolution {
         engine.contacts[contact].state = Contact::Open { armed: true };
         return Some(true);
     }
@@ -89,7 +87,7 @@ fn in_flight(engine: &mut Engine, contact: usize, t: f64, until: f64, armed: boo
             system.remember(flight, until);
         }
     }
-    let reach = Reach::of(engine, contact);
+    let reach = Reach::of(engine, contact, t);
     let ask = |at: f64| reach.outlook(engine, contact, at, until);
     match first_crossing(ask, t, until, armed, reach.resolution) {
         Found::Crossing(at) => Some(at),
@@ -115,7 +113,7 @@ struct Reach {
 }
 
 impl Reach {
-    fn of(engine: &Engine, contact: usize) -> Self {
+    fn of(engine: &Engine, contact: usize, t: f64) -> Self {
         let track = &engine.contacts[contact];
         let site = &engine.model.contacts[track.site];
         let placed = |slot: Option<usize>| match slot {
@@ -128,7 +126,9 @@ impl Reach {
         let (node, face) = (placed(track.slots[0]), placed(track.slots[1]));
         let apart = (node.home - face.home + node.rotation * site.point).length();
         let arm = site.point.length();
-        let size = arm + apart + site.face.size();
+        // Places round with how far the bodies have come, too.
+        let moved: f64 = track.slots.into_iter().flatten().map(|slot| engine.frame(slot, t).shift.length()).sum();
+        let size = arm + apart + site.face.size() + moved;
         Self { home_gap: locate(site.point, &node, &site.face, &face).gap, arm, apart, resolution: RESOLUTION * size }
     }
 
@@ -235,26 +235,27 @@ fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Optio
     let ask = |at: f64| look(engine, contact, at);
     let (mut armed, mut before) = (armed, views.look(engine, contact, 0));
     let mut from = t;
-    let size = engine.model.contacts[engine.contacts[contact].site].face.size();
-    if armed && before.gap <= RESOLUTION * size && before.gap_rate < 0.0 {
-        return Some(t);
-    }
     if armed && before.gap > excursion(engine, contact, &before, t, until) {
         return None;
     }
+    let resolution = Reach::of(engine, contact, t).resolution;
+    if armed && before.gap <= resolution && before.gap_rate < 0.0 {
+        return Some(t);
+    }
     for i in 1..LOOKS {
         let (to, here) = (views.times[i], views.look(engine, contact, i));
-        if armed && here.gap < 0.0 && here.gap_rate < 0.0 {
-            return Some(root(|at| -ask(at).gap, from, to));
-        }
-        if armed && before.gap_rate < 0.0 && here.gap_rate > 0.0 {
-            let lowest = root(|at| ask(at).gap_rate, from, to);
-            if ask(lowest).gap < -RESOLUTION * size {
-                return Some(root(|at| -ask(at).gap, from, lowest));
+        // Where the gap turns round between two looks: a dip behind the face, or a node that comes out before it.
+        let turns = (before.gap_rate < 0.0 && here.gap_rate > 0.0) || (before.gap_rate > 0.0 && here.gap_rate < 0.0);
+        let way = if before.gap_rate < 0.0 { 1.0 } else { -1.0 };
+        let turn = turns.then(|| root(|at| way * ask(at).gap_rate, from, to)).map(|at| (at, ask(at)));
+        for (at, there) in turn.into_iter().chain([(to, here)]) {
+            if armed && there.gap < 0.0 && (there.gap_rate < 0.0 || there.gap < -resolution) {
+                return Some(root(|at| -ask(at).gap, from, at));
             }
+            armed = armed || there.gap > ARMED * resolution;
+            from = at;
         }
-        armed = armed || here.gap > ARMED * RESOLUTION * size;
-        (from, before) = (to, here);
+        before = here;
     }
     None
 }

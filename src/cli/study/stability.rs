@@ -1,0 +1,97 @@
+//! `girderbench study stability`: seeded random scenes, every answer checked, failures shrunk to small scenes.
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+use crate::cli::args::positive;
+use crate::cli::progress::{Progress, Timer};
+use crate::cli::{Console, Failure};
+use crate::files;
+use crate::scene::format;
+use crate::study::stability::{self, Asked, Verdict};
+
+/// Random scenes over wide ranges: does every run end, balance, miss nothing and converge?
+#[derive(Clone, Debug, clap::Args)]
+pub(in crate::cli) struct StabilityArgs {
+    /// How many seeds
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    seeds: u64,
+    /// The first seed
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    from: u64,
+    /// Write seeds.csv, stability.md and the failing scenes, shrunk, into this folder
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Seeds at once [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    threads: Option<u32>,
+    /// Longest that the runs of one seed may take [s]
+    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive, allow_negative_numbers = true)]
+    patience: f64,
+}
+
+/// Does it.
+///
+/// # Errors
+/// A folder that cannot be written; seeds that failed, after they have been written.
+pub(in crate::cli) fn run(args: &StabilityArgs, console: &mut Console) -> Result<(), Failure> {
+    let timer = Timer::start();
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let threads = args.threads.map_or(cores, |n| n as usize);
+    let asked = Asked { from: args.from, seeds: args.seeds, threads, patience: args.patience };
+    let progress = Mutex::new((Progress::over(args.seeds as f64), 0.0));
+    let verdicts = stability::run(&asked, &|| timer.seconds(), &|_| {
+        if let Ok(mut shown) = progress.lock() {
+            shown.1 += 1.0;
+            let done = shown.1;
+            shown.0.show(done);
+        }
+    });
+    if let Ok((progress, _)) = progress.into_inner() {
+        progress.done();
+    }
+    write(args, &asked, &verdicts, timer.seconds())?;
+    say(args, &verdicts, console)
+}
+
+fn write(args: &StabilityArgs, asked: &Asked, verdicts: &[Verdict], wall: f64) -> Result<(), Failure> {
+    let mut all = vec![
+        ("seeds.csv".to_owned(), stability::csv(verdicts).into_bytes()),
+        ("stability.md".to_owned(), stability::markdown(asked, verdicts, wall).into_bytes()),
+    ];
+    for verdict in verdicts {
+        if let Some(mut scene) = verdict.small.clone() {
+            let said: Vec<&str> = verdict.complaints().iter().map(|c| c.detail.as_str()).collect();
+            scene.description = format!("Shrunk from seed {}: {}", verdict.seed, said.join("; "));
+            all.push((format!("seed-{}.toml", verdict.seed), format::write(&scene).into_bytes()));
+        }
+    }
+    Ok(files::write_set(&args.out, &all)?)
+}
+
+fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Result<(), Failure> {
+    let failed: Vec<&Verdict> = verdicts.iter().filter(|v| v.failed()).collect();
+    let mut text = String::new();
+    for verdict in &failed {
+        for complaint in verdict.complaints() {
+            text += &format!(
+                "seed {} ({}): {}: {}\n",
+                verdict.seed,
+                verdict.family,
+                complaint.check.label(),
+                complaint.detail
+            );
+        }
+    }
+    text += &format!("{} seeds, {} failed; written to {}\n", verdicts.len(), failed.len(), args.out.display());
+    console.print(&text);
+    if failed.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Study(format!(
+        "{} of {} seeds failed: {} lists them with the command that repeats each",
+        failed.len(),
+        verdicts.len(),
+        args.out.join("stability.md").display()
+    )))
+}

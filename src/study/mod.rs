@@ -1,0 +1,3 @@
+//! Studies: many runs, one question.
+
+pub mod stability;

@@ -1,0 +1,39 @@
+//! Friction lies in its cone.
+
+use super::{Check, Complaint, Figures};
+use crate::sim::{ContactNow, ContactState, History};
+
+pub(super) const CLAIM: &str = "|F_t| ≤ μ_s |F_n| in stick and ≤ μ_k |F_n| in slip, dashpots apart, to 1e-8 of the \
+                                contact's peak |F_n| μ and K times the rounding of a place";
+
+/// Beyond the cone, in parts of the largest friction.
+const BEYOND: f64 = 1e-8;
+/// Rounding of a place, in parts of the largest girder and its displacement.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
+    let all: Vec<(f64, Vec<ContactNow>)> = times.iter().map(|&t| (t, history.contacts(t))).collect();
+    let peak = all.iter().flat_map(|(_, now)| now).map(|c| c.normal_force).fold(0.0, f64::max);
+    for (t, now) in &all {
+        for contact in now {
+            let mu = if contact.state == ContactState::Slip { contact.mu_kinetic } else { contact.mu_static };
+            let beyond = contact.tangential_force.length() - mu * contact.normal_force.max(0.0);
+            let site = &history.model().contacts[contact.contact];
+            let stiffness = history.model().pairs[contact.pair].contact.stiffness;
+            let place = super::size(history) + contact.point.length();
+            let beyond = beyond - ROUNDING * stiffness * place * (1.0 + mu);
+            figures.cone = figures.cone.max(beyond / peak.max(f64::MIN_POSITIVE));
+            if beyond > BEYOND * mu * peak {
+                let detail = format!(
+                    "{} on {} at t = {t} s, {}: |F_t| = {:e} N is {beyond:e} N beyond μ |F_n| = {:e} N",
+                    site.node,
+                    site.face_name,
+                    contact.state.label(),
+                    contact.tangential_force.length(),
+                    mu * contact.normal_force,
+                );
+                return complaints.push(Complaint { check: Check::Cone, detail });
+            }
+        }
+    }
+}

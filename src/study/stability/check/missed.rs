@@ -1,0 +1,89 @@
+//! No touch is missed: a node inside a face has a closed contact.
+
+use glam::DMat3;
+
+use super::{Check, Complaint, Figures};
+use crate::contact::{Frame, Local, locate};
+use crate::sim::{EventKind, History};
+
+pub(super) const CLAIM: &str = "no node is deeper than 1e-9 of the face's size behind a face and inside its polygon \
+                                without a closed contact, unless it went in beside the polygon, left it over its \
+                                edge, or touches another face";
+
+/// Depth without a contact, in parts of the face's size.
+const DEPTH: f64 = 1e-9;
+/// A node is in front again when it is so far off, in parts of the face's size.
+const FRONT: f64 = 1e-12;
+
+pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
+    let model = history.model();
+    let frames: Vec<Vec<Frame>> =
+        times.iter().map(|&t| (0..model.bodies.len()).map(|body| frame(history, body, t)).collect()).collect();
+    for contact in 0..model.contacts.len() {
+        if let Some((t, depth)) = deepest(history, contact, times, &frames) {
+            figures.missed = figures.missed.max(depth);
+            let site = &model.contacts[contact];
+            if depth > DEPTH * site.face.size() {
+                let detail = format!("{} is {depth:e} m inside {} at t = {t} s", site.node, site.face_name);
+                return complaints.push(Complaint { check: Check::Missed, detail });
+            }
+        }
+    }
+}
+
+/// When a contact's node is deepest in its face while open, and how deep.
+fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame>]) -> Option<(f64, f64)> {
+    let site = &history.model().contacts[contact];
+    let side = |body: Option<usize>, all: &[Frame]| body.map_or(Frame::fixed(site.fixed), |b| all[b]);
+    let size = site.face.size();
+    let passed: Vec<f64> =
+        history.events().iter().filter(|e| e.contact == contact && passes(e.kind)).map(|e| e.t).collect();
+    let (mut ignored, mut next, mut worst) = (false, 0, None::<(f64, f64)>);
+    for (i, (&t, all)) in times.iter().zip(frames).enumerate() {
+        let here: Local = locate(site.point, &side(site.node_body, all), &site.face, &side(site.face_body, all));
+        // Rounding at the crossing makes a node neither before the face nor behind it.
+        ignored = (ignored || (i == 0 && here.gap < 0.0)) && here.gap <= FRONT * size;
+        while passed.get(next).is_some_and(|at| *at <= t) {
+            (ignored, next) = (here.gap <= FRONT * size, next + 1);
+        }
+        let inside =
+            here.gap < 0.0 && here.penetration() < site.face.depth && site.face.inset_at(here.at) > DEPTH * size;
+        let open = history.contact_at(contact, t).is_none();
+        if open
+            && inside
+            && !ignored
+            && !elsewhere(history, contact, t)
+            && worst.is_none_or(|(_, d)| here.penetration() > d)
+        {
+            worst = Some((t, here.penetration()));
+        }
+    }
+    worst
+}
+
+/// Whether a node is behind its face without touching it from here on.
+fn passes(kind: EventKind) -> bool {
+    matches!(kind, EventKind::Missed | EventKind::LeftFace)
+}
+
+/// Whether the same node touches another face.
+fn elsewhere(history: &History, contact: usize, t: f64) -> bool {
+    let sites = &history.model().contacts;
+    let mine = &sites[contact];
+    history
+        .contacts(t)
+        .iter()
+        .map(|now| &sites[now.contact])
+        .any(|s| s.node == mine.node && s.node_body == mine.node_body)
+}
+
+fn frame(history: &History, body: usize, t: f64) -> Frame {
+    let motion = history.motion(body, t);
+    Frame {
+        home: history.model().bodies[body].home,
+        shift: motion.displacement,
+        rotation: DMat3::from_quat(motion.attitude),
+        velocity: motion.velocity,
+        spin: motion.spin,
+    }
+}

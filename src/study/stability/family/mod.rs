@@ -1,0 +1,57 @@
+//! Families of random scenes: each looks for trouble in another place.
+
+mod bodies;
+mod faces;
+mod pressed;
+mod shaken;
+
+use super::dice::Dice;
+use crate::scene::Scene;
+
+/// What makes a scene of a family.
+type Maker = fn(&mut Dice) -> Scene;
+
+/// Every family by name; a seed belongs to number `seed mod` their count.
+const FAMILIES: &[(&str, Maker)] = &[
+    ("wide", shaken::wide),
+    ("resonance", shaken::resonance),
+    ("parallel", faces::parallel),
+    ("corner", faces::corner),
+    ("border", faces::border),
+    ("grazing", faces::grazing),
+    ("simultaneous", pressed::simultaneous),
+    ("preloaded", pressed::preloaded),
+    ("stick-slip", pressed::stick_slip),
+    ("stiff", pressed::stiff),
+    ("slender", bodies::slender),
+    ("spinning", bodies::spinning),
+    ("free", bodies::free),
+    ("held", bodies::held),
+    ("record", shaken::record),
+    ("spatial", shaken::spatial),
+];
+
+/// One seed in this many shakes for an hour: ten in ten thousand.
+const HOUR_EVERY: u64 = 1000;
+/// Which of them.
+const HOUR: u64 = 7;
+
+/// The scene of a seed, and the name of its family.
+pub fn scene(seed: u64) -> (&'static str, Scene) {
+    let mut dice = Dice::new(seed);
+    let (family, maker) = if seed % HOUR_EVERY == HOUR {
+        ("hour", shaken::hour as Maker)
+    } else {
+        #[expect(clippy::cast_possible_truncation, reason = "below the number of families")]
+        let number = (seed % FAMILIES.len() as u64) as usize;
+        FAMILIES[number]
+    };
+    let mut scene = maker(&mut dice);
+    scene.name = format!("seed-{seed}");
+    (family, scene)
+}
+
+/// Names of all families.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    FAMILIES.iter().map(|(name, _)| *name).chain(["hour"])
+}

@@ -1,0 +1,239 @@
+//! Parts that random scenes are put together from, each over the whole range that it may have.
+
+use super::dice::{Dice, three_digits};
+use crate::geometry::End;
+use crate::scene::{
+    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, Initial, Kind, Motion, PerDirection, Push,
+    RecordMotion, STANDARD_GRAVITY, Scene, Seat, SharedBearings, Sharing, SineMotion, SolverSettings, Tension,
+    ViewSettings,
+};
+
+/// Contact stiffness \[N/m\].
+pub(super) const STIFFNESS: [f64; 2] = [1e2, 1e12];
+/// Masses \[kg\].
+pub(super) const MASS: [f64; 2] = [1e-3, 1e8];
+/// Gaps, where they are not exactly 0 \[m\].
+pub(super) const GAP: [f64; 2] = [1e-6, 1.0];
+/// Skew angles \[degrees\].
+pub(super) const SKEW: [f64; 2] = [5.0, 175.0];
+/// Frequencies of bearings and ground \[Hz\].
+pub(super) const FREQUENCY: [f64; 2] = [0.01, 100.0];
+/// Largest amplitude of the ground, 10 g \[m/s²\].
+pub(super) const AMPLITUDE: f64 = 10.0 * STANDARD_GRAVITY;
+/// Solver tolerances.
+pub(super) const TOLERANCE: [f64; 2] = [1e-13, 1e-3];
+/// Periods of the fastest bearing or ground that a scene may last, planar and spatial: a study has thousands of scenes.
+const MOST_PERIODS: [f64; 2] = [2000.0, 150.0];
+
+/// A scene without anything in it.
+pub(super) fn blank(kind: Kind) -> Scene {
+    Scene {
+        format: crate::scene::format::VERSION,
+        name: String::new(),
+        description: String::new(),
+        kind,
+        duration: 1.0,
+        gravity: STANDARD_GRAVITY,
+        girders: Vec::new(),
+        abutments: Vec::new(),
+        contact: ContactSettings::default(),
+        motion: Motion::None,
+        solver: SolverSettings::default(),
+        view: ViewSettings::default(),
+    }
+}
+
+/// Planar more often than spatial.
+pub(super) fn kind(dice: &mut Dice) -> Kind {
+    if dice.chance(0.3) { Kind::Spatial } else { Kind::Planar }
+}
+
+/// A girder of any shape and mass, at the origin.
+pub(super) fn girder(dice: &mut Dice) -> Girder {
+    let length = dice.log(0.05, 50.0);
+    let width = three_digits(length * dice.log(0.05, 2.0));
+    let skew = if dice.chance(0.3) { 90.0 } else { three_digits(dice.range(SKEW[0], SKEW[1])) };
+    shaped(dice, [length, width], skew)
+}
+
+/// A girder of a given plan and skew.
+pub(super) fn shaped(dice: &mut Dice, [length, width]: [f64; 2], skew_deg: f64) -> Girder {
+    Girder {
+        name: "g0".to_owned(),
+        length,
+        width,
+        thickness: three_digits(length.min(width) * dice.log(0.03, 1.0)),
+        skew_deg,
+        mass: dice.log(MASS[0], MASS[1]),
+        position: [0.0; 3],
+        heading_deg: 0.0,
+        bearings: None,
+        initial: Initial::default(),
+        push: Push::default(),
+        held: Vec::new(),
+        seat: Seat::default(),
+    }
+}
+
+/// A gap: exactly 0 one time in ten.
+pub(super) fn gap(dice: &mut Dice) -> f64 {
+    if dice.chance(0.1) { 0.0 } else { dice.log(GAP[0], GAP[1]) }
+}
+
+/// Copies of a girder in a row along x, each with its own mass unless they are to be `equal`.
+pub(super) fn row(dice: &mut Dice, first: &Girder, count: usize, gap: f64, equal: bool) -> Vec<Girder> {
+    let place = |dice: &mut Dice, i: usize| {
+        let mut girder = first.clone();
+        girder.name = format!("g{i}");
+        girder.position[0] = i as f64 * (first.length + gap);
+        if !equal {
+            girder.mass = three_digits(first.mass * dice.log(0.1, 10.0)).clamp(MASS[0], MASS[1]);
+        }
+        girder
+    };
+    (0..count).map(|i| place(dice, i)).collect()
+}
+
+/// Four equal bearings of these frequencies, undamped one time in four; one time in five eccentric and one by one.
+pub(super) fn stand(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64) {
+    let damping = if dice.chance(0.25) { 0.0 } else { dice.log(1e-3, 1.0) };
+    let (alike, eccentric) = (dice.chance(0.5), dice.chance(0.2));
+    let across = if alike { frequency_hz } else { three_digits(frequency_hz * dice.log(0.5, 2.0)) };
+    let vertical = three_digits(frequency_hz * dice.log(1.0, 20.0)).min(FREQUENCY[1]);
+    let kind = scene.kind;
+    for girder in &mut scene.girders {
+        let (x, y) = (three_digits(girder.length * 0.35), three_digits(girder.width * 0.35));
+        let shared = SharedBearings {
+            frequency_hz: PerDirection::Each([frequency_hz, across]),
+            damping_ratio: PerDirection::Both(damping),
+            vertical_frequency_hz: (kind == Kind::Spatial).then_some(vertical),
+            vertical_damping_ratio: None,
+            at_skewed: Some(vec![[x, y], [x, -y], [-x, y], [-x, -y]]),
+            at: None,
+        };
+        girder.bearings = Some(Bearings::Shared(shared));
+        if eccentric {
+            uneven(dice, girder, kind);
+        }
+    }
+}
+
+/// The same bearings one by one, each stiffer or softer than the others.
+fn uneven(dice: &mut Dice, girder: &mut Girder, kind: Kind) {
+    let Some(bearings) = &girder.bearings else { return };
+    let each = bearings.resolve(girder, kind).into_iter().map(|b| {
+        let factor = dice.log(0.3, 3.0);
+        let scaled = |v: [f64; 3]| v.map(|x| three_digits(x * factor));
+        let at = [b.place.x, b.place.y].map(three_digits);
+        Bearing { at, stiffness: scaled(b.stiffness), damping: scaled(b.damping) }
+    });
+    girder.bearings = Some(Bearings::Each(each.collect()));
+}
+
+/// A wall before the `+x` end of the last girder, or the `-x` end of the first.
+pub(super) fn wall(scene: &mut Scene, end: End, gap: f64) {
+    let girder = if end == End::Plus { scene.girders.last() } else { scene.girders.first() };
+    let Some(girder) = girder else { return };
+    scene.abutments.push(Abutment {
+        name: if end == End::Plus { "east".to_owned() } else { "west".to_owned() },
+        faces: girder.name.clone(),
+        end,
+        gap: Some(gap),
+        width: None,
+        height: None,
+        offset: None,
+        polygon: None,
+        depth: None,
+    });
+}
+
+/// No wall, one, or two; a girder alone has at least one.
+pub(super) fn walls(dice: &mut Dice, scene: &mut Scene, gap: f64) {
+    let fewest = usize::from(scene.girders.len() == 1);
+    let count = fewest + dice.below(3 - fewest);
+    if count > 0 {
+        wall(scene, End::Plus, gap);
+    }
+    if count > 1 {
+        wall(scene, End::Minus, gap);
+    }
+}
+
+/// Contact numbers over their whole ranges; every law, sharing and tension.
+pub(super) fn contact(dice: &mut Dice) -> ContactSettings {
+    let mu_kinetic = if dice.chance(0.15) { 0.0 } else { three_digits(dice.range(0.0, 2.0)) };
+    let mu_static = if dice.chance(0.3) { mu_kinetic } else { three_digits(dice.range(mu_kinetic, 2.0)) };
+    ContactSettings {
+        stiffness: Some(dice.log(STIFFNESS[0], STIFFNESS[1])),
+        young_modulus: None,
+        area: None,
+        restitution_normal: restitution(dice),
+        restitution_tangential: restitution(dice),
+        mu_static: mu_static.max(mu_kinetic),
+        mu_kinetic,
+        law: dice.pick(&[FrictionLaw::Paper, FrictionLaw::ReturnMapping]),
+        sharing: dice.pick(&[Sharing::Tributary, Sharing::PerNode]),
+        tension: dice.pick(&[Tension::Keep, Tension::Clamp]),
+        pairs: Vec::new(),
+    }
+}
+
+/// 0.01 and 1 exactly, and everything between.
+fn restitution(dice: &mut Dice) -> f64 {
+    match dice.below(6) {
+        0 => 0.01,
+        1 => 1.0,
+        _ => three_digits(dice.range(0.01, 1.0)),
+    }
+}
+
+/// A sine that moves a girder of bearing frequency `bearing_hz` by a few times `reach`, at 10 g at the most.
+pub(super) fn sine(dice: &mut Dice, ground_hz: f64, bearing_hz: f64, reach: f64) -> Motion {
+    let omega = std::f64::consts::TAU * ground_hz.max(bearing_hz);
+    let wanted = three_digits(reach * omega * omega * dice.log(0.3, 30.0));
+    let amplitude = if dice.chance(0.1) { AMPLITUDE } else { wanted.clamp(1e-9, AMPLITUDE) };
+    Motion::Sine(SineMotion {
+        amplitude_g: None,
+        amplitude: Some(amplitude),
+        frequency_hz: ground_hz,
+        phase_deg: dice.pick(&[0.0, 90.0, 37.0]),
+        angle_deg: if dice.chance(0.3) { 0.0 } else { three_digits(dice.range(-180.0, 180.0)) },
+    })
+}
+
+/// A record of noise with the same reach as [`sine`].
+pub(super) fn record(dice: &mut Dice, ground_hz: f64, bearing_hz: f64, reach: f64) -> Motion {
+    let omega = std::f64::consts::TAU * ground_hz.max(bearing_hz);
+    let peak = three_digits(reach * omega * omega * dice.log(0.3, 30.0)).clamp(1e-9, AMPLITUDE);
+    let samples = 32 + dice.below(400);
+    Motion::Record(RecordMotion {
+        samples: Some((0..samples).map(|_| three_digits(peak * dice.range(-1.0, 1.0))).collect()),
+        dt: Some(three_digits(1.0 / (dice.range(4.0, 40.0) * ground_hz))),
+        file: None,
+        scale: 1.0,
+        angle_deg: three_digits(dice.range(-180.0, 180.0)),
+        loaded: None,
+    })
+}
+
+/// Starts every girder with a speed that crosses `reach` within a period, and turning.
+pub(super) fn kick(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64, reach: f64) {
+    let speed = std::f64::consts::TAU * frequency_hz * reach;
+    for girder in &mut scene.girders {
+        let velocity = [three_digits(speed * dice.range(-3.0, 3.0)), three_digits(speed * dice.range(-1.0, 1.0)), 0.0];
+        let turning = dice.chance(0.6);
+        let spin = three_digits((speed / girder.length).to_degrees() * dice.range(-2.0, 2.0));
+        girder.initial.velocity = velocity;
+        girder.initial.spin_deg_s = if turning { spin } else { 0.0 };
+    }
+}
+
+/// 3 to 20 periods of the bearings or the ground, whichever the dice say; the tolerance anywhere in its range.
+pub(super) fn last(dice: &mut Dice, scene: &mut Scene, frequencies_hz: &[f64]) {
+    let slowest = frequencies_hz.iter().copied().fold(f64::INFINITY, f64::min);
+    let fastest = frequencies_hz.iter().copied().fold(0.0, f64::max);
+    let of = if dice.chance(0.5) { slowest } else { fastest };
+    let most = MOST_PERIODS[usize::from(scene.kind == Kind::Spatial)] / fastest;
+    scene.duration = three_digits((dice.log(3.0, 20.0) / of).min(most));
+    scene.solver.tolerance = dice.log(TOLERANCE[0], TOLERANCE[1]);
+}

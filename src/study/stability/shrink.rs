@@ -1,0 +1,172 @@
+//! A failing scene made small: whatever can go while the same check still fails, goes.
+
+use super::check::Check;
+use super::dice::three_digits;
+use super::examine::{Outcome, examine};
+use super::watch::{Clock, Watch};
+use crate::scene::{Bearings, Initial, Motion, Push, Scene};
+
+/// Examinations that one shrinking may take.
+const MOST: usize = 120;
+/// Times the patience of one examination that a whole shrinking may take.
+const PATIENCES: f64 = 3.0;
+
+/// One way to make a scene smaller; `None` where there is nothing left to do.
+type Step = fn(&Scene) -> Option<Scene>;
+
+/// In order: what takes most away first.
+const STEPS: &[Step] = &[
+    without_last_girder,
+    without_first_girder,
+    without_last_abutment,
+    shorter,
+    still,
+    without_push,
+    without_start,
+    without_spin,
+    smooth,
+    without_restitution,
+    undamped,
+    straight,
+    round,
+];
+
+/// The smallest scene found that fails in the same check.
+pub(super) fn shrink(scene: &Scene, check: Check, clock: Clock<'_>, patience: f64) -> Scene {
+    let watch = Watch::new(clock, PATIENCES * patience);
+    let (mut small, mut left) = (scene.clone(), MOST);
+    loop {
+        let before = small.clone();
+        for step in STEPS {
+            while let Some(smaller) = step(&small).filter(|smaller| *smaller != small) {
+                if left == 0 || watch.is_over() {
+                    return small;
+                }
+                left -= 1;
+                if !fails(&smaller, check, clock, patience) {
+                    break;
+                }
+                small = smaller;
+            }
+        }
+        if small == before {
+            return small;
+        }
+    }
+}
+
+fn fails(scene: &Scene, check: Check, clock: Clock<'_>, patience: f64) -> bool {
+    match examine(scene, clock, patience).outcome {
+        Outcome::Failed(complaints) => complaints.iter().any(|c| c.check == check),
+        _ => false,
+    }
+}
+
+fn changed(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Option<Scene> {
+    let mut scene = scene.clone();
+    change(&mut scene);
+    Some(scene)
+}
+
+fn without_girder(scene: &Scene, number: usize) -> Option<Scene> {
+    if scene.girders.len() < 2 {
+        return None;
+    }
+    changed(scene, |s| {
+        let gone = s.girders.remove(number).name;
+        s.abutments.retain(|a| a.faces != gone);
+        s.contact.pairs.retain(|p| !p.between.contains(&gone));
+    })
+}
+
+fn without_last_girder(scene: &Scene) -> Option<Scene> {
+    without_girder(scene, scene.girders.len().saturating_sub(1))
+}
+
+fn without_first_girder(scene: &Scene) -> Option<Scene> {
+    without_girder(scene, 0)
+}
+
+fn without_last_abutment(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| {
+        s.abutments.pop();
+    })
+}
+
+fn shorter(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.duration = three_digits(s.duration * 0.6))
+}
+
+fn still(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.motion = Motion::None)
+}
+
+fn without_push(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.girders.iter_mut().for_each(|g| g.push = Push::default()))
+}
+
+fn without_start(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.girders.iter_mut().for_each(|g| g.initial = Initial::default()))
+}
+
+fn without_spin(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.girders.iter_mut().for_each(|g| g.initial.spin_deg_s = 0.0))
+}
+
+fn smooth(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| (s.contact.mu_static, s.contact.mu_kinetic) = (0.0, 0.0))
+}
+
+fn without_restitution(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| (s.contact.restitution_normal, s.contact.restitution_tangential) = (1.0, 1.0))
+}
+
+fn undamped(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| {
+        for girder in &mut s.girders {
+            match &mut girder.bearings {
+                Some(Bearings::Shared(shared)) => shared.damping_ratio = crate::scene::PerDirection::Both(0.0),
+                Some(Bearings::Each(each)) => each.iter_mut().for_each(|b| b.damping = [0.0; 3]),
+                None => {}
+            }
+        }
+    })
+}
+
+fn straight(scene: &Scene) -> Option<Scene> {
+    changed(scene, |s| s.girders.iter_mut().for_each(|g| g.skew_deg = 90.0))
+}
+
+fn round(scene: &Scene) -> Option<Scene> {
+    let one = |x: f64| format!("{x:.0e}").parse().unwrap_or(x);
+    changed(scene, |s| {
+        s.contact.stiffness = s.contact.stiffness.map(one);
+        for girder in &mut s.girders {
+            girder.mass = one(girder.mass);
+        }
+        if let Motion::Sine(sine) = &mut s.motion {
+            sine.amplitude = sine.amplitude.map(one);
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::stability::family;
+
+    #[test]
+    fn what_a_failure_does_not_need_is_taken_away() {
+        let (_, mut scene) = family::scene(0);
+        scene.girders.truncate(1);
+        scene.abutments.clear();
+        // No solver finishes in no time at all: the check fails however small the scene is.
+        let small = shrink(&scene, Check::Time, &|| 0.0, -1.0);
+        assert_eq!(small, scene, "no patience, no shrinking");
+        let ticks = std::sync::atomic::AtomicU32::new(0);
+        let clock = || f64::from(ticks.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
+        // A clock that jumps a second at every look ends each run at its second look.
+        let small = shrink(&scene, Check::Time, &clock, 0.5);
+        assert!(small.girders.len() == 1, "one girder is left: {small:?}");
+    }
+}
