@@ -5,7 +5,7 @@ use super::bound::Bound;
 use super::engine::{Engine, Trajectory};
 use super::search::{Found, Outlook, first_crossing, root};
 use super::track::Contact;
-use crate::contact::{Local, locate};
+use crate::contact::{Frame, Local, locate};
 use crate::motion::Ground;
 
 /// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
@@ -125,7 +125,7 @@ impl Reach {
                 let body = &engine.model.bodies[engine.bodies[slot].body];
                 body.planar_frame(&[0.0; 6])
             }
-            None => crate::contact::Frame::fixed(site.fixed),
+            None => Frame::fixed(site.fixed),
         };
         let (node, face) = (placed(track.slots[0]), placed(track.slots[1]));
         let apart = (node.home - face.home + node.rotation * site.point).length();
@@ -135,8 +135,11 @@ impl Reach {
     }
 
     fn outlook(&self, engine: &Engine, contact: usize, t: f64, until: f64) -> Outlook {
-        let here = look(engine, contact, t);
-        let [node, face] = engine.contacts[contact].slots.map(|slot| bound(engine, slot, t, until));
+        let track = &engine.contacts[contact];
+        let site = &engine.model.contacts[track.site];
+        let side = |which: usize| prospect(engine, track.slots[which], site.fixed, t, until);
+        let ((node_frame, node), (face_frame, face)) = (side(0), side(1));
+        let here = locate(site.point, &node_frame, &site.face, &face_frame);
         let apart = self.apart + node.reach + face.reach;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
         let moving = node.speed + node.spin * self.arm + face.speed + face.spin * apart;
@@ -157,21 +160,17 @@ impl Reach {
     }
 }
 
-fn bound(engine: &Engine, slot: Option<usize>, t: f64, until: f64) -> Bound {
-    let still = Bound {
-        window: (until - t).max(f64::MIN_POSITIVE),
-        reach: 0.0,
-        turn: 0.0,
-        speed: 0.0,
-        spin: 0.0,
-        acceleration: 0.0,
-        spin_rate: 0.0,
-    };
-    let Some(slot) = slot else { return still };
+/// Pose of a side at `t` and what its motion can do from there until `until`.
+fn prospect(engine: &Engine, slot: Option<usize>, fixed: glam::DVec3, t: f64, until: f64) -> (Frame, Bound) {
+    let horizon = (until - t).max(f64::MIN_POSITIVE);
+    let Some(slot) = slot else { return (Frame::fixed(fixed), Bound::still(horizon)) };
     let track = &engine.bodies[slot];
     match (&track.now, &track.system) {
-        (Trajectory::Flight(flight), Some(system)) => system.bound(t, &system.state(flight, t), still.window),
-        _ => still,
+        (Trajectory::Flight(flight), Some(system)) => {
+            let (state, bound) = system.prospect(flight, t, horizon);
+            (engine.model.bodies[track.body].planar_frame(&state), bound)
+        }
+        _ => (engine.frame(slot, t), Bound::still(horizon)),
     }
 }
 
