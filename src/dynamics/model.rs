@@ -179,9 +179,7 @@ fn ground(motion: &Motion) -> Ground {
             phase: sine.phase_deg.to_radians(),
         },
         Motion::Record(record) => match record.series() {
-            Some((dt, samples)) => {
-                Ground::Record { direction, dt, samples: samples.iter().map(|a| a * record.scale).collect() }
-            }
+            Some((dt, samples)) => Ground::record(direction, dt, samples.iter().map(|a| a * record.scale)),
             None => Ground::Still,
         },
     }

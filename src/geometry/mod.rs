@@ -1,7 +1,8 @@
-//! Shapes and where they stand: girder prisms, face polygons, and the one door to parry.
+//! Shapes and where they stand: girder prisms, face polygons, who is near whom, and the only doors to parry.
 //!
 //! This room knows lengths and vectors only, neither scenes nor bodies in motion, so every other room may ask it.
 
+pub mod broad;
 pub mod face;
 pub mod prism;
 pub mod shape;

@@ -1,4 +1,5 @@
-//! The one door to parry: convex bodies, how far apart they are, and what a ray hits.
+//! One of two doors to parry (the other is [`broad`](super::broad)): convex bodies, how far apart they are, and what a
+//! ray hits.
 //!
 //! A body is a prism between two polygons of four corners: a girder, or the block behind an abutment's face.
 

@@ -5,6 +5,8 @@
 
 pub mod csv;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 /// Ground acceleration in the world frame.
@@ -27,8 +29,10 @@ pub enum Ground {
         direction: DVec3,
         /// Interval \[s\].
         dt: f64,
-        /// Scaled samples \[m/s²\].
-        samples: Vec<f64>,
+        /// Scaled samples, shared by all who fly under them \[m/s²\].
+        samples: Arc<[f64]>,
+        /// Largest of them, either sign \[m/s²\].
+        peak: f64,
     },
 }
 
@@ -46,6 +50,13 @@ pub struct LinearPiece {
 }
 
 impl Ground {
+    /// A record: unit direction, interval \[s\], scaled samples \[m/s²\].
+    pub fn record(direction: DVec3, dt: f64, samples: impl IntoIterator<Item = f64>) -> Self {
+        let samples: Arc<[f64]> = samples.into_iter().collect();
+        let peak = samples.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+        Self::Record { direction, dt, samples, peak }
+    }
+
     /// Unit vector in plan at the excitation angle α; multiples of 90° are exact.
     pub fn direction(angle_deg: f64) -> DVec3 {
         match angle_deg.rem_euclid(360.0) {
@@ -115,7 +126,7 @@ impl Ground {
         match self {
             Self::Still => 0.0,
             Self::Sine { amplitude, .. } => amplitude.length(),
-            Self::Record { samples, .. } => samples.iter().fold(0.0, |m: f64, a| m.max(a.abs())),
+            Self::Record { peak, .. } => *peak,
         }
     }
 
@@ -135,7 +146,7 @@ mod tests {
 
     #[test]
     fn a_record_is_linear_between_its_samples_and_still_after_the_last() {
-        let ground = Ground::Record { direction: DVec3::X, dt: 0.1, samples: vec![0.0, 2.0, -1.0] };
+        let ground = Ground::record(DVec3::X, 0.1, [0.0, 2.0, -1.0]);
         assert!((ground.acceleration(0.05).x - 1.0).abs() < 1e-15, "halfway between 0 and 2");
         assert!((ground.acceleration(0.1).x - 2.0).abs() < 1e-15, "at a sample");
         assert_eq!(ground.acceleration(0.25), DVec3::ZERO, "after the record");
@@ -145,7 +156,7 @@ mod tests {
 
     #[test]
     fn a_tenth_of_a_second_falls_into_its_own_piece_for_every_sample() {
-        let ground = Ground::Record { direction: DVec3::X, dt: 0.01, samples: vec![0.0; 2000] };
+        let ground = Ground::record(DVec3::X, 0.01, [0.0; 2000]);
         for j in 0..1999 {
             assert_eq!(ground.piece_number(j as f64 * 0.01), j, "sample {j}");
         }

@@ -10,6 +10,8 @@ mod declared;
 mod end;
 mod numbers;
 
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 
 use super::{FrictionLaw, Scene, SceneError, SceneErrors, Sharing, Tension, placed};
@@ -99,17 +101,37 @@ fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
             });
         }
     }
-    let ends: Vec<EndFace> = end::all(scene);
+    let walls = Walls::of(scene);
+    let ends: Vec<EndFace> = end::all(scene, &walls);
+    let lookout = end::Lookout::over(&ends);
     let mut sides = Vec::new();
-    for here in &ends {
+    for (number, here) in ends.iter().enumerate() {
         let first = Side::Girder(here.girder, here.end);
-        let before = |a: &super::Abutment| a.faces == scene.girders[here.girder].name && a.end == here.end;
-        let walls = scene.abutments.iter().enumerate().filter(|(_, a)| before(a));
-        sides.extend(walls.map(|(n, _)| (first, Side::Abutment(n))));
-        let partners = ends.iter().filter(|there| here.girder < there.girder && end::pair_up(here, there, &ends));
-        sides.extend(partners.map(|there| (first, Side::Girder(there.girder, there.end))));
+        sides.extend(walls.before(here.girder, here.end).iter().map(|&n| (first, Side::Abutment(n))));
+        sides.extend(lookout.partners(number).map(|there| (first, Side::Girder(there.girder, there.end))));
     }
     sides
+}
+
+/// Which abutments stand before which ends, by number, gone through once.
+struct Walls<'a> {
+    scene: &'a Scene,
+    by_end: BTreeMap<(&'a str, End), Vec<usize>>,
+}
+
+impl<'a> Walls<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let mut by_end: BTreeMap<(&str, End), Vec<usize>> = BTreeMap::new();
+        for (n, abutment) in scene.abutments.iter().enumerate() {
+            by_end.entry((&abutment.faces, abutment.end)).or_default().push(n);
+        }
+        Self { scene, by_end }
+    }
+
+    /// Abutments before an end, in the order of the file.
+    fn before(&self, girder: usize, end: End) -> &[usize] {
+        self.by_end.get(&(self.scene.girders[girder].name.as_str(), end)).map_or(&[], Vec::as_slice)
+    }
 }
 
 fn girder_named(scene: &Scene, name: &str) -> Option<usize> {

@@ -17,7 +17,22 @@ pub(super) fn is_between(scene: &Scene, pair: &PairSettings, sides: &(Side, Side
 
 /// The numbers in force; of several entries about one pair the last one wins, key by key.
 pub(super) fn in_force(scene: &Scene, first: Side, second: Side) -> PairContact {
-    let mut settings = scene.contact.clone();
+    // All but the list of pairs, which may be as long as the row.
+    let ContactSettings { stiffness: k, young_modulus, area, law, sharing, tension, .. } = scene.contact;
+    let ContactSettings { restitution_normal, restitution_tangential, mu_static, mu_kinetic, .. } = scene.contact;
+    let mut settings = ContactSettings {
+        stiffness: k,
+        young_modulus,
+        area,
+        restitution_normal,
+        restitution_tangential,
+        mu_static,
+        mu_kinetic,
+        law,
+        sharing,
+        tension,
+        pairs: Vec::new(),
+    };
     let about = scene.contact.pairs.iter().filter(|pair| is_between(scene, pair, &(first, second)));
     about.for_each(|pair| lay_over(&mut settings, pair));
     PairContact {

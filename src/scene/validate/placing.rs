@@ -7,6 +7,7 @@ use glam::{DMat3, DQuat, DVec3};
 use super::Complaints;
 use super::complaints::numbers;
 use crate::geometry::Face;
+use crate::geometry::broad::Broad;
 use crate::geometry::shape::{AlignedBox, Convex, Stand};
 use crate::scene::{Abutment, Kind, Scene, facing, placed};
 
@@ -96,8 +97,11 @@ struct Placed {
 /// Bodies that reach into each other as placed; what `initial` does is a pressed start, and allowed.
 pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
     let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
+    let (tree, mut near) = (Broad::of(bodies.iter().map(|body| body.hull)), Vec::new());
     for (n, later) in bodies.iter().enumerate() {
-        for earlier in bodies[..n].iter().filter(|earlier| !(earlier.fixed && later.fixed)) {
+        tree.meeting(&later.hull, &mut near);
+        let earlier = near.iter().take_while(|&&other| other < n).map(|&other| &bodies[other]);
+        for earlier in earlier.filter(|earlier| !(earlier.fixed && later.fixed)) {
             if let Some(depth) = overlap(earlier, later) {
                 let (table, key, value) = &later.place;
                 let remedy = format!("{} reaches {depth:.3e} m into {}: move them apart", later.label, earlier.label);
@@ -108,11 +112,6 @@ pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
 }
 
 fn overlap(a: &Placed, b: &Placed) -> Option<f64> {
-    let apart = |low: f64, high: f64| low > high;
-    let clear = (0..3).any(|i| apart(a.hull.min[i], b.hull.max[i]) || apart(b.hull.min[i], a.hull.max[i]));
-    if clear {
-        return None;
-    }
     let size = (a.hull.max - a.hull.min).length().max((b.hull.max - b.hull.min).length());
     let depth = -a.shape.separation(a.stand, &b.shape, b.stand);
     (depth > TOUCHING * size).then_some(depth)

@@ -1,0 +1,103 @@
+//! The run times that are asked for, as medians on one core, each with how far its answer is from one at a far tighter
+//! tolerance. `cargo bench --no-default-features --bench targets [PROBLEM]`; pin it to a core (`taskset -c 0`).
+//!
+//! Processor time is wall-clock time here: one thread, pinned. The set-up of the scene (validation, compiling) is in it.
+
+#![expect(clippy::print_stdout, reason = "a bench prints its figures")]
+#![expect(clippy::disallowed_methods, reason = "a bench is what clocks are for")]
+
+#[path = "../tests/support/rows.rs"]
+mod rows;
+
+use std::time::Instant;
+
+use girderbench::scene::{Scene, presets};
+use girderbench::sim::History;
+use rows::Row;
+
+/// A problem: what it is called, how often it is run, what is asked for, and the scene at a tolerance.
+struct Problem {
+    name: &'static str,
+    repeats: usize,
+    asked_ms: f64,
+    tolerance: f64,
+    scene: fn(f64) -> Scene,
+}
+
+const PROBLEMS: &[Problem] = &[
+    Problem { name: "P1", repeats: 301, asked_ms: 1.0, tolerance: 1e-9, scene: rows::p1 },
+    Problem { name: "P2", repeats: 301, asked_ms: 2.0, tolerance: 1e-9, scene: rows::p2 },
+    Problem { name: "skew45", repeats: 301, asked_ms: 2.0, tolerance: 1e-9, scene: skew45 },
+    Problem { name: "record-4000", repeats: 101, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(4000, e) },
+    Problem { name: "record-8000", repeats: 101, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(8000, e) },
+    Problem { name: "deck-30m", repeats: 5, asked_ms: 20.0, tolerance: 1e-9, scene: deck },
+    Problem { name: "row-1", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1, e) },
+    Problem { name: "row-10", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(10, e) },
+    Problem { name: "row-100", repeats: 15, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(100, e) },
+    Problem { name: "row-1000", repeats: 5, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1000, e) },
+    Problem { name: "few-3", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(3, e) },
+    Problem { name: "few-1000", repeats: 5, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(1000, e) },
+];
+
+fn many(count: usize, tolerance: f64) -> Scene {
+    Row { tolerance, ..Row::many(count) }.scene()
+}
+
+fn few(count: usize, tolerance: f64) -> Scene {
+    Row { tolerance, ..Row::few(count) }.scene()
+}
+
+fn preset(name: &str, tolerance: f64) -> Scene {
+    let mut scene = presets::load(name).unwrap_or_else(|errors| panic!("{errors}"));
+    scene.solver.tolerance = tolerance;
+    scene
+}
+
+fn skew45(tolerance: f64) -> Scene {
+    preset("skew45-abutment", tolerance)
+}
+
+fn deck(tolerance: f64) -> Scene {
+    preset("deck-30m", tolerance)
+}
+
+fn run(scene: &Scene) -> History {
+    History::of(scene).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+fn main() {
+    // One thread, whatever the machine has.
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let _ = one.map(|pool| pool.install(all));
+}
+
+fn all() {
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
+    println!("{:<12} {:>12} {:>10} {:>12} {:>8}", "problem", "median ms", "asked", "distance m", "events");
+    for problem in PROBLEMS {
+        if wanted.is_empty() || wanted.iter().any(|w| w == problem.name) {
+            measure(problem);
+        }
+    }
+}
+
+fn measure(problem: &Problem) {
+    let scene = (problem.scene)(problem.tolerance);
+    let mut times = Vec::new();
+    for _ in 0..problem.repeats {
+        let start = Instant::now();
+        let history = run(&scene);
+        times.push(start.elapsed().as_secs_f64() * 1e3);
+        drop(history);
+    }
+    times.sort_by(f64::total_cmp);
+    let history = run(&scene);
+    let finer = run(&(problem.scene)(1e-13));
+    let (median, apart) = (times[times.len() / 2], history.difference(&finer));
+    println!(
+        "{:<12} {median:>12.3} {:>10} {apart:>12.2e} {:>8}",
+        problem.name,
+        problem.asked_ms,
+        history.events().len()
+    );
+}
