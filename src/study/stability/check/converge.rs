@@ -141,7 +141,7 @@ fn errors(one: &History, other: &History) -> Vec<f64> {
             let t = end * i as f64 / COMPARED as f64;
             for (number, body) in one.model().bodies.iter().enumerate() {
                 let (a, b) = (one.motion(number, t), other.motion(number, t));
-                let turned = (a.attitude.inverse() * b.attitude).xyz().length() * 2.0 * body.radius();
+                let turned = (a.attitude.inverse() * b.attitude).xyz().length() * 2.0 * body.radius;
                 largest = largest.max((a.displacement - b.displacement).length() + turned);
             }
             largest

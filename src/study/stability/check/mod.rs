@@ -147,5 +147,5 @@ fn looks(history: &History) -> Vec<f64> {
 
 /// Length of the largest girder \[m\].
 fn size(history: &History) -> f64 {
-    history.model().bodies.iter().map(crate::dynamics::Body::radius).fold(0.0, f64::max)
+    history.model().bodies.iter().map(|body| body.radius).fold(0.0, f64::max)
 }
