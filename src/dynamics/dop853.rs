@@ -62,6 +62,13 @@ impl Dense {
         }
     }
 
+    /// How far components `range` together are from their start at most, anywhere in the step.
+    pub(super) fn span(&self, range: std::ops::Range<usize>) -> f64 {
+        // Every coefficient stands before a product of factors from 0 to 1.
+        let far = |c: &[f64; DENSE]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
+        self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
+    }
+
     /// The same answer for some components only.
     #[must_use]
     pub fn part(&self, range: std::ops::Range<usize>) -> Self {

@@ -40,10 +40,16 @@ impl Active {
     pub(super) fn turned(&self, y: &[f64]) -> Closed {
         let mut closed = self.closed;
         if let Some(at) = self.angle {
-            closed.mode = Mode::Slip { direction: DVec2::from_angle(y[at]) };
+            closed.mode = Mode::Slip { direction: direction(y[at]) };
         }
         closed
     }
+}
+
+/// The unit vector at an angle.
+pub(super) fn direction(angle: f64) -> DVec2 {
+    let (sin, cos) = angle.sin_cos();
+    DVec2::new(cos, sin)
 }
 
 /// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
@@ -130,7 +136,10 @@ impl System for Field<'_> {
             let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
             match model.kind {
                 Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
-                Kind::Spatial => body_state::spatial_slope(body, state, wrench, ground, model.gravity, rate),
+                Kind::Spatial => {
+                    let here = &self.frames[i];
+                    body_state::spatial_slope(body, here, state, wrench, ground, model.gravity, rate);
+                }
             }
         }
     }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use super::agenda::Item;
 use super::engine::{Engine, Trajectory};
-use super::island::{Island, Pace};
+use super::island::Island;
+use super::stepper::Pace;
 use super::track::{Contact, Path, Segment};
 use super::transition::Juncture;
 use super::watch::Due;

@@ -1,55 +1,20 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
 use super::body_state::{self, Wrench};
-use super::dop853::{self, Dense, Dop853};
+use super::dop853::Dense;
 use super::fastest::fastest;
-use super::field::{Active, Field, Scale};
-use super::radau::{self, Radau};
+use super::field::{Active, Field, Scale, direction};
+use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
 use crate::contact::{Frame, Mode, law::Friction};
 use crate::motion::LinearPiece;
+use crate::scene::Kind;
 
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
 /// Rounding of a place over one step, in parts of its size.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// Explicit steps that span more time constants of the fastest motion than this, though their error is less than
-/// [`SPARE`], are held short by their stability.
-const STIFF: f64 = 0.7;
-/// See [`STIFF`].
-const SPARE: f64 = 0.02;
-/// Factor to the next try from the second refusal on.
-const AGAIN: f64 = 0.2;
-/// So many of them in a row change the method.
-const CONVINCED: u32 = 4;
-/// Explicit steps of one touch after which the other method is tried, and after twice as many again: noise, too, can hold
-/// them short.
-const TRIAL: u32 = 64;
-/// An implicit step costs as much as explicit ones over so many time constants.
-const WORTH: f64 = 12.0;
-/// With a smaller error than this the next step will be longer.
-const GROWING: f64 = 0.2;
-/// Components beyond which elimination costs more than short steps.
-const LARGEST: usize = 160;
-
-/// How an island's integrator goes on after an event.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Pace {
-    /// Length of the step to try first; 0 where nothing is known \[s\].
-    pub step: f64,
-    /// Whether explicit steps were too short.
-    pub stiff: bool,
-}
-
-impl Pace {
-    /// The more careful of two.
-    pub(super) fn with(self, other: Self) -> Self {
-        let step = if self.step == 0.0 { other.step } else { self.step.min(other.step) };
-        Self { step, stiff: self.stiff || other.stiff }
-    }
-}
 
 /// Bodies in one integrator, with the step that is planned but not yet committed.
 #[derive(Debug)]
@@ -70,17 +35,10 @@ pub(super) struct Island {
     pub due: Vec<super::watch::Due>,
     dense: Option<Dense>,
     y: Vec<f64>,
-    rk: Dop853,
-    radau: Option<Box<Radau>>,
-    pace: Pace,
+    stepper: Stepper,
     omega: f64,
     /// Largest distance of a corner from G, body by body \[m\].
     radii: Vec<f64>,
-    /// Steps in a row that spoke against the method in use.
-    doubts: u32,
-    /// Steps with the method in use, and explicit ones after which the other is given a try.
-    steps: u32,
-    trial: u32,
     frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
@@ -113,7 +71,7 @@ impl Island {
         }
         // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
         let turns = active.iter().any(|a| a.angle.is_some());
-        let pace = Pace { stiff: (pace.stiff && !active.is_empty() || turns) && y.len() <= LARGEST, ..pace };
+        let pace = Pace { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
             omega: fastest(model, &bodies, &active),
@@ -126,18 +84,12 @@ impl Island {
             until: t,
             due: Vec::new(),
             dense: None,
+            stepper: Stepper::new(y.len(), pace),
             y,
-            rk: Dop853::default(),
-            radau: None,
-            pace,
-            doubts: 0,
-            steps: 0,
-            trial: TRIAL,
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
         };
-        island.rk.resize(island.y.len());
         island.rewind(model, t);
         island
     }
@@ -145,12 +97,9 @@ impl Island {
     /// Evaluates the slope at the start of the next step anew: at a start, and after a kink of the ground motion.
     pub(super) fn rewind(&mut self, model: &Model, t: f64) {
         let piece = model.ground.piece(model.ground.piece_number(t));
-        let (mut rk, y) = (std::mem::take(&mut self.rk), std::mem::take(&mut self.y));
-        rk.start(&mut self.field(model, piece, Scale::default()), t, &y);
-        (self.rk, self.y) = (rk, y);
-        if let Some(radau) = &mut self.radau {
-            radau.forget();
-        }
+        let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
+        (self.stepper, self.y) = (stepper, y);
     }
 
     fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: Scale) -> Field<'a> {
@@ -169,7 +118,7 @@ impl Island {
     /// Poses of its bodies a moment after the start of the next step, by its slope alone.
     pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
         let width = body_state::width(model.kind);
-        let moved: Vec<f64> = self.y.iter().zip(self.rk.slope()).map(|(y, rate)| y + dt * rate).collect();
+        let moved: Vec<f64> = self.y.iter().zip(self.stepper.slope()).map(|(y, rate)| y + dt * rate).collect();
         let frame =
             |(i, &body): (usize, &usize)| body_state::frame(model.kind, &model.bodies[body], &moved[i * width..]);
         self.bodies.iter().enumerate().map(frame).collect()
@@ -185,85 +134,14 @@ impl Island {
         let scale = self.scale(model);
         let piece = model.ground.piece(model.ground.piece_number(t));
         let first = 0.5 / scale.omega * (model.tolerance / 1e-10).powf(0.125);
-        let mut h = if self.pace.step > 0.0 { self.pace.step } else { first };
-        let mut refused = false;
-        loop {
-            // A last sliver would cost as much as a step: stretch to the cap.
-            let end = if t + 1.05 * h >= cap { cap } else { t + h };
-            let taken = end - t;
-            let (error, factor) = self.attempt(model, piece, scale, taken);
-            if error <= 1.0 {
-                self.pace.step = if end == cap { h.max(taken * factor) } else { taken * factor };
-                self.accept(model, piece, scale, taken, error);
-                self.until = end;
-                return Ok(());
-            }
-            // Refused twice, the estimate is no guide: something is over far sooner than the step.
-            h = taken * factor.min(if refused { AGAIN } else { 0.9 });
-            refused = true;
-            if h < SMALLEST / scale.omega || t + h <= t {
-                return Err(StepTooSmall { step: h });
-            }
-        }
-    }
-
-    /// Tries a step of length `h` from `from`; returns its error, 1 being the tolerance, and the factor to the next step.
-    fn attempt(&mut self, model: &Model, piece: LinearPiece, scale: Scale, h: f64) -> (f64, f64) {
-        let t = self.from;
-        let (mut rk, y) = (std::mem::take(&mut self.rk), std::mem::take(&mut self.y));
-        let outcome = if self.pace.stiff {
-            let mut radau = self.radau.take().unwrap_or_else(|| Box::new(Radau::new(y.len())));
-            let error = radau.attempt(&mut self.field(model, piece, scale), t, &y, rk.slope(), h);
-            self.radau = Some(radau);
-            (error, if error.is_finite() { radau::next_factor(error) } else { 0.25 })
-        } else {
-            let error = rk.attempt(&mut self.field(model, piece, scale), t, &y, h);
-            (error, if error.is_finite() { dop853::next_factor(error) } else { 0.1 })
-        };
-        (self.rk, self.y) = (rk, y);
-        outcome
-    }
-
-    /// Accepts the step just tried and considers whether the other method would have done it for less.
-    fn accept(&mut self, model: &Model, piece: LinearPiece, scale: Scale, h: f64, error: f64) {
-        let t = self.from;
-        let (mut rk, mut y) = (std::mem::take(&mut self.rk), std::mem::take(&mut self.y));
-        let mut radau = self.radau.take();
-        let stiff = self.pace.stiff;
-        let size = y.len();
-        let mut field = self.field(model, piece, scale);
-        let (dense, doubt) = match &mut radau {
-            Some(radau) if stiff => {
-                let dense = radau.accept(t, &mut y, h);
-                rk.start(&mut field, t + h, &y);
-                (dense, error > GROWING && h * radau.fastest(&field) < WORTH)
-            }
-            _ => {
-                let dense = rk.accept(&mut field, t, &mut y, h);
-                let spare = size <= LARGEST && error < SPARE;
-                let doubt = spare && rk.stiffness(&field, &dense) > STIFF;
-                (dense, doubt)
-            }
-        };
+        let limits = Limits { cap, first, smallest: SMALLEST / scale.omega };
+        let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         normalise(model, &self.bodies, &mut y);
-        (self.rk, self.y, self.radau, self.dense) = (rk, y, radau, Some(dense));
-        self.doubts = if doubt { self.doubts + 1 } else { 0 };
-        self.steps += 1;
-        let try_it = !stiff && self.steps >= self.trial && size <= LARGEST && !self.active.is_empty();
-        if try_it {
-            self.trial *= 2;
-        }
-        if self.doubts >= CONVINCED || try_it {
-            self.change_method();
-        }
-    }
-
-    fn change_method(&mut self) {
-        (self.doubts, self.steps) = (0, 0);
-        self.pace.stiff = !self.pace.stiff;
-        if let Some(radau) = &mut self.radau {
-            radau.resize(self.y.len());
-        }
+        (self.stepper, self.y) = (stepper, y);
+        let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
+        (self.dense, self.until) = (Some(dense), end);
+        Ok(())
     }
 
     /// Cuts the planned step short at `t` and makes that the state; the caller forms the island anew.
@@ -296,6 +174,25 @@ impl Island {
         }
     }
 
+    /// Poses of all its bodies within the planned step.
+    pub(super) fn frames(&self, model: &Model, t: f64) -> Vec<Frame> {
+        (0..self.bodies.len()).map(|index| self.frame(model, index, t)).collect()
+    }
+
+    /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
+    /// \[m\].
+    pub(super) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
+        let width = body_state::width(model.kind);
+        let Some(dense) = &self.dense else { return 0.0 };
+        let span = |range: std::ops::Range<usize>| dense.span(index * width + range.start..index * width + range.end);
+        let from_start = match model.kind {
+            Kind::Planar => span(0..2) + arm * span(2..3),
+            // A quaternion turns half the angle; the chord is not longer than the arc.
+            Kind::Spatial => span(0..3) + 2.0 * arm * span(3..7),
+        };
+        if t > self.from { 2.0 * from_start } else { from_start }
+    }
+
     /// A contact's state with its slip direction as it is at `t`.
     pub(super) fn closed_at(&self, number: usize, t: f64) -> Closed {
         let active = &self.active[number];
@@ -305,7 +202,7 @@ impl Island {
             if let Some(dense) = &self.dense {
                 dense.read(at..at + 1, t, &mut angle);
             }
-            closed.mode = Mode::Slip { direction: glam::DVec2::from_angle(angle[0]) };
+            closed.mode = Mode::Slip { direction: direction(angle[0]) };
         }
         closed
     }
@@ -324,7 +221,7 @@ impl Island {
 
     /// How its integrator would go on.
     pub(super) fn pace(&self) -> Pace {
-        self.pace
+        self.stepper.pace()
     }
 
     /// Fastest circular frequency of its contacts and bearings \[rad/s\].
@@ -376,7 +273,7 @@ fn turning(closed: &Closed) -> Option<f64> {
 
 /// Keeps the quaternions of spatial bodies at length 1.
 fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
-    if model.kind == crate::scene::Kind::Planar {
+    if model.kind == Kind::Planar {
         return;
     }
     for i in 0..bodies.len() {

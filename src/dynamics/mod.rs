@@ -28,6 +28,7 @@ mod predict;
 mod radau;
 mod radau_coefficients;
 pub mod search;
+mod stepper;
 pub mod track;
 mod transition;
 mod watch;

@@ -191,31 +191,34 @@ impl Radau {
     fn correct(&mut self, h: f64) {
         let (n, leading) = (self.size, self.leading);
         let (stages, slopes) = (&self.stages, &self.slopes);
-        let Scratch { correction, real: [right, found], complex, .. } = &mut self.scratch;
-        for i in 0..leading {
-            let sum = |k: usize| REAL_LEFT[k] * (slopes[k * n + i] - REAL / h * stages[k * n + i]);
-            right[i] = (0..STAGES).map(sum).sum();
+        let Scratch { correction, real: [right, found], complex: [complex_right, complex_found], .. } =
+            &mut self.scratch;
+        // f − (λ/h) z of every stage, for the real eigenvalue.
+        right[..leading].fill(0.0);
+        for (k, left) in REAL_LEFT.iter().enumerate() {
+            let rows = slopes[k * n..].iter().zip(&stages[k * n..]);
+            right[..leading].iter_mut().zip(rows).for_each(|(r, (f, z))| *r += left * (f - REAL / h * z));
         }
-        self.real.solve(right, found);
-        for (k, row) in correction.chunks_exact_mut(n).enumerate() {
-            row[..leading].iter_mut().zip(found.iter()).for_each(|(d, w)| *d = REAL_RIGHT[k] * w);
+        self.real.solve(&right[..leading], found);
+        for (row, right) in correction.chunks_exact_mut(n).zip(&REAL_RIGHT) {
+            row[..leading].iter_mut().zip(found.iter()).for_each(|(d, w)| *d = right * w);
         }
-        let [right, found] = complex;
         for (m, &(re, im)) in COMPLEX.iter().enumerate() {
-            let lambda = Complex64::new(re, im) / h;
-            for i in 0..leading {
-                let term = |k: usize| {
-                    let (a, b) = COMPLEX_LEFT[m][k];
-                    let residual = Complex64::new(slopes[k * n + i], 0.0) - lambda * stages[k * n + i];
-                    Complex64::new(a, b) * residual
-                };
-                right[i] = (0..STAGES).map(term).sum();
+            let (re, im) = (re / h, im / h);
+            complex_right[..leading].fill(Complex64::ZERO);
+            for (k, &(a, b)) in COMPLEX_LEFT[m].iter().enumerate() {
+                let rows = slopes[k * n..].iter().zip(&stages[k * n..]);
+                for (r, (f, z)) in complex_right[..leading].iter_mut().zip(rows) {
+                    let (x, y) = (f - re * z, im * z);
+                    r.re += a * x + b * y;
+                    r.im += b * x - a * y;
+                }
             }
-            self.complex[m].solve(right, found);
-            for (k, row) in correction.chunks_exact_mut(n).enumerate() {
-                let (a, b) = COMPLEX_RIGHT[m][k];
+            self.complex[m].solve(&complex_right[..leading], complex_found);
+            for (row, &(a, b)) in correction.chunks_exact_mut(n).zip(&COMPLEX_RIGHT[m]) {
                 // The conjugate eigenvector adds the conjugate.
-                row[..leading].iter_mut().zip(found.iter()).for_each(|(d, w)| *d += 2.0 * (a * w.re - b * w.im));
+                let sums = row[..leading].iter_mut().zip(complex_found.iter());
+                sums.for_each(|(d, w)| *d += 2.0 * (a * w.re - b * w.im));
             }
         }
     }

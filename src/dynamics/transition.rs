@@ -4,7 +4,7 @@ use glam::{DMat2, DVec2};
 
 use super::engine::Engine;
 use super::event::{Event, EventKind};
-use super::island::Pace;
+use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, Reason};
 use super::{body_state, penalty3d};

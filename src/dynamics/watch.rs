@@ -90,8 +90,9 @@ pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option
             island.from + (island.until - island.from) * i as f64 / (LOOKS - 1) as f64
         }
     });
+    let frames = times.map(|t| island.frames(model, t));
     for number in 0..island.active.len() {
-        let looks = times.map(|t| look(model, island, number, t));
+        let looks: [Local; LOOKS] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
             let hair = hair(model, island, number, reason, &looks[0]);
             let values: [f64; LOOKS] =
