@@ -4,6 +4,8 @@
 //! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
 //! everything else.
 
+use super::predict::in_front;
+
 /// Leaps before a search reports how far it has come.
 const MOST: u32 = 100_000;
 
@@ -61,7 +63,7 @@ pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, a
         if armed && there.gap <= resolution && there.rate < 0.0 && closes_at_once(&there, resolution) {
             return Found::Crossing(polish(&mut ask, next, &there, to));
         }
-        armed = armed || there.gap > super::predict::ARMED * resolution;
+        armed = armed || in_front(there.gap, there.rate, next, resolution);
         (t, here) = (next, there);
         finest = match floored {
             0 => resolution,
