@@ -20,7 +20,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             let beyond = contact.tangential_force.length() - mu * contact.normal_force.max(0.0);
             let site = &history.model().contacts[contact.contact];
             let stiffness = history.model().pairs[contact.pair].contact.stiffness;
-            let place = super::size(history) + contact.point.length();
+            let place = super::size(history) + contact.point.length() + site.face.size();
             let beyond = beyond - ROUNDING * stiffness * place * (1.0 + mu);
             figures.cone = figures.cone.max(beyond / peak.max(f64::MIN_POSITIVE));
             if beyond > BEYOND * mu * peak {
@@ -32,7 +32,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
                     contact.tangential_force.length(),
                     mu * contact.normal_force,
                 );
-                return complaints.push(Complaint { check: Check::Cone, detail });
+                return complaints.push(Complaint::new(Check::Cone, detail));
             }
         }
     }
