@@ -4,7 +4,7 @@ use super::{Check, Complaint, Figures};
 use crate::scene::FrictionLaw;
 use crate::sim::{History, Ledger};
 
-pub(super) const LEDGER: &str = "the ledger's residual is below 100 tolerances, 1e-11 and 64 ε (of places over the \
+pub(super) const LEDGER: &str = "the ledger's residual is below 100 tolerances, 1e-11 and 256 ε (of places over the \
                                  deepest penetration, and of weights lifted by a girder's size), of the largest energy \
                                  in play";
 pub(super) const CREATES: &str = "what bearings, normal and tangential dashpots and jumps have lost never shrinks, nor, \
@@ -16,7 +16,7 @@ const PER_TOLERANCE: f64 = 1e2;
 /// Residual that rounding may leave.
 const ROUNDING: f64 = 1e-11;
 /// Rounding of a place against the depth of a contact, whose force it changes by as much.
-const PLACES: f64 = 64.0 * f64::EPSILON;
+const PLACES: f64 = 256.0 * f64::EPSILON;
 /// Instants at which the ledger is read, evenly, and as many between touches.
 const READINGS: usize = 40;
 
