@@ -15,6 +15,8 @@ use crate::scene::{FrictionLaw, Sharing, Tension};
 pub(super) const V_STICK: f64 = 1e-6;
 /// Where a slip's direction turns on its own, it is eased below this part of the entry's depth.
 const EASE: f64 = 1e-3;
+/// The least depth that a slip which starts overlapped is eased for, in parts of the face's size.
+const SHALLOW: f64 = 1e-12;
 /// With less friction than this the direction matters less than it costs to follow.
 const LEAST_EASED: f64 = 0.05;
 
@@ -123,11 +125,13 @@ impl Engine {
             if here.gap >= 0.0 {
                 continue;
             }
-            let inside = face.inset_at(here.at) >= -EDGE * face.size() && here.penetration() < face.depth;
+            let size = face.size();
+            let inside = face.inset_at(here.at) >= -EDGE * size && here.penetration() < face.depth;
             let inside = inside && !self.touches_elsewhere(contact);
             let state = if inside {
                 let law = self.law(contact, now);
-                let ease = Self::ease(&law, here.penetration());
+                // An overlap of rounding says nothing about the depth to come.
+                let ease = Self::ease(&law, here.penetration().max(SHALLOW * size));
                 let mode = if law.has_friction() {
                     Mode::Stick { anchor: here.at }
                 } else {
@@ -229,7 +233,8 @@ impl Engine {
     }
 
     fn ease(law: &Law, depth: f64) -> f64 {
-        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping {
+        // Without friction there is no force whose direction could turn.
+        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping && law.has_friction() {
             EASE * law.mu_k.max(LEAST_EASED) * depth.max(f64::MIN_POSITIVE)
         } else {
             0.0
