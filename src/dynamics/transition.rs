@@ -15,8 +15,6 @@ use crate::scene::{FrictionLaw, Sharing, Tension};
 pub(super) const V_STICK: f64 = 1e-6;
 /// Where a slip's direction turns on its own, it is eased below this part of the entry's depth.
 const EASE: f64 = 1e-3;
-/// The least depth that a slip which starts overlapped is eased for, in parts of the face's size.
-const SHALLOW: f64 = 1e-12;
 /// With less friction than this the direction matters less than it costs to follow.
 const LEAST_EASED: f64 = 0.05;
 
@@ -103,8 +101,8 @@ impl Engine {
             (tangential, normal) = self.relative_acceleration(contact, &here, now);
         }
         let mode = law.on_closing(&here, tangential, normal);
-        let depth = normal.abs() * self.pairs[self.contacts[contact].pair].together * 1e9;
-        let closed = Closed { law, mode, ease: Self::ease(&law, depth), passing: false, slack: false };
+        let ease = self.ease(contact, &law, &here, now);
+        let closed = Closed { law, mode, ease, passing: false, slack: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -125,13 +123,11 @@ impl Engine {
             if here.gap >= 0.0 {
                 continue;
             }
-            let size = face.size();
-            let inside = face.inset_at(here.at) >= -EDGE * size && here.penetration() < face.depth;
+            let inside = face.inset_at(here.at) >= -EDGE * face.size() && here.penetration() < face.depth;
             let inside = inside && !self.touches_elsewhere(contact);
             let state = if inside {
                 let law = self.law(contact, now);
-                // An overlap of rounding says nothing about the depth to come.
-                let ease = Self::ease(&law, here.penetration().max(SHALLOW * size));
+                let ease = self.ease(contact, &law, &here, now);
                 let mode = if law.has_friction() {
                     Mode::Stick { anchor: here.at }
                 } else {
@@ -232,13 +228,18 @@ impl Engine {
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
-    fn ease(law: &Law, depth: f64) -> f64 {
+    /// Length below which a turning direction of slip is eased: a part of the depth that the speed and the push at the
+    /// entry lead to, or of the overlap, whichever is deepest \[m\].
+    fn ease(&self, contact: usize, law: &Law, here: &Local, now: &Juncture) -> f64 {
         // Without friction there is no force whose direction could turn.
-        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping && law.has_friction() {
-            EASE * law.mu_k.max(LEAST_EASED) * depth.max(f64::MIN_POSITIVE)
-        } else {
-            0.0
+        if law.v_stick == 0.0 || law.friction == Friction::Paper || !law.has_friction() {
+            return 0.0;
         }
+        let radian = self.pairs[self.contacts[contact].pair].together * 1e9;
+        let (_, speed) = here.relative_velocity(DVec2::ZERO);
+        let (_, push) = self.relative_acceleration(contact, here, now);
+        let depth = (speed.abs() * radian).max(push.abs() * radian * radian).max(here.penetration());
+        EASE * law.mu_k.max(LEAST_EASED) * depth.max(f64::MIN_POSITIVE)
     }
 
     /// The pair's numbers as this contact has them, shared when the pair first closes.
