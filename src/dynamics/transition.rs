@@ -101,8 +101,8 @@ impl Engine {
             (tangential, normal) = self.relative_acceleration(contact, &here, now);
         }
         let mode = law.on_closing(&here, tangential, normal);
-        let depth = normal.abs() * self.pairs[self.contacts[contact].pair].together * 1e9;
-        let closed = Closed { law, mode, ease: self.ease(contact, &law, depth), passing: false, slack: false };
+        let ease = self.ease(contact, &law, &here, now);
+        let closed = Closed { law, mode, ease, passing: false, slack: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -127,7 +127,7 @@ impl Engine {
             let inside = inside && !self.touches_elsewhere(contact);
             let state = if inside {
                 let law = self.law(contact, now);
-                let ease = self.ease(contact, &law, here.penetration());
+                let ease = self.ease(contact, &law, &here, now);
                 let mode = if law.has_friction() {
                     Mode::Stick { anchor: here.at }
                 } else {
@@ -228,14 +228,20 @@ impl Engine {
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
-    /// Never less than a stretch's rounding: a direction within that is none.
-    fn ease(&self, contact: usize, law: &Law, depth: f64) -> f64 {
-        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping && law.has_friction() {
-            let size = self.model.contacts[self.contacts[contact].site].face.size();
-            (EASE * law.mu_k.max(LEAST_EASED) * depth).max(ROUNDING * size)
-        } else {
-            0.0
+    /// Length below which a turning direction of slip is eased: a part of the depth that the speed and the push at the
+    /// entry lead to, or of the overlap, whichever is deepest \[m\].
+    fn ease(&self, contact: usize, law: &Law, here: &Local, now: &Juncture) -> f64 {
+        // Without friction there is no force whose direction could turn.
+        if law.v_stick == 0.0 || law.friction == Friction::Paper || !law.has_friction() {
+            return 0.0;
         }
+        let radian = self.pairs[self.contacts[contact].pair].together * 1e9;
+        let (_, speed) = here.relative_velocity(DVec2::ZERO);
+        let (_, push) = self.relative_acceleration(contact, here, now);
+        let depth = (speed.abs() * radian).max(push.abs() * radian * radian).max(here.penetration());
+        let size = self.model.contacts[self.contacts[contact].site].face.size();
+        // Never less than a stretch's rounding: a direction within that is none.
+        (EASE * law.mu_k.max(LEAST_EASED) * depth).max(ROUNDING * size)
     }
 
     /// The pair's numbers as this contact has them, shared when the pair first closes.

@@ -71,27 +71,18 @@ fn write(args: &StabilityArgs, asked: &Asked, verdicts: &[Verdict], wall: f64) -
 
 fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Result<(), Failure> {
     let failed: Vec<&Verdict> = verdicts.iter().filter(|v| v.failed()).collect();
-    let mut text = String::new();
     for verdict in &failed {
         for complaint in verdict.complaints() {
-            text += &format!(
-                "seed {} ({}): {}: {}\n",
-                verdict.seed,
-                verdict.family,
-                complaint.check.label(),
-                complaint.detail
-            );
+            let (seed, family, check) = (verdict.seed, verdict.family, complaint.check.label());
+            console.print(&format!("seed {seed} ({family}): {check}: {}\n", complaint.detail));
         }
     }
-    text += &format!("{} seeds, {} failed; written to {}\n", verdicts.len(), failed.len(), args.out.display());
-    console.print(&text);
+    let (seeds, out) = (verdicts.len(), &args.out);
+    console.print(&format!("{seeds} seeds, {} failed; written to {}\n", failed.len(), out.display()));
     if failed.is_empty() {
         return Ok(());
     }
-    Err(Failure::Study(format!(
-        "{} of {} seeds failed: {} lists them with the command that repeats each",
-        failed.len(),
-        verdicts.len(),
-        args.out.join("stability.md").display()
-    )))
+    let page = out.join("stability.md");
+    let said = "lists them with the command that repeats each";
+    Err(Failure::Study(format!("{} of {seeds} seeds failed: {} {said}", failed.len(), page.display())))
 }

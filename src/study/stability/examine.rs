@@ -31,7 +31,7 @@ pub fn examine(scene: &Scene, clock: Clock<'_>, patience: f64) -> Examined {
 }
 
 fn failed(check: Check, detail: String) -> Examined {
-    Examined { outcome: Outcome::Failed(vec![Complaint { check, detail }]), figures: Figures::default() }
+    Examined { outcome: Outcome::Failed(vec![Complaint::new(check, detail)]), figures: Figures::default() }
 }
 
 /// What a panic said.

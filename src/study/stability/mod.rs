@@ -65,7 +65,11 @@ pub fn seed(seed: u64, clock: Clock<'_>, patience: f64) -> Verdict {
     let examined = examine(&scene, clock, patience);
     let seconds = clock() - started;
     let small = match &examined.outcome {
-        Outcome::Failed(complaints) => complaints.first().map(|c| shrink::shrink(&scene, c.check, clock, patience)),
+        Outcome::Failed(complaints) => complaints.first().map(|complaint| {
+            let mut failing = scene.clone();
+            failing.solver.tolerance = complaint.tolerance.unwrap_or(scene.solver.tolerance);
+            shrink::shrink(&failing, complaint.check, clock, patience)
+        }),
         _ => None,
     };
     Verdict {

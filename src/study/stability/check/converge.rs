@@ -33,13 +33,13 @@ const HAIRS: f64 = 10.0;
 pub fn convergence(history: &History, watch: &Watch<'_>, figures: &mut Figures, complaints: &mut Vec<Complaint>) {
     match compare(history, watch, figures) {
         Ok(None) => {}
-        Ok(Some(detail)) => complaints.push(Complaint { check: Check::Converges, detail }),
-        Err((check, detail)) => complaints.push(Complaint { check, detail }),
+        Ok(Some(detail)) => complaints.push(Complaint::new(Check::Converges, detail)),
+        Err(complaint) => complaints.push(complaint),
     }
 }
 
 /// What is wrong, if anything; a run at another tolerance may fail as the first one might have.
-fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result<Option<String>, (Check, String)> {
+fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result<Option<String>, Complaint> {
     let tolerance = coarse.scene().solver.tolerance;
     let at = |part: f64| (tolerance * part).max(FINEST);
     let finer = run(&with_tolerance(coarse.scene(), at(1e-2)), watch)?;
@@ -76,7 +76,7 @@ struct Trust {
     floor: Vec<f64>,
 }
 
-fn trust(truth: &History, finer: f64, watch: &Watch<'_>) -> Result<Trust, (Check, String)> {
+fn trust(truth: &History, finer: f64, watch: &Watch<'_>) -> Result<Trust, Complaint> {
     let extent = extent(truth);
     let (mut until, mut floor) = (COMPARED, vec![0.0; COMPARED + 1]);
     for hair in [HAIR, -HAIR, finer, -finer] {
@@ -89,20 +89,18 @@ fn trust(truth: &History, finer: f64, watch: &Watch<'_>) -> Result<Trust, (Check
     Ok(Trust { until, floor })
 }
 
-fn run(scene: &Scene, watch: &Watch<'_>) -> Result<History, (Check, String)> {
+fn run(scene: &Scene, watch: &Watch<'_>) -> Result<History, Complaint> {
     let tolerance = scene.solver.tolerance;
+    let failed = |check: Check, what: String| {
+        Err(Complaint { check, detail: format!("at tolerance {tolerance:e}, {what}"), tolerance: Some(tolerance) })
+    };
     match watch.run(scene) {
         Ok(history) => match history.stop() {
             None => Ok(history),
-            Some(stop) => Err((
-                Check::Finishes,
-                format!("at tolerance {tolerance:e}, t = {} s, {}: {}", stop.t, stop.place, stop.reason),
-            )),
+            Some(stop) => failed(Check::Finishes, format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason)),
         },
-        Err(NoAnswer::Slow(t)) => {
-            Err((Check::Time, format!("at tolerance {tolerance:e} came to {t} s of {} s", scene.duration)))
-        }
-        Err(NoAnswer::Refused(errors)) => Err((Check::Finishes, format!("at tolerance {tolerance:e}: {errors}"))),
+        Err(NoAnswer::Slow(t)) => failed(Check::Time, format!("came to {t} s of {} s", scene.duration)),
+        Err(NoAnswer::Refused(errors)) => failed(Check::Finishes, errors.to_string()),
     }
 }
 

@@ -4,12 +4,16 @@ use super::{Check, Complaint, Figures};
 use crate::sim::{ContactNow, ContactState, History};
 
 pub(super) const CLAIM: &str = "|F_t| ≤ μ_s |F_n| in stick and ≤ μ_k |F_n| in slip, dashpots apart, to 1e-8 of the \
-                                contact's peak |F_n| μ and K times the rounding of a place";
+                                contact's peak |F_n| μ and K times the rounding of a place, or what the node moves \
+                                in a billionth of the contact's radian, within which events are one";
 
 /// Beyond the cone, in parts of the largest friction.
 const BEYOND: f64 = 1e-8;
 /// Rounding of a place, in parts of the largest girder and its displacement.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Events closer than this part of the contact's radian are one: a node may be so much early or late.
+const TOGETHER: f64 = 1e-9;
 
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
     let all: Vec<(f64, Vec<ContactNow>)> = times.iter().map(|&t| (t, history.contacts(t))).collect();
@@ -20,8 +24,9 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             let beyond = contact.tangential_force.length() - mu * contact.normal_force.max(0.0);
             let site = &history.model().contacts[contact.contact];
             let stiffness = history.model().pairs[contact.pair].contact.stiffness;
-            let place = super::size(history) + contact.point.length();
-            let beyond = beyond - ROUNDING * stiffness * place * (1.0 + mu);
+            let place = super::size(history) + contact.point.length() + site.face.size();
+            let late = contact.normal_velocity.abs() * TOGETHER * (lightest(history, contact.pair) / stiffness).sqrt();
+            let beyond = beyond - stiffness * (ROUNDING * place + late) * (1.0 + mu);
             figures.cone = figures.cone.max(beyond / peak.max(f64::MIN_POSITIVE));
             if beyond > BEYOND * mu * peak {
                 let detail = format!(
@@ -32,8 +37,14 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
                     contact.tangential_force.length(),
                     mu * contact.normal_force,
                 );
-                return complaints.push(Complaint { check: Check::Cone, detail });
+                return complaints.push(Complaint::new(Check::Cone, detail));
             }
         }
     }
+}
+
+/// Mass of the lighter girder of a pair \[kg\].
+fn lightest(history: &History, pair: usize) -> f64 {
+    let model = history.model();
+    model.pairs[pair].bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min)
 }

@@ -25,7 +25,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             let site = &model.contacts[contact];
             if depth > DEPTH * site.face.size() {
                 let detail = format!("{} is {depth:e} m inside {} at t = {t} s", site.node, site.face_name);
-                return complaints.push(Complaint { check: Check::Missed, detail });
+                return complaints.push(Complaint::new(Check::Missed, detail));
             }
         }
     }

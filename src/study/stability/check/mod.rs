@@ -85,6 +85,15 @@ pub struct Complaint {
     pub check: Check,
     /// When, who, by how much.
     pub detail: String,
+    /// The tolerance of the run that failed, where it was not the scene's.
+    pub tolerance: Option<f64>,
+}
+
+impl Complaint {
+    /// Of a run at the scene's own tolerance.
+    pub fn new(check: Check, detail: String) -> Self {
+        Self { check, detail, tolerance: None }
+    }
 }
 
 /// What was measured on the way; 0 where a check was not reached.

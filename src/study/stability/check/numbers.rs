@@ -16,13 +16,13 @@ pub(super) fn check(history: &History, times: &[f64], complaints: &mut Vec<Compl
             let wrong = if is_finite(&motion) { moved(history, body, &motion) } else { Some("not finite".to_owned()) };
             if let Some(wrong) = wrong {
                 let detail = format!("{wrong} at t = {t} s: {}", history.model().bodies[body].name);
-                return complaints.push(Complaint { check: Check::Numbers, detail });
+                return complaints.push(Complaint::new(Check::Numbers, detail));
             }
         }
         if let Some(contact) = history.contacts(t).iter().find(|c| !c.force.is_finite() || !c.penetration.is_finite()) {
             let name = &history.model().contacts[contact.contact].node;
             let detail = format!("a force that is not finite at t = {t} s: {name}");
-            return complaints.push(Complaint { check: Check::Numbers, detail });
+            return complaints.push(Complaint::new(Check::Numbers, detail));
         }
     }
 }

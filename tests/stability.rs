@@ -1,0 +1,126 @@
+//! Seeded random scenes over wide ranges: every answer holds every check, and what the study says of failures is true.
+
+use std::process::Command;
+
+use girderbench::scene::{format, validate};
+use girderbench::study::stability::{self, Asked, Check, Outcome, examine, family};
+
+/// Seeds examined here; `GIRDERBENCH_SEEDS` asks for another number, `GIRDERBENCH_FROM` for another first one.
+const SEEDS: u64 = 500;
+
+fn asked_by(variable: &str, otherwise: u64) -> u64 {
+    std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
+}
+
+/// No test asserts a time: the engine's own work bound ends what would not.
+fn no_clock() -> f64 {
+    0.0
+}
+
+#[test]
+fn every_seed_passes_every_check() {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let (from, seeds) = (asked_by("GIRDERBENCH_FROM", 0), asked_by("GIRDERBENCH_SEEDS", SEEDS));
+    let asked = Asked { from, seeds, threads, patience: f64::INFINITY };
+    let verdicts = stability::run(&asked, &no_clock, &|_| ());
+    let said = |v: &stability::Verdict| format!("seed {} ({}): {:?}", v.seed, v.family, v.examined.outcome);
+    let failed: Vec<String> = verdicts.iter().filter(|v| v.examined.outcome != Outcome::Passed).map(said).collect();
+    let touches: usize = verdicts.iter().map(|v| v.examined.figures.touches).sum();
+    assert!(failed.is_empty(), "{} of {seeds}:\n{}", failed.len(), failed.join("\n"));
+    assert!(touches as u64 > 20 * seeds, "contacts are in play: {touches} touches");
+}
+
+#[test]
+fn every_seed_is_a_file_that_opens_and_makes_sense() {
+    for seed in 0..3000 {
+        let (family, scene) = family::scene(seed);
+        let text = format::write(&scene);
+        let read = format::parse(&text, "seed").unwrap_or_else(|errors| panic!("seed {seed}, {family}: {errors}"));
+        assert_eq!(read, scene, "seed {seed} comes back from its file as it was");
+        validate::validate(&scene).unwrap_or_else(|errors| panic!("seed {seed}, {family}: {errors}"));
+        let k = scene.contact.stiffness.unwrap_or(0.0);
+        assert!((1e2..=1e12).contains(&k), "seed {seed}: K = {k}");
+        assert!((1e-13..=1e-3).contains(&scene.solver.tolerance), "seed {seed}: {}", scene.solver.tolerance);
+        for girder in &scene.girders {
+            assert!((1e-3..=1e8).contains(&girder.mass), "seed {seed}: m = {}", girder.mass);
+            assert!((4.99..=175.01).contains(&girder.skew_deg), "seed {seed}: skew {}", girder.skew_deg);
+        }
+    }
+}
+
+#[test]
+fn every_family_comes_up_and_ten_seeds_in_ten_thousand_shake_for_an_hour() {
+    let mut count = std::collections::BTreeMap::<&str, usize>::new();
+    for seed in 0..10_000 {
+        *count.entry(family::scene(seed).0).or_default() += 1;
+    }
+    assert_eq!(count.len(), family::names().count(), "all families: {count:?}");
+    assert_eq!(count["hour"], 10, "ten hours");
+    assert!(count.iter().all(|(name, n)| *name == "hour" || *n > 600), "evenly: {count:?}");
+}
+
+#[test]
+fn a_seed_is_the_same_answer_every_time() {
+    let digest = |seed: u64| {
+        let (_, scene) = family::scene(seed);
+        girderbench::sim::Session::run(&scene).map(|history| history.digest()).ok()
+    };
+    for seed in [3, 5, 12, 13] {
+        let first = digest(seed);
+        assert!(first.is_some() && first == digest(seed), "seed {seed}");
+    }
+}
+
+#[test]
+fn impatience_panics_and_nonsense_are_told_apart() {
+    let (_, scene) = family::scene(3);
+    let first = |outcome: Outcome| match outcome {
+        Outcome::Failed(complaints) => complaints.first().map(|c| c.check),
+        _ => None,
+    };
+    let ticks = std::sync::atomic::AtomicU32::new(0);
+    let racing = || f64::from(ticks.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
+    assert_eq!(first(examine(&scene, &racing, 2.0).outcome), Some(Check::Time), "a clock that races");
+    let broken = || panic!("the clock is broken");
+    assert_eq!(first(examine(&scene, &broken, 2.0).outcome), Some(Check::Panic), "a clock that panics");
+    let mut nonsense = scene;
+    nonsense.girders[0].mass = -1.0;
+    assert!(matches!(examine(&nonsense, &no_clock, 2.0).outcome, Outcome::Refused(_)), "no mass");
+}
+
+#[test]
+fn a_failure_is_written_as_a_small_scene_with_the_command_that_repeats_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("study");
+    // Nothing finishes within a nanosecond: every seed fails, and says so.
+    let study = |patience: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_girderbench"));
+        command.args(["study", "stability", "--seeds", "2", "--from", "3", "--patience", patience, "--out"]).arg(&out);
+        command.output().expect("it runs")
+    };
+    let failed = study("1e-9");
+    assert_eq!(failed.status.code(), Some(1), "a failure is a failure: {failed:?}");
+    let page = std::fs::read_to_string(out.join("stability.md")).expect("the page");
+    assert!(page.contains("girderbench study stability --seeds 1 --from 3 --out"), "the command: {page}");
+    let table = std::fs::read_to_string(out.join("seeds.csv")).expect("the table");
+    assert_eq!(table.lines().count(), 3, "a heading and two seeds: {table}");
+    let small = std::fs::read_to_string(out.join("seed-3.toml")).expect("the shrunk scene");
+    format::read(&small, "seed-3.toml").unwrap_or_else(|errors| panic!("{errors}"));
+    let passed = study("600");
+    assert_eq!(passed.status.code(), Some(0), "the same seeds with patience: {passed:?}");
+}
+
+#[test]
+fn mistaken_flags_are_told() {
+    for (flags, word) in [
+        (vec!["--seeds", "0", "--out", "x"], "--seeds"),
+        (vec!["--seeds", "3"], "--out"),
+        (vec!["--patience", "-1", "--out", "x"], "--patience"),
+        (vec!["--threads", "0", "--out", "x"], "--threads"),
+    ] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_girderbench"));
+        let answer = command.args(["study", "stability"]).args(&flags).output().expect("it runs");
+        let said = String::from_utf8_lossy(&answer.stderr).into_owned();
+        assert!(answer.status.code() == Some(2) && said.contains(word), "{flags:?}: {said}");
+    }
+}
