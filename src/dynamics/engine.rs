@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use super::Model;
 use super::agenda::{Agenda, Item};
+use super::approach::Spot;
 use super::body_state;
 use super::event::{Event, Stop};
 use super::flight::{Flight, System};
@@ -74,6 +75,8 @@ pub(super) struct ContactTrack {
     pub slots: [Option<usize>; 2],
     /// Its state now.
     pub state: Contact,
+    /// Where its two sides stand as placed.
+    pub spot: Spot,
     /// Its next closing on the trajectories in force \[s\].
     pub closing: Option<f64>,
     /// Its states so far.
@@ -95,6 +98,26 @@ pub struct Engine {
     stop: Option<Stop>,
     now: f64,
     pub(super) work: usize,
+    pub(super) effort: Effort,
+}
+
+/// What a run has done, counted: for seeing that what a scene does not need is left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Searches for the next touch of a pair.
+    pub searches: u64,
+    /// Looks at a pair in flight.
+    pub looks: u64,
+    /// Steps of integrators.
+    pub steps: u64,
+}
+
+impl std::ops::AddAssign for Effort {
+    fn add_assign(&mut self, other: Self) {
+        self.searches += other.searches;
+        self.looks += other.looks;
+        self.steps += other.steps;
+    }
 }
 
 impl Engine {
@@ -111,6 +134,7 @@ impl Engine {
             stop: None,
             now: 0.0,
             work: 0,
+            effort: Effort::default(),
         };
         engine.gather(group);
         engine.begin();
@@ -139,6 +163,7 @@ impl Engine {
                     site,
                     pair: self.pairs.len(),
                     slots: owners,
+                    spot: Spot::of(&model, site),
                     state: Contact::Open { armed: true },
                     closing: None,
                     log: ContactLog::default(),
@@ -207,6 +232,7 @@ impl Engine {
             bodies: self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect(),
             contacts: self.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
             events: self.events,
+            effort: self.effort,
         }
     }
 
@@ -304,4 +330,6 @@ pub struct Finished {
     pub contacts: Vec<(usize, ContactLog)>,
     /// Events in order of time.
     pub events: Vec<Event>,
+    /// What it took.
+    pub effort: Effort,
 }

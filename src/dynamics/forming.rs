@@ -101,6 +101,7 @@ impl Engine {
             return;
         }
         let cap = model.duration.min(model.ground.next_kink(from));
+        self.effort.steps += 1;
         let outcome = island.plan(&model, cap);
         if let Err(error) = outcome {
             let names: Vec<&str> =

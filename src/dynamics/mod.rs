@@ -5,6 +5,7 @@
 //! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
 
 mod agenda;
+mod approach;
 pub mod bearing;
 pub mod body_state;
 pub mod bound;
@@ -27,6 +28,7 @@ pub mod penalty3d;
 mod predict;
 mod radau;
 mod radau_coefficients;
+mod relative;
 pub mod search;
 mod stepper;
 pub mod track;

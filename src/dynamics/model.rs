@@ -55,7 +55,8 @@ impl Body {
     /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
     #[inline]
     pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        let (s, c) = state[2].sin_cos();
+        // Most girders of a row never turn.
+        let (s, c) = if state[2] == 0.0 { (0.0, 1.0) } else { state[2].sin_cos() };
         let turn = |v: DVec3| DVec3::new(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
         Frame {
             home: self.home,

@@ -1,73 +1,65 @@
 //! When the open contacts of a pair close next, on the trajectories that its bodies are on.
 
 use super::agenda::Item;
-use super::bound::Bound;
+use super::approach;
 use super::engine::{Engine, Trajectory};
-use super::search::{Found, Outlook, first_crossing, root};
+use super::search::root;
 use super::track::Contact;
 use crate::contact::{Frame, Local, locate};
-use crate::motion::Ground;
 
 /// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
-const RESOLUTION: f64 = 4e-16;
+pub(super) const RESOLUTION: f64 = 4e-16;
 /// A node is in front of a face again when it is this many resolutions off it: at the crossing that it missed by, its gap is
 /// rounding of either sign.
 pub(super) const ARMED: f64 = 64.0;
-/// What a search that was cut short counts against the work bound.
-const CUT_SHORT: usize = 5_000;
 /// Looks at a gap per planned step.
 const LOOKS: usize = 5;
 
 /// Looks at a pair anew from `t` and enters what is due.
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
-    let until = horizon(engine, pair, t);
-    let flying = until.1;
-    let views = (!flying).then(|| Views::of(engine, pair, t, until.0));
-    let (mut first, mut searched) = (f64::INFINITY, until.0);
-    for contact in engine.pairs[pair].contacts.clone() {
-        let closing = open(engine, contact, t).and_then(|armed| match &views {
-            Some(views) => in_step(engine, contact, views, armed),
-            None => in_flight(engine, contact, t, until.0, armed, &mut searched),
-        });
-        engine.contacts[contact].closing = closing;
-        first = first.min(closing.unwrap_or(f64::INFINITY));
-    }
-    if first.is_finite() {
-        engine.agenda.set(Item::Pair(pair), first);
-    } else if flying && searched < engine.model.duration {
-        engine.agenda.set(Item::Pair(pair), searched);
+    engine.effort.searches += 1;
+    let due = match planned(engine, pair) {
+        Some(until) => in_steps(engine, pair, t, until),
+        None => approach::search(engine, pair, t),
+    };
+    if due.is_finite() {
+        engine.agenda.set(Item::Pair(pair), due);
     } else {
         engine.agenda.remove(Item::Pair(pair));
     }
 }
 
-/// How far the pair's trajectories reach from `t`, and whether both are flights \[s\].
-fn horizon(engine: &Engine, pair: usize, t: f64) -> (f64, bool) {
-    let duration = engine.model.duration;
-    let mut planned = f64::INFINITY;
+/// Where the first planned step of a pair's bodies ends; nothing when both fly or stand \[s\].
+fn planned(engine: &Engine, pair: usize) -> Option<f64> {
+    let mut first = None;
     for slot in engine.pairs[pair].slots.into_iter().flatten() {
         if let Trajectory::Island { island, .. } = &engine.bodies[slot].now
             && let Some(island) = &engine.islands[*island]
         {
-            planned = planned.min(island.until);
+            first = Some(island.until.min(first.unwrap_or(f64::INFINITY)));
         }
     }
-    if planned.is_finite() {
-        return (planned, false);
+    first
+}
+
+/// The first closing of a pair within planned steps.
+fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> f64 {
+    let mut first = f64::INFINITY;
+    let mut views = None;
+    for contact in engine.pairs[pair].contacts.clone() {
+        let Contact::Open { .. } = engine.contacts[contact].state else { continue };
+        let views = views.get_or_insert_with(|| Views::of(engine, pair, t, until));
+        let closing = open(engine, contact, t).and_then(|armed| in_step(engine, contact, views, armed));
+        engine.contacts[contact].closing = closing;
+        first = first.min(closing.unwrap_or(f64::INFINITY));
     }
-    let stretch = match &engine.model.ground {
-        Ground::Still => duration,
-        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => 64.0 * dt,
-    };
-    let until = t + stretch;
-    (if until >= duration { duration } else { until }, true)
+    first
 }
 
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
     let Contact::Open { armed } = engine.contacts[contact].state else { return None };
-    if !armed && look(engine, contact, t).gap > ARMED * Reach::of(engine, contact, t).resolution {
+    if !armed && look(engine, contact, t).gap > ARMED * resolution(engine, contact, t) {
         engine.contacts[contact].state = Contact::Open { armed: true };
         return Some(true);
     }
@@ -79,97 +71,12 @@ fn look(engine: &Engine, contact: usize, t: f64) -> Local {
     locate(site.point, &engine.side(contact, 0, t), &site.face, &engine.side(contact, 1, t))
 }
 
-/// Both sides fly or stand: leaps that cannot miss a touch.
-fn in_flight(engine: &mut Engine, contact: usize, t: f64, until: f64, armed: bool, searched: &mut f64) -> Option<f64> {
-    for slot in engine.contacts[contact].slots.into_iter().flatten() {
-        let track = &mut engine.bodies[slot];
-        if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
-            system.remember(flight, until);
-        }
-    }
-    let reach = Reach::of(engine, contact, t);
-    let ask = |at: f64| reach.outlook(engine, contact, at, until);
-    match first_crossing(ask, t, until, armed, reach.resolution) {
-        Found::Crossing(at) => Some(at),
-        Found::NoneUntil(at) => {
-            if at < until {
-                engine.work += CUT_SHORT;
-            }
-            *searched = searched.min(at);
-            None
-        }
-    }
-}
-
-/// What the gap of a contact can do at most, from the bounds of both flights.
-struct Reach {
-    /// Gap with both bodies as placed \[m\].
-    home_gap: f64,
-    /// Node from its G \[m\].
-    arm: f64,
-    /// Node from the face body's G, as placed \[m\].
-    apart: f64,
-    resolution: f64,
-}
-
-impl Reach {
-    fn of(engine: &Engine, contact: usize, t: f64) -> Self {
-        let track = &engine.contacts[contact];
-        let site = &engine.model.contacts[track.site];
-        let placed = |slot: Option<usize>| match slot {
-            Some(slot) => {
-                let body = &engine.model.bodies[engine.bodies[slot].body];
-                body.planar_frame(&[0.0; 6])
-            }
-            None => Frame::fixed(site.fixed),
-        };
-        let (node, face) = (placed(track.slots[0]), placed(track.slots[1]));
-        let apart = (node.home - face.home + node.rotation * site.point).length();
-        let arm = site.point.length();
-        // Places round with how far the bodies have come, too.
-        let moved: f64 = track.slots.into_iter().flatten().map(|slot| engine.frame(slot, t).shift.length()).sum();
-        let size = arm + apart + site.face.size() + moved;
-        Self { home_gap: locate(site.point, &node, &site.face, &face).gap, arm, apart, resolution: RESOLUTION * size }
-    }
-
-    fn outlook(&self, engine: &Engine, contact: usize, t: f64, until: f64) -> Outlook {
-        let track = &engine.contacts[contact];
-        let site = &engine.model.contacts[track.site];
-        let side = |which: usize| prospect(engine, track.slots[which], site.fixed, t, until);
-        let ((node_frame, node), (face_frame, face)) = (side(0), side(1));
-        let here = locate(site.point, &node_frame, &site.face, &face_frame);
-        let apart = self.apart + node.reach + face.reach;
-        let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
-        let moving = node.speed + node.spin * self.arm + face.speed + face.spin * apart;
-        let coriolis = if face.spin > 0.0 { 2.0 * face.spin * moving } else { 0.0 };
-        let curvature = node.acceleration
-            + turn(node.spin, node.spin_rate, self.arm)
-            + face.acceleration
-            + turn(face.spin, face.spin_rate, apart)
-            + coriolis;
-        let moved = node.reach + node.turn * self.arm + face.reach + face.turn * apart;
-        Outlook {
-            gap: here.gap,
-            rate: here.gap_rate,
-            curvature,
-            window: node.window.min(face.window),
-            out_of_reach: self.home_gap > moved,
-        }
-    }
-}
-
-/// Pose of a side at `t` and what its motion can do from there until `until`.
-fn prospect(engine: &Engine, slot: Option<usize>, fixed: glam::DVec3, t: f64, until: f64) -> (Frame, Bound) {
-    let horizon = (until - t).max(f64::MIN_POSITIVE);
-    let Some(slot) = slot else { return (Frame::fixed(fixed), Bound::still(horizon)) };
-    let track = &engine.bodies[slot];
-    match (&track.now, &track.system) {
-        (Trajectory::Flight(flight), Some(system)) => {
-            let (state, bound) = system.prospect(flight, t, horizon);
-            (engine.model.bodies[track.body].planar_frame(&state), bound)
-        }
-        _ => (engine.frame(slot, t), Bound::still(horizon)),
-    }
+/// Depth of a dip of a contact's gap that is rounding from `t` on \[m\].
+fn resolution(engine: &Engine, contact: usize, t: f64) -> f64 {
+    let track = &engine.contacts[contact];
+    // Places round with how far the bodies have come, too.
+    let moved: f64 = track.slots.into_iter().flatten().map(|slot| engine.frame(slot, t).shift.length()).sum();
+    RESOLUTION * (track.spot.size + moved)
 }
 
 /// Poses of a pair's bodies at the looks of a planned step, for all of its contacts.
@@ -238,7 +145,7 @@ fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Optio
     if armed && before.gap > excursion(engine, contact, &before, t, until) {
         return None;
     }
-    let resolution = Reach::of(engine, contact, t).resolution;
+    let resolution = resolution(engine, contact, t);
     if armed && before.gap <= resolution && before.gap_rate < 0.0 {
         return Some(t);
     }
