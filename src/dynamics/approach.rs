@@ -61,6 +61,7 @@ impl Spot {
 }
 
 /// Both sides of a pair at an instant.
+#[derive(Clone, Copy)]
 struct View {
     frames: [Frame; 2],
     bounds: [Bound; 2],
@@ -127,11 +128,8 @@ pub(super) fn search(engine: &mut Engine, pair: usize, t: f64) -> f64 {
     let first = View::of(engine_now, pair, t, duration);
     let mut quarries = open(engine_now, pair, &first);
     let out = !quarries.iter().any(|q| !(q.hunt.out_of_reach() && first.between.window >= duration - t));
-    let (due, closing) = if out {
-        (f64::INFINITY, Vec::new())
-    } else {
-        hunt(engine_now, pair, &mut quarries, [t, until], &mut looks)
-    };
+    let (due, closing) =
+        if out { (f64::INFINITY, Vec::new()) } else { hunt(engine_now, pair, &mut quarries, [t, until], &mut looks) };
     let cut = closing.is_empty() && due < until;
     let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
     engine.effort.looks += looks;
@@ -211,10 +209,11 @@ fn hunt(
             let stuck = &quarries[shortest];
             return (t, if stuck.hunt.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
         }
-        let there = View::of(engine, pair, next, until);
-        *looks += 1;
+        let mut views = Views { engine, pair, until, seen: Vec::new() };
+        let there = views.at(next);
         let closed: Vec<(usize, f64)> =
-            quarries.iter_mut().filter_map(|q| arrive(engine, pair, q, &there, [t, next, until], looks)).collect();
+            quarries.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();
+        *looks += views.seen.len() as u64;
         if let Some(first) = closed.iter().map(|(_, at)| *at).min_by(f64::total_cmp) {
             return (first, with_those_who_follow(engine, pair, quarries, closed, first));
         }
@@ -223,22 +222,31 @@ fn hunt(
     (if t >= engine.model.duration { f64::INFINITY } else { t }, Vec::new())
 }
 
-/// When a contact closes, if the look at `next` shows that it does.
-fn arrive(
-    engine: &Engine,
+/// Looks at a pair about one instant: contacts of a flush face ask for the same ones.
+struct Views<'a> {
+    engine: &'a Engine,
     pair: usize,
-    quarry: &mut Quarry<'_>,
-    there: &View,
-    [t, next, until]: [f64; 3],
-    looks: &mut u64,
-) -> Option<(usize, f64)> {
+    until: f64,
+    seen: Vec<(f64, View)>,
+}
+
+impl Views<'_> {
+    fn at(&mut self, t: f64) -> View {
+        if let Some((_, view)) = self.seen.iter().find(|(at, _)| *at == t) {
+            return *view;
+        }
+        let view = View::of(self.engine, self.pair, t, self.until);
+        self.seen.push((t, view));
+        view
+    }
+}
+
+/// When a contact closes, if the look at `next` shows that it does.
+fn arrive(quarry: &mut Quarry<'_>, there: &View, [t, next]: [f64; 2], views: &mut Views<'_>) -> Option<(usize, f64)> {
     let look = quarry.outlook(there);
     let sight = quarry.hunt.arrive(look);
-    let quarry = &*quarry;
-    let mut ask = |at: f64| {
-        *looks += 1;
-        quarry.outlook(&View::of(engine, pair, at, until))
-    };
+    let (quarry, until) = (&*quarry, views.until);
+    let mut ask = |at: f64| quarry.outlook(&views.at(at));
     match sight {
         Sight::Open => None,
         Sight::Closed => Some((quarry.contact, root(|at| -ask(at).gap, t, next))),

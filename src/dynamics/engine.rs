@@ -4,6 +4,7 @@
 //! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only
 //! the bodies it concerns get new trajectories, and only their pairs are looked at again. Nobody else notices.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Model;
@@ -75,6 +76,8 @@ pub(super) struct ContactTrack {
     pub slots: [Option<usize>; 2],
     /// Its state now.
     pub state: Contact,
+    /// Other contacts of the same node: it touches one face at a time.
+    pub rivals: Vec<usize>,
     /// Where its two sides stand as placed.
     pub spot: Spot,
     /// Its next closing on the trajectories in force \[s\].
@@ -93,6 +96,8 @@ pub struct Engine {
     pub(super) pairs: Vec<PairTrack>,
     pub(super) contacts: Vec<ContactTrack>,
     pub(super) islands: Vec<Option<Island>>,
+    /// Numbers of islands that are no more.
+    pub(super) vacant: Vec<usize>,
     pub(super) agenda: Agenda,
     pub(super) events: Vec<Event>,
     stop: Option<Stop>,
@@ -121,14 +126,15 @@ impl std::ops::AddAssign for Effort {
 }
 
 impl Engine {
-    /// Sets up a group of bodies at t = 0.
-    pub fn new(model: &Arc<Model>, group: &[usize]) -> Self {
+    /// Sets up a group of bodies, by its number in the model, at t = 0.
+    pub fn new(model: &Arc<Model>, group: usize) -> Self {
         let mut engine = Self {
             model: Arc::clone(model),
             bodies: Vec::new(),
             pairs: Vec::new(),
             contacts: Vec::new(),
             islands: Vec::new(),
+            vacant: Vec::new(),
             agenda: Agenda::default(),
             events: Vec::new(),
             stop: None,
@@ -141,8 +147,9 @@ impl Engine {
         engine
     }
 
-    fn gather(&mut self, group: &[usize]) {
+    fn gather(&mut self, number: usize) {
         let model = Arc::clone(&self.model);
+        let group = model.groups[number].as_slice();
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             let planar = model.kind == Kind::Planar;
@@ -151,19 +158,20 @@ impl Engine {
             let now = Trajectory::Flight(rest);
             self.bodies.push(BodyTrack { body, system, now, segments: Vec::new(), pairs: Vec::new() });
         }
-        for (number, pair) in model.pairs.iter().enumerate() {
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for &number in &model.group_pairs[number] {
+            let pair = &model.pairs[number];
             let slots = pair.bodies.map(slot);
-            if slots == [None, None] {
-                continue;
-            }
             let from = self.contacts.len();
             for site in pair.contacts.clone() {
                 let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
+                nodes.entry((owners[0], &model.contacts[site].node)).or_default().push(self.contacts.len());
                 self.contacts.push(ContactTrack {
                     site,
                     pair: self.pairs.len(),
                     slots: owners,
                     spot: Spot::of(&model, site),
+                    rivals: Vec::new(),
                     state: Contact::Open { armed: true },
                     closing: None,
                     log: ContactLog::default(),
@@ -177,6 +185,11 @@ impl Engine {
             let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
             let contacts = from..self.contacts.len();
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together });
+        }
+        for same in nodes.values().filter(|same| same.len() > 1) {
+            for &contact in same {
+                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+            }
         }
     }
 

@@ -60,7 +60,7 @@ impl Engine {
 
     /// Founds an island of bodies at `t`; returns its number.
     pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> usize {
-        let number = self.islands.iter().position(Option::is_none).unwrap_or_else(|| {
+        let number = self.vacant.pop().unwrap_or_else(|| {
             self.islands.push(None);
             self.islands.len() - 1
         });

@@ -64,6 +64,7 @@ impl Engine {
             self.predict_around(&slots, t);
             return;
         }
+        self.vacant.push(number);
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.model, index, t)).collect();
         let now = self.instant(island.slots.clone(), states, t);
         for (number, &contact) in island.contacts.iter().enumerate() {
@@ -147,6 +148,7 @@ impl Engine {
         for number in numbers {
             self.agenda.remove(Item::Island(number));
             if let Some(island) = self.islands[number].take() {
+                self.vacant.push(number);
                 self.commit_island(&island, t);
                 for n in 0..island.contacts.len() {
                     self.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));

@@ -82,14 +82,7 @@ impl Engine {
 
     /// Whether the same node is in another face already: it touches one at a time.
     fn touches_elsewhere(&self, contact: usize) -> bool {
-        let owner = |c: usize| &self.model.contacts[self.contacts[c].site];
-        let mine = owner(contact);
-        (0..self.contacts.len()).any(|other| {
-            other != contact
-                && self.contacts[other].state.closed().is_some()
-                && owner(other).node == mine.node
-                && owner(other).node_body == mine.node_body
-        })
+        self.contacts[contact].rivals.iter().any(|&other| self.contacts[other].state.closed().is_some())
     }
 
     /// Event 1: a node enters a face.
