@@ -16,28 +16,31 @@ use girderbench::scene::{Scene, presets};
 use girderbench::sim::History;
 use rows::Row;
 
-/// A problem: what it is called, how often it is run, what is asked for, and the scene at a tolerance.
+/// A problem: what it is called, how often it is run for one figure, what is asked for, and the scene at a tolerance.
 struct Problem {
     name: &'static str,
-    repeats: usize,
+    repeats: u32,
     asked_ms: f64,
     tolerance: f64,
     scene: fn(f64) -> Scene,
 }
 
+/// Figures of which the median is taken.
+const FIGURES: usize = 7;
+
 const PROBLEMS: &[Problem] = &[
-    Problem { name: "P1", repeats: 301, asked_ms: 1.0, tolerance: 1e-9, scene: rows::p1 },
-    Problem { name: "P2", repeats: 301, asked_ms: 2.0, tolerance: 1e-9, scene: rows::p2 },
-    Problem { name: "skew45", repeats: 301, asked_ms: 2.0, tolerance: 1e-9, scene: skew45 },
-    Problem { name: "record-4000", repeats: 101, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(4000, e) },
-    Problem { name: "record-8000", repeats: 101, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(8000, e) },
-    Problem { name: "deck-30m", repeats: 5, asked_ms: 20.0, tolerance: 1e-9, scene: deck },
-    Problem { name: "row-1", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1, e) },
-    Problem { name: "row-10", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(10, e) },
-    Problem { name: "row-100", repeats: 15, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(100, e) },
-    Problem { name: "row-1000", repeats: 5, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1000, e) },
-    Problem { name: "few-3", repeats: 51, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(3, e) },
-    Problem { name: "few-1000", repeats: 5, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(1000, e) },
+    Problem { name: "P1", repeats: 60, asked_ms: 1.0, tolerance: 1e-9, scene: rows::p1 },
+    Problem { name: "P2", repeats: 60, asked_ms: 2.0, tolerance: 1e-9, scene: rows::p2 },
+    Problem { name: "skew45", repeats: 60, asked_ms: 2.0, tolerance: 1e-9, scene: skew45 },
+    Problem { name: "record-4000", repeats: 20, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(4000, e) },
+    Problem { name: "record-8000", repeats: 20, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(8000, e) },
+    Problem { name: "deck-30m", repeats: 1, asked_ms: 20.0, tolerance: 1e-9, scene: deck },
+    Problem { name: "row-1", repeats: 40, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1, e) },
+    Problem { name: "row-10", repeats: 40, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(10, e) },
+    Problem { name: "row-100", repeats: 4, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(100, e) },
+    Problem { name: "row-1000", repeats: 1, asked_ms: 100.0, tolerance: 1e-8, scene: |e| many(1000, e) },
+    Problem { name: "few-3", repeats: 40, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(3, e) },
+    Problem { name: "few-1000", repeats: 1, asked_ms: 100.0, tolerance: 1e-8, scene: |e| few(1000, e) },
 ];
 
 fn many(count: usize, tolerance: f64) -> Scene {
@@ -93,13 +96,16 @@ fn all() {
 }
 
 fn measure(problem: &Problem) {
-    let scene = (problem.scene)(problem.tolerance);
+    let tolerance = std::env::var("TOLERANCE").ok().and_then(|t| t.parse().ok()).unwrap_or(problem.tolerance);
+    let scene = (problem.scene)(tolerance);
+    // The system counts processor time in ticks of some milliseconds: several runs for one figure.
     let (mut times, zero) = (Vec::new(), Instant::now());
-    for _ in 0..problem.repeats {
+    for _ in 0..FIGURES {
         let start = clock(zero);
-        let history = run(&scene);
-        times.push((clock(zero) - start) * 1e3);
-        drop(history);
+        for _ in 0..problem.repeats {
+            std::hint::black_box(run(&scene));
+        }
+        times.push((clock(zero) - start) * 1e3 / f64::from(problem.repeats));
     }
     times.sort_by(f64::total_cmp);
     let history = run(&scene);

@@ -95,7 +95,7 @@ pub struct Engine {
     pub(super) bodies: Vec<BodyTrack>,
     pub(super) pairs: Vec<PairTrack>,
     pub(super) contacts: Vec<ContactTrack>,
-    pub(super) islands: Vec<Option<Island>>,
+    pub(super) islands: Vec<Option<Box<Island>>>,
     /// Numbers of islands that are no more.
     pub(super) vacant: Vec<usize>,
     pub(super) agenda: Agenda,

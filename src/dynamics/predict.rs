@@ -1,5 +1,6 @@
 //! When the open contacts of a pair close next, on the trajectories that its bodies are on.
 
+use super::ContactSite;
 use super::agenda::Item;
 use super::approach;
 use super::engine::{Engine, Trajectory};
@@ -44,16 +45,47 @@ fn planned(engine: &Engine, pair: usize) -> Option<f64> {
 
 /// The first closing of a pair within planned steps.
 fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> f64 {
+    let contacts = engine.pairs[pair].contacts.clone();
+    for contact in contacts.clone() {
+        engine.contacts[contact].closing = None;
+    }
+    if contacts.clone().all(|c| engine.contacts[c].state.closed().is_some()) {
+        return f64::INFINITY;
+    }
+    let mut views = Views::begin(engine, pair, t, until);
+    if too_short(engine, pair, &views) {
+        return f64::INFINITY;
+    }
+    views.fill(engine);
     let mut first = f64::INFINITY;
-    let mut views = None;
-    for contact in engine.pairs[pair].contacts.clone() {
-        let Contact::Open { .. } = engine.contacts[contact].state else { continue };
-        let views = views.get_or_insert_with(|| Views::of(engine, pair, t, until));
-        let closing = open(engine, contact, t).and_then(|armed| in_step(engine, contact, views, armed));
+    for contact in contacts {
+        let closing = open(engine, contact, t).and_then(|armed| in_step(engine, contact, &views, armed));
         engine.contacts[contact].closing = closing;
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
     first
+}
+
+/// Whether the planned steps are too short for any open contact of the pair to close, by one look at all of them.
+fn too_short(engine: &Engine, pair: usize, views: &Views) -> bool {
+    let slots = engine.pairs[pair].slots;
+    let (mut least, mut longest) = (f64::INFINITY, [0.0f64; 2]);
+    for contact in engine.pairs[pair].contacts.clone() {
+        let track = &engine.contacts[contact];
+        let Contact::Open { armed } = track.state else { continue };
+        if !armed {
+            return false;
+        }
+        let here = views.look(engine, contact, 0);
+        least = least.min(here.gap);
+        for (slot, arm) in track.slots.into_iter().zip(arms(&engine.model.contacts[track.site], &here)) {
+            let side = usize::from(slot == slots[1]);
+            longest[side] = longest[side].max(arm);
+        }
+    }
+    let [t, until] = [views.times[0], views.times[LOOKS - 1]];
+    let far = |side: usize| slots[side].map_or(0.0, |slot| excursion(engine, slot, longest[side], t, until));
+    least > far(0) + far(1)
 }
 
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
@@ -87,13 +119,23 @@ struct Views {
 }
 
 impl Views {
-    fn of(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
+    /// With the first look only.
+    fn begin(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
         let slots = engine.pairs[pair].slots;
         let part = |i: usize| (until - t) * i as f64 / (LOOKS - 1) as f64;
         let times = std::array::from_fn(|i| if i == LOOKS - 1 { until } else { t + part(i) });
-        let frame =
-            |slot: Option<usize>, t: f64| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| engine.frame(slot, t));
-        Self { times, frames: times.map(|t| slots.map(|slot| frame(slot, t))), slots }
+        Self { times, frames: [Self::frames(engine, slots, t); LOOKS], slots }
+    }
+
+    /// The other looks.
+    fn fill(&mut self, engine: &Engine) {
+        for i in 1..LOOKS {
+            self.frames[i] = Self::frames(engine, self.slots, self.times[i]);
+        }
+    }
+
+    fn frames(engine: &Engine, slots: [Option<usize>; 2], t: f64) -> [Frame; 2] {
+        slots.map(|slot| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| engine.frame(slot, t)))
     }
 
     fn look(&self, engine: &Engine, contact: usize, i: usize) -> Local {
@@ -107,29 +149,26 @@ impl Views {
     }
 }
 
-/// How far a gap can go within the planned steps of its sides, at most \[m\].
-fn excursion(engine: &Engine, contact: usize, here: &Local, from: f64, until: f64) -> f64 {
-    let track = &engine.contacts[contact];
-    let site = &engine.model.contacts[track.site];
-    // The node as its body carries it, and as the face's body would.
-    let arms = [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()];
-    let along = |(slot, arm): (Option<usize>, f64)| {
-        let Some(slot) = slot else { return 0.0 };
-        match (&engine.bodies[slot].now, &engine.bodies[slot].system) {
-            (Trajectory::Island { island, index }, _) => engine.islands[*island]
-                .as_ref()
-                .map_or(0.0, |island| island.excursion(&engine.model, *index, arm, from)),
-            (Trajectory::Flight(flight), Some(system)) => {
-                let (_, bound) = system.prospect(flight, from, until - from);
-                if bound.window < until - from {
-                    return f64::INFINITY;
-                }
-                (bound.speed + bound.spin * arm) * (until - from)
-            }
-            _ => f64::INFINITY,
+/// A contact's node as its own body carries it, and as the face's body would: distances from G \[m\].
+fn arms(site: &ContactSite, here: &Local) -> [f64; 2] {
+    [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()]
+}
+
+/// How far a point at `arm` from a body's G can go within its planned step, at most \[m\].
+fn excursion(engine: &Engine, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
+    match (&engine.bodies[slot].now, &engine.bodies[slot].system) {
+        (Trajectory::Island { island, index }, _) => {
+            engine.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&engine.model, *index, arm, from))
         }
-    };
-    track.slots.into_iter().zip(arms).map(along).sum()
+        (Trajectory::Flight(flight), Some(system)) => {
+            let (_, bound) = system.prospect(flight, from, until - from);
+            if bound.window < until - from {
+                return f64::INFINITY;
+            }
+            (bound.speed + bound.spin * arm) * (until - from)
+        }
+        _ => f64::INFINITY,
+    }
 }
 
 /// A side is in a planned step: five looks at gap and rate, closer where a dip shows between them; one look where the
@@ -142,7 +181,10 @@ fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Optio
     let ask = |at: f64| look(engine, contact, at);
     let (mut armed, mut before) = (armed, views.look(engine, contact, 0));
     let mut from = t;
-    if armed && before.gap > excursion(engine, contact, &before, t, until) {
+    let track = &engine.contacts[contact];
+    let sides = track.slots.into_iter().zip(arms(&engine.model.contacts[track.site], &before));
+    let far = sides.map(|(slot, arm)| slot.map_or(0.0, |slot| excursion(engine, slot, arm, t, until)));
+    if armed && before.gap > far.sum() {
         return None;
     }
     let resolution = resolution(engine, contact, t);
