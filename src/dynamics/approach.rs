@@ -127,11 +127,12 @@ pub(super) fn search(engine: &mut Engine, pair: usize, t: f64) -> f64 {
     let mut looks = 1;
     let first = View::of(engine_now, pair, t, duration);
     let mut quarries = open(engine_now, pair, &first);
+    // Those that are in front now; a hunt may find others come out later.
+    let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
     let out = !quarries.iter().any(|q| !(q.hunt.out_of_reach() && first.between.window >= duration - t));
     let (due, closing) =
         if out { (f64::INFINITY, Vec::new()) } else { hunt(engine_now, pair, &mut quarries, [t, until], &mut looks) };
     let cut = closing.is_empty() && due < until;
-    let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
     engine.effort.looks += looks;
     engine.work += if cut { CUT_SHORT } else { 0 };
     for contact in engine.pairs[pair].contacts.clone() {
