@@ -21,15 +21,12 @@ impl Agenda {
     /// Enters an item, or moves it. Times are never negative, so their bits sort as they do.
     pub(super) fn set(&mut self, item: Item, t: f64) {
         let entry = (t.max(0.0).to_bits(), item);
-        let at = match *self.place(item) {
-            Some(at) => {
-                self.heap[at] = entry;
-                at
-            }
-            None => {
-                self.heap.push(entry);
-                self.heap.len() - 1
-            }
+        let at = if let Some(at) = *self.place(item) {
+            self.heap[at] = entry;
+            at
+        } else {
+            self.heap.push(entry);
+            self.heap.len() - 1
         };
         self.settle(at);
     }

@@ -11,11 +11,12 @@ use super::Model;
 use super::agenda::{Agenda, Item};
 use super::approach::Spot;
 use super::body_state;
+use super::contact_log::ContactLog;
 use super::event::{Event, Stop};
 use super::flight::{Flight, System};
 use super::island::Island;
 use super::stepper::Pace;
-use super::track::{Contact, ContactLog, Segment};
+use super::track::{Contact, Segment};
 use crate::contact::Frame;
 use crate::scene::Kind;
 
@@ -239,6 +240,8 @@ impl Engine {
     pub fn finish(mut self) -> Finished {
         let end = self.now();
         self.commit_all(end);
+        self.bodies.iter_mut().for_each(|track| track.segments.shrink_to_fit());
+        self.contacts.iter_mut().for_each(|track| track.log.shrink());
         Finished {
             end,
             stop: self.stop,

@@ -21,7 +21,7 @@ impl Engine {
                 if let Some(system) = &track.system {
                     system.remember(&mut flight, t);
                 }
-                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(flight) });
+                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
             }
         }
         for island in 0..self.islands.len() {
@@ -37,8 +37,8 @@ impl Engine {
             return;
         }
         for (index, &slot) in island.slots.iter().enumerate() {
-            if let Some(dense) = island.path(&self.model, index) {
-                let path = Path::Dense(dense);
+            if let Some(piece) = island.path(&self.model, index) {
+                let path = Path::Step(piece);
                 self.bodies[slot].segments.push(Segment { from: island.from, until, path });
             }
         }

@@ -291,7 +291,9 @@ fn groups(count: usize, pairs: &[Pair]) -> Vec<Vec<usize>> {
 fn group_pairs(count: usize, groups: &[Vec<usize>], pairs: &[Pair]) -> Vec<Vec<usize>> {
     let mut home = vec![0; count];
     for (group, bodies) in groups.iter().enumerate() {
-        bodies.iter().for_each(|&body| home[body] = group);
+        for &body in bodies {
+            home[body] = group;
+        }
     }
     let mut found = vec![Vec::new(); groups.len()];
     for (number, pair) in pairs.iter().enumerate() {

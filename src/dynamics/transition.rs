@@ -52,7 +52,7 @@ impl Engine {
     fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
         let track = &mut self.contacts[contact];
         track.state = state;
-        track.log.states.push((t, state));
+        track.log.push(t, state);
         let (site, pair) = (track.site, self.pairs[track.pair].pair);
         self.events.push(Event { t, pair, contact: site, kind, released });
         self.counted(contact, t);
@@ -62,7 +62,7 @@ impl Engine {
     fn remember(&mut self, contact: usize, closed: Closed, t: f64) {
         let track = &mut self.contacts[contact];
         track.state = Contact::Closed(closed);
-        track.log.states.push((t, track.state));
+        track.log.push(t, track.state);
         self.counted(contact, t);
     }
 
@@ -134,7 +134,7 @@ impl Engine {
                 Contact::Open { armed: false }
             };
             self.contacts[contact].state = state;
-            self.contacts[contact].log.states.push((0.0, state));
+            self.contacts[contact].log.push(0.0, state);
         }
     }
 

@@ -7,10 +7,11 @@ use glam::{DQuat, DVec3};
 use super::ledger::Books;
 use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, touches};
 use crate::contact::{Frame, Mode};
+use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::engine::{Effort, Finished};
 use crate::dynamics::flight::System;
 use crate::dynamics::penalty3d::{act, to_world};
-use crate::dynamics::track::{Closed, ContactLog, Path, Segment};
+use crate::dynamics::track::{Closed, Path, Segment};
 use crate::dynamics::{Model, body_state};
 use crate::scene::{Kind, Scene, SceneErrors};
 
@@ -124,9 +125,9 @@ impl History {
                     state[..6].copy_from_slice(&system.state(flight, t));
                 }
             }
-            Some(Path::Dense(dense)) => {
+            Some(Path::Step(piece)) => {
                 let width = body_state::width(self.model.kind);
-                dense.read(0..width, t, &mut state[..width]);
+                piece.read(t, &mut state[..width]);
             }
             // Nothing was computed: the run gave up at its start.
             None => {

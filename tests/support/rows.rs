@@ -1,11 +1,12 @@
 //! Rows of straight model girders between two abutments, the problems that run times are stated for, and a record made up
 //! from a seed. Tests and benches share them.
+#![allow(dead_code, reason = "each test and each bench uses its part")]
 
 use std::fmt::Write;
 
 use girderbench::scene::{Motion, RecordMotion, Scene, format};
 
-/// SplitMix64: a fixed stream of numbers for a seed.
+/// `SplitMix64`: a fixed stream of numbers for a seed.
 #[derive(Debug)]
 pub(crate) struct Stream(pub u64);
 
