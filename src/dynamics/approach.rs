@@ -5,7 +5,7 @@
 
 use super::bound::Bound;
 use super::engine::{Engine, Trajectory};
-use super::predict::{ARMED, RESOLUTION};
+use super::predict::{RESOLUTION, in_front};
 use super::relative::{Apart, Flyer};
 use super::search::{Hunt, MOST, Outlook, Sight, polish, root};
 use super::track::Contact;
@@ -126,7 +126,7 @@ pub(super) fn search(engine: &mut Engine, pair: usize, t: f64) -> f64 {
     let engine_now = &*engine;
     let mut looks = 1;
     let first = View::of(engine_now, pair, t, duration);
-    let mut quarries = open(engine_now, pair, &first);
+    let mut quarries = open(engine_now, pair, t, &first);
     // Those that are in front now; a hunt may find others come out later.
     let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
     let out = !quarries.iter().any(|q| !(q.hunt.out_of_reach() && first.between.window >= duration - t));
@@ -168,7 +168,7 @@ fn remember(engine: &mut Engine, pair: usize, until: f64) {
 }
 
 /// The open contacts of a pair; a node that has come out in front is armed again.
-fn open<'a>(engine: &'a Engine, pair: usize, view: &View) -> Vec<Quarry<'a>> {
+fn open<'a>(engine: &'a Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry<'a>> {
     let slots = engine.pairs[pair].slots;
     let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
     let quarry = |contact: usize| {
@@ -180,7 +180,8 @@ fn open<'a>(engine: &'a Engine, pair: usize, view: &View) -> Vec<Quarry<'a>> {
         let hunt = Hunt::begin(unseen, armed, 0.0);
         let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), hunt };
         let (here, resolution) = (quarry.outlook(view), RESOLUTION * (spot.size + moved));
-        quarry.hunt = Hunt::begin(here, armed || here.gap > ARMED * resolution, resolution);
+        let armed = armed || in_front(here.gap, here.rate, t, resolution);
+        quarry.hunt = Hunt::begin(here, armed, resolution);
         Some(quarry)
     };
     engine.pairs[pair].contacts.clone().filter_map(quarry).collect()
@@ -245,7 +246,7 @@ impl Views<'_> {
 /// When a contact closes, if the look at `next` shows that it does.
 fn arrive(quarry: &mut Quarry<'_>, there: &View, [t, next]: [f64; 2], views: &mut Views<'_>) -> Option<(usize, f64)> {
     let look = quarry.outlook(there);
-    let sight = quarry.hunt.arrive(look);
+    let sight = quarry.hunt.arrive(look, next);
     let (quarry, until) = (&*quarry, views.until);
     let mut ask = |at: f64| quarry.outlook(&views.at(at));
     match sight {

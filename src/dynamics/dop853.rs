@@ -125,7 +125,7 @@ impl Dop853 {
         difference(&mut self.stage, E3, &self.slopes, n);
         let third = system.size2(&self.stage);
         let mixed = fifth + 0.01 * third;
-        if mixed > 0.0 {
+        if mixed > 0.0 && mixed.is_finite() {
             h.abs() * fifth / mixed.sqrt()
         } else if mixed == 0.0 {
             0.0

@@ -230,7 +230,8 @@ impl Island {
         self.omega
     }
 
-    /// What errors are measured against: the speeds of its bodies and of what their contacts hold.
+    /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
+    /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega, body_state::width(model.kind));
         let (mut speed2, mut place) = (0.0f64, 0.0f64);
@@ -244,9 +245,15 @@ impl Island {
             self.frames.push(here);
         }
         let mut stretch = 0.0f64;
+        if !self.active.is_empty() {
+            speed2 = 0.0;
+        }
         for active in &self.active {
             let here = active.look(model, &self.frames);
-            speed2 = speed2.max((omega * here.gap).powi(2));
+            speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
+            if let Mode::Stick { anchor } = active.closed.mode {
+                speed2 = speed2.max((omega * (here.at - anchor)).length_squared() + here.rate.length_squared());
+            }
             if active.angle.is_some() {
                 stretch = stretch.max(active.closed.law.mu_k * (here.gap.abs() + here.gap_rate.abs() / omega));
             }

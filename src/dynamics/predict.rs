@@ -12,7 +12,9 @@ use crate::contact::{Frame, Local, locate};
 pub(super) const RESOLUTION: f64 = 4e-16;
 /// A node is in front of a face again when it is this many resolutions off it: at the crossing that it missed by, its gap is
 /// rounding of either sign.
-pub(super) const ARMED: f64 = 64.0;
+const ARMED: f64 = 64.0;
+/// Rounding of a time, with room for that of a root.
+const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Looks at a gap per planned step.
 const LOOKS: usize = 5;
 
@@ -91,11 +93,18 @@ fn too_short(engine: &Engine, pair: usize, views: &Views) -> bool {
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
     let Contact::Open { armed } = engine.contacts[contact].state else { return None };
-    if !armed && look(engine, contact, t).gap > ARMED * resolution(engine, contact, t) {
+    let here = look(engine, contact, t);
+    if !armed && in_front(here.gap, here.gap_rate, t, resolution(engine, contact, t)) {
         engine.contacts[contact].state = Contact::Open { armed: true };
         return Some(true);
     }
     Some(armed)
+}
+
+/// Whether a node that was ignored is clearly before the face again: where it went through, its gap is rounding of places
+/// and, at its speed, of the clock.
+pub(super) fn in_front(gap: f64, rate: f64, t: f64, resolution: f64) -> bool {
+    gap > ARMED * resolution + CLOCK * t * rate.abs()
 }
 
 fn look(engine: &Engine, contact: usize, t: f64) -> Local {
@@ -201,7 +210,7 @@ fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Optio
             if armed && there.gap < 0.0 && (there.gap_rate < 0.0 || there.gap < -resolution) {
                 return Some(root(|at| -ask(at).gap, from, at));
             }
-            armed = armed || there.gap > ARMED * resolution;
+            armed = armed || in_front(there.gap, there.gap_rate, at, resolution);
             from = at;
         }
         before = here;

@@ -4,6 +4,8 @@
 //! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
 //! everything else.
 
+use super::predict::in_front;
+
 /// Leaps before a search reports how far it has come.
 pub(super) const MOST: u32 = 100_000;
 
@@ -90,15 +92,15 @@ impl Hunt {
         leap.min(here.window)
     }
 
-    /// The next look.
-    pub(super) fn arrive(&mut self, there: Outlook) -> Sight {
+    /// The next look, at `t`.
+    pub(super) fn arrive(&mut self, there: Outlook, t: f64) -> Sight {
         if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
             return Sight::Closed;
         }
         if self.armed && self.closing(&there) {
             return Sight::Closing;
         }
-        self.armed = self.armed || there.gap > super::predict::ARMED * self.resolution;
+        self.armed = self.armed || in_front(there.gap, there.rate, t, self.resolution);
         self.here = there;
         self.finest = match self.floored {
             0 => self.resolution,
@@ -128,7 +130,7 @@ pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, a
             return if hunt.armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
         }
         let there = ask(next);
-        match hunt.arrive(there) {
+        match hunt.arrive(there, next) {
             Sight::Open => t = next,
             Sight::Closed => return Found::Crossing(root(|at| -ask(at).gap, t, next)),
             Sight::Closing => return Found::Crossing(polish(&mut ask, next, &there, to)),

@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::event::{Event, EventKind};
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
-use super::watch::{EDGE, Reason};
+use super::watch::{EDGE, ROUNDING, Reason};
 use super::{body_state, penalty3d};
 use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
 use crate::scene::{FrictionLaw, Sharing, Tension};
@@ -95,7 +95,7 @@ impl Engine {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let depth = normal.abs() * self.pairs[self.contacts[contact].pair].together * 1e9;
-        let closed = Closed { law, mode, ease: Self::ease(&law, depth), passing: false, slack: false };
+        let closed = Closed { law, mode, ease: self.ease(contact, &law, depth), passing: false, slack: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -120,7 +120,7 @@ impl Engine {
             let inside = inside && !self.touches_elsewhere(contact);
             let state = if inside {
                 let law = self.law(contact, now);
-                let ease = Self::ease(&law, here.penetration());
+                let ease = self.ease(contact, &law, here.penetration());
                 let mode = if law.has_friction() {
                     Mode::Stick { anchor: here.at }
                 } else {
@@ -221,9 +221,11 @@ impl Engine {
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
-    fn ease(law: &Law, depth: f64) -> f64 {
-        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping {
-            EASE * law.mu_k.max(LEAST_EASED) * depth.max(f64::MIN_POSITIVE)
+    /// Never less than a stretch's rounding: a direction within that is none.
+    fn ease(&self, contact: usize, law: &Law, depth: f64) -> f64 {
+        if law.v_stick > 0.0 && law.friction == Friction::ReturnMapping && law.has_friction() {
+            let size = self.model.contacts[self.contacts[contact].site].face.size();
+            (EASE * law.mu_k.max(LEAST_EASED) * depth).max(ROUNDING * size)
         } else {
             0.0
         }

@@ -13,7 +13,7 @@ const LOOKS: usize = 5;
 /// Projections this far outside a face, in parts of its size, still count as on its edge.
 pub(super) const EDGE: f64 = 1e-9;
 /// Rounding of a node's coordinates on a face, in parts of the face's size: a stretch is no better known.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A node that goes in and is less deep than this, in parts of the face's size, has only just touched.
 const ENTRY: f64 = 1e-14;
 /// At the start of a step, values below this part of their scale are the zero that the last event left.

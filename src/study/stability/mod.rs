@@ -6,7 +6,7 @@
 pub mod check;
 pub mod dice;
 mod examine;
-pub mod family;
+mod family;
 mod parts;
 mod report;
 mod shrink;

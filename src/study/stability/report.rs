@@ -12,7 +12,7 @@ const SLOWEST: usize = 10;
 /// Every seed in a row of comma-separated values.
 pub fn csv(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
-        "seed,family,kind,girders,duration_s,tolerance,outcome,checks,touches,events,residual,missed_m,cone,creates,error_m,finer_error_m,trusted_s,seconds\n",
+        "seed,family,kind,girders,duration_s,tolerance,outcome,checks,touches,events,residual,missed_m,cone,creates,gives_back,error_m,finer_error_m,trusted_s,seconds\n",
     );
     for v in verdicts {
         let f = &v.examined.figures;
@@ -20,7 +20,7 @@ pub fn csv(verdicts: &[Verdict]) -> String {
         // Writing to a string does not fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{:?},{:e},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
+            "{},{},{},{},{:?},{:e},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
             v.seed,
             v.family,
             if v.kind == Kind::Planar { "planar" } else { "spatial" },
@@ -35,6 +35,7 @@ pub fn csv(verdicts: &[Verdict]) -> String {
             f.missed,
             f.cone,
             f.creates,
+            f.gives_back,
             f.error,
             f.finer_error,
             f.trusted,
@@ -100,11 +101,13 @@ fn checks(page: &mut String, verdicts: &[Verdict]) {
     let _ = writeln!(
         page,
         "\nLargest over all seeds: ledger residual {:.1e} of the largest energy, penetration without a contact {:.1e} m, \
-         friction beyond its cone {:.1e} of the peak force, shrinking of a loss {:.1e} of the largest energy.",
+         friction beyond its cone {:.1e} of the peak force, shrinking of a loss {:.1e} of the largest energy; \
+         given back by friction and its dashpot over a touch (return mapping) {:.1e}.",
         worst(|v| v.examined.figures.residual),
         worst(|v| v.examined.figures.missed),
         worst(|v| v.examined.figures.cone),
         worst(|v| v.examined.figures.creates),
+        worst(|v| v.examined.figures.gives_back),
     );
 }
 

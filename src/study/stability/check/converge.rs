@@ -3,7 +3,8 @@
 //! Three runs: at the scene's tolerance, at a hundredth of it, and at a hundredth of that (never below the finest that a
 //! scene may ask for), which stands for the truth. Where the finer error is not below the coarser one and not at the
 //! rounding floor, the reference is run again from starts that differ by a hair: the case is trusted until their
-//! difference has grown a thousandfold, and what is left within it is rounding grown by as much as the hair.
+//! difference has grown a thousandfold, and an error no larger than what starts a finer tolerance apart have come to is
+//! what that tolerance promises.
 
 use super::super::watch::{NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
@@ -11,8 +12,9 @@ use crate::scene::Scene;
 use crate::sim::History;
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
-                                rounding floor, until the time to which the case can be trusted: starts that differ \
-                                by a hair have then come a thousand hairs apart";
+                                floor (rounding, or ten times what starts that differ by the finer tolerance come \
+                                apart), until the time to which the case can be trusted: starts that differ by a \
+                                hair have then come a thousand hairs apart";
 
 /// The finest tolerance that a scene may ask for.
 const FINEST: f64 = 1e-13;
@@ -24,7 +26,7 @@ const FLOOR: f64 = 1e-12;
 const GROWN: f64 = 1e3;
 /// A start's relative difference that stands for rounding.
 const HAIR: f64 = 1e-12;
-/// Rounding is so many hairs.
+/// An error may be so many times what a start's difference of the tolerance has grown to.
 const HAIRS: f64 = 10.0;
 
 /// Puts the check.
@@ -54,10 +56,10 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     let last = trust.until;
     figures.trusted = truth.end() * last as f64 / COMPARED as f64;
     (figures.error, figures.finer_error) = (errors[last], finer_errors[last]);
-    let grown = |i: usize| floor.max(trust.rounding[i]);
+    let grown = |i: usize| floor.max(trust.floor[i]);
     Ok(rises(last, &grown).then(|| {
         format!(
-            "until {} s: error {:e} m at tolerance {:e}, {:e} m at {:e}; rounding there {:e} m",
+            "until {} s: error {:e} m at tolerance {:e}, {:e} m at {:e}; floor there {:e} m",
             figures.trusted,
             errors[last],
             tolerance,
@@ -68,25 +70,23 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     }))
 }
 
-/// How far a case can be trusted, and what rounding has grown to, by the number of the instant.
+/// How far a case can be trusted, and what differences of the tolerance have grown to, by the number of the instant.
 struct Trust {
     until: usize,
-    rounding: Vec<f64>,
+    floor: Vec<f64>,
 }
 
 fn trust(truth: &History, finer: f64, watch: &Watch<'_>) -> Result<Trust, (Check, String)> {
     let extent = extent(truth);
-    let (mut until, mut rounding) = (COMPARED, vec![0.0; COMPARED + 1]);
+    let (mut until, mut floor) = (COMPARED, vec![0.0; COMPARED + 1]);
     for hair in [HAIR, -HAIR, finer, -finer] {
         let other = run(&nudged(truth, hair), watch)?;
         let apart = errors(&other, truth);
         let limit = GROWN * hair.abs() * extent;
         until = until.min(apart.iter().position(|d| *d > limit).map_or(COMPARED, |i| i.saturating_sub(1)));
-        if hair.abs() <= HAIR {
-            rounding.iter_mut().zip(&apart).for_each(|(r, d)| *r = f64::max(*r, HAIRS * d));
-        }
+        floor.iter_mut().zip(&apart).for_each(|(f, d)| *f = f64::max(*f, HAIRS * d));
     }
-    Ok(Trust { until, rounding })
+    Ok(Trust { until, floor })
 }
 
 fn run(scene: &Scene, watch: &Watch<'_>) -> Result<History, (Check, String)> {

@@ -102,6 +102,8 @@ pub struct Figures {
     pub cone: f64,
     /// Largest shrinking of a loss, of the largest energy in play.
     pub creates: f64,
+    /// The same of all that contacts lost between two instants without contact; return mapping may give back.
+    pub gives_back: f64,
     /// Error at the scene's tolerance \[m\].
     pub error: f64,
     /// Error at a hundredth of it \[m\].
@@ -121,7 +123,7 @@ pub fn answer(history: &History, figures: &mut Figures, complaints: &mut Vec<Com
     figures.touches = history.events().iter().filter(|e| e.kind.is_touch()).count();
     missed::check(history, &times, figures, complaints);
     forces::check(history, &times, figures, complaints);
-    energy::check(history, figures, complaints);
+    energy::check(history, &times, figures, complaints);
 }
 
 /// Looks at even distances over a run.
