@@ -115,7 +115,8 @@ fn a_cancelled_run_keeps_what_it_has() {
     assert!(part.end() >= 1.4 && part.end() < 4.0, "it stops where it was told, at {}", part.end());
     let whole = run(&scene);
     for i in 0..=100 {
-        let t = part.end() * f64::from(i) / 100.0;
+        // The last product may round to beyond the end, where only the whole run goes on.
+        let t = (part.end() * f64::from(i) / 100.0).min(part.end());
         assert_eq!(part.motion(0, t), whole.motion(0, t), "the same to the bit at {t}");
     }
 }

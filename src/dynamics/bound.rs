@@ -37,17 +37,28 @@ impl System {
     /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,
     /// its work bounds it over a short window.
     pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> Bound {
-        match &self.form {
-            SystemForm::Split { dof, .. } if !self.has_kinks() => {
+        self.bound_from(t, state, None, horizon)
+    }
+
+    /// The same, where the free part may be known already.
+    pub(super) fn bound_from(&self, t: f64, state: &Planar, free: Option<&Planar>, horizon: f64) -> Bound {
+        match (&self.form, free) {
+            (SystemForm::Split { dof, .. }, Some(free)) => self.bound_split(dof, free, horizon),
+            (SystemForm::Split { dof, .. }, None) if !self.has_kinks() => {
                 let steady = self.steady(dof, t);
                 self.bound_split(dof, &std::array::from_fn(|i| state[i] - steady[i]), horizon)
+            }
+            (SystemForm::Split { dof, .. }, None) => {
+                // A record drives G, never the rotation.
+                let [turn, spin, spin_rate] = dof[2].limits([state[2], state[5]], 0.0, self.push[2], horizon);
+                Bound { turn, spin, spin_rate, ..self.bound_whole(state, horizon) }
             }
             _ => self.bound_whole(state, horizon),
         }
     }
 
     /// From the free parts, three displacements and their rates.
-    pub(super) fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
+    fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
         let drive = if let Ground::Sine { omega, .. } = self.ground { omega } else { 0.0 };
         let limits: [[f64; 3]; 3] =
             std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));

@@ -55,11 +55,16 @@ impl Dense {
     #[inline]
     pub fn read(&self, range: std::ops::Range<usize>, t: f64, out: &mut [f64]) {
         let x = (t - self.from) / self.step;
-        let y = 1.0 - x;
         for (value, c) in out.iter_mut().zip(&self.coefficients[range]) {
-            // Horner in x and 1 − x by turns, from the highest coefficient down.
-            *value = c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))));
+            *value = Self::value(c, x);
         }
+    }
+
+    /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
+    #[inline]
+    pub(super) fn value(c: &[f64; DENSE], x: f64) -> f64 {
+        let y = 1.0 - x;
+        c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))))
     }
 
     /// How far components `range` together are from their start at most, anywhere in the step.

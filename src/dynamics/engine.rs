@@ -4,16 +4,19 @@
 //! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only
 //! the bodies it concerns get new trajectories, and only their pairs are looked at again. Nobody else notices.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Model;
 use super::agenda::{Agenda, Item};
+use super::approach::Spot;
 use super::body_state;
+use super::contact_log::ContactLog;
 use super::event::{Event, Stop};
 use super::flight::{Flight, System};
 use super::island::Island;
 use super::stepper::Pace;
-use super::track::{Contact, ContactLog, Segment};
+use super::track::{Contact, Segment};
 use crate::contact::Frame;
 use crate::scene::Kind;
 
@@ -74,6 +77,10 @@ pub(super) struct ContactTrack {
     pub slots: [Option<usize>; 2],
     /// Its state now.
     pub state: Contact,
+    /// Other contacts of the same node: it touches one face at a time.
+    pub rivals: Vec<usize>,
+    /// Where its two sides stand as placed.
+    pub spot: Spot,
     /// Its next closing on the trajectories in force \[s\].
     pub closing: Option<f64>,
     /// Its states so far.
@@ -89,36 +96,61 @@ pub struct Engine {
     pub(super) bodies: Vec<BodyTrack>,
     pub(super) pairs: Vec<PairTrack>,
     pub(super) contacts: Vec<ContactTrack>,
-    pub(super) islands: Vec<Option<Island>>,
+    pub(super) islands: Vec<Option<Box<Island>>>,
+    /// Numbers of islands that are no more.
+    pub(super) vacant: Vec<usize>,
     pub(super) agenda: Agenda,
     pub(super) events: Vec<Event>,
     stop: Option<Stop>,
     now: f64,
     pub(super) work: usize,
+    pub(super) effort: Effort,
+}
+
+/// What a run has done, counted: for seeing that what a scene does not need is left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Searches for the next touch of a pair.
+    pub searches: u64,
+    /// Looks at a pair in flight.
+    pub looks: u64,
+    /// Steps of integrators.
+    pub steps: u64,
+}
+
+impl std::ops::AddAssign for Effort {
+    fn add_assign(&mut self, other: Self) {
+        self.searches += other.searches;
+        self.looks += other.looks;
+        self.steps += other.steps;
+    }
 }
 
 impl Engine {
-    /// Sets up a group of bodies at t = 0.
-    pub fn new(model: &Arc<Model>, group: &[usize]) -> Self {
+    /// Sets up a group of bodies, by its number in the model, at t = 0.
+    pub fn new(model: &Arc<Model>, group: usize) -> Self {
         let mut engine = Self {
             model: Arc::clone(model),
             bodies: Vec::new(),
             pairs: Vec::new(),
             contacts: Vec::new(),
             islands: Vec::new(),
+            vacant: Vec::new(),
             agenda: Agenda::default(),
             events: Vec::new(),
             stop: None,
             now: 0.0,
             work: 0,
+            effort: Effort::default(),
         };
         engine.gather(group);
         engine.begin();
         engine
     }
 
-    fn gather(&mut self, group: &[usize]) {
+    fn gather(&mut self, number: usize) {
         let model = Arc::clone(&self.model);
+        let group = model.groups[number].as_slice();
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             let planar = model.kind == Kind::Planar;
@@ -127,18 +159,20 @@ impl Engine {
             let now = Trajectory::Flight(rest);
             self.bodies.push(BodyTrack { body, system, now, segments: Vec::new(), pairs: Vec::new() });
         }
-        for (number, pair) in model.pairs.iter().enumerate() {
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for &number in &model.group_pairs[number] {
+            let pair = &model.pairs[number];
             let slots = pair.bodies.map(slot);
-            if slots == [None, None] {
-                continue;
-            }
             let from = self.contacts.len();
             for site in pair.contacts.clone() {
                 let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
+                nodes.entry((owners[0], &model.contacts[site].node)).or_default().push(self.contacts.len());
                 self.contacts.push(ContactTrack {
                     site,
                     pair: self.pairs.len(),
                     slots: owners,
+                    spot: Spot::of(&model, site),
+                    rivals: Vec::new(),
                     state: Contact::Open { armed: true },
                     closing: None,
                     log: ContactLog::default(),
@@ -152,6 +186,11 @@ impl Engine {
             let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
             let contacts = from..self.contacts.len();
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together });
+        }
+        for same in nodes.values().filter(|same| same.len() > 1) {
+            for &contact in same {
+                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+            }
         }
     }
 
@@ -201,12 +240,15 @@ impl Engine {
     pub fn finish(mut self) -> Finished {
         let end = self.now();
         self.commit_all(end);
+        self.bodies.iter_mut().for_each(|track| track.segments.shrink_to_fit());
+        self.contacts.iter_mut().for_each(|track| track.log.shrink());
         Finished {
             end,
             stop: self.stop,
             bodies: self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect(),
             contacts: self.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
             events: self.events,
+            effort: self.effort,
         }
     }
 
@@ -304,4 +346,6 @@ pub struct Finished {
     pub contacts: Vec<(usize, ContactLog)>,
     /// Events in order of time.
     pub events: Vec<Event>,
+    /// What it took.
+    pub effort: Effort,
 }

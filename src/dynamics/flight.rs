@@ -186,22 +186,38 @@ impl System {
         }
     }
 
-    /// The free parts after τ.
+    /// The free parts after τ. Directions with the same oscillator share its factors.
     fn free(&self, dof: &[Dof; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
-        let part = |i: usize| dof[i].advance(parts[i], [self.push[i], 0.0], tau);
-        let ([x, vx], [y, vy], [turn, spin]) = (part(0), part(1), part(2));
-        [x, y, turn, vx, vy, spin]
+        let mut out = [0.0; 6];
+        let mut known: Option<(Oscillator, Free)> = None;
+        for (i, d) in dof.iter().enumerate() {
+            let (part, force) = (parts[i], [self.push[i], 0.0]);
+            [out[i], out[3 + i]] = if !d.free || (part == [0.0; 2] && force == [0.0; 2]) {
+                part
+            } else {
+                let factors = known.filter(|(same, _)| *same == d.oscillator).map(|(_, factors)| factors);
+                let factors = factors.unwrap_or_else(|| d.oscillator.free(tau));
+                known = Some((d.oscillator, factors));
+                d.oscillator.carry(&factors, part, force, tau)
+            };
+        }
+        out
     }
 
     /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
     pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
+        let (state, free) = self.parts(flight, t);
+        (state, self.bound_from(t, &state, free.as_ref(), horizon))
+    }
+
+    /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
+    pub(super) fn parts(&self, flight: &Flight, t: f64) -> (Planar, Option<Planar>) {
         if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
             let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, t - flight.start));
             (0..6).for_each(|i| out[i] += free[i]);
-            return (out, self.bound_split(dof, &free, horizon));
+            return (out, Some(free));
         }
-        let state = self.state(flight, t);
-        (state, self.bound(t, &state, horizon))
+        (self.state(flight, t), None)
     }
 
     fn record_state(&self, flight: &Flight, first: usize, anchors: &[Planar], t: f64) -> Planar {

@@ -1,6 +1,5 @@
 //! New trajectories after something happened: bodies that touch are integrated together, the others fly.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::agenda::Item;
@@ -54,13 +53,13 @@ impl Engine {
             if let Some(system) = &track.system {
                 system.remember(&mut flight, t);
             }
-            track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(flight) });
+            track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
         }
     }
 
     /// Founds an island of bodies at `t`; returns its number.
     pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> usize {
-        let number = self.islands.iter().position(Option::is_none).unwrap_or_else(|| {
+        let number = self.vacant.pop().unwrap_or_else(|| {
             self.islands.push(None);
             self.islands.len() - 1
         });
@@ -68,15 +67,15 @@ impl Engine {
             self.end_flight(slot, t);
             self.bodies[slot].now = Trajectory::Island { island: number, index };
         }
-        self.islands[number] = Some(self.assemble(members, y, t, pace));
+        self.islands[number] = Some(Box::new(self.assemble(members, y, t, pace)));
         number
     }
 
     /// An island of bodies with the closed contacts between them.
     pub(super) fn assemble(&self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> Island {
-        let pairs: BTreeSet<usize> = members.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
         let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
-        let active: Vec<(usize, Active)> = pairs
+        let active: Vec<(usize, Active)> = self
+            .pairs_of(members)
             .into_iter()
             .flat_map(|pair| self.pairs[pair].contacts.clone())
             .filter_map(|contact| {
@@ -101,6 +100,7 @@ impl Engine {
             return;
         }
         let cap = model.duration.min(model.ground.next_kink(from));
+        self.effort.steps += 1;
         let outcome = island.plan(&model, cap);
         if let Err(error) = outcome {
             let names: Vec<&str> =
@@ -123,9 +123,16 @@ impl Engine {
         self.islands[number] = Some(island);
     }
 
+    /// The pairs that bodies are in, rising.
+    fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
+        let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
     pub(super) fn predict_around(&mut self, slots: &[usize], t: f64) {
-        let pairs: BTreeSet<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
-        for pair in pairs {
+        for pair in self.pairs_of(slots) {
             predict::pair(self, pair, t);
         }
     }

@@ -21,7 +21,7 @@ impl Engine {
                 if let Some(system) = &track.system {
                     system.remember(&mut flight, t);
                 }
-                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(flight) });
+                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
             }
         }
         for island in 0..self.islands.len() {
@@ -37,8 +37,8 @@ impl Engine {
             return;
         }
         for (index, &slot) in island.slots.iter().enumerate() {
-            if let Some(dense) = island.path(&self.model, index) {
-                let path = Path::Dense(dense);
+            if let Some(piece) = island.path(&self.model, index) {
+                let path = Path::Step(piece);
                 self.bodies[slot].segments.push(Segment { from: island.from, until, path });
             }
         }
@@ -64,6 +64,7 @@ impl Engine {
             self.predict_around(&slots, t);
             return;
         }
+        self.vacant.push(number);
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.model, index, t)).collect();
         let now = self.instant(island.slots.clone(), states, t);
         for (number, &contact) in island.contacts.iter().enumerate() {
@@ -147,6 +148,7 @@ impl Engine {
         for number in numbers {
             self.agenda.remove(Item::Island(number));
             if let Some(island) = self.islands[number].take() {
+                self.vacant.push(number);
                 self.commit_island(&island, t);
                 for n in 0..island.contacts.len() {
                     self.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));

@@ -4,6 +4,7 @@ use super::body_state::{self, Wrench};
 use super::dop853::Dense;
 use super::fastest::fastest;
 use super::field::{Active, Field, Scale, direction};
+use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
@@ -208,9 +209,9 @@ impl Island {
     }
 
     /// The planned step's continuous answer for one body.
-    pub(super) fn path(&self, model: &Model, index: usize) -> Option<Dense> {
+    pub(super) fn path(&self, model: &Model, index: usize) -> Option<Piece> {
         let width = body_state::width(model.kind);
-        self.dense.as_ref().map(|dense| dense.part(index * width..(index + 1) * width))
+        self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width))
     }
 
     /// The planned step's continuous answer for the slip angle of one of its contacts.

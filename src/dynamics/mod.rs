@@ -5,9 +5,11 @@
 //! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
 
 mod agenda;
+mod approach;
 pub mod bearing;
 pub mod body_state;
 pub mod bound;
+pub mod contact_log;
 pub mod coupled;
 mod declare;
 pub mod dop853;
@@ -24,9 +26,11 @@ mod lu;
 mod model;
 pub mod oscillator;
 pub mod penalty3d;
+pub mod piece;
 mod predict;
 mod radau;
 mod radau_coefficients;
+mod relative;
 pub mod search;
 mod stepper;
 pub mod track;

@@ -55,7 +55,8 @@ impl Body {
     /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
     #[inline]
     pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        let (s, c) = state[2].sin_cos();
+        // Most girders of a row never turn.
+        let (s, c) = if state[2] == 0.0 { (0.0, 1.0) } else { state[2].sin_cos() };
         let turn = |v: DVec3| DVec3::new(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
         Frame {
             home: self.home,
@@ -134,6 +135,8 @@ pub struct Model {
     pub contacts: Vec<ContactSite>,
     /// Groups of bodies that a chain of pairs joins, each in rising order: they never feel one another.
     pub groups: Vec<Vec<usize>>,
+    /// Pairs of each group, in rising order.
+    pub group_pairs: Vec<Vec<usize>>,
 }
 
 impl Model {
@@ -154,6 +157,7 @@ impl Model {
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
         }
         let groups = groups(bodies.len(), &pairs);
+        let group_pairs = group_pairs(bodies.len(), &groups, &pairs);
         Ok(Self {
             kind: scene.kind,
             duration: scene.duration,
@@ -164,6 +168,7 @@ impl Model {
             pairs,
             contacts,
             groups,
+            group_pairs,
         })
     }
 }
@@ -280,6 +285,24 @@ fn groups(count: usize, pairs: &[Pair]) -> Vec<Vec<usize>> {
     }
     groups.retain(|group| !group.is_empty());
     groups
+}
+
+/// The pairs of each group: those of its bodies.
+fn group_pairs(count: usize, groups: &[Vec<usize>], pairs: &[Pair]) -> Vec<Vec<usize>> {
+    let mut home = vec![0; count];
+    for (group, bodies) in groups.iter().enumerate() {
+        for &body in bodies {
+            home[body] = group;
+        }
+    }
+    let mut found = vec![Vec::new(); groups.len()];
+    for (number, pair) in pairs.iter().enumerate() {
+        // Two bodies of one pair are in one group.
+        if let Some(body) = pair.bodies.into_iter().flatten().next() {
+            found[home[body]].push(number);
+        }
+    }
+    found
 }
 
 fn root_of(root: &mut [usize], mut i: usize) -> usize {

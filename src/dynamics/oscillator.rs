@@ -85,12 +85,17 @@ impl Oscillator {
 
     /// `(q, v)` after τ from `(q, v)` under `c0 + c1 τ`.
     #[inline]
-    pub fn advance(&self, [q, v]: [f64; 2], [c0, c1]: [f64; 2], tau: f64) -> [f64; 2] {
-        let f = self.free(tau);
+    pub fn advance(&self, start: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
+        self.carry(&self.free(tau), start, force, tau)
+    }
+
+    /// The same by the factors over τ.
+    #[inline]
+    pub(super) fn carry(&self, f: &Free, [q, v]: [f64; 2], [c0, c1]: [f64; 2], tau: f64) -> [f64; 2] {
         let mut displacement = q * f.c + v * f.s;
         let mut velocity = -self.omega2 * f.s * q + f.s_rate * v;
         if c0 != 0.0 || c1 != 0.0 {
-            let (s1, s2) = self.forced(tau, &f);
+            let (s1, s2) = self.forced(tau, f);
             displacement += c0 * s1 + c1 * s2;
             velocity += c0 * f.s + c1 * s1;
         }

@@ -7,7 +7,7 @@
 use super::predict::in_front;
 
 /// Leaps before a search reports how far it has come.
-const MOST: u32 = 100_000;
+pub(super) const MOST: u32 = 100_000;
 
 /// A gap at one instant, with a promise about its future.
 #[derive(Clone, Copy, Debug)]
@@ -37,45 +37,106 @@ pub enum Found {
 /// other) ends in a defined way.
 const PATIENCE: u32 = 512;
 
+/// What a look shows of a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Sight {
+    /// It is open, or was not armed.
+    Open,
+    /// It has closed since the last look.
+    Closed,
+    /// It closes within rounding of this look.
+    Closing,
+}
+
+/// One gap under search: how it stands, and how finely it is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hunt {
+    here: Outlook,
+    armed: bool,
+    resolution: f64,
+    finest: f64,
+    floored: u32,
+}
+
+impl Hunt {
+    /// Begins where the gap is `here`.
+    pub(super) fn begin(here: Outlook, armed: bool, resolution: f64) -> Self {
+        Self { here, armed, resolution, finest: resolution, floored: 0 }
+    }
+
+    /// Whether the gap can close at all.
+    pub(super) fn armed(&self) -> bool {
+        self.armed
+    }
+
+    /// Whether the gap cannot close while the promise holds.
+    pub(super) fn out_of_reach(&self) -> bool {
+        self.armed && self.here.out_of_reach
+    }
+
+    /// Whether it closes where the search begins.
+    pub(super) fn at_once(&self) -> bool {
+        self.armed && self.closing(&self.here)
+    }
+
+    fn closing(&self, look: &Outlook) -> bool {
+        look.gap <= self.resolution && look.rate < 0.0 && closes_at_once(look, self.resolution)
+    }
+
+    /// How far the next look may be \[s\].
+    pub(super) fn leap(&mut self) -> f64 {
+        let here = &self.here;
+        let leap = if self.out_of_reach() { here.window } else { leap(here, self.armed, self.finest) };
+        // Only leaps at the finest count: those that get on need no help.
+        self.floored = if leap <= floor_of(here, self.finest) { self.floored + 1 } else { 0 };
+        leap.min(here.window)
+    }
+
+    /// The next look, at `t`.
+    pub(super) fn arrive(&mut self, there: Outlook, t: f64) -> Sight {
+        if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
+            return Sight::Closed;
+        }
+        if self.armed && self.closing(&there) {
+            return Sight::Closing;
+        }
+        self.armed = self.armed || in_front(there.gap, there.rate, t, self.resolution);
+        self.here = there;
+        self.finest = match self.floored {
+            0 => self.resolution,
+            n if n % PATIENCE == 0 => 16.0 * self.finest,
+            _ => self.finest,
+        };
+        Sight::Open
+    }
+}
+
 /// First crossing of 0 from above in `[from, to]`; `resolution` is the depth of a dip that may go unseen \[m\].
 ///
 /// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
 /// is above 0 again.
 pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, armed: bool, resolution: f64) -> Found {
-    let (mut t, mut finest, mut leaps, mut floored, mut armed) = (from, resolution, 0, 0, armed);
-    let mut here = ask(t);
-    if armed && here.gap <= resolution && here.rate < 0.0 && closes_at_once(&here, resolution) {
+    let (mut t, mut hunt) = (from, Hunt::begin(ask(from), armed, resolution));
+    if hunt.at_once() {
         return Found::Crossing(t);
     }
-    while t < to {
-        let leap = if here.out_of_reach && armed { here.window } else { leap(&here, armed, finest) };
-        // Only leaps at the finest count: those that get on need no help.
-        floored = if leap <= floor_of(&here, finest) { floored + 1 } else { 0 };
-        let next = (t + leap.min(here.window)).min(to);
+    for _ in 0..MOST {
+        if t >= to {
+            break;
+        }
+        let next = (t + hunt.leap()).min(to);
         if next <= t {
             // Less than the clock can tell.
-            return if armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
+            return if hunt.armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
         }
         let there = ask(next);
-        if armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -finest) {
-            return Found::Crossing(bisect(&mut ask, t, next));
-        }
-        if armed && there.gap <= resolution && there.rate < 0.0 && closes_at_once(&there, resolution) {
-            return Found::Crossing(polish(&mut ask, next, &there, to));
-        }
-        armed = armed || in_front(there.gap, there.rate, next, resolution);
-        (t, here) = (next, there);
-        finest = match floored {
-            0 => resolution,
-            n if n % PATIENCE == 0 => 16.0 * finest,
-            _ => finest,
-        };
-        leaps += 1;
-        if leaps >= MOST {
-            return Found::NoneUntil(t);
+        match hunt.arrive(there, next) {
+            Sight::Open => t = next,
+            Sight::Closed => return Found::Crossing(root(|at| -ask(at).gap, t, next)),
+            Sight::Closing => return Found::Crossing(polish(&mut ask, next, &there, to)),
         }
     }
-    Found::NoneUntil(to)
+    Found::NoneUntil(t.min(to))
 }
 
 /// The safe leap: root of the parabola that bounds the gap from below (armed) or above (waiting to be armed).
@@ -110,7 +171,7 @@ fn closes_at_once(here: &Outlook, resolution: f64) -> bool {
 }
 
 /// Newton's method from inside the resolution.
-fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64) -> f64 {
+pub(super) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64) -> f64 {
     let (mut t, mut here) = (t, *here);
     for _ in 0..3 {
         let next = (t - here.gap / here.rate).min(to);
@@ -124,11 +185,6 @@ fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64)
         }
     }
     t
-}
-
-/// Root of the gap between a positive and a negative value, by bisection with regula falsi (Illinois).
-fn bisect(ask: &mut impl FnMut(f64) -> Outlook, from: f64, to: f64) -> f64 {
-    root(|t| -ask(t).gap, from, to)
 }
 
 /// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0: the ITP idea with Illinois steps, to the last bit.

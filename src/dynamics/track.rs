@@ -1,7 +1,7 @@
 //! What a run keeps: the path of every body and the states of every contact, exact at any time.
 
-use super::dop853::Dense;
 use super::flight::Flight;
+use super::piece::Piece;
 use crate::contact::{Forces, Law, Local, Mode};
 
 /// One stretch of a body's path.
@@ -19,9 +19,9 @@ pub struct Segment {
 #[derive(Clone, Debug)]
 pub enum Path {
     /// Closed form.
-    Flight(Flight),
+    Flight(Box<Flight>),
     /// Continuous answer of an integrator's step.
-    Dense(Dense),
+    Step(Piece),
 }
 
 /// State of a contact with everything its forces depend on.
@@ -84,38 +84,5 @@ impl Contact {
             Self::Closed(closed) => Some(closed),
             Self::Open { .. } => None,
         }
-    }
-}
-
-/// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
-#[derive(Clone, Debug, Default)]
-pub struct ContactLog {
-    /// `(from, state)`.
-    pub states: Vec<(f64, Contact)>,
-    /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
-    pub angles: Vec<(f64, Dense)>,
-}
-
-impl ContactLog {
-    /// The state at `t`; of several at one instant, the last.
-    pub fn at(&self, t: f64) -> Contact {
-        let n = self.states.partition_point(|(from, _)| *from <= t);
-        match n.checked_sub(1).and_then(|i| self.states.get(i)) {
-            Some((_, contact)) => self.turned(*contact, t),
-            None => Contact::Open { armed: true },
-        }
-    }
-
-    fn turned(&self, contact: Contact, t: f64) -> Contact {
-        let Contact::Closed(mut closed) = contact else { return contact };
-        if closed.ease > 0.0
-            && let Mode::Slip { direction } = &mut closed.mode
-            && let Some(i) = self.angles.partition_point(|(from, _)| *from <= t).checked_sub(1)
-        {
-            let mut angle = [0.0];
-            self.angles[i].1.read(0..1, t, &mut angle);
-            *direction = super::field::direction(angle[0]);
-        }
-        Contact::Closed(closed)
     }
 }

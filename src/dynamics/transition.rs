@@ -52,7 +52,7 @@ impl Engine {
     fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
         let track = &mut self.contacts[contact];
         track.state = state;
-        track.log.states.push((t, state));
+        track.log.push(t, state);
         let (site, pair) = (track.site, self.pairs[track.pair].pair);
         self.events.push(Event { t, pair, contact: site, kind, released });
         self.counted(contact, t);
@@ -62,7 +62,7 @@ impl Engine {
     fn remember(&mut self, contact: usize, closed: Closed, t: f64) {
         let track = &mut self.contacts[contact];
         track.state = Contact::Closed(closed);
-        track.log.states.push((t, track.state));
+        track.log.push(t, track.state);
         self.counted(contact, t);
     }
 
@@ -82,14 +82,7 @@ impl Engine {
 
     /// Whether the same node is in another face already: it touches one at a time.
     fn touches_elsewhere(&self, contact: usize) -> bool {
-        let owner = |c: usize| &self.model.contacts[self.contacts[c].site];
-        let mine = owner(contact);
-        (0..self.contacts.len()).any(|other| {
-            other != contact
-                && self.contacts[other].state.closed().is_some()
-                && owner(other).node == mine.node
-                && owner(other).node_body == mine.node_body
-        })
+        self.contacts[contact].rivals.iter().any(|&other| self.contacts[other].state.closed().is_some())
     }
 
     /// Event 1: a node enters a face.
@@ -141,7 +134,7 @@ impl Engine {
                 Contact::Open { armed: false }
             };
             self.contacts[contact].state = state;
-            self.contacts[contact].log.states.push((0.0, state));
+            self.contacts[contact].log.push(0.0, state);
         }
     }
 

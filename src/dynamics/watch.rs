@@ -54,8 +54,11 @@ pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Loc
 
 /// The switching functions of a closed contact: each is negative while the state lasts.
 fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
-    let closed = island.closed_at(number, t);
-    let site: &ContactSite = &model.contacts[island.active[number].site];
+    let active = &island.active[number];
+    // A copy only where the slip's direction has moved on.
+    let turned = active.angle.map(|_| island.closed_at(number, t));
+    let closed = turned.as_ref().unwrap_or(&active.closed);
+    let site: &ContactSite = &model.contacts[active.site];
     match reason {
         Reason::Opening => here.gap,
         Reason::Switching => closed.law.switch(&closed.mode, here),

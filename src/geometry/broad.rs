@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 use parry3d::bounding_volume::Aabb;
-use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
+use parry3d::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
 
 use super::shape::AlignedBox;
 
@@ -49,7 +49,7 @@ impl Broad {
 
     /// Every two boxes that meet, borders included: the lower number first, in rising order.
     pub fn pairs(&self) -> Vec<(usize, usize)> {
-        let both = self.tree.leaf_pairs(&self.tree, |a, b| a.intersects(b));
+        let both = self.tree.leaf_pairs(&self.tree, BvhNode::intersects);
         let mut pairs: Vec<(usize, usize)> =
             both.filter(|(a, b)| a < b).map(|(a, b)| (a as usize, b as usize)).collect();
         pairs.sort_unstable();
@@ -64,7 +64,7 @@ impl Broad {
         may: impl Fn(&AlignedBox) -> bool,
         distance: impl Fn(usize) -> Option<f64>,
     ) -> f64 {
-        let cost = |node: &parry3d::partitioning::BvhNode, _best: f64| {
+        let cost = |node: &BvhNode, _best: f64| {
             let (min, max) = (node.mins(), node.maxs());
             if may(&AlignedBox { min, max }) { from.distance(from.clamp(min, max)) } else { f64::MAX }
         };

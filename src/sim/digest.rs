@@ -4,6 +4,7 @@ use xxhash_rust::xxh3::Xxh3;
 
 use super::History;
 use crate::contact::Mode;
+use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::track::{Contact, Path};
 
 /// Hash of paths, contact states and events.
@@ -15,13 +16,13 @@ pub(super) fn of(history: &History) -> u64 {
         add(segment.until);
         match &segment.path {
             Path::Flight(flight) => flight.numbers().for_each(&mut add),
-            Path::Dense(dense) => dense.coefficients().iter().flatten().copied().for_each(&mut add),
+            Path::Step(piece) => piece.numbers().for_each(&mut add),
         }
     }
-    for (t, contact) in history.logs.iter().flat_map(|log| &log.states) {
-        add(*t);
+    for (t, contact) in history.logs.iter().flat_map(ContactLog::states) {
+        add(t);
         match contact {
-            Contact::Open { armed } => add(if *armed { 1.0 } else { 2.0 }),
+            Contact::Open { armed } => add(if armed { 1.0 } else { 2.0 }),
             Contact::Closed(closed) => {
                 let (kind, vector) = match closed.mode {
                     Mode::Stick { anchor } => (3.0, anchor),

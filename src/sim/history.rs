@@ -7,10 +7,11 @@ use glam::{DQuat, DVec3};
 use super::ledger::Books;
 use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, touches};
 use crate::contact::{Frame, Mode};
-use crate::dynamics::engine::Finished;
+use crate::dynamics::contact_log::ContactLog;
+use crate::dynamics::engine::{Effort, Finished};
 use crate::dynamics::flight::System;
 use crate::dynamics::penalty3d::{act, to_world};
-use crate::dynamics::track::{Closed, ContactLog, Path, Segment};
+use crate::dynamics::track::{Closed, Path, Segment};
 use crate::dynamics::{Model, body_state};
 use crate::scene::{Kind, Scene, SceneErrors};
 
@@ -49,6 +50,7 @@ pub struct History {
     systems: Vec<Option<System>>,
     pub(super) logs: Vec<ContactLog>,
     events: Vec<Event>,
+    effort: Effort,
     touches: OnceLock<Vec<Touch>>,
     books: OnceLock<Books>,
 }
@@ -70,7 +72,9 @@ impl History {
         let mut systems: Vec<Option<System>> = model.bodies.iter().map(|_| None).collect();
         let mut logs = vec![ContactLog::default(); model.contacts.len()];
         let mut events = Vec::new();
+        let mut effort = Effort::default();
         for group in groups {
+            effort += group.effort;
             for (body, path, system) in group.bodies {
                 (paths[body], systems[body]) = (path, system);
             }
@@ -81,7 +85,7 @@ impl History {
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         let (touches, books) = (OnceLock::new(), OnceLock::new());
-        Self { scene, model, end, stop, paths, systems, logs, events, touches, books }
+        Self { scene, model, end, stop, paths, systems, logs, events, effort, touches, books }
     }
 
     /// The scene that was run.
@@ -97,6 +101,11 @@ impl History {
     /// How far the answer reaches \[s\].
     pub fn end(&self) -> f64 {
         self.end
+    }
+
+    /// What the run did, counted.
+    pub fn effort(&self) -> Effort {
+        self.effort
     }
 
     /// Why it stops before the scene's duration, if it does.
@@ -116,9 +125,9 @@ impl History {
                     state[..6].copy_from_slice(&system.state(flight, t));
                 }
             }
-            Some(Path::Dense(dense)) => {
+            Some(Path::Step(piece)) => {
                 let width = body_state::width(self.model.kind);
-                dense.read(0..width, t, &mut state[..width]);
+                piece.read(t, &mut state[..width]);
             }
             // Nothing was computed: the run gave up at its start.
             None => {

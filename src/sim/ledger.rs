@@ -143,7 +143,7 @@ fn body_account(history: &History, body: usize) -> Account<3> {
         let until = segment.until.min(history.end());
         let cells = match segment.path {
             Path::Flight(_) => (until - segment.from) * rate,
-            Path::Dense(_) => 1.0,
+            Path::Step(_) => 1.0,
         };
         for (a, b) in cut(&history.model().ground, segment.from, until, cells) {
             account.add(a, b, integrate(a, b, |t| body_powers(history, body, t)));
@@ -170,7 +170,7 @@ fn cut(ground: &Ground, from: f64, until: f64, cells: f64) -> Vec<(f64, f64)> {
 fn contact_account(history: &History, contact: usize) -> Account<3> {
     let mut account = Account::new();
     let site = &history.model().contacts[contact];
-    let states = &history.logs[contact].states;
+    let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
     for (i, (from, state)) in states.iter().enumerate() {
         let until = states.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
         if !matches!(state, Contact::Closed(_)) || until <= *from {

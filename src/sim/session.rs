@@ -28,7 +28,7 @@ impl Session {
     pub fn new(scene: &Scene) -> Result<Self, SceneErrors> {
         crate::scene::validate::validate(scene)?;
         let model = Arc::new(Model::compile(scene)?);
-        let engines = model.groups.par_iter().map(|group| Engine::new(&model, group)).collect();
+        let engines = (0..model.groups.len()).into_par_iter().map(|group| Engine::new(&model, group)).collect();
         Ok(Self { scene: scene.clone(), model, engines })
     }
 

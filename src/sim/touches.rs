@@ -17,7 +17,7 @@ pub(super) fn find(history: &History) -> Vec<Touch> {
 }
 
 fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
-    let states = &history.logs[contact].states;
+    let states: Vec<(f64, Contact)> = history.logs[contact].states().collect();
     let pair = history.model().contacts[contact].pair;
     let mut touches: Vec<Touch> = Vec::new();
     let mut open = true;
@@ -135,7 +135,7 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
         let count = match segment.path {
             Path::Flight(_) => ((until - from) * rate).clamp(4.0, 2e5) as usize,
-            Path::Dense(_) => 4,
+            Path::Step(_) => 4,
         };
         times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
     }

@@ -1,11 +1,12 @@
 //! Rows of straight model girders between two abutments, the problems that run times are stated for, and a record made up
 //! from a seed. Tests and benches share them.
+#![allow(dead_code, reason = "each test and each bench uses its part")]
 
 use std::fmt::Write;
 
 use girderbench::scene::{Motion, RecordMotion, Scene, format};
 
-/// SplitMix64: a fixed stream of numbers for a seed.
+/// `SplitMix64`: a fixed stream of numbers for a seed.
 #[derive(Debug)]
 pub(crate) struct Stream(pub u64);
 
@@ -25,9 +26,9 @@ impl Stream {
 pub(crate) struct Row {
     /// How many girders.
     pub count: usize,
-    /// Those that differ in frequency from the rest, from the first on: they and their neighbours touch.
-    pub unlike: usize,
-    /// Gap between neighbours \[m\].
+    /// Whether all collide, each with a frequency of its own, or only the three in the middle.
+    pub all: bool,
+    /// Gap between neighbours that may collide \[m\].
     pub gap: f64,
     /// Gap before the walls at the ends \[m\].
     pub wall_gap: f64,
@@ -38,37 +39,34 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// Every girder has a frequency of its own between 1.6 and 3.2 Hz: neighbours collide all along.
+    /// Every girder has a frequency of its own between 2.4 and 3.8 Hz, those of the paper's two: neighbours collide all
+    /// along.
     pub(crate) fn many(count: usize) -> Self {
-        Self { count, unlike: count, gap: 0.003, wall_gap: 0.003, duration: 1.0, tolerance: 1e-9 }
+        Self { count, all: true, gap: 0.005, wall_gap: 0.005, duration: 1.0, tolerance: 1e-9 }
     }
 
-    /// Three girders in the middle differ from the rest, and they alone touch each other: the rest moves as one.
+    /// A soft girder between two stiff ones hits both; all others are like these and stand 20 mm apart: they sway as one
+    /// and touch nobody.
     pub(crate) fn few(count: usize) -> Self {
-        Self { unlike: 3.min(count), wall_gap: 0.05, ..Self::many(count) }
+        Self { all: false, wall_gap: 0.05, ..Self::many(count) }
     }
 
     /// The row as a scene.
     pub(crate) fn scene(&self) -> Scene {
         let mut stream = Stream(17);
-        let first = (self.count - self.unlike) / 2;
         let mut text = format!(
             "name = \"row-of-{}\"\nduration_s = {}\nsolver = {{ tolerance = {:e} }}\n\
              motion = {{ kind = \"sine\", amplitude_m_s2 = 3.924, frequency_hz = 2.4 }}\n\
              contact = {{ stiffness_n_per_m = 1.55e5, restitution_normal = 0.4, mu_static = 0.15, mu_kinetic = 0.15 }}\n",
             self.count, self.duration, self.tolerance
         );
+        let (middle, mut x) = (self.count / 2, 0.0);
         for n in 0..self.count {
-            let (draw, unlike) = (stream.unit(), n >= first && n < first + self.unlike);
-            let frequency = if unlike && self.unlike == self.count {
-                1.6 + 1.6 * draw
-            } else if unlike {
-                // The middle one of three is soft: it reaches both its neighbours, who stay clear of theirs.
-                if n == first + self.unlike / 2 { 2.4 } else { 3.4 }
-            } else {
-                3.8
+            let frequency = match (self.all, n == middle) {
+                (true, _) => 2.4 + 1.4 * stream.unit(),
+                (false, true) => 2.4,
+                (false, false) => 3.8,
             };
-            let x = n as f64 * (0.19 + self.gap);
             let _ = write!(
                 text,
                 "[[girder]]\nname = \"g{n}\"\nlength_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\n\
@@ -76,6 +74,8 @@ impl Row {
                  bearings = {{ frequency_hz = {frequency}, damping_ratio = 0.29, \
                  at_m = [[0.07, 0.025], [-0.07, 0.025], [-0.07, -0.025], [0.07, -0.025]] }}\n"
             );
+            let close = self.all || n == middle || n + 1 == middle;
+            x += 0.19 + if close { self.gap } else { 4.0 * self.gap };
         }
         let last = self.count - 1;
         let _ = write!(

@@ -1,0 +1,90 @@
+//! The states that a contact went through, as a history keeps them: a touch's law once, not with every change of state.
+
+use super::dop853::Dense;
+use super::track::{Closed, Contact};
+use crate::contact::{Law, Mode};
+
+/// A state and when it began.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    from: f64,
+    kept: Kept,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Kept {
+    Open { armed: bool },
+    Closed { law: u32, mode: Mode, passing: bool, slack: bool },
+}
+
+/// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
+#[derive(Clone, Debug, Default)]
+pub struct ContactLog {
+    entries: Vec<Entry>,
+    /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased.
+    laws: Vec<(Law, f64)>,
+    /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
+    pub angles: Vec<(f64, Dense)>,
+}
+
+impl ContactLog {
+    /// Enters the state from `from` on \[s\].
+    pub fn push(&mut self, from: f64, state: Contact) {
+        let kept = match state {
+            Contact::Open { armed } => Kept::Open { armed },
+            Contact::Closed(Closed { law, mode, ease, passing, slack }) => {
+                if self.laws.last() != Some(&(law, ease)) {
+                    self.laws.push((law, ease));
+                }
+                // More touches of one contact than a u32 counts would not fit into memory.
+                let law = u32::try_from(self.laws.len() - 1).unwrap_or(u32::MAX);
+                Kept::Closed { law, mode, passing, slack }
+            }
+        };
+        self.entries.push(Entry { from, kept });
+    }
+
+    /// States with the times that they hold from, a turning slip in the direction that it began with.
+    pub fn states(&self) -> impl ExactSizeIterator<Item = (f64, Contact)> + '_ {
+        self.entries.iter().map(|entry| (entry.from, self.whole(entry.kept)))
+    }
+
+    fn whole(&self, kept: Kept) -> Contact {
+        match kept {
+            Kept::Open { armed } => Contact::Open { armed },
+            Kept::Closed { law, mode, passing, slack } => {
+                let (law, ease) = self.laws[law as usize];
+                Contact::Closed(Closed { law, mode, ease, passing, slack })
+            }
+        }
+    }
+
+    /// The state at `t`; of several at one instant, the last.
+    pub fn at(&self, t: f64) -> Contact {
+        let n = self.entries.partition_point(|entry| entry.from <= t);
+        match n.checked_sub(1).and_then(|i| self.entries.get(i)) {
+            Some(entry) => self.turned(self.whole(entry.kept), t),
+            None => Contact::Open { armed: true },
+        }
+    }
+
+    fn turned(&self, contact: Contact, t: f64) -> Contact {
+        let Contact::Closed(mut closed) = contact else { return contact };
+        if closed.ease > 0.0
+            && let Mode::Slip { direction } = &mut closed.mode
+            && let Some(i) = self.angles.partition_point(|(from, _)| *from <= t).checked_sub(1)
+        {
+            let mut angle = [0.0];
+            self.angles[i].1.read(0..1, t, &mut angle);
+            *direction = super::field::direction(angle[0]);
+        }
+        Contact::Closed(closed)
+    }
+
+    /// Gives back the memory that more states would have taken.
+    pub fn shrink(&mut self) {
+        self.entries.shrink_to_fit();
+        self.laws.shrink_to_fit();
+        self.angles.shrink_to_fit();
+    }
+}
