@@ -60,6 +60,18 @@ pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]
     staged.into_iter().try_for_each(|(file, path)| persist(file, &path))
 }
 
+/// Makes sure that files can be written into a folder, before the work of finding out what to write.
+///
+/// A folder that is missing is not made: its nearest ancestor must be one that may be written to.
+///
+/// # Errors
+/// When something else stands there, or nothing may be written.
+pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
+    let there = folder.ancestors().find(|path| path.exists() && *path != Path::new("")).unwrap_or(Path::new("."));
+    // Gone again when dropped.
+    temporary_in(there).map(drop).map_err(|source| WriteError { path: folder.to_owned(), source })
+}
+
 /// Puts the bytes on the disk beside `path`, under a name of its own; dropped, it is removed.
 fn stage(path: &Path, bytes: &[u8]) -> Result<NamedTempFile, WriteError> {
     let write = || {
