@@ -1,9 +1,4 @@
-//! A finished picture in memory, read back from the device, written as PNG.
-
-use super::{Gpu, GpuError};
-
-/// Most pixels of one picture, so that its targets fit into memory.
-const MOST_PIXELS: u64 = 1 << 25;
+//! A finished picture in memory, written as PNG.
 
 /// A picture: eight bits a channel, sRGB, straight alpha, rows from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,60 +59,8 @@ impl Image {
     }
 }
 
-/// Refuses sizes that the device does not draw.
-pub(super) fn check_size(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<(), GpuError> {
-    let limit = gpu.device.limits().max_texture_dimension_2d;
-    let fits = (1..=limit).contains(&width) && (1..=limit).contains(&height);
-    if fits && u64::from(width) * u64::from(height) <= MOST_PIXELS {
-        Ok(())
-    } else {
-        Err(GpuError::Size(width, height, limit))
-    }
-}
-
-/// Finishes and submits an encoder, and reads a texture back.
-pub(super) fn read_back(
-    gpu: &Gpu,
-    mut encoder: wgpu::CommandEncoder,
-    texture: &wgpu::Texture,
-) -> Result<Image, GpuError> {
-    let (width, height) = (texture.width(), texture.height());
-    let row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("read back"),
-        size: u64::from(row) * u64::from(height),
-        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
-    encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
-        wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-        texture.size(),
-    );
-    gpu.queue.submit([encoder.finish()]);
-    let rows = map(gpu, &buffer)?;
-    let used = 4 * width as usize;
-    let premultiplied = rows.chunks_exact(row as usize).flat_map(|r| &r[..used]).copied();
-    Ok(Image { width, height, rgba: straight(premultiplied.collect()) })
-}
-
-fn map(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
-    let failed = |e: &dyn std::fmt::Display| GpuError::Readback(e.to_string());
-    let (sender, receiver) = std::sync::mpsc::channel();
-    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // Whoever waits may have gone; then nobody wants the answer.
-        let _ = sender.send(result);
-    });
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
-    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-    let bytes = buffer.get_mapped_range(..).map_err(|e| failed(&e))?.to_vec();
-    buffer.unmap();
-    Ok(bytes)
-}
-
 /// Divides colours by their alpha.
-fn straight(mut rgba: Vec<u8>) -> Vec<u8> {
+pub(super) fn straight(mut rgba: Vec<u8>) -> Vec<u8> {
     for pixel in rgba.chunks_exact_mut(4) {
         let alpha = u32::from(pixel[3]);
         if alpha != 0xff && alpha != 0 {
