@@ -19,7 +19,7 @@ mod renderer;
 mod target;
 
 pub use gpu::{AdapterSummary, Gpu, GpuError};
-pub use image::Image;
+pub use image::{Image, Packing};
 pub use made::{Made, Thing};
 pub use pass::shaders;
 pub use quality::Quality;
