@@ -164,11 +164,17 @@ fn a_body_out_of_view_still_throws_its_shadow_into_it() {
     let history = run("row-of-5");
     let bounds = Bounds::of_scene(history.scene());
     let mut camera = Camera::preset(ViewPreset::Top, bounds, 16.0 / 9.0);
-    // The ground beside the row, on the side away from the light; no body is in the picture.
-    camera.target += DVec3::new(0.0, bounds.size().y / 2.0 + 0.02, 0.0);
-    camera.zoom(0.02);
-    let list = draw_list(&ViewInput { overlays: NONE, ..view(history.scene(), Some(&history), &camera) });
-    assert!(culled_of(&mut studio, &list, "beside the row") > 0, "the girders are out of view");
+    // 0.4 m of the ground beside the row, on the side away from the light, where 2.7 m under the girders' tops the
+    // shadow is 0.9 m wide.
+    camera.target += DVec3::new(0.0, bounds.size().y / 2.0 + 0.45, 0.0);
+    camera.zoom(0.4 / camera.visible_height());
+    let list = draw_list(&ViewInput { t: 0.0, overlays: NONE, ..view(history.scene(), Some(&history), &camera) });
+    culled_of(&mut studio, &list, "beside the row");
+    let before = studio.gpu.made();
+    studio.draw(&list).expect("it is drawn");
+    let more = studio.gpu.made().since(&before);
+    assert_eq!(more.count(Thing::Drawn, "solids"), 0, "no body is in view");
+    assert_eq!(more.count(Thing::Drawn, "casters"), 1, "one throws its shadow into it");
     let lit = DrawList { solids: Vec::new(), ..list.clone() };
     let (shaded, lit) = (studio.draw(&list).expect("it is drawn"), studio.draw(&lit).expect("it is drawn"));
     assert!(shaded != lit, "their shadow is not");
