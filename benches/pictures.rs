@@ -15,7 +15,7 @@ use girderbench::render::{GpuError, Image, Packing};
 use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::History;
 use girderbench::snapshot::{Instant, Shot, Studio, film};
-use girderbench::view::{Background, Bounds, Camera, DrawList, ViewInput, draw_list};
+use girderbench::view::{Background, Bounds, Camera, DrawList, Moment, ViewInput, draw_moment};
 
 const SIZE: [u32; 2] = [1280, 720];
 const ASPECT: f64 = 16.0 / 9.0;
@@ -47,13 +47,20 @@ fn skewed() -> History {
     History::of(&scene).unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// A row as placed, seen whole or one girder of it, with every overlay that needs no run.
-fn list_of(scene: &Scene, close: bool) -> DrawList {
+/// A row as placed.
+fn placed(girders: usize) -> (Scene, Moment) {
+    let scene = row::of(girders);
+    let moment = Moment::placed(&scene);
+    (scene, moment)
+}
+
+/// A row seen whole, or one girder of it, with every overlay that needs no run.
+fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
     let mut camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
     if close {
         camera.frame(Bounds::of_points(row::corners_of(scene, scene.girders.len() / 2)), ASPECT);
     }
-    draw_list(&ViewInput {
+    let input = ViewInput {
         scene,
         history: None,
         t: 0.0,
@@ -65,21 +72,22 @@ fn list_of(scene: &Scene, close: bool) -> DrawList {
         pixels_per_point: 1.0,
         background: Background::Studio,
         title: None,
-    })
+    };
+    draw_moment(&input, moment)
 }
 
-/// From a scene to its draw list, all of it in view.
+/// From a moment of a row to its draw list, all of it in view.
 #[divan::bench(args = ROWS)]
 fn list_of_all(bencher: Bencher<'_, '_>, girders: usize) {
-    let scene = row::of(girders);
-    bencher.bench(|| list_of(black_box(&scene), false));
+    let row = placed(girders);
+    bencher.bench(|| list_of(black_box(&row), false));
 }
 
-/// From a scene to its draw list, one girder in view.
+/// From a moment of a row to its draw list, one girder in view.
 #[divan::bench(args = ROWS)]
 fn list_of_one(bencher: Bencher<'_, '_>, girders: usize) {
-    let scene = row::of(girders);
-    bencher.bench(|| list_of(black_box(&scene), true));
+    let row = placed(girders);
+    bencher.bench(|| list_of(black_box(&row), true));
 }
 
 fn frames(bencher: Bencher<'_, '_>, culls: bool, list: &DrawList) {
@@ -92,13 +100,13 @@ fn frames(bencher: Bencher<'_, '_>, culls: bool, list: &DrawList) {
 /// One frame of one girder of a row, what is out of view left out.
 #[divan::bench(args = ROWS, sample_count = 20)]
 fn frame_culled(bencher: Bencher<'_, '_>, girders: usize) {
-    frames(bencher, true, &list_of(&row::of(girders), true));
+    frames(bencher, true, &list_of(&placed(girders), true));
 }
 
 /// The same with all of the row uploaded and drawn.
 #[divan::bench(args = ROWS, sample_count = 20)]
 fn frame_not_culled(bencher: Bencher<'_, '_>, girders: usize) {
-    frames(bencher, false, &list_of(&row::of(girders), true));
+    frames(bencher, false, &list_of(&placed(girders), true));
 }
 
 /// The hardest hit at 1280 × 720 with all overlays, some, and none.

@@ -14,7 +14,7 @@ use girderbench::render::{Gpu, GpuError, Made, Packing, Quality, Renderer, Thing
 use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::snapshot::{Frame, Instant, Shot, Studio, film};
-use girderbench::view::{Background, Bounds, Camera, DrawList, ViewInput, draw_list};
+use girderbench::view::{Background, Bounds, Camera, DrawList, Moment, ViewInput, draw_list, draw_moment};
 use glam::DVec3;
 use studio::studio;
 
@@ -184,9 +184,10 @@ fn a_body_out_of_view_still_throws_its_shadow_into_it() {
 fn of_a_thousand_girders_seen_close_up_few_are_drawn() {
     let Some(mut studio) = studio("of_a_thousand_girders_seen_close_up_few_are_drawn") else { return };
     let scene = row::of(1000);
+    let moment = Moment::placed(&scene);
     let mut camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(&scene), 16.0 / 9.0);
     let drawn = |studio: &mut Studio, camera: &Camera| {
-        let list = draw_list(&view(&scene, None, camera));
+        let list = draw_moment(&view(&scene, None, camera), &moment);
         assert!(list.solids.len() >= 1000, "every girder is in the list, {}", list.solids.len());
         let before = studio.gpu.made();
         culled_of(studio, &list, "a row of 1000");
