@@ -17,7 +17,7 @@ pub enum Packing {
     /// As small as it gets: for pictures that are kept.
     #[default]
     Small,
-    /// Half as large again in a tenth of the time: for the frames of a film.
+    /// A quarter larger in a thirtieth of the time: for the frames of a film.
     Quick,
 }
 

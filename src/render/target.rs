@@ -42,11 +42,14 @@ impl Target {
         last: bool,
     ) -> wgpu::RenderPass<'e> {
         let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
+        // Settled samples have done their work.
+        let settles = last && self.samples.is_some();
+        let store = if settles { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
         let color = wgpu::RenderPassColorAttachment {
             view: self.samples.as_ref().unwrap_or(&self.view),
             depth_slice: None,
             resolve_target: self.samples.as_ref().filter(|_| last).map(|_| &self.view),
-            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+            ops: wgpu::Operations { load, store },
         };
         let depth = wgpu::RenderPassDepthStencilAttachment {
             view: &self.depth,
