@@ -194,6 +194,48 @@ fn flags_are_checked() {
 }
 
 #[test]
+fn a_flag_hides_no_fault_of_the_file() {
+    let folder = folder();
+    for (from, to, flag, names) in [
+        ("duration_s = 0.1", "duration_s = -1", ["--until", "1"], ["duration_s", "-1"]),
+        ("[motion]", "[solver]\ntolerance = 2.0\n[motion]", ["--tolerance", "1e-9"], ["solver.tolerance", "2"]),
+    ] {
+        let spoilt = SOUND.replace(from, to);
+        assert_ne!(spoilt, SOUND, "the text to spoil is there");
+        let path = write(&folder, spoilt.as_bytes());
+        let args = [&["run", path.to_str().expect("a UTF-8 path")], &flag[..]].concat();
+        expect_complaint(&args, &[&["spoilt.toml"], &names[..]].concat(), "the file is checked as it stands");
+    }
+    expect_complaint(&["run", "flush-free-hit", "--tolerance", "0.5"], &["--tolerance", "0.5"], "the flag is named");
+}
+
+#[test]
+fn flags_that_change_nothing_are_refused() {
+    let folder = folder();
+    let out = folder.path().to_str().expect("a UTF-8 path");
+    assert_eq!(call(&["run", "flush-free-hit", "--out", out]).status, Some(0), "an answer to compare");
+    for flag in [["--set", "duration_s=1"], ["--until", "1"], ["--tolerance", "1e-6"], ["--sample", "50"]] {
+        let said = call(&[&["compare", out, out], &flag[..]].concat());
+        assert_eq!((said.status, said.out.as_str()), (Some(2), ""), "{flag:?}: exit status 2, said {}", said.err);
+        assert!(said.err.contains(flag[0]) && said.err.contains(out), "{flag:?}: names both: {}", said.err);
+    }
+}
+
+#[test]
+fn a_folder_is_tried_before_the_run() {
+    let folder = folder();
+    let path = write(&folder, b"a file, not a folder");
+    let inside = path.join("deep").join("er");
+    for out in [path.as_path(), inside.as_path()] {
+        // A run of a thousand hours: only a program that looks first answers soon.
+        let args = ["run", "skew45-abutment", "--until", "3.6e6", "--sample", "1", "--out"];
+        let said = call(&[&args[..], &[out.to_str().expect("a UTF-8 path")]].concat());
+        assert_eq!(said.status, Some(2), "exit status 2, said {}", said.err);
+        assert!(said.err.contains("spoilt.toml"), "names it: {}", said.err);
+    }
+}
+
+#[test]
 fn a_folder_that_cannot_be_written_is_named() {
     let folder = folder();
     let path = write(&folder, b"a file, not a folder");

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use girderbench::files::{load_scene, save_scene, write_atomic, write_set};
+use girderbench::files::{check_folder, load_scene, save_scene, write_atomic, write_set};
 use girderbench::scene::{Motion, Scene, presets};
 
 fn folder() -> tempfile::TempDir {
@@ -61,6 +61,18 @@ fn a_set_of_files_makes_its_folder() {
     let inner = folder.path().join("deep").join("er");
     write_set(&inner, &[("a.csv", b"1"), ("b.csv", b"2")]).expect("written");
     assert_eq!(count_in(&inner), 2, "both and nothing else");
+}
+
+#[test]
+fn trying_a_folder_makes_nothing() {
+    let folder = folder();
+    let inner = folder.path().join("deep").join("er");
+    check_folder(&inner).expect("it could be made");
+    check_folder(folder.path()).expect("it is there");
+    assert_eq!(count_in(folder.path()), 0, "neither a folder nor a file");
+    fs::write(folder.path().join("file"), b"x").expect("written");
+    let error = check_folder(&folder.path().join("file").join("in")).expect_err("a file is no folder");
+    assert!(error.to_string().contains("file/in"), "names it: {error}");
 }
 
 #[test]

@@ -56,7 +56,8 @@ fn the_trajectory_is_the_history_to_the_last_bit() {
         let motion = history.motion(0, t);
         let columns = [motion.displacement.x, motion.displacement.y, motion.theta, motion.velocity.x];
         for ((name, values), expected) in table.columns.iter().zip(columns) {
-            assert_eq!(values[i].to_bits(), expected.to_bits(), "{name} at {t}");
+            // A table has no −0.
+            assert_eq!(values[i].to_bits(), (expected + 0.0).to_bits(), "{name} at {t}");
         }
     }
 }
@@ -243,6 +244,32 @@ fn a_reader_that_leaves_early_is_no_panic() {
 }
 
 #[test]
+fn tables_have_no_sign_before_nothing() {
+    let folder = folder();
+    run_into(folder.path(), &["run", "straight-abutment", "--until", "1"]);
+    for name in ["trajectory.csv", "contacts.csv", "events.csv", "summary.json"] {
+        let text = String::from_utf8(bytes_of(folder.path(), name)).expect("text");
+        let signed = text.split([',', ' ', '\n']).filter(|&field| field == "-0.0").count();
+        assert_eq!(signed, 0, "{name} has no -0.0");
+    }
+}
+
+#[test]
+fn a_girder_that_leaves_its_seat_is_said_to() {
+    let folder = folder();
+    let args = ["run", "skew45-abutment", "--until", "1.5", "--set"];
+    let short = run_into(folder.path(), &[&args[..], &["girder.deck.seat_m={ \"+x\" = 0.002 }"]].concat());
+    assert!(short.contains("the girder left its seat of 2.000 mm at "), "says so: {short}");
+    assert!(short.contains("of a single corner at "), "whose force it is: {short}");
+    let seat = &summary_of(folder.path())["seats"][0];
+    let [left, farthest] = ["left_at", "t"].map(|key| seat[key].as_f64().expect("a time"));
+    assert!(0.0 < left && left < farthest, "it leaves before it is farthest off: {seat}");
+    let long = run_into(folder.path(), &[&args[..], &["girder.deck.seat_m={ \"+x\" = 0.2 }"]].concat());
+    assert!(long.contains("mm of 200.000 mm remain"), "stays: {long}");
+    assert!(summary_of(folder.path())["seats"][0]["left_at"].is_null(), "never left");
+}
+
+#[test]
 fn check_prints_the_contact_numbers_of_the_paper() {
     let said = call(&["check", "skew45-abutment"]);
     assert_eq!(said.status, Some(0), "checks: {}", said.err);
@@ -286,6 +313,12 @@ fn compare_finds_no_difference_between_a_scene_and_its_own_tables() {
     assert!(same.out.contains("151 instants in both") && same.out.matches("never").count() == 6, "{}", same.out);
     let other = call(&["compare", "skew60-abutment", out, "--until", "1.5"]);
     assert!(other.out.matches("never").count() < 6, "another girder parts: {}", other.out);
+    let last = |said: &cli::Said| said.out.lines().last().map(str::to_owned).unwrap_or_default();
+    assert_eq!(last(&same), "agree to 0 of the largest of each quantity", "the verdict");
+    // Both fly alike on like bearings and meet their walls at the same time: they part at the first row after that.
+    let hit = field(&rows_of(folder.path(), "events.csv")[0], "t");
+    let parts = format!("part at t = {} s: deck.x", (hit * 100.0).ceil() / 100.0);
+    assert!(last(&other).starts_with(&parts), "{parts}, but the verdict: {}", last(&other));
 }
 
 #[test]

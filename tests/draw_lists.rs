@@ -386,6 +386,26 @@ fn a_list_prints_alike_and_without_negative_zeros() {
 }
 
 #[test]
+fn a_text_stays_on_its_line_whatever_it_says() {
+    let mut scene = load("skew45-abutment");
+    scene.girders[0].name = "a\nb".to_owned();
+    let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(&scene), 1.5);
+    for force_scale in [1e-280, 1e300] {
+        let input = ViewInput {
+            title: Some("two\r\nlines\tand a tab"),
+            force_scale: Some(force_scale),
+            ..input(&scene, None, 0.0, &camera)
+        };
+        let list = draw_list(&input);
+        let texts = list.marks.iter().filter_map(|m| if let Mark::Text { text, .. } = m { Some(text) } else { None });
+        let texts: Vec<&String> = texts.collect();
+        assert!(texts.iter().any(|t| *t == "two  lines and a tab"), "spaces for breaks: {texts:?}");
+        assert!(texts.iter().any(|t| *t == "a b"), "in names too: {texts:?}");
+        assert!(texts.iter().all(|t| t.chars().count() < 60 && !t.contains(char::is_control)), "short: {texts:?}");
+    }
+}
+
+#[test]
 fn nonsense_in_a_view_is_no_panic() {
     let history = run("flush-free-hit");
     let scene = history.scene();

@@ -11,7 +11,7 @@ mod handmade;
 #[path = "pictures/studio.rs"]
 mod studio;
 
-use girderbench::render::{Image, Quality, Renderer};
+use girderbench::render::{Image, Packing, Quality, Renderer};
 use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::snapshot::{Instant, Shot, Studio};
@@ -38,7 +38,7 @@ fn shot(history: &History) -> Shot {
 fn take(studio: &mut Studio, name: &str, history: &History, shot: &Shot) -> Result<(), String> {
     let image = studio.shoot(history, shot).unwrap_or_else(|e| panic!("{name}: {e}"));
     let texts = studio.texts(history.scene(), shot.at.of(history));
-    let bytes = image.to_png(&texts).len();
+    let bytes = image.to_png(&texts, Packing::Small).len();
     assert!(bytes < LARGEST_FILE, "{name}: {bytes} bytes");
     golden::check(name, &image, &texts)
 }
@@ -191,7 +191,7 @@ fn a_png_holds_the_picture_and_says_how_it_was_made() {
     let history = run(&presets::load("flush-free-hit").expect("a preset is valid"));
     for background in [Background::Studio, Background::Transparent] {
         let image = studio.shoot(&history, &Shot { background, ..shot(&history) }).expect("it is drawn");
-        let png = image.to_png(&studio.texts(history.scene(), 0.0125));
+        let png = image.to_png(&studio.texts(history.scene(), 0.0125), Packing::Small);
         assert!(Image::from_png(&png).expect("it is a PNG") == image, "every pixel comes back");
         let reader = png::Decoder::new(std::io::Cursor::new(&png)).read_info().expect("it is a PNG");
         let texts = &reader.info().utf8_text;

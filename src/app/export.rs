@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::answer::Answer;
 use super::text;
 use crate::files::{write_atomic, write_set};
-use crate::render::{Gpu, Quality, Renderer};
+use crate::render::{Gpu, Packing, Quality, Renderer};
 use crate::tables::{TableOptions, all};
 use crate::view::DrawList;
 
@@ -18,7 +18,7 @@ pub(super) fn picture(list: &DrawList, size: [u32; 2], title: &str, path: &Path)
     let gpu = Gpu::headless().map_err(|e| e.to_string())?;
     let image = Renderer::new(&gpu, Quality::FINE).picture(&gpu, list, size).map_err(|e| e.to_string())?;
     let texts = [("Title", title.to_owned()), ("Adapter", gpu.adapter.to_string())];
-    write_atomic(path, &image.to_png(&texts)).map_err(|e| e.to_string())?;
+    write_atomic(path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
     Ok(format!("{}: {}", text::PICTURE_WRITTEN, path.display()))
 }
 

@@ -1,7 +1,8 @@
 //! Flags that several commands share.
 
 use crate::files;
-use crate::scene::{Scene, SceneErrors};
+use crate::scene::validate::validate;
+use crate::scene::{Scene, SceneError, SceneErrors};
 
 /// A scene and what to change in it before it is used.
 #[derive(Clone, Debug, clap::Args)]
@@ -41,14 +42,39 @@ impl SceneArgs {
 impl Changes {
     /// Reads a scene with these changes.
     ///
+    /// `--until` and `--tolerance` come after the check of the scene as it stands, so that they hide no fault of its own.
+    ///
     /// # Errors
     /// Every complaint about the scene or a change to it.
     pub(super) fn load(&self, name_or_path: &str) -> Result<Scene, SceneErrors> {
-        let flag = |key: &str, value: Option<f64>| value.map(|value| format!("{key}={value:?}"));
-        let flags = [flag("duration_s", self.until), flag("solver.tolerance", self.tolerance)];
-        let sets: Vec<String> = self.sets.iter().cloned().chain(flags.into_iter().flatten()).collect();
-        files::load_scene(name_or_path, &sets)
+        let mut scene = files::load_scene(name_or_path, &self.sets)?;
+        scene.duration = self.until.unwrap_or(scene.duration);
+        scene.solver.tolerance = self.tolerance.unwrap_or(scene.solver.tolerance);
+        if self.until.or(self.tolerance).is_some() {
+            validate(&scene).map_err(|errors| errors_of_flags(errors).in_file(name_or_path))?;
+        }
+        Ok(scene)
     }
+
+    /// The flags that were given, as they are typed.
+    pub(super) fn given(&self) -> Vec<&'static str> {
+        let all = [
+            ("--set", !self.sets.is_empty()),
+            ("--until", self.until.is_some()),
+            ("--tolerance", self.tolerance.is_some()),
+        ];
+        all.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag).collect()
+    }
+}
+
+/// Complaints about what a flag has set, under the flag's name.
+fn errors_of_flags(errors: SceneErrors) -> SceneErrors {
+    let flag = |place: String| match place.as_str() {
+        "duration_s" => "--until".to_owned(),
+        "solver.tolerance" => "--tolerance".to_owned(),
+        _ => place,
+    };
+    SceneErrors(errors.0.into_iter().map(|error| SceneError { place: flag(error.place), ..error }).collect())
 }
 
 /// A finite number above zero.
@@ -56,5 +82,14 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
         _ => Err("give a number above 0".into()),
+    }
+}
+
+/// A finite number from zero up.
+#[cfg(feature = "render")]
+pub(super) fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        _ => Err("give a number of 0 or above".into()),
     }
 }

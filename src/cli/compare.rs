@@ -23,9 +23,9 @@ pub(super) struct CompareArgs {
     /// What to change in the scenes that are run
     #[command(flatten)]
     changes: Changes,
-    /// Rows per second of what is run [Hz]
-    #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
-    sample: f64,
+    /// Rows per second of what is run [Hz]; 100 when left out
+    #[arg(long, value_name = "HZ", value_parser = positive, allow_negative_numbers = true)]
+    sample: Option<f64>,
     /// When two quantities count as parted, relative to their largest value
     #[arg(long, value_name = "R", default_value_t = 1e-6, value_parser = positive, allow_negative_numbers = true)]
     within: f64,
@@ -40,8 +40,9 @@ struct Answer {
 /// Does it.
 ///
 /// # Errors
-/// Bad input; two answers that share no instant or no quantity.
+/// Bad input; changes to a scene where none is run; two answers that share no instant or no quantity.
 pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failure> {
+    args.refuse_changes_to_nothing()?;
     let a = answer(&args.a, args, console)?;
     let b = answer(&args.b, args, console)?;
     let comparison = compare(&a.trajectory, &b.trajectory, args.within);
@@ -55,8 +56,26 @@ pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failu
         )));
     }
     console.print(&motion_text(&comparison, args.within));
-    console.print(&events_text(&a.events, &b.events));
+    let events = compare_events(&a.events, &b.events);
+    console.print(&events_text([a.events.len(), b.events.len()], &events));
+    console.print(&verdict(&comparison, &events, args.within));
     Ok(())
+}
+
+impl CompareArgs {
+    /// Refuses flags that would do nothing, because both answers come from folders.
+    fn refuse_changes_to_nothing(&self) -> Result<(), Failure> {
+        let flags: Vec<_> = self.changes.given().into_iter().chain(self.sample.map(|_| "--sample")).collect();
+        if flags.is_empty() || [&self.a, &self.b].iter().any(|source| !Path::new(source.as_str()).is_dir()) {
+            return Ok(());
+        }
+        Err(Failure::Input(format!(
+            "{}: {} and {} are folders of results, which are read and not run: leave it out, or give a scene",
+            flags.join(", "),
+            self.a,
+            self.b
+        )))
+    }
 }
 
 fn answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
@@ -78,14 +97,15 @@ fn read_table<T>(path: &Path, parse: fn(&[u8]) -> Result<T, TableError>) -> Resu
 /// Runs a scene and takes its answer by way of the tables, which lose nothing.
 fn run_answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
     let scene = args.changes.load(source)?;
-    check_rows(args.sample, scene.duration)?;
+    let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
+    check_rows(sample, scene.duration)?;
     let history = compute(&scene)?.history;
     if let Some(stop) = history.stop() {
         console.note(&Failure::GaveUp { scene: source.to_owned(), stop: stop.clone() }.to_string());
     }
     let of_table = |error: TableError| Failure::Input(format!("{source}: {error}"));
     Ok(Answer {
-        trajectory: read::trajectory(&tables::trajectory(&history, args.sample)).map_err(of_table)?,
+        trajectory: read::trajectory(&tables::trajectory(&history, sample)).map_err(of_table)?,
         events: read::events(&tables::events(&history)).map_err(of_table)?,
     })
 }
@@ -110,12 +130,11 @@ fn difference_line(d: &Difference) -> String {
     format!("{:<20} {:>12} {:>10} {:>12}  {parts}\n", d.name, short(d.largest), d.at, short(d.scale))
 }
 
-fn events_text(a: &[EventRow], b: &[EventRow]) -> String {
-    let differences = compare_events(a, b);
+fn events_text([in_a, in_b]: [usize; 2], differences: &[(String, EventDifference)]) -> String {
     let same = |d: &EventDifference| if let EventDifference::Same(apart) = d { Some(*apart) } else { None };
     let agreeing = differences.iter().filter_map(|(_, d)| same(d));
     let (count, apart) = agreeing.fold((0, 0.0_f64), |(n, apart), more| (n + 1, apart.max(more)));
-    let head = format!("events: {} in A, {} in B\n", a.len(), b.len());
+    let head = format!("events: {in_a} in A, {in_b} in B\n");
     let agree = match count {
         0 => String::new(),
         count => format!("  same events in the same order at {count} contacts, times within {} s\n", short(apart)),
@@ -127,6 +146,25 @@ fn events_text(a: &[EventRow], b: &[EventRow]) -> String {
         }
     });
     [head, agree].into_iter().chain(differ).collect()
+}
+
+/// The last line: how far the two agree, or when they first part and in what.
+fn verdict(comparison: &Comparison, events: &[(String, EventDifference)], within: f64) -> String {
+    let of_motion = |d: &Difference| Some((d.parts_at?, format!("{}, by more than {within:e} of its largest", d.name)));
+    let of_events = |(contact, d): &(String, EventDifference)| match d {
+        EventDifference::Same(_) => None,
+        EventDifference::From(a, b) => {
+            let first = a.iter().chain(b).map(|event| event.t).fold(f64::INFINITY, f64::min);
+            Some((first, format!("the events of {contact}")))
+        }
+    };
+    let parts = comparison.differences.iter().filter_map(of_motion).chain(events.iter().filter_map(of_events));
+    if let Some((t, what)) = parts.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        return format!("part at t = {t} s: {what}\n");
+    }
+    let share = |d: &Difference| if d.largest > 0.0 { d.largest / d.scale } else { 0.0 };
+    let apart = comparison.differences.iter().map(share).fold(0.0, f64::max);
+    format!("agree to {} of the largest of each quantity\n", short(apart))
 }
 
 fn event_words(event: Option<&EventRow>) -> String {

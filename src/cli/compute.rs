@@ -14,7 +14,7 @@ pub(super) struct Timed {
 /// Runs a scene to its end, or to where it gives up.
 pub(super) fn compute(scene: &Scene) -> Result<Timed, SceneErrors> {
     let timer = Timer::start();
-    let mut progress = Progress::over(scene.duration);
+    let mut progress = Progress::over(scene.duration, "s");
     let mut session = Session::new(scene)?;
     session.advance(scene.duration, &mut |reached| {
         progress.show(reached);

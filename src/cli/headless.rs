@@ -34,6 +34,7 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
 #[cfg(feature = "render")]
 fn pictures(history: &History) -> Result<Vec<(&'static str, Vec<u8>)>, crate::render::GpuError> {
+    use crate::render::Packing;
     use crate::scene::ViewPreset::{Contact, Iso, Side, Top};
     use crate::snapshot::{Shot, Studio};
 
@@ -43,7 +44,8 @@ fn pictures(history: &History) -> Result<Vec<(&'static str, Vec<u8>)>, crate::re
         .map(|(name, view)| {
             let shot = Shot { view: Some(view), ..Shot::default() };
             let image = studio.shoot(history, &shot)?;
-            Ok((name, image.to_png(&studio.texts(history.scene(), shot.at.of(history)))))
+            let texts = studio.texts(history.scene(), shot.at.of(history));
+            Ok((name, image.to_png(&texts, Packing::Small)))
         })
         .collect()
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::args::Changes;
 use super::{Console, Failure, headless};
+use crate::files;
 use crate::scene::{Scene, presets};
 
 /// Open the workbench on a scene
@@ -34,6 +35,7 @@ impl OpenArgs {
 pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.changes.load(&args.scene)?;
     if let Some(why) = window(&scene, args) {
+        files::check_folder(&args.out)?;
         console.note(&format!("{why}: writing pictures and tables to {} instead", args.out.display()));
         headless::run(&scene, &args.out, console)?;
     }

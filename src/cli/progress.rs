@@ -31,13 +31,14 @@ impl Timer {
 pub(super) struct Progress {
     started: Timer,
     whole: f64,
+    unit: &'static str,
     bar: Option<ProgressBar>,
 }
 
 impl Progress {
-    /// For work that goes from 0 to `whole`.
-    pub(super) fn over(whole: f64) -> Self {
-        Self { started: Timer::start(), whole, bar: None }
+    /// For work that goes from 0 to `whole`, counted in `unit`.
+    pub(super) fn over(whole: f64, unit: &'static str) -> Self {
+        Self { started: Timer::start(), whole, unit, bar: None }
     }
 
     /// Shows that the work has come to `reached`.
@@ -48,7 +49,8 @@ impl Progress {
         if let Some(bar) = &self.bar {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=PARTS")]
             bar.set_position((reached / self.whole * PARTS).clamp(0.0, PARTS) as u64);
-            bar.set_message(format!("{reached:.3} s of {} s", self.whole));
+            let digits = if reached.fract() == 0.0 { 0 } else { 3 };
+            bar.set_message(format!("{reached:.digits$} of {} {}", self.whole, self.unit));
         }
     }
 

@@ -35,6 +35,8 @@ pub(super) struct RunArgs {
 pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
     check_rows(args.sample, scene.duration)?;
+    // Before the run, so that no answer is lost for want of a place to write it.
+    args.out.as_deref().map_or(Ok(()), files::check_folder)?;
     let timed = compute(&scene)?;
     if args.digest {
         console.print(&format!("{:016x}\n", timed.history.digest()));

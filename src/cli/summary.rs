@@ -1,6 +1,6 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use crate::tables::Report;
+use crate::tables::{Report, SeatReport};
 
 /// The summary, one fact a line.
 pub(super) fn text(report: &Report) -> String {
@@ -25,7 +25,7 @@ fn head(report: &Report) -> Vec<Line> {
 fn answer(report: &Report) -> Vec<Line> {
     let n = &report.numbers;
     let peak = match n.peak_time {
-        Some(t) => format!("{} at {t:.6} s", force(n.peak_force)),
+        Some(t) => format!("{} of a single corner at {t:.6} s", force(n.peak_force)),
         None => "no contact".to_owned(),
     };
     let mut lines = vec![
@@ -42,16 +42,20 @@ fn answer(report: &Report) -> Vec<Line> {
         let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
         line(&format!("pair {}", pair.name), value)
     }));
-    lines.extend(report.seats.iter().map(|seat| {
-        let value = format!(
-            "{:.3} mm of {:.3} mm remain at the least, at {:.4} s",
-            seat.least_remaining * 1e3,
-            seat.length * 1e3,
-            seat.t
-        );
-        line(&format!("seat {}{}", seat.girder, seat.end), value)
-    }));
+    lines.extend(report.seats.iter().map(|seat| line(&format!("seat {}{}", seat.girder, seat.end), seat_words(seat))));
     lines
+}
+
+/// What remains of a seat, or when the girder left it.
+fn seat_words(seat: &SeatReport) -> String {
+    let [length, remaining] = [seat.length, seat.least_remaining].map(|metres| metres * 1e3);
+    match seat.left_at {
+        Some(left) => format!(
+            "the girder left its seat of {length:.3} mm at t = {left:.4} s; farthest off, by {:.3} mm, at {:.4} s",
+            -remaining, seat.t
+        ),
+        None => format!("{:.3} mm of {length:.3} mm remain at the least, at {:.4} s", remaining.max(0.0), seat.t),
+    }
 }
 
 fn accuracy(report: &Report) -> Vec<Line> {
@@ -63,7 +67,7 @@ fn accuracy(report: &Report) -> Vec<Line> {
     };
     vec![
         line("estimated error", error),
-        line("ledger residual", format!("{:.2e} J, {share:.1e} of the largest energy", ledger.residual)),
+        line("ledger residual", format!("{:.2e} J, {share:.1e} of the largest energy", ledger.residual + 0.0)),
     ]
 }
 
@@ -86,7 +90,8 @@ fn short(seconds: f64) -> String {
 
 /// A number in all its digits, without a row of zeros before them.
 pub(super) fn plain(value: f64) -> String {
-    if value == 0.0 || value.abs() >= 1e-4 { format!("{value}") } else { format!("{value:e}") }
+    // Adding 0 turns −0 into 0.
+    if value == 0.0 || value.abs() >= 1e-4 { format!("{}", value + 0.0) } else { format!("{value:e}") }
 }
 
 /// How many times, in three digits.

@@ -7,4 +7,4 @@ mod load;
 mod save;
 
 pub use load::{ReadError, load_scene, read};
-pub use save::{WriteError, save_scene, write_atomic, write_set};
+pub use save::{FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};

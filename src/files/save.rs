@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::scene::{Motion, Scene, format};
 
@@ -48,16 +48,52 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// # Errors
 /// When the folder or a file cannot be written.
 pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]) -> Result<(), WriteError> {
-    let name = |source| WriteError { path: folder.to_owned(), source };
-    std::fs::create_dir_all(folder).map_err(name)?;
-    let staged = files
-        .iter()
-        .map(|(name, bytes)| {
-            let path = folder.join(name);
-            Ok((stage(&path, bytes.as_ref())?, path))
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    staged.into_iter().try_for_each(|(file, path)| persist(file, &path))
+    let mut set = FileSet::default();
+    files.iter().try_for_each(|(name, bytes)| set.add(&folder.join(name), bytes.as_ref()))?;
+    set.finish()
+}
+
+/// Files that come one by one and get their names together; dropped before that, nothing of them stays.
+#[derive(Debug, Default)]
+pub struct FileSet {
+    staged: Vec<(TempPath, PathBuf)>,
+}
+
+impl FileSet {
+    /// Puts a file on the disk beside where it will be, making the folder if it is missing.
+    ///
+    /// # Errors
+    /// When the folder or the file cannot be written.
+    pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+        let folder = folder_of(path);
+        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })?;
+        // Closed here: there may be more files than a process may hold open.
+        self.staged.push((stage(path, bytes)?.into_temp_path(), path.to_owned()));
+        Ok(())
+    }
+
+    /// Gives all of them their names.
+    ///
+    /// # Errors
+    /// When something that is no file stands in the way of one.
+    pub fn finish(self) -> Result<(), WriteError> {
+        let name = |(file, path): (TempPath, PathBuf)| {
+            file.persist(&path).map_err(|error| WriteError { path, source: error.error })
+        };
+        self.staged.into_iter().try_for_each(name)
+    }
+}
+
+/// Makes sure that files can be written into a folder, before the work of finding out what to write.
+///
+/// A folder that is missing is not made: its nearest ancestor must be one that may be written to.
+///
+/// # Errors
+/// When something else stands there, or nothing may be written.
+pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
+    let there = folder.ancestors().find(|path| path.exists() && *path != Path::new("")).unwrap_or(Path::new("."));
+    // Gone again when dropped.
+    temporary_in(there).map(drop).map_err(|source| WriteError { path: folder.to_owned(), source })
 }
 
 /// Puts the bytes on the disk beside `path`, under a name of its own; dropped, it is removed.

@@ -31,14 +31,7 @@ impl Filled {
         }
         let size = bytes.len() as u64;
         let room = self.buffer.take().filter(|b| b.size() >= size);
-        let buffer = room.unwrap_or_else(|| {
-            gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(self.label),
-                size: size.next_power_of_two().max(256),
-                usage: self.usage,
-                mapped_at_creation: false,
-            })
-        });
+        let buffer = room.unwrap_or_else(|| gpu.buffer(self.label, size.next_power_of_two().max(256), self.usage));
         gpu.queue.write_buffer(&buffer, 0, bytes);
         self.buffer = Some(buffer);
     }

@@ -29,7 +29,7 @@ impl Flat {
     }
 
     /// One mesh of all marks, in their order.
-    pub(super) fn mesh(&mut self, marks: &[Mark]) -> Mesh {
+    pub(super) fn mesh(&mut self, marks: &[&Mark]) -> Mesh {
         self.fonts.begin_pass(TextOptions::default(), ViewportKey::default());
         let shapes: Vec<Shape> = marks.iter().flat_map(|mark| self.shapes(mark)).collect();
         let atlas = self.fonts.texture_atlas();

@@ -61,13 +61,12 @@ impl Frame {
 }
 
 /// A uniform buffer with its own bind group at binding 0.
-pub(super) fn uniform(gpu: &Gpu, label: &str, size: u64) -> (wgpu::BindGroupLayout, wgpu::BindGroup, wgpu::Buffer) {
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
+pub(super) fn uniform(
+    gpu: &Gpu,
+    label: &'static str,
+    size: u64,
+) -> (wgpu::BindGroupLayout, wgpu::BindGroup, wgpu::Buffer) {
+    let buffer = gpu.buffer(label, size, wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST);
     let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some(label),
         entries: &[wgpu::BindGroupLayoutEntry {

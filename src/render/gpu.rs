@@ -1,4 +1,10 @@
 //! A device to draw with: brought up without a window, or handed over by one.
+//!
+//! Pipelines, buffers and textures are made here and nowhere else, so that each is counted ([`Made`]).
+
+use wgpu::util::DeviceExt as _;
+
+use super::made::{Made, Tally, Thing};
 
 /// What draws.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,13 +68,14 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// What it is.
     pub adapter: AdapterSummary,
+    tally: Tally,
 }
 
 impl Gpu {
     /// Takes over a window's device.
     #[expect(clippy::needless_pass_by_value, reason = "all three are handed over together")]
     pub fn from_parts(info: wgpu::AdapterInfo, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, adapter: AdapterSummary::of(&info) }
+        Self { device, queue, adapter: AdapterSummary::of(&info), tally: Tally::default() }
     }
 
     /// Brings up a device with no window and no display: Vulkan, or GLES over EGL where there is none.
@@ -96,5 +103,64 @@ impl Gpu {
             .await
             .map_err(|e| GpuError::NoDevice { adapter: AdapterSummary::of(&info), reason: e.to_string() })?;
         Ok(Self::from_parts(info, device, queue))
+    }
+
+    /// What has been made and drawn on this device, through whichever copy of it.
+    pub fn made(&self) -> Made {
+        self.tally.so_far()
+    }
+
+    /// Counts what was done.
+    pub(super) fn count(&self, thing: Thing, label: &'static str, count: usize) {
+        self.tally.add(thing, label, count);
+    }
+
+    /// A buffer with nothing in it yet.
+    pub(super) fn buffer(&self, label: &'static str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.count(Thing::Buffer, label, 1);
+        let descriptor = wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false };
+        self.device.create_buffer(&descriptor)
+    }
+
+    /// A mesh.
+    pub(super) fn mesh<T: bytemuck::Pod>(&self, label: &'static str, vertices: &[T]) -> wgpu::Buffer {
+        self.count(Thing::Buffer, label, 1);
+        self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some(label),
+            contents: bytemuck::cast_slice(vertices),
+            usage: wgpu::BufferUsages::VERTEX,
+        })
+    }
+
+    /// A flat texture without mip levels.
+    pub(super) fn texture(
+        &self,
+        label: &'static str,
+        [width, height]: [u32; 2],
+        samples: u32,
+        format: wgpu::TextureFormat,
+        usage: wgpu::TextureUsages,
+    ) -> wgpu::Texture {
+        self.count(Thing::Texture, label, 1);
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: samples,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage,
+            view_formats: &[],
+        })
+    }
+
+    /// A pipeline.
+    pub(super) fn pipeline(
+        &self,
+        label: &'static str,
+        descriptor: &wgpu::RenderPipelineDescriptor<'_>,
+    ) -> wgpu::RenderPipeline {
+        self.count(Thing::Pipeline, label, 1);
+        self.device.create_render_pipeline(descriptor)
     }
 }

@@ -1,9 +1,4 @@
-//! A finished picture in memory, read back from the device, written as PNG.
-
-use super::{Gpu, GpuError};
-
-/// Most pixels of one picture, so that its targets fit into memory.
-const MOST_PIXELS: u64 = 1 << 25;
+//! A finished picture in memory, written as PNG.
 
 /// A picture: eight bits a channel, sRGB, straight alpha, rows from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,25 +11,43 @@ pub struct Image {
     pub rgba: Vec<u8>,
 }
 
+/// How much work goes into making a file small.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Packing {
+    /// As small as it gets: for pictures that are kept.
+    #[default]
+    Small,
+    /// A quarter larger in a thirtieth of the time: for the frames of a film.
+    Quick,
+}
+
 impl Image {
-    /// The picture as a PNG file, with `texts` (keyword, text) in it.
+    /// The picture as a PNG file, with `texts` (keyword, text) in it; the pixels are the same however it is packed.
     ///
     /// Keywords are 1 to 79 Latin-1 characters, as PNG has them; a picture made by hand must have the bytes that its
     /// size promises. Else the file comes out empty.
-    pub fn to_png(&self, texts: &[(&str, String)]) -> Vec<u8> {
+    pub fn to_png(&self, texts: &[(&str, String)], packing: Packing) -> Vec<u8> {
         let mut bytes = Vec::new();
-        match self.encode(&mut bytes, texts) {
+        match self.encode(&mut bytes, texts, packing) {
             Ok(()) => bytes,
             Err(_) => Vec::new(),
         }
     }
 
-    fn encode(&self, bytes: &mut Vec<u8>, texts: &[(&str, String)]) -> Result<(), png::EncodingError> {
+    fn encode(
+        &self,
+        bytes: &mut Vec<u8>,
+        texts: &[(&str, String)],
+        packing: Packing,
+    ) -> Result<(), png::EncodingError> {
         let mut encoder = png::Encoder::new(bytes, self.width, self.height);
         let opaque = self.rgba.chunks_exact(4).all(|p| p[3] == 0xff);
         encoder.set_color(if opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
+        encoder.set_compression(match packing {
+            Packing::Small => png::Compression::High,
+            Packing::Quick => png::Compression::Fast,
+        });
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         for (keyword, text) in texts {
             encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
@@ -64,60 +77,8 @@ impl Image {
     }
 }
 
-/// Refuses sizes that the device does not draw.
-pub(super) fn check_size(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<(), GpuError> {
-    let limit = gpu.device.limits().max_texture_dimension_2d;
-    let fits = (1..=limit).contains(&width) && (1..=limit).contains(&height);
-    if fits && u64::from(width) * u64::from(height) <= MOST_PIXELS {
-        Ok(())
-    } else {
-        Err(GpuError::Size(width, height, limit))
-    }
-}
-
-/// Finishes and submits an encoder, and reads a texture back.
-pub(super) fn read_back(
-    gpu: &Gpu,
-    mut encoder: wgpu::CommandEncoder,
-    texture: &wgpu::Texture,
-) -> Result<Image, GpuError> {
-    let (width, height) = (texture.width(), texture.height());
-    let row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("read back"),
-        size: u64::from(row) * u64::from(height),
-        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
-    encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
-        wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-        texture.size(),
-    );
-    gpu.queue.submit([encoder.finish()]);
-    let rows = map(gpu, &buffer)?;
-    let used = 4 * width as usize;
-    let premultiplied = rows.chunks_exact(row as usize).flat_map(|r| &r[..used]).copied();
-    Ok(Image { width, height, rgba: straight(premultiplied.collect()) })
-}
-
-fn map(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
-    let failed = |e: &dyn std::fmt::Display| GpuError::Readback(e.to_string());
-    let (sender, receiver) = std::sync::mpsc::channel();
-    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // Whoever waits may have gone; then nobody wants the answer.
-        let _ = sender.send(result);
-    });
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
-    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-    let bytes = buffer.get_mapped_range(..).map_err(|e| failed(&e))?.to_vec();
-    buffer.unmap();
-    Ok(bytes)
-}
-
 /// Divides colours by their alpha.
-fn straight(mut rgba: Vec<u8>) -> Vec<u8> {
+pub(super) fn straight(mut rgba: Vec<u8>) -> Vec<u8> {
     for pixel in rgba.chunks_exact_mut(4) {
         let alpha = u32::from(pixel[3]);
         if alpha != 0xff && alpha != 0 {

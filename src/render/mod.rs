@@ -1,22 +1,26 @@
 //! Draw lists to pixels with wgpu. Knows the view's lists and nothing of physics.
 //!
 //! One pass is one file in `pass/` and one shader of the same stem in `shaders/`. A [`Renderer`] builds a pass when a
-//! list first has something for it, and runs it only for lists that have. Everything stays inside
+//! list first has something for it in view, and runs it only then; [`Gpu::made`] counts what that took. Everything stays inside
 //! `downlevel_webgl2_defaults`: instance vertex buffers, uniforms, a comparison sampler, sRGB encoded in the shader.
 
 mod buffer;
+mod cull;
 mod flat;
 mod frame;
 mod gpu;
 mod image;
+mod made;
 mod mesh;
 mod pass;
 mod quality;
+mod readback;
 mod renderer;
 mod target;
 
 pub use gpu::{AdapterSummary, Gpu, GpuError};
-pub use image::Image;
+pub use image::{Image, Packing};
+pub use made::{Made, Thing};
 pub use pass::shaders;
 pub use quality::Quality;
 pub use renderer::Renderer;

@@ -1,5 +1,6 @@
 //! Draws lists: keeps targets and passes, builds each only when a list wants it.
 
+use super::cull::Seen;
 use super::frame::{Frame, color};
 use super::pass::Depth;
 use super::pass::arrow::ArrowPass;
@@ -9,9 +10,10 @@ use super::pass::ground::GroundPass;
 use super::pass::line::LinePass;
 use super::pass::overlay::Overlay;
 use super::pass::shadow::Shadow;
-use super::pass::solid::{SolidPass, Solids};
+use super::pass::solid::{Prism, SolidPass, Solids};
+use super::readback::{self, Readback};
 use super::target::Target;
-use super::{Gpu, GpuError, Image, Quality, image};
+use super::{Gpu, GpuError, Image, Quality};
 use crate::view::DrawList;
 
 /// Passes built so far.
@@ -20,8 +22,11 @@ struct Passes {
     backdrop: Option<Backdrop>,
     shadow: Option<Shadow>,
     ground: Option<GroundPass>,
-    solids: Option<(SolidPass, Solids)>,
-    ghosts: Option<(SolidPass, Solids)>,
+    prism: Option<Prism>,
+    solid: Option<SolidPass>,
+    solids: Option<Solids>,
+    ghost: Option<SolidPass>,
+    ghosts: Option<Solids>,
     lines: Option<LinePass>,
     xray_lines: Option<LinePass>,
     cones: Option<ConePass>,
@@ -29,20 +34,35 @@ struct Passes {
     overlay: Option<Overlay>,
 }
 
+/// What a picture is recorded with.
+struct Recording<'r> {
+    encoder: &'r mut wgpu::CommandEncoder,
+    frame: &'r Frame,
+    target: &'r Target,
+}
+
 /// Draws lists. Two draws must not be recorded before the first is submitted: they share their buffers.
 #[derive(Debug)]
 pub struct Renderer {
     quality: Quality,
+    culls: bool,
     frame: Frame,
     passes: Passes,
     target: Option<Target>,
+    readback: Option<Readback>,
 }
 
 impl Renderer {
     /// A renderer with no pass built yet.
     pub fn new(gpu: &Gpu, quality: Quality) -> Self {
         let quality = quality.checked();
-        Self { quality, frame: Frame::new(gpu), passes: Passes::default(), target: None }
+        let (frame, passes) = (Frame::new(gpu), Passes::default());
+        Self { quality, culls: true, frame, passes, target: None, readback: None }
+    }
+
+    /// Whether instances out of view are left out, as they are unless told otherwise; the picture is the same.
+    pub fn set_culling(&mut self, culls: bool) {
+        self.culls = culls;
     }
 
     /// Draws a list into the renderer's own RGBA8 target (sRGB-encoded already, premultiplied) and gives that back.
@@ -60,8 +80,10 @@ impl Renderer {
         let kept = self.target.take().filter(|t| t.size == size);
         let target = kept.unwrap_or_else(|| Target::new(gpu, size, self.quality));
         self.frame.write(gpu, list, size, self.quality);
-        self.passes.prepare(gpu, &self.frame, list, self.quality);
-        self.passes.encode(encoder, &self.frame, list, &target);
+        let seen = if self.culls { Seen::of(list, size, self.quality) } else { Seen::all(list) };
+        seen.count(gpu, list);
+        self.passes.prepare(gpu, &self.frame, list, &seen, self.quality);
+        self.passes.encode(gpu, &mut Recording { encoder, frame: &self.frame, target: &target }, list, &seen);
         &self.target.insert(target).view
     }
 
@@ -70,11 +92,15 @@ impl Renderer {
     /// # Errors
     /// When the size is not one that the device draws, or the read-back fails.
     pub fn picture(&mut self, gpu: &Gpu, list: &DrawList, size: [u32; 2]) -> Result<Image, GpuError> {
-        image::check_size(gpu, size)?;
+        readback::check_size(gpu, size)?;
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw(gpu, &mut encoder, list, size);
         let target = self.target.as_ref().ok_or_else(|| GpuError::Readback("nothing was drawn".to_owned()))?;
-        image::read_back(gpu, encoder, &target.texture)
+        let kept = self.readback.take().filter(|readback| readback.size() == target.size);
+        let readback = kept.unwrap_or_else(|| Readback::new(gpu, target.size));
+        let image = readback.read(gpu, encoder, &target.texture)?;
+        self.readback = Some(readback);
+        Ok(image)
     }
 
     /// The passes that have been built, by the stem of their file.
@@ -84,7 +110,7 @@ impl Renderer {
             ("backdrop", p.backdrop.is_some()),
             ("shadow", p.shadow.is_some()),
             ("ground", p.ground.is_some()),
-            ("solid", p.solids.is_some() || p.ghosts.is_some()),
+            ("solid", p.solid.is_some() || p.ghost.is_some()),
             ("line", p.lines.is_some() || p.xray_lines.is_some()),
             ("cone", p.cones.is_some()),
             ("arrow", p.arrows.is_some()),
@@ -95,98 +121,111 @@ impl Renderer {
 }
 
 impl Passes {
-    /// Builds the passes that the list wants, and hands them what they draw.
-    fn prepare(&mut self, gpu: &Gpu, frame: &Frame, list: &DrawList, quality: Quality) {
+    /// Builds the passes that the picture needs, and hands them what they draw.
+    fn prepare(&mut self, gpu: &Gpu, frame: &Frame, list: &DrawList, seen: &Seen<'_>, quality: Quality) {
         let samples = quality.samples;
         if list.frame.sky != list.frame.floor {
             self.backdrop.get_or_insert_with(|| Backdrop::new(gpu, frame, samples));
         }
-        if list.ground.is_some() || !list.solids.is_empty() || !list.ghosts.is_empty() {
-            self.prepare_lit(gpu, frame, list, quality);
+        if needs_light(list, seen) {
+            self.prepare_lit(gpu, frame, list, seen, quality);
         }
-        let lines = |depth| move || LinePass::new(gpu, frame, depth, samples);
-        if !list.lines.is_empty() {
-            self.lines.get_or_insert_with(lines(Depth::Test)).fill(gpu, &list.lines);
+        let lines = |label, depth| move || LinePass::new(gpu, frame, label, depth, samples);
+        if !seen.lines.is_empty() {
+            self.lines.get_or_insert_with(lines("line", Depth::Test)).fill(gpu, &seen.lines);
         }
-        if !list.xray_lines.is_empty() {
-            self.xray_lines.get_or_insert_with(lines(Depth::Ignore)).fill(gpu, &list.xray_lines);
+        if !seen.xray_lines.is_empty() {
+            self.xray_lines.get_or_insert_with(lines("line seen through", Depth::Ignore)).fill(gpu, &seen.xray_lines);
         }
-        if !list.cones.is_empty() {
-            self.cones.get_or_insert_with(|| ConePass::new(gpu, frame, samples)).fill(gpu, &list.cones);
+        if !seen.cones.is_empty() {
+            self.cones.get_or_insert_with(|| ConePass::new(gpu, frame, samples)).fill(gpu, &seen.cones);
         }
-        if !list.arrows.is_empty() {
-            self.arrows.get_or_insert_with(|| ArrowPass::new(gpu, frame, samples)).fill(gpu, &list.arrows);
+        if !seen.arrows.is_empty() {
+            self.arrows.get_or_insert_with(|| ArrowPass::new(gpu, frame, samples)).fill(gpu, &seen.arrows);
         }
-        if !list.marks.is_empty() {
-            self.overlay.get_or_insert_with(|| Overlay::new(gpu, frame, samples)).fill(gpu, list);
+        if !seen.marks.is_empty() {
+            self.overlay.get_or_insert_with(|| Overlay::new(gpu, frame, samples)).fill(gpu, &seen.marks);
         }
     }
 
     /// Bodies and ground, which share the shadow map.
-    fn prepare_lit(&mut self, gpu: &Gpu, frame: &Frame, list: &DrawList, quality: Quality) {
+    fn prepare_lit(&mut self, gpu: &Gpu, frame: &Frame, list: &DrawList, seen: &Seen<'_>, quality: Quality) {
         let samples = quality.samples;
         let shadow = &*self.shadow.get_or_insert_with(|| Shadow::new(gpu, frame, quality));
         if let Some(ground) = &list.ground {
             self.ground.get_or_insert_with(|| GroundPass::new(gpu, frame, shadow, samples)).fill(gpu, ground);
         }
-        let build = |depth| move || (SolidPass::new(gpu, frame, shadow, depth, samples), Solids::new(gpu));
-        if !list.solids.is_empty() {
-            self.solids.get_or_insert_with(build(Depth::Write)).1.fill(gpu, &list.solids);
+        if !(seen.solids.is_empty() && seen.casters.is_empty() && seen.ghosts.is_empty()) {
+            self.prism.get_or_insert_with(|| Prism::new(gpu));
         }
-        if !list.ghosts.is_empty() {
-            self.ghosts.get_or_insert_with(build(Depth::Test)).1.fill(gpu, &list.ghosts);
+        let pass = |label, depth| move || SolidPass::new(gpu, frame, shadow, label, depth, samples);
+        if !seen.solids.is_empty() {
+            self.solid.get_or_insert_with(pass("solid", Depth::Write));
+        }
+        if !(seen.solids.is_empty() && seen.casters.is_empty()) {
+            let solids = self.solids.get_or_insert_with(|| Solids::new("solids"));
+            solids.fill(gpu, &seen.solids, &seen.casters);
+        }
+        if !seen.ghosts.is_empty() {
+            self.ghost.get_or_insert_with(pass("ghost", Depth::Test));
+            self.ghosts.get_or_insert_with(|| Solids::new("ghosts")).fill(gpu, &seen.ghosts, &[]);
         }
     }
 
-    /// Records what the list has something for.
-    fn encode(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, list: &DrawList, target: &Target) {
-        let solids = self.solids.as_ref().filter(|_| !list.solids.is_empty());
-        let ghosts = self.ghosts.as_ref().filter(|_| !list.ghosts.is_empty());
-        let shadow = self.shadow.as_ref().filter(|_| list.ground.is_some() || solids.or(ghosts).is_some());
+    /// Records what the picture needs.
+    fn encode(&self, gpu: &Gpu, to: &mut Recording<'_>, list: &DrawList, seen: &Seen<'_>) {
+        let shadow = self.shadow.as_ref().filter(|_| needs_light(list, seen));
         if let Some(shadow) = shadow {
-            shadow.draw(encoder, frame, solids.map(|(_, solids)| solids));
+            let thrown = !(seen.solids.is_empty() && seen.casters.is_empty());
+            let casters = self.prism.as_ref().zip(self.solids.as_ref()).filter(|_| thrown);
+            shadow.draw(gpu, to.encoder, to.frame, casters);
         }
-        let on_top =
-            !(list.xray_lines.is_empty() && list.cones.is_empty() && list.arrows.is_empty() && list.marks.is_empty());
-        let mut pass = target.begin(encoder, "bodies", Some(clear_color(list)), !on_top);
-        pass.set_bind_group(0, &frame.group, &[]);
+        let mut pass = to.target.begin(gpu, to.encoder, "bodies", Some(clear_color(list)), !seen.is_anything_on_top());
+        pass.set_bind_group(0, &to.frame.group, &[]);
         if let Some(backdrop) = self.backdrop.as_ref().filter(|_| list.frame.sky != list.frame.floor) {
             backdrop.draw(&mut pass);
         }
         if let (Some(ground), Some(shadow), true) = (&self.ground, shadow, list.ground.is_some()) {
             ground.draw(&mut pass, shadow);
         }
+        let solids = self.solid.as_ref().zip(self.solids.as_ref()).filter(|_| !seen.solids.is_empty());
+        let ghosts = self.ghost.as_ref().zip(self.ghosts.as_ref()).filter(|_| !seen.ghosts.is_empty());
         for (solid, solids) in solids.into_iter().chain(ghosts) {
-            if let Some(shadow) = shadow {
-                solid.draw(&mut pass, shadow, solids);
+            if let Some((shadow, prism)) = shadow.zip(self.prism.as_ref()) {
+                solid.draw(&mut pass, shadow, prism, solids);
             }
         }
-        if let Some(lines) = self.lines.as_ref().filter(|_| !list.lines.is_empty()) {
+        if let Some(lines) = self.lines.as_ref().filter(|_| !seen.lines.is_empty()) {
             lines.draw(&mut pass);
         }
         drop(pass);
-        if on_top {
-            self.encode_on_top(encoder, frame, list, target);
+        if seen.is_anything_on_top() {
+            self.encode_on_top(gpu, to, seen);
         }
     }
 
     /// What is seen through bodies, with a depth of its own, and what is flat.
-    fn encode_on_top(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, list: &DrawList, target: &Target) {
-        let mut pass = target.begin(encoder, "seen through bodies", None, true);
-        pass.set_bind_group(0, &frame.group, &[]);
-        if let Some(cones) = self.cones.as_ref().filter(|_| !list.cones.is_empty()) {
+    fn encode_on_top(&self, gpu: &Gpu, to: &mut Recording<'_>, seen: &Seen<'_>) {
+        let mut pass = to.target.begin(gpu, to.encoder, "seen through bodies", None, true);
+        pass.set_bind_group(0, &to.frame.group, &[]);
+        if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
             cones.draw(&mut pass);
         }
-        if let Some(lines) = self.xray_lines.as_ref().filter(|_| !list.xray_lines.is_empty()) {
+        if let Some(lines) = self.xray_lines.as_ref().filter(|_| !seen.xray_lines.is_empty()) {
             lines.draw(&mut pass);
         }
-        if let Some(arrows) = self.arrows.as_ref().filter(|_| !list.arrows.is_empty()) {
+        if let Some(arrows) = self.arrows.as_ref().filter(|_| !seen.arrows.is_empty()) {
             arrows.draw(&mut pass);
         }
-        if let Some(overlay) = self.overlay.as_ref().filter(|_| !list.marks.is_empty()) {
+        if let Some(overlay) = self.overlay.as_ref().filter(|_| !seen.marks.is_empty()) {
             overlay.draw(&mut pass);
         }
     }
+}
+
+/// Whether anything in the picture is lit, and so asks the shadow map.
+fn needs_light(list: &DrawList, seen: &Seen<'_>) -> bool {
+    list.ground.is_some() || !(seen.solids.is_empty() && seen.ghosts.is_empty())
 }
 
 fn clear_color(list: &DrawList) -> wgpu::Color {

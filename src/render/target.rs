@@ -1,5 +1,6 @@
 //! What a picture is drawn into: colour, its samples, depth.
 
+use super::made::Thing;
 use super::pass::{COLOR, DEPTH};
 use super::{Gpu, Quality};
 
@@ -13,22 +14,13 @@ pub(super) struct Target {
     depth: wgpu::TextureView,
 }
 
-fn texture(gpu: &Gpu, label: &str, size: [u32; 2], samples: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
+fn texture(gpu: &Gpu, label: &'static str, size: [u32; 2], samples: u32, format: wgpu::TextureFormat) -> wgpu::Texture {
     let extra = if samples == 1 && format == COLOR {
         wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC
     } else {
         wgpu::TextureUsages::empty()
     };
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some(label),
-        size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: samples,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | extra,
-        view_formats: &[],
-    })
+    gpu.texture(label, size, samples, format, wgpu::TextureUsages::RENDER_ATTACHMENT | extra)
 }
 
 impl Target {
@@ -43,23 +35,28 @@ impl Target {
     /// Begins drawing: on a cleared picture, or on what is there; depth is always cleared. `last` settles the samples.
     pub(super) fn begin<'e>(
         &self,
+        gpu: &Gpu,
         encoder: &'e mut wgpu::CommandEncoder,
-        label: &str,
+        label: &'static str,
         clear: Option<wgpu::Color>,
         last: bool,
     ) -> wgpu::RenderPass<'e> {
         let load = clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear);
+        // Settled samples have done their work.
+        let settles = last && self.samples.is_some();
+        let store = if settles { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store };
         let color = wgpu::RenderPassColorAttachment {
             view: self.samples.as_ref().unwrap_or(&self.view),
             depth_slice: None,
             resolve_target: self.samples.as_ref().filter(|_| last).map(|_| &self.view),
-            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+            ops: wgpu::Operations { load, store },
         };
         let depth = wgpu::RenderPassDepthStencilAttachment {
             view: &self.depth,
             depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
             stencil_ops: None,
         };
+        gpu.count(Thing::Pass, label, 1);
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(label),
             color_attachments: &[Some(color)],

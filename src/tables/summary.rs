@@ -71,6 +71,8 @@ pub struct SeatReport {
     pub least_remaining: f64,
     /// When \[s\].
     pub t: f64,
+    /// When the end came off for the first time, to a part in a thousand million of the run; `None` where it stayed \[s\].
+    pub left_at: Option<f64>,
 }
 
 /// Versions that an answer depends on.
@@ -105,12 +107,13 @@ impl Report {
         }
     }
 
-    /// The file's bytes. A number that is not finite is written as `null`.
+    /// The file's bytes. A number that is not finite is written as `null`, −0 as 0.
     pub fn to_json(&self) -> Vec<u8> {
         // Plain structs with string keys always serialise.
-        let mut bytes = serde_json::to_vec_pretty(self).unwrap_or_default();
-        bytes.push(b'\n');
-        bytes
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        // One value a line, and a line within a text is written as `\n`: only numbers end a line like this.
+        text.replace(" -0.0,\n", " 0.0,\n").replace(" -0.0\n", " 0.0\n").into_bytes()
     }
 }
 
@@ -136,7 +139,9 @@ fn seats(history: &History, sample_hz: f64) -> Vec<SeatReport> {
         })
         .map(|(number, girder, end, length)| {
             let (t, moved) = farthest_off(history, number, end, sample_hz);
-            SeatReport { girder: girder.name.clone(), end: end.label(), length, least_remaining: length - moved, t }
+            let left_at = (moved > length).then(|| first_off(history, number, end, length, sample_hz)).flatten();
+            let least_remaining = length - moved;
+            SeatReport { girder: girder.name.clone(), end: end.label(), length, least_remaining, t, left_at }
         })
         .collect()
 }
@@ -144,15 +149,37 @@ fn seats(history: &History, sample_hz: f64) -> Vec<SeatReport> {
 /// When an end has moved farthest off its seat, and by how much: the corner at the underside that moved most towards
 /// the girder's middle, along the axis as placed \[s, m\].
 fn farthest_off(history: &History, girder: usize, end: End, sample_hz: f64) -> (f64, f64) {
-    let events = history.events().iter().map(|event| event.t);
     let mut farthest = (0.0, f64::NEG_INFINITY);
-    for t in sample_times(history.end(), sample_hz).chain(events) {
+    for t in looks(history, sample_hz) {
         let moved = off_seat(history, girder, end, t);
         if moved > farthest.1 {
             farthest = (t, moved);
         }
     }
     farthest
+}
+
+/// When an end first came off a seat of this length: between the two looks that see it on and off, by bisection \[s\].
+fn first_off(history: &History, girder: usize, end: End, length: f64, sample_hz: f64) -> Option<f64> {
+    let off = |t: f64| off_seat(history, girder, end, t) > length;
+    let mut looks: Vec<f64> = looks(history, sample_hz).collect();
+    looks.sort_by(f64::total_cmp);
+    let seen = looks.iter().position(|&t| off(t))?;
+    let (mut on, mut gone) = (looks[seen.saturating_sub(1)], looks[seen]);
+    while gone - on > 1e-9 * history.end() {
+        let middle = f64::midpoint(on, gone);
+        if off(middle) {
+            gone = middle;
+        } else {
+            on = middle;
+        }
+    }
+    Some(gone)
+}
+
+/// The instants at which seats are looked at: samples, then events \[s\].
+fn looks(history: &History, sample_hz: f64) -> impl Iterator<Item = f64> {
+    sample_times(history.end(), sample_hz).chain(history.events().iter().map(|event| event.t))
 }
 
 fn off_seat(history: &History, girder: usize, end: End, t: f64) -> f64 {

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::crowd::Crowd;
 use super::list::{Mark, Rgba};
 
 /// A rectangle on the picture \[pixels\].
@@ -12,7 +13,8 @@ pub(super) struct Area {
 }
 
 impl Area {
-    fn overlap(&self, other: &Self) -> f32 {
+    /// What the two share \[pixels²\].
+    pub(super) fn overlap(&self, other: &Self) -> f32 {
         let size = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
         size.x * size.y
     }
@@ -75,7 +77,7 @@ pub(super) const BESIDE: &[Vec2] = &[
 #[derive(Debug)]
 pub(super) struct Placer {
     picture: Area,
-    taken: Vec<Area>,
+    taken: Crowd,
     ppp: f32,
     leader: Rgba,
 }
@@ -84,12 +86,12 @@ impl Placer {
     /// An empty picture; `leader` is the colour of the strokes that tie a far text to its point.
     pub(super) fn new(size: [u32; 2], ppp: f32, leader: Rgba) -> Self {
         let picture = Area { min: Vec2::splat(6.0 * ppp), max: Vec2::from(size.map(|s| s as f32)) - 6.0 * ppp };
-        Self { picture, taken: Vec::new(), ppp, leader }
+        Self { picture, taken: Crowd::new(size, ppp), ppp, leader }
     }
 
     /// Keeps an area free of labels.
     pub(super) fn take(&mut self, area: Area) {
-        self.taken.push(area);
+        self.taken.take(area);
     }
 
     /// Keeps a stroke free of labels.
@@ -117,7 +119,9 @@ impl Placer {
         for (far, direction) in spots {
             let middle = label.at + direction * (half + label.clear * far);
             let area = Area::about(middle, half);
-            let cost = self.cost(&area);
+            // A text half hidden says less than none.
+            let most = best.map_or(half.x * half.y, |(_, least, _)| least);
+            let Some(cost) = self.cost(&area, most) else { continue };
             if best.is_none_or(|(_, least, _)| cost < least) {
                 best = Some((far, cost, area));
             }
@@ -125,17 +129,15 @@ impl Placer {
                 break;
             }
         }
-        // A text half hidden says less than none.
-        best.filter(|(_, cost, _)| *cost <= half.x * half.y)
-            .map(|(far, _, area)| self.settle(label, far, area))
-            .unwrap_or_default()
+        best.map(|(far, _, area)| self.settle(label, far, area)).unwrap_or_default()
     }
 
-    /// What a spot would cover: other labels, and the outside of the picture \[pixels²\].
-    fn cost(&self, area: &Area) -> f32 {
+    /// What a spot would cover: other labels, and the outside of the picture \[pixels²\]; `None` above `most`.
+    fn cost(&self, area: &Area, most: f32) -> Option<f32> {
         let size = area.size();
-        let outside = size.x * size.y - area.overlap(&self.picture);
-        self.taken.iter().map(|t| t.overlap(area)).sum::<f32>() + outside.max(0.0)
+        let outside = (size.x * size.y - area.overlap(&self.picture)).max(0.0);
+        let cost = self.taken.covered(area, most)? + outside;
+        (cost <= most).then_some(cost)
     }
 
     fn settle(&mut self, label: &Label, far: f32, area: Area) -> Vec<Mark> {
@@ -182,7 +184,7 @@ mod tests {
         for text in ["deck", "wall", "124 N", "gap 3.00 mm", "another"] {
             assert!(!placer.place(&label(text)).is_empty(), "{text} is placed");
         }
-        let taken = &placer.taken;
+        let taken = placer.taken.areas();
         let clear = |i: usize| taken[..i].iter().all(|other| other.overlap(&taken[i]) == 0.0);
         assert!((0..taken.len()).all(clear), "no two areas overlap: {taken:?}");
     }

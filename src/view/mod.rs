@@ -9,6 +9,7 @@ pub mod block;
 mod bodies;
 mod bounds;
 mod camera;
+mod crowd;
 mod forces;
 mod friction_circle;
 pub mod gap;

@@ -37,6 +37,19 @@ pub(super) fn force_scale_for(peak: f64, scene: &crate::scene::Scene) -> f64 {
     round_up(peak / longest_arrow)
 }
 
+/// Sizes that read well without an exponent.
+const PLAIN: std::ops::Range<f64> = 1e-6..1e10;
+
+/// A number of any size in few digits: `2e18`, `1.23e-9`.
+fn with_exponent(x: f64) -> String {
+    format!("{:e}", format!("{x:.2e}").parse().unwrap_or(x)).replacen('-', "\u{2212}", usize::from(x < 0.0))
+}
+
+/// Whether a number is so large or so small that its digits would fill the picture.
+fn is_absurd(x: f64) -> bool {
+    x != 0.0 && !PLAIN.contains(&x.abs())
+}
+
 /// `x` with three significant digits.
 fn three_digits(x: f64) -> String {
     let whole = [1e1, 1e2].into_iter().filter(|power| x.abs() >= *power).count();
@@ -44,9 +57,10 @@ fn three_digits(x: f64) -> String {
     format!("{x:.*}", 2 - whole).replace('-', "\u{2212}")
 }
 
-/// A force in N, kN or MN.
+/// A force in N, kN or MN; short at any size, `2.34e18 N`.
 pub fn force(newton: f64) -> String {
     let (value, unit) = match newton.abs() {
+        n if n >= PLAIN.end => return format!("{} N", with_exponent(newton)),
         n if n >= 1e6 => (newton / 1e6, "MN"),
         n if n >= 1e3 => (newton / 1e3, "kN"),
         _ => (newton, "N"),
@@ -54,13 +68,19 @@ pub fn force(newton: f64) -> String {
     format!("{} {unit}", three_digits(value))
 }
 
-/// A length in mm, or in m from 1 m on.
+/// A length in mm, or in m from 1 m on; short at any size.
 pub fn length(metre: f64) -> String {
+    if metre.abs() >= PLAIN.end {
+        return format!("{} m", with_exponent(metre));
+    }
     if metre.abs() >= 1.0 { format!("{} m", three_digits(metre)) } else { format!("{} mm", three_digits(metre * 1e3)) }
 }
 
-/// A round number without the digits that say nothing: `0.5`, `20`.
+/// A round number without the digits that say nothing: `0.5`, `20`, `2e18`.
 pub fn plain(x: f64) -> String {
+    if is_absurd(x) {
+        return with_exponent(x);
+    }
     let text = format!("{x:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -70,9 +90,10 @@ pub fn round_length(metre: f64) -> String {
     if metre >= 1.0 { format!("{} m", plain(metre)) } else { format!("{} mm", plain(metre * 1e3)) }
 }
 
-/// A round force: `200 N`, `5 kN`.
+/// A round force: `200 N`, `5 kN`; short at any size, `2e18 N`.
 pub fn round_force(newton: f64) -> String {
     match newton {
+        n if is_absurd(n) => format!("{} N", with_exponent(n)),
         n if n >= 1e6 => format!("{} MN", plain(n / 1e6)),
         n if n >= 1e3 => format!("{} kN", plain(n / 1e3)),
         n => format!("{} N", plain(n)),
@@ -98,5 +119,17 @@ mod tests {
         assert_eq!([force(123.4), force(0.5), force(45_600.0)], ["123 N", "0.50 N", "45.6 kN"], "forces");
         assert_eq!([length(0.003), length(0.05), length(30.0)], ["3.00 mm", "50.0 mm", "30.0 m"], "lengths");
         assert_eq!([round_length(0.05), round_length(2.0), round_force(2e3)], ["50 mm", "2 m", "2 kN"], "scales");
+    }
+
+    #[test]
+    fn absurd_quantities_stay_short() {
+        assert_eq!(
+            [round_force(2e18), round_force(5e9), round_force(1e-300)],
+            ["2e18 N", "5000 MN", "1e-300 N"],
+            "bars"
+        );
+        assert_eq!([force(2.346e18), force(-3e200)], ["2.35e18 N", "\u{2212}3e200 N"], "forces");
+        assert_eq!([length(4e90), round_length(1e12)], ["4e90 m", "1e12 m"], "lengths");
+        assert_eq!([plain(1e-9), plain(0.0), plain(-45.0)], ["1e-9", "0", "-45"], "numbers");
     }
 }

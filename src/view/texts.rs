@@ -41,7 +41,7 @@ pub(super) fn keep_clear(input: &ViewInput<'_>, moment: &Moment, forces: &Forces
 pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let left = Vec2::new(18.0, 14.0) * ppp;
-    let title = input.title.unwrap_or(&input.scene.name).to_owned();
+    let title = one_line(input.title.unwrap_or(&input.scene.name));
     let rows = [
         (title, TITLE, palette.ink, 0.0),
         (time_stamp(input, moment), 15.0, palette.ink, 29.0),
@@ -56,6 +56,11 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
             Mark::Text { at, align: Vec2::ZERO, size: size * ppp, text, color, plate }
         })
         .collect()
+}
+
+/// A text without line breaks and other control characters, which no glyph shows: spaces in their place.
+fn one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// `t = 1.2500 s   3.250 periods`.
@@ -75,7 +80,8 @@ fn shaking(input: &ViewInput<'_>) -> String {
         GroundMotion::Sine(s) => {
             let amplitude = s.amplitude_g.or(s.amplitude.map(|a| a / g)).unwrap_or(0.0);
             let (f, angle) = (scale::plain(s.frequency_hz), scale::plain(s.angle_deg));
-            format!("ground: sine {amplitude:.2} g, {f} Hz at {angle}°")
+            let amplitude = if amplitude < 1e4 { format!("{amplitude:.2}") } else { scale::plain(amplitude) };
+            format!("ground: sine {amplitude} g, {f} Hz at {angle}°")
         }
         GroundMotion::Record(r) => {
             format!("ground: record × {} at {}°", scale::plain(r.scale), scale::plain(r.angle_deg))
@@ -101,7 +107,7 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
         .chain(walls)
         .filter_map(|(name, block)| {
             let at = pixel(input, top_of(&block))?;
-            let text = name.clone();
+            let text = one_line(name);
             let (color, plate) = (palette.ink, palette.plate.with_alpha(0xa8));
             Some(placer.place(&Label { at, clear: 8.0, text, size, color, plate, directions: ON.to_vec() }))
         })

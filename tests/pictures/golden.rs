@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use girderbench::render::Image;
+use girderbench::render::{Image, Packing};
 
 /// A pixel differs when its colour is this far off, as a share of black to white, in the YIQ space that weighs what an
 /// eye sees: below it are rounding and smoothing, a moved line or letter is far above.
@@ -29,14 +29,14 @@ fn write(path: &Path, bytes: &[u8]) {
 pub(crate) fn check(name: &str, image: &Image, texts: &[(&str, String)]) -> Result<(), String> {
     let blessed = folder().join(format!("{name}.png"));
     if std::env::var_os("GIRDERBENCH_BLESS").is_some_and(|v| v == "1") {
-        write(&blessed, &image.to_png(texts));
+        write(&blessed, &image.to_png(texts, Packing::Small));
         return Ok(());
     }
     let failed = |what: String, difference: Option<Image>| {
         let failed = folder().join("failed");
-        write(&failed.join(format!("{name}.png")), &image.to_png(texts));
+        write(&failed.join(format!("{name}.png")), &image.to_png(texts, Packing::Small));
         if let Some(difference) = difference {
-            write(&failed.join(format!("{name}-difference.png")), &difference.to_png(&[]));
+            write(&failed.join(format!("{name}-difference.png")), &difference.to_png(&[], Packing::Small));
         }
         Err(format!("{name}: {what}; look into {}, or bless it with GIRDERBENCH_BLESS=1", failed.display()))
     };

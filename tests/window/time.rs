@@ -29,6 +29,19 @@ fn an_idle_window_asks_for_no_frame() {
 }
 
 #[test]
+fn a_mouse_over_a_panel_draws_no_new_picture() {
+    let mut harness = open(presets::OPENING);
+    let (pictures, list) = (harness.state().pictures(), harness.state().picture().cloned());
+    let over = harness.get_by_label("Timeline").rect();
+    for share in [0.2, 0.5, 0.8] {
+        harness.hover_at(egui::pos2(over.left() + over.width() * share, over.center().y));
+        harness.run();
+    }
+    assert_eq!(harness.state().pictures(), pictures, "frames were shown, of the picture that was there");
+    assert!(harness.state().picture().cloned() == list, "the very list");
+}
+
+#[test]
 fn playing_advances_by_the_speed() {
     let mut harness = open(presets::OPENING);
     harness.key_press(Key::Space);

@@ -1,7 +1,5 @@
 //! Force arrows: a rim first, so that they stand out from anything, then the lit arrow.
 
-use wgpu::util::DeviceExt;
-
 use super::{Depth, Recipe, per_instance, per_vertex};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
@@ -56,18 +54,14 @@ impl ArrowPass {
         Self {
             rim: recipe("vertex_rim", "fragment_rim", Depth::Ignore),
             body: recipe("vertex", "fragment", Depth::Write),
-            mesh: gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some("arrow"),
-                contents: bytemuck::cast_slice(&mesh),
-                usage: wgpu::BufferUsages::VERTEX,
-            }),
+            mesh: gpu.mesh("arrow", &mesh),
             vertices,
             instances: Filled::vertices("arrows"),
         }
     }
 
-    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, arrows: &[Arrow]) {
-        let instance = |a: &Arrow| Instance {
+    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, arrows: &[&Arrow]) {
+        let instance = |a: &&Arrow| Instance {
             from: a.from.to_array(),
             to: a.to.to_array(),
             radius: a.radius,

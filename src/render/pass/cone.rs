@@ -1,7 +1,5 @@
 //! Filled friction cones.
 
-use wgpu::util::DeviceExt;
-
 use super::{Depth, Recipe, per_instance, per_vertex};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
@@ -50,16 +48,12 @@ impl ConePass {
         };
         let mesh = cone();
         let vertices = count(&mesh);
-        let mesh = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("cone"),
-            contents: bytemuck::cast_slice(&mesh),
-            usage: wgpu::BufferUsages::VERTEX,
-        });
+        let mesh = gpu.mesh("cone", &mesh);
         Self { pipeline: recipe.build(gpu), mesh, vertices, instances: Filled::vertices("cones") }
     }
 
-    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, cones: &[Cone]) {
-        let instance = |c: &Cone| Instance {
+    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, cones: &[&Cone]) {
+        let instance = |c: &&Cone| Instance {
             apex: c.apex.to_array(),
             axis: c.axis.to_array(),
             shape: [c.height, c.mu_kinetic],

@@ -27,10 +27,10 @@ pub(in crate::render) struct LinePass {
 
 impl LinePass {
     /// `depth` says whether bodies hide the lines.
-    pub(in crate::render) fn new(gpu: &Gpu, frame: &Frame, depth: Depth, samples: u32) -> Self {
+    pub(in crate::render) fn new(gpu: &Gpu, frame: &Frame, label: &'static str, depth: Depth, samples: u32) -> Self {
         let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32];
         let recipe = Recipe {
-            label: "line",
+            label,
             shader: SHADER,
             vertex: "vertex",
             fragment: "fragment",
@@ -40,12 +40,12 @@ impl LinePass {
             cull: None,
             samples,
         };
-        Self { pipeline: recipe.build(gpu), instances: Filled::vertices("lines") }
+        Self { pipeline: recipe.build(gpu), instances: Filled::vertices(label) }
     }
 
-    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, lines: &[Line]) {
+    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, lines: &[&Line]) {
         let instance =
-            |l: &Line| Instance { from: l.from.to_array(), to: l.to.to_array(), color: l.color.0, width: l.width };
+            |l: &&Line| Instance { from: l.from.to_array(), to: l.to.to_array(), color: l.color.0, width: l.width };
         let instances: Vec<_> = lines.iter().map(instance).collect();
         self.instances.fill(gpu, &instances);
     }

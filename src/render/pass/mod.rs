@@ -98,7 +98,7 @@ impl Recipe<'_> {
             immediate_size: 0,
         });
         let buffers: Vec<_> = self.buffers.iter().cloned().map(Some).collect();
-        gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        let descriptor = wgpu::RenderPipelineDescriptor {
             label: Some(self.label),
             layout: Some(&layout),
             vertex: wgpu::VertexState {
@@ -113,7 +113,8 @@ impl Recipe<'_> {
             fragment,
             multiview_mask: None,
             cache: None,
-        })
+        };
+        gpu.pipeline(self.label, &descriptor)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::render::Gpu;
 use crate::render::buffer::Filled;
 use crate::render::flat::Flat;
 use crate::render::frame::Frame;
-use crate::view::DrawList;
+use crate::view::list::Mark;
 
 pub(in crate::render) const SHADER: &str =
     concat!(include_str!("../../../shaders/shared/frame.wgsl"), include_str!("../../../shaders/overlay.wgsl"));
@@ -53,8 +53,8 @@ impl Overlay {
         }
     }
 
-    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, list: &DrawList) {
-        let Mesh { vertices, indices, .. } = self.flat.mesh(&list.marks);
+    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, marks: &[&Mark]) {
+        let Mesh { vertices, indices, .. } = self.flat.mesh(marks);
         if let Some(delta) = self.flat.atlas_change() {
             self.update_atlas(gpu, &delta);
         }
@@ -113,16 +113,8 @@ fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
 }
 
 fn atlas(gpu: &Gpu, layout: &wgpu::BindGroupLayout, width: u32, height: u32) -> (wgpu::Texture, wgpu::BindGroup) {
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("font atlas"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::Rgba8Unorm,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-        view_formats: &[],
-    });
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let texture = gpu.texture("font atlas", [width, height], 1, wgpu::TextureFormat::Rgba8Unorm, usage);
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("font atlas"),
         mag_filter: wgpu::FilterMode::Linear,

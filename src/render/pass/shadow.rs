@@ -1,8 +1,9 @@
 //! The shadow map: depth of the solids as the light sees them.
 
-use super::solid::Solids;
+use super::solid::{Prism, Solids};
 use super::{DEPTH, Depth, Recipe};
 use crate::render::frame::Frame;
+use crate::render::made::Thing;
 use crate::render::{Gpu, Quality};
 
 pub(in crate::render) const SHADER: &str = concat!(
@@ -43,7 +44,14 @@ impl Shadow {
     }
 
     /// Draws the solids' depth into the map.
-    pub(in crate::render) fn draw(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame, solids: Option<&Solids>) {
+    pub(in crate::render) fn draw(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &Frame,
+        solids: Option<(&Prism, &Solids)>,
+    ) {
+        gpu.count(Thing::Pass, "shadow", 1);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             color_attachments: &[],
@@ -58,23 +66,15 @@ impl Shadow {
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
-        if let Some(solids) = solids {
-            solids.draw(&mut pass);
+        if let Some((prism, solids)) = solids {
+            solids.draw_casters(&mut pass, prism);
         }
     }
 }
 
 fn map(gpu: &Gpu, side: u32) -> wgpu::TextureView {
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("shadow map"),
-        size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: DEPTH,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    });
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+    let texture = gpu.texture("shadow map", [side, side], 1, DEPTH, usage);
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 

@@ -1,7 +1,5 @@
 //! Bodies: instances of one mesh, shared by the shadow map and the picture.
 
-use wgpu::util::DeviceExt;
-
 use super::shadow::Shadow;
 use super::{Depth, Recipe, per_instance, per_vertex};
 use crate::render::Gpu;
@@ -25,27 +23,34 @@ struct Instance {
     color: [u8; 4],
 }
 
-/// Solids of the picture in hand.
+/// The mesh that every solid is an instance of.
 #[derive(Debug)]
-pub(in crate::render) struct Solids {
+pub(in crate::render) struct Prism {
     mesh: wgpu::Buffer,
     vertices: u32,
+}
+
+impl Prism {
+    pub(in crate::render) fn new(gpu: &Gpu) -> Self {
+        let mesh = prism();
+        Self { vertices: count(&mesh), mesh: gpu.mesh("prism", &mesh) }
+    }
+}
+
+/// Solids of the picture in hand: those in view, then those that only throw shadows into it.
+#[derive(Debug)]
+pub(in crate::render) struct Solids {
     instances: Filled,
+    in_view: u32,
 }
 
 /// Attributes of a vertex and of an instance.
 pub(in crate::render) type Attributes = ([wgpu::VertexAttribute; 3], [wgpu::VertexAttribute; 6]);
 
 impl Solids {
-    pub(in crate::render) fn new(gpu: &Gpu) -> Self {
-        let mesh = prism();
-        let vertices = count(&mesh);
-        let mesh = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("prism"),
-            contents: bytemuck::cast_slice(&mesh),
-            usage: wgpu::BufferUsages::VERTEX,
-        });
-        Self { mesh, vertices, instances: Filled::vertices("solids") }
+    /// No solids; nothing is allocated.
+    pub(in crate::render) fn new(label: &'static str) -> Self {
+        Self { instances: Filled::vertices(label), in_view: 0 }
     }
 
     pub(in crate::render) fn attributes() -> Attributes {
@@ -61,19 +66,25 @@ impl Solids {
         [per_vertex::<PrismVertex>(vertex), per_instance::<Instance>(instance)]
     }
 
-    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, solids: &[Solid]) {
+    pub(in crate::render) fn fill(&mut self, gpu: &Gpu, in_view: &[&Solid], casters: &[&Solid]) {
         let instance =
-            |s: &Solid| Instance { face: s.face.map(|p| p.to_array()), sweep: s.sweep.to_array(), color: s.color.0 };
-        let instances: Vec<_> = solids.iter().map(instance).collect();
+            |s: &&Solid| Instance { face: s.face.map(|p| p.to_array()), sweep: s.sweep.to_array(), color: s.color.0 };
+        let instances: Vec<_> = in_view.iter().chain(casters).map(instance).collect();
         self.instances.fill(gpu, &instances);
+        self.in_view = count(in_view);
     }
 
-    pub(in crate::render) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism, count: u32) {
         if let Some(instances) = self.instances.filled() {
-            pass.set_vertex_buffer(0, self.mesh.slice(..));
+            pass.set_vertex_buffer(0, prism.mesh.slice(..));
             pass.set_vertex_buffer(1, instances.slice(..));
-            pass.draw(0..self.vertices, 0..self.instances.count());
+            pass.draw(0..prism.vertices, 0..count);
         }
+    }
+
+    /// Draws those in view and those that throw shadows into it.
+    pub(in crate::render) fn draw_casters(&self, pass: &mut wgpu::RenderPass<'_>, prism: &Prism) {
+        self.draw(pass, prism, self.instances.count());
     }
 }
 
@@ -85,10 +96,17 @@ pub(in crate::render) struct SolidPass {
 
 impl SolidPass {
     /// `depth` says whether the solids hide what is behind them.
-    pub(in crate::render) fn new(gpu: &Gpu, frame: &Frame, shadow: &Shadow, depth: Depth, samples: u32) -> Self {
+    pub(in crate::render) fn new(
+        gpu: &Gpu,
+        frame: &Frame,
+        shadow: &Shadow,
+        label: &'static str,
+        depth: Depth,
+        samples: u32,
+    ) -> Self {
         let attributes = Solids::attributes();
         let recipe = Recipe {
-            label: "solid",
+            label,
             shader: SHADER,
             vertex: "vertex",
             fragment: "fragment",
@@ -101,9 +119,16 @@ impl SolidPass {
         Self { pipeline: recipe.build(gpu) }
     }
 
-    pub(in crate::render) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, shadow: &Shadow, solids: &Solids) {
+    /// Draws those in view.
+    pub(in crate::render) fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        shadow: &Shadow,
+        prism: &Prism,
+        solids: &Solids,
+    ) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(1, &shadow.group, &[]);
-        solids.draw(pass);
+        solids.draw(pass, prism, solids.in_view);
     }
 }

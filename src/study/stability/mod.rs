@@ -6,7 +6,7 @@
 pub mod check;
 pub mod dice;
 mod examine;
-mod family;
+pub mod family;
 mod parts;
 mod report;
 mod shrink;

@@ -9,6 +9,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod film;
+
+pub use film::{Frame, film};
+
 use crate::render::{Gpu, GpuError, Image, Quality, Renderer};
 use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};
 use crate::sim::History;
@@ -41,6 +45,8 @@ pub struct Shot {
     pub at: Instant,
     /// From where; the scene's own view when absent.
     pub view: Option<ViewPreset>,
+    /// From exactly where, whatever `view` says: a film's camera stands still.
+    pub camera: Option<Camera>,
     /// Width and height \[pixels\].
     pub size: [u32; 2],
     /// Which layers; the scene's own when absent.
@@ -60,6 +66,7 @@ impl Default for Shot {
         Self {
             at: Instant::Peak,
             view: None,
+            camera: None,
             size: [1280, 720],
             overlays: None,
             background: Background::Studio,
@@ -71,12 +78,21 @@ impl Default for Shot {
 }
 
 impl Shot {
+    /// Where this picture of a run is taken from.
+    pub fn camera(&self, history: &History) -> Camera {
+        let scene = history.scene();
+        let aspect = f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1));
+        self.camera.unwrap_or_else(|| match self.view.unwrap_or(scene.view.camera) {
+            ViewPreset::Contact => Camera::contact(history, self.at.of(history), aspect),
+            other => Camera::preset(other, Bounds::of_scene(scene), aspect),
+        })
+    }
+
     /// The draw list of this picture of a run.
     pub fn list(&self, history: &History) -> DrawList {
         let scene = history.scene();
         let t = self.at.of(history);
-        let aspect = f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1));
-        let camera = camera(history, self.view.unwrap_or(scene.view.camera), t, aspect);
+        let camera = self.camera(history);
         draw_list(&ViewInput {
             scene,
             history: Some(history),
@@ -90,13 +106,6 @@ impl Shot {
             background: self.background,
             title: self.title.as_deref(),
         })
-    }
-}
-
-fn camera(history: &History, view: ViewPreset, t: f64, aspect: f64) -> Camera {
-    match view {
-        ViewPreset::Contact => Camera::contact(history, t, aspect),
-        other => Camera::preset(other, Bounds::of_scene(history.scene()), aspect),
     }
 }
 
@@ -140,6 +149,11 @@ impl Studio {
     /// When the size is not one that the device draws.
     pub fn draw(&mut self, list: &DrawList) -> Result<Image, GpuError> {
         self.renderer.picture(&self.gpu, list, list.size)
+    }
+
+    /// Whether instances out of view are left out, as they are unless told otherwise; the picture is the same.
+    pub fn set_culling(&mut self, culls: bool) {
+        self.renderer.set_culling(culls);
     }
 
     /// The passes that pictures so far have needed.

@@ -1,0 +1,66 @@
+//! Frames of a film, and how any number of pictures is taken and written: one device, all files or none.
+
+use super::{Failure, RenderArgs, Wanted, reaches};
+use crate::cli::progress::Progress;
+use crate::files::FileSet;
+use crate::render::Packing;
+use crate::sim::History;
+use crate::snapshot::{Frame, Instant, Shot, Studio, film};
+
+/// `count` pictures at even intervals, both ends among them.
+///
+/// # Errors
+/// A span that the run does not reach or that runs backwards.
+pub(super) fn frames(args: &RenderArgs, history: &History, count: u32) -> Result<Vec<Wanted>, Failure> {
+    let (from, to) = (args.from, args.to.unwrap_or(history.end()));
+    reaches(history, "--from", from)?;
+    reaches(history, "--to", to)?;
+    if from > to {
+        return Err(Failure::Input(format!("--to {to}: the film begins at {from} s: give a later time")));
+    }
+    let still = args.shot(Instant::Peak, history.scene());
+    let camera = Some(still.camera(history));
+    let last = f64::from(count.saturating_sub(1).max(1));
+    let digits = count.to_string().len().max(4);
+    let frame = |i: u32| Wanted {
+        path: args.path(history, &format!("{:0digits$}", i + 1)),
+        shot: Shot { at: Instant::At(from + (to - from) * (f64::from(i) / last)), camera, ..still.clone() },
+    };
+    Ok((0..count).map(frame).collect())
+}
+
+/// Takes the pictures and writes them, all or none; says where they are.
+///
+/// # Errors
+/// A size that the device does not draw, a file that cannot be written.
+pub(super) fn take(
+    args: &RenderArgs,
+    studio: &mut Studio,
+    history: &History,
+    wanted: &[Wanted],
+) -> Result<String, Failure> {
+    let packing = if args.frames.is_some() { Packing::Quick } else { Packing::Small };
+    let shots: Vec<Shot> = wanted.iter().map(|w| w.shot.clone()).collect();
+    let (mut set, mut written) = (FileSet::default(), 0_u32);
+    let mut progress = Progress::over(shots.len() as f64, "pictures");
+    let drawn = film::<Failure>(studio, history, &shots, packing, &mut |Frame { number, png }| {
+        set.add(&wanted[number].path, &png)?;
+        written += 1;
+        progress.show(f64::from(written));
+        Ok(())
+    });
+    progress.done();
+    let drawn = drawn?;
+    set.finish()?;
+    Ok(said(args, wanted, drawn))
+}
+
+fn said(args: &RenderArgs, wanted: &[Wanted], drawn: usize) -> String {
+    let path = |w: &Wanted| w.path.display().to_string();
+    match (args.frames, wanted) {
+        (Some(count), [first, .., last]) => {
+            format!("{} … {}: {count} frames, {drawn} different\n", path(first), path(last))
+        }
+        _ => wanted.iter().flat_map(|w| [path(w), "\n".to_owned()]).collect(),
+    }
+}

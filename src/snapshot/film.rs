@@ -1,0 +1,101 @@
+//! Many pictures of one run: one device draws them while other threads make PNG files of those before.
+
+use std::num::NonZero;
+use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{Scope, available_parallelism, scope};
+
+use super::{Shot, Studio};
+use crate::render::{GpuError, Image, Packing};
+use crate::sim::History;
+use crate::view::DrawList;
+
+/// More threads than this would wait for the device.
+const MOST_THREADS: usize = 8;
+
+/// A finished frame.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// Its place in the film, from 0.
+    pub number: usize,
+    /// The bytes of its PNG file.
+    pub png: Vec<u8>,
+}
+
+/// A picture on its way to its file.
+struct Job {
+    number: usize,
+    image: Arc<Image>,
+    texts: [(&'static str, String); 4],
+}
+
+/// Takes the shots one after another; `each` gets the finished frames, in whatever order they are ready.
+///
+/// A shot that shows what the one before it showed is not drawn again. Returns how many were drawn.
+///
+/// # Errors
+/// What the device or `each` says; frames after that are not made.
+pub fn film<E: From<GpuError>>(
+    studio: &mut Studio,
+    history: &History,
+    shots: &[Shot],
+    packing: Packing,
+    each: &mut dyn FnMut(Frame) -> Result<(), E>,
+) -> Result<usize, E> {
+    let threads = available_parallelism().map_or(1, NonZero::get).saturating_sub(1).clamp(1, MOST_THREADS);
+    let (to_pack, jobs) = sync_channel(threads);
+    let (done, frames) = channel();
+    let jobs = Mutex::new(jobs);
+    scope(|scope| {
+        (0..threads).for_each(|_| pack(scope, &jobs, done.clone(), packing));
+        // The last sender's end is the packers' own.
+        drop(done);
+        let drawn = draw(studio, history, shots, &to_pack, &mut || frames.try_iter().try_for_each(&mut *each));
+        // No more jobs: the packers end, and with them what is received.
+        drop(to_pack);
+        let drawn = drawn?;
+        frames.iter().try_for_each(&mut *each)?;
+        Ok(drawn)
+    })
+}
+
+/// Draws the shots and hands them on; `collect` takes what is ready between two of them.
+fn draw<E: From<GpuError>>(
+    studio: &mut Studio,
+    history: &History,
+    shots: &[Shot],
+    to_pack: &SyncSender<Job>,
+    collect: &mut dyn FnMut() -> Result<(), E>,
+) -> Result<usize, E> {
+    let mut last: Option<(DrawList, Arc<Image>)> = None;
+    let mut drawn = 0;
+    for (number, shot) in shots.iter().enumerate() {
+        let list = shot.list(history);
+        let image = if let Some((_, image)) = last.take().filter(|(before, _)| *before == list) {
+            image
+        } else {
+            drawn += 1;
+            Arc::new(studio.draw(&list)?)
+        };
+        last = Some((list, image.clone()));
+        let texts = studio.texts(history.scene(), shot.at.of(history));
+        // The packers outlive this loop, so that somebody always takes it.
+        let _ = to_pack.send(Job { number, image, texts });
+        collect()?;
+    }
+    Ok(drawn)
+}
+
+/// A thread that makes files of pictures until there are no more.
+fn pack<'s>(scope: &'s Scope<'s, '_>, jobs: &'s Mutex<Receiver<Job>>, done: Sender<Frame>, packing: Packing) {
+    scope.spawn(move || {
+        loop {
+            let job = jobs.lock().unwrap_or_else(PoisonError::into_inner).recv();
+            let Ok(Job { number, image, texts }) = job else { break };
+            let png = image.to_png(&texts, packing);
+            if done.send(Frame { number, png }).is_err() {
+                break;
+            }
+        }
+    });
+}
