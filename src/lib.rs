@@ -53,6 +53,7 @@
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
+//! | [`study`] | many runs: work against error, cost against size |
 //! | [`tables`] | an answer as CSV and JSON |
 //! | [`view`] | an answer as a list of things to draw |
 //! | `render` | draw lists as pixels, on or off screen (feature `render`) |
@@ -71,6 +72,7 @@ pub mod geometry;
 pub mod motion;
 pub mod scene;
 pub mod sim;
+pub mod study;
 pub mod tables;
 pub mod view;
 

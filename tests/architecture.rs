@@ -13,13 +13,14 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("scene", &["geometry"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
+    ("study", &["geometry", "contact", "motion", "scene", "dynamics", "sim"]),
     ("tables", &["geometry", "scene", "dynamics", "sim"]),
     ("view", &["geometry", "scene", "dynamics", "sim"]),
     ("render", &["view"]),
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
     ("app", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "files"]),
-    ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app"]),
+    ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app", "study"]),
 ];
 
 /// Rooms whose answer depends on their input alone, to the last bit.

@@ -14,6 +14,7 @@ mod progress;
 #[cfg(feature = "render")]
 mod render;
 mod run;
+mod study;
 mod summary;
 
 #[cfg(feature = "render")]
@@ -46,6 +47,7 @@ enum Command {
     Run(run::RunArgs),
     Check(check::CheckArgs),
     Compare(compare::CompareArgs),
+    Study(study::StudyArgs),
     /// List the scenes that come with the program
     Presets,
     #[cfg(feature = "render")]
@@ -86,6 +88,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Run(args)) => run::run(&args, console),
         Some(Command::Check(args)) => check::run(&args, console),
         Some(Command::Compare(args)) => compare::run(&args, console),
+        Some(Command::Study(args)) => study::run(&args, console),
         Some(Command::Presets) => {
             presets::run(console);
             Ok(())

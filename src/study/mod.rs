@@ -1,0 +1,9 @@
+//! Many runs, to see what an answer is worth: work against error, cost against size.
+//!
+//! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
+//! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
+
+pub mod accuracy;
+pub mod clock;
+pub mod plot;
+pub mod size;
