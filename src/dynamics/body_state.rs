@@ -91,17 +91,23 @@ pub fn planar_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3,
     }
 }
 
-/// Rate of a spatial body's state: bearings at their true attachment points, gravity, Euler's equations.
-pub fn spatial_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, gravity: f64, out: &mut [f64]) {
-    let here = frame(Kind::Spatial, body, state);
-    let mut wrench = *contact;
-    for (arm, force) in bearing_forces(body, &here) {
-        wrench.push(force, arm);
-    }
-    wrench.force += body.push - DVec3::Z * (body.mass * gravity);
+/// Rate of a spatial body's state, whose pose is `here`: bearings at their true attachment points, gravity, Euler's
+/// equations.
+pub fn spatial_slope(
+    body: &Body,
+    here: &Frame,
+    state: &[f64],
+    contact: &Wrench,
+    ground: DVec3,
+    gravity: f64,
+    out: &mut [f64],
+) {
+    let mut wrench = on_bearings(body, here);
+    wrench.force += contact.force + body.push - DVec3::Z * (body.mass * gravity);
+    wrench.moment += contact.moment;
     wrench.moment.z += body.moment;
     let acceleration = wrench.force / body.mass - ground;
-    let spin_rate = spin_rate(body, &here, wrench.moment);
+    let spin_rate = spin_rate(body, here, wrench.moment);
     for i in 0..3 {
         out[i] = if body.free[i] { state[7 + i] } else { 0.0 };
         out[7 + i] = if body.free[i] { acceleration[i] } else { 0.0 };
@@ -112,6 +118,20 @@ pub fn spatial_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3
     // q̇ = ½ ω q, ω in the world.
     let rate = DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * q * 0.5;
     out[3..7].copy_from_slice(&[rate.x, rate.y, rate.z, rate.w]);
+}
+
+/// What the bearings do to a body together: the forces of [`bearing_forces`], summed in their axes.
+fn on_bearings(body: &Body, here: &Frame) -> Wrench {
+    let into_axes = body.axes.transpose();
+    let turned = into_axes * here.rotation;
+    let (shift, velocity, spin) = (into_axes * here.shift, into_axes * here.velocity, into_axes * here.spin);
+    let mut sum = Wrench::default();
+    for b in &body.bearings {
+        let arm = turned * b.place;
+        let (moved, speed) = (shift + (arm - b.place), velocity + spin.cross(arm));
+        sum.push(into_axes * b.preload - b.stiffness * moved - b.damping * speed, arm);
+    }
+    Wrench { force: body.axes * sum.force, moment: body.axes * sum.moment }
 }
 
 /// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.
@@ -138,6 +158,13 @@ pub fn mobility(body: &Body, rotation: &DMat3, arm: DVec3, axes: [DVec3; 2]) -> 
 
 /// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.
 fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
+    let [inertia, inverse] = &body.inertia;
+    if body.free[3..] == [true; 3] {
+        // In the body frame, where the inertia stands still.
+        let into_body = here.rotation.transpose();
+        let spin = into_body * here.spin;
+        return here.rotation * (*inverse * (into_body * moment - spin.cross(*inertia * spin)));
+    }
     let inertia = world_inertia(body, &here.rotation);
     free_inverse(body, &here.rotation, moment - here.spin.cross(inertia * here.spin))
 }
@@ -162,5 +189,5 @@ fn free_inverse(body: &Body, rotation: &DMat3, moment: DVec3) -> DVec3 {
 
 /// Inertia about G in world axes \[kg·m²\].
 pub fn world_inertia(body: &Body, rotation: &DMat3) -> DMat3 {
-    *rotation * (body.prism.inertia_per_mass() * body.mass) * rotation.transpose()
+    *rotation * body.inertia[0] * rotation.transpose()
 }

@@ -24,6 +24,13 @@ pub struct Bound {
     pub spin_rate: f64,
 }
 
+impl Bound {
+    /// Of what does not move.
+    pub fn still(window: f64) -> Self {
+        Self { window, reach: 0.0, turn: 0.0, speed: 0.0, spin: 0.0, acceleration: 0.0, spin_rate: 0.0 }
+    }
+}
+
 impl System {
     /// Bounds on the motion from `t`, where it is at `state`, for at most `horizon` \[s\].
     ///
@@ -31,19 +38,20 @@ impl System {
     /// its work bounds it over a short window.
     pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> Bound {
         match &self.form {
-            SystemForm::Split { dof, .. } if !self.has_kinks() => self.bound_split(dof, t, state, horizon),
+            SystemForm::Split { dof, .. } if !self.has_kinks() => {
+                let steady = self.steady(dof, t);
+                self.bound_split(dof, &std::array::from_fn(|i| state[i] - steady[i]), horizon)
+            }
             _ => self.bound_whole(state, horizon),
         }
     }
 
-    fn bound_split(&self, dof: &[Dof; 3], t: f64, state: &Planar, horizon: f64) -> Bound {
+    /// From the free parts, three displacements and their rates.
+    pub(super) fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
         let drive = if let Ground::Sine { omega, .. } = self.ground { omega } else { 0.0 };
-        let steady = self.steady(dof, t);
-        let limits: [[f64; 3]; 3] = std::array::from_fn(|i| {
-            let free = [state[i] - steady[i], state[3 + i] - steady[3 + i]];
-            dof[i].limits(free, drive, self.push[i], horizon)
-        });
-        let plan = |k: usize| limits[0][k].hypot(limits[1][k]);
+        let limits: [[f64; 3]; 3] =
+            std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));
+        let plan = |k: usize| length(limits[0][k], limits[1][k]);
         Bound {
             window: horizon,
             reach: plan(0),
@@ -77,10 +85,10 @@ impl Dof {
             return [q.abs(), 0.0, 0.0];
         }
         let (omega, gamma) = (self.oscillator.omega(), self.oscillator.gamma);
-        let amplitude = self.steady.0.hypot(self.steady.1);
+        let amplitude = self.amplitude;
         let resting = if omega > 0.0 { push / self.oscillator.omega2 } else { 0.0 };
         let driven = if omega > 0.0 { 0.0 } else { push.abs() };
-        let speed = v.hypot(omega * (q - resting)) + driven * horizon;
+        let speed = length(v, omega * (q - resting)) + driven * horizon;
         let free_reach = if omega > 0.0 { resting.abs() + speed / omega } else { q.abs() + speed * horizon };
         [
             free_reach + amplitude,
@@ -88,4 +96,9 @@ impl Dof {
             (2.0 * gamma + omega) * speed + driven + drive * drive * amplitude,
         ]
     }
+}
+
+/// `√(a² + b²)` of numbers far from the ends of the scale.
+fn length(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
 }

@@ -12,6 +12,18 @@ pub trait System {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]);
     /// Squared size of a difference of states, 1 being what the tolerance allows.
     fn size2(&self, difference: &[f64]) -> f64;
+    /// How far component `i`, which is `y`, may move for its effect to be felt but still in proportion.
+    fn extent(&self, _i: usize, y: f64) -> f64 {
+        y.abs().max(1.0)
+    }
+    /// How many of the last components follow the others so fast that an implicit method solves each by itself.
+    fn followers(&self) -> usize {
+        0
+    }
+    /// `∂ẏᵢ/∂yᵢ` of those components where the slope was last asked for.
+    fn rates(&self) -> &[f64] {
+        &[]
+    }
 }
 
 /// The integrator's memory for systems of one size.
@@ -34,6 +46,11 @@ pub struct Dense {
 }
 
 impl Dense {
+    /// A continuous answer from its coefficients.
+    pub(super) fn new(from: f64, step: f64, coefficients: Vec<[f64; DENSE]>) -> Self {
+        Self { from, step, coefficients }
+    }
+
     /// Components `range` at `t`, written to `out`.
     #[inline]
     pub fn read(&self, range: std::ops::Range<usize>, t: f64, out: &mut [f64]) {
@@ -43,6 +60,13 @@ impl Dense {
             // Horner in x and 1 − x by turns, from the highest coefficient down.
             *value = c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))));
         }
+    }
+
+    /// How far components `range` together are from their start at most, anywhere in the step.
+    pub(super) fn span(&self, range: std::ops::Range<usize>) -> f64 {
+        // Every coefficient stands before a product of factors from 0 to 1.
+        let far = |c: &[f64; DENSE]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
+        self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
     }
 
     /// The same answer for some components only.
@@ -133,9 +157,21 @@ impl Dop853 {
         Dense { from: t, step: h, coefficients }
     }
 
-    /// State at the end of the step just tried.
-    pub fn end(&self) -> &[f64] {
-        &self.end
+    /// How many time constants of the fastest motion the step just accepted spans, from its last two stages, which are
+    /// for the same time (Hairer and Wanner, section IV.2).
+    pub fn stiffness(&mut self, system: &impl System, accepted: &Dense) -> f64 {
+        let n = self.size;
+        for (i, c) in accepted.coefficients.iter().enumerate() {
+            // The first slope has made room for the next step's; the answer still knows it.
+            let slope = |j: usize| if j == 0 { (c[1] + c[2]) / accepted.step } else { self.slopes[j * n + i] };
+            let moved: f64 = A[11].iter().map(|&(j, factor)| factor * slope(j)).sum();
+            self.stage[i] = self.end[i] - (c[0] + accepted.step * moved);
+        }
+        let apart = system.size2(&self.stage);
+        for i in 0..n {
+            self.stage[i] = self.slopes[12 * n + i] - self.slopes[11 * n + i];
+        }
+        if apart > 0.0 { accepted.step * (system.size2(&self.stage) / apart).sqrt() } else { 0.0 }
     }
 }
 

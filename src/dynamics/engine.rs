@@ -12,6 +12,7 @@ use super::body_state;
 use super::event::{Event, Stop};
 use super::flight::{Flight, System};
 use super::island::Island;
+use super::stepper::Pace;
 use super::track::{Contact, ContactLog, Segment};
 use crate::contact::Frame;
 use crate::scene::Kind;
@@ -162,7 +163,7 @@ impl Engine {
             self.bodies.iter().map(|track| body_state::initial(model.kind, &model.bodies[track.body])).collect();
         let now = self.instant(slots, states, 0.0);
         self.close_overlapping(&now);
-        self.form(now, 0.0);
+        self.form(now, Pace::default());
     }
 
     /// The time of whatever comes next; infinite when the run is over \[s\].

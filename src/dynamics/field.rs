@@ -7,7 +7,7 @@ use super::body_state::{self, Wrench};
 use super::dop853::System;
 use super::track::Closed;
 use super::{Model, penalty3d};
-use crate::contact::{Frame, Mode};
+use crate::contact::{Frame, Local, Mode, locate};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -27,15 +27,29 @@ pub(super) struct Active {
 }
 
 impl Active {
+    /// The node against the face, with the island's bodies in `frames`.
+    pub(super) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
+        let site = &model.contacts[self.site];
+        let fixed = Frame::fixed(site.fixed);
+        let frame = |index: Option<usize>| index.map_or(&fixed, |i| &frames[i]);
+        locate(site.point, frame(self.node), &site.face, frame(self.face))
+    }
+
     /// The contact with its slip direction as the vector has it.
     #[inline]
     pub(super) fn turned(&self, y: &[f64]) -> Closed {
         let mut closed = self.closed;
         if let Some(at) = self.angle {
-            closed.mode = Mode::Slip { direction: DVec2::from_angle(y[at]) };
+            closed.mode = Mode::Slip { direction: direction(y[at]) };
         }
         closed
     }
+}
+
+/// The unit vector at an angle.
+pub(super) fn direction(angle: f64) -> DVec2 {
+    let (sin, cos) = angle.sin_cos();
+    DVec2::new(cos, sin)
 }
 
 /// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
@@ -47,6 +61,8 @@ pub(super) struct Scale {
     pub omega: f64,
     /// What the tolerance allows of a slip angle \[rad\].
     pub angle: f64,
+    /// Size of what moves \[m\].
+    pub place: f64,
 }
 
 /// The right-hand side for one island.
@@ -66,6 +82,8 @@ pub(super) struct Field<'a> {
     pub frames: &'a mut Vec<Frame>,
     /// Scratch.
     pub wrenches: &'a mut Vec<Wrench>,
+    /// How fast each slip angle returns to the direction of its velocity, with the sign of a rate \[1/s\].
+    pub rates: &'a mut Vec<f64>,
 }
 
 impl Field<'_> {
@@ -93,8 +111,9 @@ impl Field<'_> {
                 self.wrenches[i].push(-action.force, action.face_arm);
             }
             if let (Some(at), Mode::Slip { direction }) = (active.angle, closed.mode) {
-                let length = closed.law.mu_k * action.here.penetration();
-                out[at] = direction.perp_dot(action.here.rate) / (length.max(0.0) + closed.ease);
+                let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
+                out[at] = direction.perp_dot(action.here.rate) / length;
+                self.rates.push(-direction.dot(action.here.rate) / length);
             }
         }
     }
@@ -105,6 +124,7 @@ impl System for Field<'_> {
         let (model, width) = (self.model, body_state::width(self.model.kind));
         self.frames.clear();
         self.wrenches.clear();
+        self.rates.clear();
         for (i, &body) in self.bodies.iter().enumerate() {
             self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
             self.wrenches.push(Wrench::default());
@@ -116,7 +136,10 @@ impl System for Field<'_> {
             let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
             match model.kind {
                 Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
-                Kind::Spatial => body_state::spatial_slope(body, state, wrench, ground, model.gravity, rate),
+                Kind::Spatial => {
+                    let here = &self.frames[i];
+                    body_state::spatial_slope(body, here, state, wrench, ground, model.gravity, rate);
+                }
             }
         }
     }
@@ -140,6 +163,28 @@ impl System for Field<'_> {
         }
         let angles = square(&d[self.bodies.len() * width..]) / (self.scale.angle * self.scale.angle);
         sum + angles
+    }
+
+    fn followers(&self) -> usize {
+        self.active.iter().filter(|a| a.angle.is_some()).count()
+    }
+
+    fn rates(&self) -> &[f64] {
+        self.rates
+    }
+
+    fn extent(&self, i: usize, y: f64) -> f64 {
+        let width = body_state::width(self.model.kind);
+        let (places, turns) = match self.model.kind {
+            Kind::Planar => (2, 3),
+            Kind::Spatial => (3, 7),
+        };
+        let rate = if i % width < turns { 1.0 } else { self.scale.omega };
+        let length = |component: usize| if component < places { self.scale.place } else { 1.0 };
+        if i >= self.bodies.len() * width {
+            return 1.0;
+        }
+        y.abs().max(rate * length(i % width % turns))
     }
 }
 

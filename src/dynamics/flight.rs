@@ -8,6 +8,7 @@
 use glam::{DMat3, DVec3};
 
 use super::Body;
+use super::bound::Bound;
 use super::coupled::{self, Coupled};
 use super::oscillator::{Free, Oscillator};
 use crate::motion::{Ground, LinearPiece};
@@ -49,6 +50,8 @@ pub(super) struct Dof {
     pub(super) free: bool,
     /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
     pub(super) steady: (f64, f64),
+    /// Its amplitude.
+    pub(super) amplitude: f64,
 }
 
 /// Factors that carry one direction across a whole interval of a record.
@@ -172,12 +175,8 @@ impl System {
         let tau = t - flight.start;
         match (&flight.form, &self.form) {
             (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => {
-                let mut out = self.steady(dof, t);
-                for (i, d) in dof.iter().enumerate() {
-                    let [q, v] = d.advance(parts[i], [self.push[i], 0.0], tau);
-                    out[i] += q;
-                    out[3 + i] += v;
-                }
+                let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, tau));
+                (0..6).for_each(|i| out[i] += free[i]);
                 out
             }
             (FlightForm::Coupled(z), SystemForm::Coupled(system)) => first_six(&system.advance(z, tau)),
@@ -185,6 +184,24 @@ impl System {
             // A flight is begun by its own system.
             _ => flight.state,
         }
+    }
+
+    /// The free parts after τ.
+    fn free(&self, dof: &[Dof; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
+        let part = |i: usize| dof[i].advance(parts[i], [self.push[i], 0.0], tau);
+        let ([x, vx], [y, vy], [turn, spin]) = (part(0), part(1), part(2));
+        [x, y, turn, vx, vy, spin]
+    }
+
+    /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
+    pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
+        if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
+            let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, t - flight.start));
+            (0..6).for_each(|i| out[i] += free[i]);
+            return (out, self.bound_split(dof, &free, horizon));
+        }
+        let state = self.state(flight, t);
+        (state, self.bound(t, &state, horizon))
     }
 
     fn record_state(&self, flight: &Flight, first: usize, anchors: &[Planar], t: f64) -> Planar {
@@ -313,6 +330,7 @@ fn split(
         oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
         free: free[i],
         steady: (0.0, 0.0),
+        amplitude: 0.0,
     });
     let mut step = None;
     match ground {
@@ -322,6 +340,7 @@ fn split(
                 if d.free && f != 0.0 {
                     let (re, im) = d.oscillator.gain(*omega)?;
                     d.steady = (f * re, f * im);
+                    d.amplitude = d.steady.0.hypot(d.steady.1);
                 }
             }
         }

@@ -7,13 +7,14 @@ use super::agenda::Item;
 use super::engine::{Engine, Trajectory};
 use super::field::Active;
 use super::island::Island;
+use super::stepper::Pace;
 use super::track::{Path, Segment};
 use super::transition::Juncture;
 use super::{predict, watch};
 
 impl Engine {
     /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or go alone.
-    pub(super) fn form(&mut self, now: Juncture, step: f64) {
+    pub(super) fn form(&mut self, now: Juncture, pace: Pace) {
         let Juncture { t, slots, states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.touching(&slots) {
@@ -24,7 +25,7 @@ impl Engine {
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
                 let members: Vec<usize> = members.into_iter().map(|i| slots[i]).collect();
-                new_islands.push(self.found(&members, y, t, if alone { 0.0 } else { step }));
+                new_islands.push(self.found(&members, y, t, if alone { Pace::default() } else { pace }));
             }
         }
         for island in new_islands {
@@ -58,7 +59,7 @@ impl Engine {
     }
 
     /// Founds an island of bodies at `t`; returns its number.
-    pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, step: f64) -> usize {
+    pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> usize {
         let number = self.islands.iter().position(Option::is_none).unwrap_or_else(|| {
             self.islands.push(None);
             self.islands.len() - 1
@@ -67,12 +68,12 @@ impl Engine {
             self.end_flight(slot, t);
             self.bodies[slot].now = Trajectory::Island { island: number, index };
         }
-        self.islands[number] = Some(self.assemble(members, y, t, step));
+        self.islands[number] = Some(self.assemble(members, y, t, pace));
         number
     }
 
     /// An island of bodies with the closed contacts between them.
-    pub(super) fn assemble(&self, members: &[usize], y: Vec<f64>, t: f64, step: f64) -> Island {
+    pub(super) fn assemble(&self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> Island {
         let pairs: BTreeSet<usize> = members.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
         let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
         let active: Vec<(usize, Active)> = pairs
@@ -86,7 +87,7 @@ impl Engine {
             })
             .collect();
         let bodies = members.iter().map(|&slot| self.bodies[slot].body).collect();
-        Island::new(&self.model, members.to_vec(), bodies, active, y, t, step)
+        Island::new(&self.model, members.to_vec(), bodies, active, y, t, pace)
     }
 
     /// Plans an island's next step and what is due in it.
@@ -112,7 +113,7 @@ impl Engine {
                     error.step
                 ),
             );
-        } else if let Some((t, due)) = watch::first_due(&model, &island, 1e-9 / island.omega(&model)) {
+        } else if let Some((t, due)) = watch::first_due(&model, &island, 1e-9 / island.omega()) {
             island.due = due;
             self.agenda.set(Item::Island(number), t.max(from));
             self.islands[number] = Some(island);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::agenda::Item;
 use super::engine::{Engine, Trajectory};
 use super::island::Island;
+use super::stepper::Pace;
 use super::track::{Contact, Path, Segment};
 use super::transition::Juncture;
 use super::watch::Due;
@@ -71,7 +72,7 @@ impl Engine {
         for Due { number, reason } in std::mem::take(&mut island.due) {
             self.change(island.contacts[number], reason, &now);
         }
-        self.form(now, island.next_step());
+        self.form(now, island.pace());
     }
 
     /// Bodies at an instant.
@@ -105,18 +106,18 @@ impl Engine {
             predict::pair(self, pair, t);
             return;
         }
-        let (now, step) = self.release(&seen.slots, t);
+        let (now, pace) = self.release(&seen.slots, t);
         for contact in entered {
             self.close(contact, &now);
         }
-        self.form(now, step);
+        self.form(now, pace);
     }
 
     /// Ends the trajectories of bodies, and of everyone in an island with them, at `t`: how they are then, and the step
     /// that their integrators would have taken.
-    pub(super) fn release(&mut self, slots: &[usize], t: f64) -> (Juncture, f64) {
+    pub(super) fn release(&mut self, slots: &[usize], t: f64) -> (Juncture, Pace) {
         let mut all = BTreeSet::new();
-        let mut step: f64 = 0.0;
+        let mut pace = Pace::default();
         for &slot in slots {
             match self.bodies[slot].now {
                 Trajectory::Flight(_) => {
@@ -125,7 +126,7 @@ impl Engine {
                 Trajectory::Island { island, .. } => {
                     if let Some(island) = &self.islands[island] {
                         all.extend(island.slots.iter().copied());
-                        step = if step == 0.0 { island.next_step() } else { step.min(island.next_step()) };
+                        pace = pace.with(island.pace());
                     }
                 }
             }
@@ -133,7 +134,7 @@ impl Engine {
         let slots: Vec<usize> = all.into_iter().collect();
         let states = slots.iter().map(|&slot| self.state(slot, t)).collect();
         self.retire_islands(&slots, t);
-        (self.instant(slots, states, t), step)
+        (self.instant(slots, states, t), pace)
     }
 
     pub(super) fn retire_islands(&mut self, slots: &[usize], t: f64) {

@@ -1,12 +1,15 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
 use super::body_state::{self, Wrench};
-use super::dop853::{Dense, Dop853, next_factor};
-use super::field::{Active, Field, Scale};
+use super::dop853::Dense;
+use super::fastest::fastest;
+use super::field::{Active, Field, Scale, direction};
+use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
-use crate::contact::{Forces, Frame, Mode, law::Friction};
+use crate::contact::{Frame, Mode, law::Friction};
 use crate::motion::LinearPiece;
+use crate::scene::Kind;
 
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
@@ -32,10 +35,13 @@ pub(super) struct Island {
     pub due: Vec<super::watch::Due>,
     dense: Option<Dense>,
     y: Vec<f64>,
-    rk: Dop853,
-    step: f64,
+    stepper: Stepper,
+    omega: f64,
+    /// Largest distance of a corner from G, body by body \[m\].
+    radii: Vec<f64>,
     frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
+    rates: Vec<f64>,
 }
 
 /// Why a step could not be made.
@@ -46,7 +52,7 @@ pub(super) struct StepTooSmall {
 }
 
 impl Island {
-    /// Gathers bodies at `t`; `step` is the length to try first, or 0 \[s\].
+    /// Gathers bodies at `t`.
     pub(super) fn new(
         model: &Model,
         slots: Vec<usize>,
@@ -54,7 +60,7 @@ impl Island {
         contacts: Vec<(usize, Active)>,
         mut y: Vec<f64>,
         t: f64,
-        step: f64,
+        pace: Pace,
     ) -> Self {
         let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
@@ -63,7 +69,13 @@ impl Island {
                 y.push(angle);
             }
         }
+        // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
+        let turns = active.iter().any(|a| a.angle.is_some());
+        let pace = Pace { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
+        let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
+            omega: fastest(model, &bodies, &active),
+            radii,
             slots,
             bodies,
             contacts: contacts.into_iter().map(|(c, _)| c).collect(),
@@ -72,13 +84,12 @@ impl Island {
             until: t,
             due: Vec::new(),
             dense: None,
+            stepper: Stepper::new(y.len(), pace),
             y,
-            rk: Dop853::default(),
-            step,
             frames: Vec::new(),
             wrenches: Vec::new(),
+            rates: Vec::new(),
         };
-        island.rk.resize(island.y.len());
         island.rewind(model, t);
         island
     }
@@ -86,9 +97,9 @@ impl Island {
     /// Evaluates the slope at the start of the next step anew: at a start, and after a kink of the ground motion.
     pub(super) fn rewind(&mut self, model: &Model, t: f64) {
         let piece = model.ground.piece(model.ground.piece_number(t));
-        let (mut rk, y) = (std::mem::take(&mut self.rk), std::mem::take(&mut self.y));
-        rk.start(&mut self.field(model, piece, Scale::default()), t, &y);
-        (self.rk, self.y) = (rk, y);
+        let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
+        (self.stepper, self.y) = (stepper, y);
     }
 
     fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: Scale) -> Field<'a> {
@@ -100,13 +111,14 @@ impl Island {
             scale,
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,
+            rates: &mut self.rates,
         }
     }
 
     /// Poses of its bodies a moment after the start of the next step, by its slope alone.
     pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
         let width = body_state::width(model.kind);
-        let moved: Vec<f64> = self.y.iter().zip(self.rk.slope()).map(|(y, rate)| y + dt * rate).collect();
+        let moved: Vec<f64> = self.y.iter().zip(self.stepper.slope()).map(|(y, rate)| y + dt * rate).collect();
         let frame =
             |(i, &body): (usize, &usize)| body_state::frame(model.kind, &model.bodies[body], &moved[i * width..]);
         self.bodies.iter().enumerate().map(frame).collect()
@@ -119,30 +131,17 @@ impl Island {
     pub(super) fn plan(&mut self, model: &Model, cap: f64) -> Result<(), StepTooSmall> {
         let t = self.until;
         self.from = t;
-        let scale = self.scale(model, t);
+        let scale = self.scale(model);
         let piece = model.ground.piece(model.ground.piece_number(t));
         let first = 0.5 / scale.omega * (model.tolerance / 1e-10).powf(0.125);
-        let mut h = if self.step > 0.0 { self.step } else { first };
-        let (mut rk, mut y) = (std::mem::take(&mut self.rk), std::mem::take(&mut self.y));
-        let outcome = loop {
-            // A last sliver would cost as much as a step: stretch to the cap.
-            let end = if t + 1.05 * h >= cap { cap } else { t + h };
-            let taken = end - t;
-            let error = rk.attempt(&mut self.field(model, piece, scale), t, &y, taken);
-            if error <= 1.0 {
-                self.step = if end == cap { h.max(taken * next_factor(error)) } else { taken * next_factor(error) };
-                self.dense = Some(rk.accept(&mut self.field(model, piece, scale), t, &mut y, taken));
-                self.until = end;
-                break Ok(());
-            }
-            h = taken * if error.is_finite() { next_factor(error).min(0.9) } else { 0.1 };
-            if h < SMALLEST / scale.omega || t + h <= t {
-                break Err(StepTooSmall { step: h });
-            }
-        };
+        let limits = Limits { cap, first, smallest: SMALLEST / scale.omega };
+        let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         normalise(model, &self.bodies, &mut y);
-        (self.rk, self.y) = (rk, y);
-        outcome
+        (self.stepper, self.y) = (stepper, y);
+        let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
+        (self.dense, self.until) = (Some(dense), end);
+        Ok(())
     }
 
     /// Cuts the planned step short at `t` and makes that the state; the caller forms the island anew.
@@ -175,6 +174,25 @@ impl Island {
         }
     }
 
+    /// Poses of all its bodies within the planned step.
+    pub(super) fn frames(&self, model: &Model, t: f64) -> Vec<Frame> {
+        (0..self.bodies.len()).map(|index| self.frame(model, index, t)).collect()
+    }
+
+    /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
+    /// \[m\].
+    pub(super) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
+        let width = body_state::width(model.kind);
+        let Some(dense) = &self.dense else { return 0.0 };
+        let span = |range: std::ops::Range<usize>| dense.span(index * width + range.start..index * width + range.end);
+        let from_start = match model.kind {
+            Kind::Planar => span(0..2) + arm * span(2..3),
+            // A quaternion turns half the angle; the chord is not longer than the arc.
+            Kind::Spatial => span(0..3) + 2.0 * arm * span(3..7),
+        };
+        if t > self.from { 2.0 * from_start } else { from_start }
+    }
+
     /// A contact's state with its slip direction as it is at `t`.
     pub(super) fn closed_at(&self, number: usize, t: f64) -> Closed {
         let active = &self.active[number];
@@ -184,7 +202,7 @@ impl Island {
             if let Some(dense) = &self.dense {
                 dense.read(at..at + 1, t, &mut angle);
             }
-            closed.mode = Mode::Slip { direction: glam::DVec2::from_angle(angle[0]) };
+            closed.mode = Mode::Slip { direction: direction(angle[0]) };
         }
         closed
     }
@@ -201,56 +219,45 @@ impl Island {
         self.dense.as_ref().map(|dense| dense.part(at..at + 1))
     }
 
-    /// Length that the next step should have \[s\].
-    pub(super) fn next_step(&self) -> f64 {
-        self.step
+    /// How its integrator would go on.
+    pub(super) fn pace(&self) -> Pace {
+        self.stepper.pace()
     }
 
     /// Fastest circular frequency of its contacts and bearings \[rad/s\].
-    pub(super) fn omega(&self, model: &Model) -> f64 {
-        let contacts = self.active.iter().map(|a| {
-            let pair = &model.pairs[model.contacts[a.site].pair];
-            a.closed.law.k * pair.bodies.iter().flatten().map(|&b| mobility(&model.bodies[b])).sum::<f64>()
-        });
-        let bearings = self.bodies.iter().map(|&b| stiffest(&model.bodies[b]));
-        contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
+    pub(super) fn omega(&self) -> f64 {
+        self.omega
     }
 
-    fn scale(&self, model: &Model, t: f64) -> Scale {
-        let omega = self.omega(model);
-        let width = body_state::width(model.kind);
+    /// What errors are measured against: the speeds of its bodies and of what their contacts hold.
+    fn scale(&mut self, model: &Model) -> Scale {
+        let (omega, width) = (self.omega, body_state::width(model.kind));
         let (mut speed2, mut place) = (0.0f64, 0.0f64);
+        self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
             // Attitudes are of order 1 where they are quaternions and axes: a corner's place rounds with its lever.
-            place = place.max(here.shift.length() + model.bodies[b].radius());
+            place = place.max(here.shift.length() + self.radii[i]);
+            self.frames.push(here);
         }
-        for (number, active) in self.active.iter().enumerate() {
-            let forces = self.forces(model, number, t);
-            speed2 = speed2.max((omega * forces.normal / active.closed.law.k).powi(2));
+        let mut stretch = 0.0f64;
+        for active in &self.active {
+            let here = active.look(model, &self.frames);
+            speed2 = speed2.max((omega * here.gap).powi(2));
+            if active.angle.is_some() {
+                stretch = stretch.max(active.closed.law.mu_k * (here.gap.abs() + here.gap_rate.abs() / omega));
+            }
         }
         // From rest nothing is moving yet: what the ground does to it in one radian.
         let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
         let speed = speed2.sqrt().max(1e-3 * floor);
         // No step can be made smaller than its rounding: a place's last bit, as a speed at the contact's frequency.
-        let rounding = ROUNDING * omega * place;
-        Scale { speed: model.tolerance * speed + rounding, omega, angle: 10.0 * model.tolerance }
-    }
-
-    fn forces(&self, model: &Model, number: usize, t: f64) -> Forces {
-        let active = &self.active[number];
-        let site = &model.contacts[active.site];
-        let frame = |index: Option<usize>| match index {
-            Some(i) => {
-                let width = body_state::width(model.kind);
-                body_state::frame(model.kind, &model.bodies[self.bodies[i]], &self.y[i * width..])
-            }
-            None => Frame::fixed(site.fixed),
-        };
-        let closed = self.closed_at(number, t);
-        super::penalty3d::act(site, &closed, &frame(active.node), &frame(active.face)).forces
+        let speed = model.tolerance * speed + ROUNDING * omega * place;
+        // A direction counts by the place that it puts p at.
+        let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
+        Scale { speed, omega, angle, place }
     }
 }
 
@@ -264,30 +271,9 @@ fn turning(closed: &Closed) -> Option<f64> {
     }
 }
 
-/// Upper bound on acceleration at a corner per unit force \[1/kg\].
-fn mobility(body: &Body) -> f64 {
-    let arm = body.radius();
-    let smallest = (body.prism.width.powi(2) + body.prism.thickness.powi(2)) / 12.0;
-    let turn = if body.free[3] || body.free[4] { arm * arm / smallest } else { arm * arm / body.gyration2 };
-    (1.0 + turn) / body.mass
-}
-
-/// Largest stiffness per inertia of a body on its bearings \[1/s²\].
-fn stiffest(body: &Body) -> f64 {
-    let sum = body.bearings.iter().map(|b| b.stiffness.max_element()).sum::<f64>();
-    let damping = body.bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / body.mass;
-    if body.free[3] || body.free[4] {
-        let arm2 = body.radius().powi(2);
-        let smallest = (body.prism.width.powi(2) + body.prism.thickness.powi(2)) / 12.0;
-        (sum / body.mass * (1.0 + arm2 / smallest)).max(damping * damping)
-    } else {
-        (3.0 * sum / body.mass).max(damping * damping)
-    }
-}
-
 /// Keeps the quaternions of spatial bodies at length 1.
 fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
-    if model.kind == crate::scene::Kind::Planar {
+    if model.kind == Kind::Planar {
         return;
     }
     for i in 0..bodies.len() {

@@ -26,6 +26,10 @@ pub struct Body {
     pub mass: f64,
     /// `i²`, squared radius of gyration about the vertical \[m²\].
     pub gyration2: f64,
+    /// Inertia about G in the body frame \[kg·m²\], and its inverse.
+    pub inertia: [DMat3; 2],
+    /// Largest distance of a corner from G \[m\].
+    pub radius: f64,
     /// What it stands on.
     pub bearings: Vec<Bearing>,
     /// The bearings over `(x, y, θ)`.
@@ -43,11 +47,6 @@ pub struct Body {
 }
 
 impl Body {
-    /// Largest distance of a corner from G \[m\].
-    pub fn radius(&self) -> f64 {
-        self.prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max)
-    }
-
     /// (3), (4) of the girder in its own axes.
     pub fn quantities(&self) -> Quantities {
         Quantities::of(&self.bearings, self.mass, self.gyration2)
@@ -205,6 +204,7 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         carry(girder.mass * scene.gravity, &mut bearings, axes);
     }
     let gyration2 = prism.inertia_per_mass().z_axis.z;
+    let inertia = prism.inertia_per_mass() * girder.mass;
     let initial = &girder.initial;
     let [x, y, z] = initial.displacement;
     let [vx, vy, vz] = initial.velocity;
@@ -221,6 +221,8 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         start: [x, y, z, initial.rotation_deg.to_radians()],
         start_rate: [rate(0, vx), rate(1, vy), rate(2, vz), rate(5, initial.spin_deg_s.to_radians())],
         free,
+        inertia: [inertia, inertia.inverse()],
+        radius: prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max),
         prism,
         axes,
         gyration2,

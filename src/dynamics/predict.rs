@@ -5,7 +5,7 @@ use super::bound::Bound;
 use super::engine::{Engine, Trajectory};
 use super::search::{Found, Outlook, first_crossing, root};
 use super::track::Contact;
-use crate::contact::{Local, locate};
+use crate::contact::{Frame, Local, locate};
 use crate::motion::Ground;
 
 /// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
@@ -22,14 +22,12 @@ const LOOKS: usize = 5;
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
     let until = horizon(engine, pair, t);
     let flying = until.1;
+    let views = (!flying).then(|| Views::of(engine, pair, t, until.0));
     let (mut first, mut searched) = (f64::INFINITY, until.0);
     for contact in engine.pairs[pair].contacts.clone() {
-        let closing = open(engine, contact, t).and_then(|armed| {
-            if flying {
-                in_flight(engine, contact, t, until.0, armed, &mut searched)
-            } else {
-                in_step(engine, contact, t, until.0, armed)
-            }
+        let closing = open(engine, contact, t).and_then(|armed| match &views {
+            Some(views) => in_step(engine, contact, views, armed),
+            None => in_flight(engine, contact, t, until.0, armed, &mut searched),
         });
         engine.contacts[contact].closing = closing;
         first = first.min(closing.unwrap_or(f64::INFINITY));
@@ -125,7 +123,7 @@ impl Reach {
                 let body = &engine.model.bodies[engine.bodies[slot].body];
                 body.planar_frame(&[0.0; 6])
             }
-            None => crate::contact::Frame::fixed(site.fixed),
+            None => Frame::fixed(site.fixed),
         };
         let (node, face) = (placed(track.slots[0]), placed(track.slots[1]));
         let apart = (node.home - face.home + node.rotation * site.point).length();
@@ -135,8 +133,11 @@ impl Reach {
     }
 
     fn outlook(&self, engine: &Engine, contact: usize, t: f64, until: f64) -> Outlook {
-        let here = look(engine, contact, t);
-        let [node, face] = engine.contacts[contact].slots.map(|slot| bound(engine, slot, t, until));
+        let track = &engine.contacts[contact];
+        let site = &engine.model.contacts[track.site];
+        let side = |which: usize| prospect(engine, track.slots[which], site.fixed, t, until);
+        let ((node_frame, node), (face_frame, face)) = (side(0), side(1));
+        let here = locate(site.point, &node_frame, &site.face, &face_frame);
         let apart = self.apart + node.reach + face.reach;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
         let moving = node.speed + node.spin * self.arm + face.speed + face.spin * apart;
@@ -157,39 +158,92 @@ impl Reach {
     }
 }
 
-fn bound(engine: &Engine, slot: Option<usize>, t: f64, until: f64) -> Bound {
-    let still = Bound {
-        window: (until - t).max(f64::MIN_POSITIVE),
-        reach: 0.0,
-        turn: 0.0,
-        speed: 0.0,
-        spin: 0.0,
-        acceleration: 0.0,
-        spin_rate: 0.0,
-    };
-    let Some(slot) = slot else { return still };
+/// Pose of a side at `t` and what its motion can do from there until `until`.
+fn prospect(engine: &Engine, slot: Option<usize>, fixed: glam::DVec3, t: f64, until: f64) -> (Frame, Bound) {
+    let horizon = (until - t).max(f64::MIN_POSITIVE);
+    let Some(slot) = slot else { return (Frame::fixed(fixed), Bound::still(horizon)) };
     let track = &engine.bodies[slot];
     match (&track.now, &track.system) {
-        (Trajectory::Flight(flight), Some(system)) => system.bound(t, &system.state(flight, t), still.window),
-        _ => still,
+        (Trajectory::Flight(flight), Some(system)) => {
+            let (state, bound) = system.prospect(flight, t, horizon);
+            (engine.model.bodies[track.body].planar_frame(&state), bound)
+        }
+        _ => (engine.frame(slot, t), Bound::still(horizon)),
     }
 }
 
-/// A side is in a planned step: five looks at gap and rate, closer where a dip shows between them.
-fn in_step(engine: &Engine, contact: usize, t: f64, until: f64, armed: bool) -> Option<f64> {
+/// Poses of a pair's bodies at the looks of a planned step, for all of its contacts.
+struct Views {
+    times: [f64; LOOKS],
+    frames: [[Frame; 2]; LOOKS],
+    slots: [Option<usize>; 2],
+}
+
+impl Views {
+    fn of(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
+        let slots = engine.pairs[pair].slots;
+        let part = |i: usize| (until - t) * i as f64 / (LOOKS - 1) as f64;
+        let times = std::array::from_fn(|i| if i == LOOKS - 1 { until } else { t + part(i) });
+        let frame =
+            |slot: Option<usize>, t: f64| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| engine.frame(slot, t));
+        Self { times, frames: times.map(|t| slots.map(|slot| frame(slot, t))), slots }
+    }
+
+    fn look(&self, engine: &Engine, contact: usize, i: usize) -> Local {
+        let track = &engine.contacts[contact];
+        let site = &engine.model.contacts[track.site];
+        let side = |slot: Option<usize>| match slot {
+            Some(_) => self.frames[i][usize::from(slot == self.slots[1])],
+            None => Frame::fixed(site.fixed),
+        };
+        locate(site.point, &side(track.slots[0]), &site.face, &side(track.slots[1]))
+    }
+}
+
+/// How far a gap can go within the planned steps of its sides, at most \[m\].
+fn excursion(engine: &Engine, contact: usize, here: &Local, from: f64, until: f64) -> f64 {
+    let track = &engine.contacts[contact];
+    let site = &engine.model.contacts[track.site];
+    // The node as its body carries it, and as the face's body would.
+    let arms = [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()];
+    let along = |(slot, arm): (Option<usize>, f64)| {
+        let Some(slot) = slot else { return 0.0 };
+        match (&engine.bodies[slot].now, &engine.bodies[slot].system) {
+            (Trajectory::Island { island, index }, _) => engine.islands[*island]
+                .as_ref()
+                .map_or(0.0, |island| island.excursion(&engine.model, *index, arm, from)),
+            (Trajectory::Flight(flight), Some(system)) => {
+                let (_, bound) = system.prospect(flight, from, until - from);
+                if bound.window < until - from {
+                    return f64::INFINITY;
+                }
+                (bound.speed + bound.spin * arm) * (until - from)
+            }
+            _ => f64::INFINITY,
+        }
+    };
+    track.slots.into_iter().zip(arms).map(along).sum()
+}
+
+/// A side is in a planned step: five looks at gap and rate, closer where a dip shows between them; one look where the
+/// steps are too short to close the gap.
+fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Option<f64> {
+    let (t, until) = (views.times[0], views.times[LOOKS - 1]);
     if until <= t {
         return None;
     }
     let ask = |at: f64| look(engine, contact, at);
-    let (mut armed, mut before) = (armed, ask(t));
+    let (mut armed, mut before) = (armed, views.look(engine, contact, 0));
     let mut from = t;
     let size = engine.model.contacts[engine.contacts[contact].site].face.size();
     if armed && before.gap <= RESOLUTION * size && before.gap_rate < 0.0 {
         return Some(t);
     }
+    if armed && before.gap > excursion(engine, contact, &before, t, until) {
+        return None;
+    }
     for i in 1..LOOKS {
-        let to = if i == LOOKS - 1 { until } else { t + (until - t) * i as f64 / (LOOKS - 1) as f64 };
-        let here = ask(to);
+        let (to, here) = (views.times[i], views.look(engine, contact, i));
         if armed && here.gap < 0.0 && here.gap_rate < 0.0 {
             return Some(root(|at| -ask(at).gap, from, to));
         }

@@ -114,7 +114,7 @@ impl ContactLog {
         {
             let mut angle = [0.0];
             self.angles[i].1.read(0..1, t, &mut angle);
-            *direction = glam::DVec2::from_angle(angle[0]);
+            *direction = super::field::direction(angle[0]);
         }
         Contact::Closed(closed)
     }

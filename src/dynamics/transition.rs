@@ -4,6 +4,7 @@ use glam::{DMat2, DVec2};
 
 use super::engine::Engine;
 use super::event::{Event, EventKind};
+use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, Reason};
 use super::{body_state, penalty3d};
@@ -221,7 +222,8 @@ impl Engine {
         let site = &self.model.contacts[self.contacts[contact].site];
         let dt = 1e2 * self.pairs[self.contacts[contact].pair].together;
         let mut after = Juncture { t: now.t + dt, slots: now.slots.clone(), states: Vec::new(), frames: Vec::new() };
-        after.frames = self.assemble(&now.slots, now.states.concat(), now.t, 0.0).frames_after(&self.model, dt);
+        after.frames =
+            self.assemble(&now.slots, now.states.concat(), now.t, Pace::default()).frames_after(&self.model, dt);
         let next = locate(site.point, &side(self, contact, 0, &after), &site.face, &side(self, contact, 1, &after));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }

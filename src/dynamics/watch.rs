@@ -90,12 +90,14 @@ pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option
             island.from + (island.until - island.from) * i as f64 / (LOOKS - 1) as f64
         }
     });
+    let frames = times.map(|t| island.frames(model, t));
     for number in 0..island.active.len() {
-        let looks = times.map(|t| look(model, island, number, t));
+        let looks: [Local; LOOKS] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
+            let hair = hair(model, island, number, reason, &looks[0]);
             let values: [f64; LOOKS] =
-                std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]));
-            let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t);
+                std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
+            let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
             let entering = is_entering(model, island, number, &looks[0]);
             let rounding = ROUNDING * model.contacts[island.active[number].site].face.size();
@@ -126,6 +128,22 @@ fn is_sticking(island: &Island, number: usize) -> bool {
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let size = model.contacts[island.active[number].site].face.size();
     here.gap_rate < 0.0 && here.gap > -ENTRY * size
+}
+
+/// What a switching function of a node that is hardly in must exceed: at rest there, its gap, its stretch and their rates
+/// are rounding of either sign.
+fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
+    let closed = &island.active[number].closed;
+    let length = ENTRY * model.contacts[island.active[number].site].face.size();
+    if here.gap <= -length {
+        return 0.0;
+    }
+    match (reason, &closed.mode) {
+        (Reason::Edge, _) => 0.0,
+        (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
+        (Reason::Switching, Mode::Slip { .. }) => length * island.omega(),
+        (Reason::Kink, _) => length * (closed.law.k + closed.law.c_n * island.omega()),
+    }
 }
 
 /// Contacts in the same state whose same event lies within rounding of the first, just beyond the end of the step.

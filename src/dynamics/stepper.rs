@@ -1,0 +1,172 @@
+//! One step after another, by whichever method takes fewer evaluations: explicit steps of order eight, implicit ones where
+//! the explicit ones are held short by their stability or by noise. Knows no physics.
+
+use super::dop853::{self, Dense, Dop853, System};
+use super::radau::{self, Radau};
+
+/// Explicit steps that span more time constants of the fastest motion than this, though their error is less than
+/// [`SPARE`], are held short by their stability.
+const STIFF: f64 = 0.7;
+/// See [`STIFF`].
+const SPARE: f64 = 0.02;
+/// Factor to the next try from the second refusal on.
+const AGAIN: f64 = 0.2;
+/// So many of them in a row change the method.
+const CONVINCED: u32 = 4;
+/// Explicit steps of one touch after which the other method is tried, and after twice as many again: noise, too, can hold
+/// them short.
+const TRIAL: u32 = 64;
+/// An implicit step costs as much as explicit ones over so many time constants.
+const WORTH: f64 = 12.0;
+/// With a smaller error than this the next step will be longer.
+const GROWING: f64 = 0.2;
+/// Components beyond which elimination costs more than short steps.
+const LARGEST: usize = 160;
+
+/// How an integrator goes on after an event.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Pace {
+    /// Length of the step to try first; 0 where nothing is known \[s\].
+    pub step: f64,
+    /// Whether explicit steps were too short.
+    pub stiff: bool,
+}
+
+impl Pace {
+    /// The more careful of two.
+    pub(super) fn with(self, other: Self) -> Self {
+        let step = if self.step == 0.0 { other.step } else { self.step.min(other.step) };
+        Self { step, stiff: self.stiff || other.stiff }
+    }
+}
+
+/// Where a step may end and how short it may be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// It ends here at the latest \[s\].
+    pub cap: f64,
+    /// Length of the very first try \[s\].
+    pub first: f64,
+    /// A shorter step cannot be followed \[s\].
+    pub smallest: f64,
+}
+
+/// Both methods for a system of one size, and which of them is in use.
+#[derive(Debug, Default)]
+pub(super) struct Stepper {
+    size: usize,
+    rk: Dop853,
+    radau: Option<Box<Radau>>,
+    pace: Pace,
+    /// Steps in a row that spoke against the method in use.
+    doubts: u32,
+    /// Steps with the method in use, and explicit ones after which the other is given a try.
+    steps: u32,
+    trial: u32,
+}
+
+impl Stepper {
+    /// For systems of `size` components, going on at `pace`.
+    pub(super) fn new(size: usize, pace: Pace) -> Self {
+        let pace = Pace { stiff: pace.stiff && size <= LARGEST, ..pace };
+        let mut stepper = Self { size, pace, trial: TRIAL, ..Self::default() };
+        stepper.rk.resize(size);
+        stepper
+    }
+
+    /// Evaluates the slope at the start of the next step anew: at a start, and after a kink.
+    pub(super) fn start(&mut self, system: &mut impl System, t: f64, y: &[f64]) {
+        self.rk.start(system, t, y);
+        if let Some(radau) = &mut self.radau {
+            radau.forget();
+        }
+    }
+
+    /// Slope at the start of the next step.
+    pub(super) fn slope(&self) -> &[f64] {
+        self.rk.slope()
+    }
+
+    /// How it would go on.
+    pub(super) fn pace(&self) -> Pace {
+        self.pace
+    }
+
+    /// Takes a step from `(t, y)`: its continuous answer and its end; `y` becomes the state there.
+    ///
+    /// # Errors
+    /// The length of a step that would have to be shorter than the smallest.
+    pub(super) fn step(
+        &mut self,
+        system: &mut impl System,
+        t: f64,
+        y: &mut [f64],
+        limits: Limits,
+    ) -> Result<(Dense, f64), f64> {
+        let mut h = if self.pace.step > 0.0 { self.pace.step } else { limits.first };
+        let mut refused = false;
+        loop {
+            // A last sliver would cost as much as a step: stretch to the cap.
+            let end = if t + 1.05 * h >= limits.cap { limits.cap } else { t + h };
+            let taken = end - t;
+            let (error, factor) = self.attempt(system, t, y, taken);
+            if error <= 1.0 {
+                self.pace.step = if end == limits.cap { h.max(taken * factor) } else { taken * factor };
+                return Ok((self.accept(system, t, y, taken, error), end));
+            }
+            // Refused twice, the estimate is no guide: something is over far sooner than the step.
+            h = taken * factor.min(if refused { AGAIN } else { 0.9 });
+            refused = true;
+            if h < limits.smallest || t + h <= t {
+                return Err(h);
+            }
+        }
+    }
+
+    /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
+    fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> (f64, f64) {
+        if self.pace.stiff {
+            let radau = self.radau.get_or_insert_with(|| Box::new(Radau::new(self.size)));
+            let error = radau.attempt(system, t, y, self.rk.slope(), h);
+            (error, if error.is_finite() { radau::next_factor(error) } else { 0.25 })
+        } else {
+            let error = self.rk.attempt(system, t, y, h);
+            (error, if error.is_finite() { dop853::next_factor(error) } else { 0.1 })
+        }
+    }
+
+    /// Accepts the step just tried and considers whether the other method would have done it for less.
+    fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64, error: f64) -> Dense {
+        let (dense, doubt) = match &mut self.radau {
+            Some(radau) if self.pace.stiff => {
+                let dense = radau.accept(t, y, h);
+                self.rk.start(system, t + h, y);
+                (dense, error > GROWING && h * radau.fastest(system) < WORTH)
+            }
+            _ => {
+                let dense = self.rk.accept(system, t, y, h);
+                let spare = self.size <= LARGEST && error < SPARE;
+                let doubt = spare && self.rk.stiffness(system, &dense) > STIFF;
+                (dense, doubt)
+            }
+        };
+        self.doubts = if doubt { self.doubts + 1 } else { 0 };
+        self.steps += 1;
+        let try_it = !self.pace.stiff && self.steps >= self.trial && self.size <= LARGEST;
+        if try_it {
+            self.trial = self.trial.saturating_mul(2);
+        }
+        if self.doubts >= CONVINCED || try_it {
+            self.change_method();
+        }
+        dense
+    }
+
+    fn change_method(&mut self) {
+        (self.doubts, self.steps) = (0, 0);
+        self.pace.stiff = !self.pace.stiff;
+        if let Some(radau) = &mut self.radau {
+            radau.resize(self.size);
+        }
+    }
+}
