@@ -100,31 +100,42 @@ impl Study {
         text
     }
 
+    /// What gave no answer, what was left out of equilibrium, and how near each method ever came.
     fn failures(&self) -> String {
         let mut text = String::from("## What failed, and what was remarked\n\n");
-        let mut any = false;
-        for row in self.parts.iter().flat_map(|part| &part.rows) {
-            if row.errors.is_none() || row.note.contains("not in equilibrium") {
-                any = true;
-                let _ = writeln!(text, "- {} with {} at {}: {}", row.problem, row.method, setting(row), row.note);
-            }
-        }
         for part in &self.parts {
             for method in self.methods() {
-                let least =
-                    part.rows.iter().filter(|r| r.method == method).filter_map(|r| Some(r.errors?.displacement));
-                let least = least.fold(f64::INFINITY, f64::min);
-                if least > 1e-6 * part.largest.min(1.0) {
-                    any = true;
-                    let _ = writeln!(text, "- {} with {method}: never below {least:.1e} m.", part.problem.name);
-                }
+                let rows: Vec<&Row> = part.rows.iter().filter(|row| row.method == method).collect();
+                remarks(part.problem.name, method, &rows).iter().for_each(|remark| {
+                    let _ = writeln!(text, "- {remark}");
+                });
             }
-        }
-        if !any {
-            text.push_str("Nothing.\n");
         }
         text
     }
+}
+
+/// Remarks on one method at one problem.
+fn remarks(problem: &str, method: &str, rows: &[&Row]) -> Vec<String> {
+    let mut said = Vec::new();
+    for row in rows.iter().filter(|row| row.errors.is_none()) {
+        said.push(format!("{problem} with {method} at {}: no answer; {}", setting(row), row.note));
+    }
+    let restless: Vec<&&Row> = rows.iter().filter(|row| row.note.contains("not in equilibrium")).collect();
+    if let [first, .., last] = restless[..] {
+        said.push(format!(
+            "{problem} with {method} at {} to {}: some steps were not in equilibrium when the iteration ended, \
+             where a contact closes or switches within it (the first: {}).",
+            setting(first),
+            setting(last),
+            first.note
+        ));
+    }
+    let least = rows.iter().filter_map(|row| Some(row.errors?.displacement)).fold(f64::INFINITY, f64::min);
+    if least > 1e-6 && least.is_finite() {
+        said.push(format!("{problem} with {method}: never below {least:.1e} m within a second of work."));
+    }
+    said
 }
 
 fn other_row(other: &Other, ours: Option<f64>) -> String {

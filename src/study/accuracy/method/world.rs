@@ -66,7 +66,10 @@ impl World {
             let (state, rate, wrench) = (&y[part.clone()], &mut out[part], &self.wrenches[i]);
             match self.model.kind {
                 Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
-                Kind::Spatial => body_state::spatial_slope(body, state, wrench, ground, self.model.gravity, rate),
+                Kind::Spatial => {
+                    let (here, gravity) = (&self.frames[i], self.model.gravity);
+                    body_state::spatial_slope(body, here, state, wrench, ground, gravity, rate);
+                }
             }
         }
     }
