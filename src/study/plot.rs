@@ -53,13 +53,11 @@ pub struct Mark {
     pub goal: bool,
 }
 
-/// A thin line of a given slope, to hold the others against.
+/// A slope to hold the lines against, drawn in the upper right corner.
 #[derive(Clone, Debug)]
 pub struct Guide {
     /// Its exponent: `y ∝ x^slope`.
     pub slope: f64,
-    /// A point that it passes through.
-    pub through: (f64, f64),
     /// What it says.
     pub name: String,
 }

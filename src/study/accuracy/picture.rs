@@ -28,14 +28,13 @@ impl Study {
 }
 
 fn plot(part: &Part) -> Plot {
-    let series = series(part);
     Plot {
         title: format!("{}: error against time", part.problem.name),
         subtitle: format!("{}. Down and to the left is better.", part.problem.summary),
         x: ("time of a run [s]".into(), Ticks::Times),
         y: ("largest displacement error [m]".into(), Ticks::Powers),
-        guides: guides(&series),
-        series,
+        guides: guides(),
+        series: series(part),
         marks: marks(part.problem.name),
         floor: (part.reference.floor.displacement > LEAST)
             .then(|| (part.reference.floor.displacement, "the references agree to this".into())),
@@ -58,22 +57,9 @@ fn series(part: &Part) -> Vec<Series> {
     names.into_iter().map(of).filter(|s| !s.points.is_empty()).collect()
 }
 
-/// Slopes 1 and 4 through the upper right, clear of most lines.
-fn guides(series: &[Series]) -> Vec<Guide> {
-    let all = || series.iter().flat_map(|s| s.points.iter());
-    let (left, right) = all().fold((f64::INFINITY, 0.0_f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
-    let top = all().fold(0.0_f64, |m, p| m.max(p.1));
-    if !(left < right && top > 0.0) {
-        return Vec::new();
-    }
-    let at = |part: f64| left * (right / left).powf(part);
-    [(1, 0.80), (2, 0.66), (4, 0.52)]
-        .map(|(order, part)| Guide {
-            slope: -f64::from(order),
-            through: (at(part), top),
-            name: format!("order {order}"),
-        })
-        .to_vec()
+/// Orders to hold the lines against.
+fn guides() -> Vec<Guide> {
+    [1, 2, 4].map(|order| Guide { slope: -f64::from(order), name: format!("order {order}") }).to_vec()
 }
 
 fn marks(problem: &str) -> Vec<Mark> {

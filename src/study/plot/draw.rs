@@ -141,11 +141,11 @@ impl Plot {
         self.grid(&mut svg, &x, &y);
         svg.push_str("<g clip-path=\"url(#field)\">\n");
         self.floor(&mut svg, &y);
-        self.guides.iter().for_each(|guide| draw_guide(&mut svg, guide, &x, &y));
+        draw_guides(&mut svg, &self.guides, &x, &y);
         self.series.iter().filter(|s| !s.strong).for_each(|s| draw_series(&mut svg, s, &x, &y));
         self.series.iter().filter(|s| s.strong).for_each(|s| draw_series(&mut svg, s, &x, &y));
         svg.push_str("</g>\n");
-        self.marks.iter().for_each(|mark| draw_mark(&mut svg, mark, &x, &y));
+        draw_marks(&mut svg, &self.marks, &x, &y);
         self.labels(&mut svg, &x, &y);
         svg.push_str("</svg>\n");
         svg
@@ -228,34 +228,48 @@ fn draw_series(svg: &mut String, series: &Series, x: &Axis, y: &Axis) {
     points.iter().for_each(|at| marker(svg, series.marker, *at, if series.strong { 5.5 } else { 4.5 }, series.color));
 }
 
-fn draw_guide(svg: &mut String, guide: &Guide, x: &Axis, y: &Axis) {
-    let height = |decade: i32| {
-        let at = 10.0_f64.powi(decade);
-        (x.at(at), y.at(guide.through.1 * (at / guide.through.0).powf(guide.slope)))
-    };
+/// A fan of slopes in the upper right corner, each over a decade or as far as there is room.
+fn draw_guides(svg: &mut String, guides: &[Guide], x: &Axis, y: &Axis) {
+    let [_, top, right, _] = FIELD;
+    let per_decade = |axis: &Axis| (axis.high - axis.low).abs() / f64::from(axis.to - axis.from);
+    let (across, down) = (per_decade(x), per_decade(y));
+    let rising = guides.iter().any(|guide| guide.slope > 0.0);
+    let from = (right - 1.15 * across.min(120.0) - 46.0, top + if rising { 124.0 } else { 14.0 });
     let style = format!(r#"stroke="{GREY}" stroke-width="1" stroke-dasharray="7 4""#);
-    line(svg, height(x.from), height(x.to), &style);
-    let near = (x.at(guide.through.0) + 6.0, y.at(guide.through.1) - 6.0);
-    text(svg, near, 12.0, "start", GREY, &escape(&guide.name));
+    for guide in guides {
+        let steep = -guide.slope * down;
+        let decades = (120.0 / across).min(1.0).min(110.0 / steep.abs().max(1e-9));
+        let to = (from.0 + decades * across, from.1 + decades * steep);
+        line(svg, from, to, &style);
+        text(svg, (to.0 + 4.0, to.1 + 4.0), 12.0, "start", GREY, &escape(&guide.name));
+    }
 }
 
-fn draw_mark(svg: &mut String, mark: &Mark, x: &Axis, y: &Axis) {
-    let (px, py) = (x.at(mark.at.0), y.at(mark.at.1));
-    if mark.goal {
-        let _ =
-            writeln!(svg, r#"<circle cx="{px:.1}" cy="{py:.1}" r="7" fill="none" stroke="{INK}" stroke-width="1.6"/>"#);
-    } else {
-        marker(svg, Marker::Cross, (px, py), 5.0, INK);
+fn draw_marks(svg: &mut String, marks: &[Mark], x: &Axis, y: &Axis) {
+    let places: Vec<(f64, f64)> = marks.iter().map(|m| (x.at(m.at.0), y.at(m.at.1))).collect();
+    for (i, (mark, &(px, py))) in marks.iter().zip(&places).enumerate() {
+        if mark.goal {
+            let _ = writeln!(
+                svg,
+                r#"<circle cx="{px:.1}" cy="{py:.1}" r="7" fill="none" stroke="{INK}" stroke-width="1.6"/>"#
+            );
+        } else {
+            marker(svg, Marker::Cross, (px, py), 5.0, INK);
+        }
+        // Neighbours at one height take the room above and below.
+        let near = places[..i].iter().filter(|(qx, qy)| (qx - px).abs() < 110.0 && (qy - py).abs() < 13.0).count();
+        let beside = near == 0 && px + 12.0 + 6.6 * mark.name.chars().count() as f64 <= FIELD[2];
+        let (at, height, anchor) = match near {
+            0 if beside => (px + 12.0, py + 4.2, "start"),
+            0 | 1 => (px, py - 11.0, "middle"),
+            _ => (px, py + 20.0, "middle"),
+        };
+        let _ = writeln!(
+            svg,
+            r##"<text x="{at:.1}" y="{height:.1}" font-size="12" text-anchor="{anchor}" fill="{INK}" stroke="#ffffff" stroke-width="3" paint-order="stroke">{}</text>"##,
+            escape(&mark.name)
+        );
     }
-    // A name that would run into the margin stands left of its point.
-    let room = px + 12.0 + 6.6 * mark.name.chars().count() as f64 <= FIELD[2];
-    let (at, anchor) = if room { (px + 12.0, "start") } else { (px - 12.0, "end") };
-    let _ = writeln!(
-        svg,
-        r##"<text x="{at:.1}" y="{:.1}" font-size="12" text-anchor="{anchor}" fill="{INK}" stroke="#ffffff" stroke-width="3" paint-order="stroke">{}</text>"##,
-        py + 4.2,
-        escape(&mark.name)
-    );
 }
 
 #[cfg(test)]

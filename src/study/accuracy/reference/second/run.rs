@@ -8,7 +8,9 @@ use crate::study::accuracy::answer::INTERVALS;
 use crate::study::accuracy::{Answer, Instants};
 
 /// Steps in flight and in contact, as parts of a radian of the fastest motion.
-const RADIANS: (f64, f64) = (0.05, 0.1);
+const RADIANS: (f64, f64) = (0.05, 0.05);
+/// The first step after an event, in parts of the longest: what follows at once, and passes, is not stepped over.
+const CAUTIOUS: f64 = 1.0 / 64.0;
 /// Local error per step, in parts of a state that is counted as a hundredth at least.
 const TOLERANCE: f64 = 1e-14;
 /// Events closer than this part of a radian of the contact happen together.
@@ -108,9 +110,10 @@ impl<'a> Run<'a> {
     fn advance(&mut self, until: f64, shortest: f64) {
         let longest = if self.touching() { RADIANS.1 / self.omega.1 } else { RADIANS.0 / self.omega.0 };
         let cap = until.min(self.field.model.ground.next_kink(self.t));
-        if self.h <= 0.0 || self.h > longest {
-            self.h = longest;
+        if self.h <= 0.0 {
+            self.h = CAUTIOUS * longest;
         }
+        self.h = self.h.min(longest);
         let (mut h, whole) = (self.h.min(cap - self.t), cap - self.t <= self.h);
         let mut next;
         loop {
