@@ -102,7 +102,7 @@ impl Answer {
 
     /// Last instant up to which two answers are nowhere more than `limit` apart (m, or rad times `arm`).
     pub fn together_until(&self, other: &Self, limit: f64, arm: f64) -> usize {
-        let parts = self.apart(other).iter().position(|(d, r)| !(d.max(arm * r) <= limit));
+        let parts = self.apart(other).iter().position(|(d, r)| d.is_nan() || r.is_nan() || d.max(arm * r) > limit);
         parts.map_or(INTERVALS, |i| i.saturating_sub(1))
     }
 

@@ -106,9 +106,9 @@ impl Study {
         for part in &self.parts {
             for method in self.methods() {
                 let rows: Vec<&Row> = part.rows.iter().filter(|row| row.method == method).collect();
-                remarks(part.problem.name, method, &rows).iter().for_each(|remark| {
+                for remark in remarks(part.problem.name, method, &rows) {
                     let _ = writeln!(text, "- {remark}");
-                });
+                }
             }
         }
         text

@@ -21,7 +21,9 @@ pub(super) fn samples(seed: u64) -> Vec<f64> {
     let mut samples: Vec<f64> =
         (0..SAMPLES).map(|i| envelope(i as f64 * INTERVAL) * ground(&mut x, &mut v, noise.next())).collect();
     let largest = samples.iter().fold(0.0_f64, |m, a| m.max(a.abs()));
-    samples.iter_mut().for_each(|a| *a *= PEAK / largest);
+    for a in &mut samples {
+        *a *= PEAK / largest;
+    }
     samples
 }
 

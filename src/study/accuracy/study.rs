@@ -12,8 +12,8 @@ use crate::study::clock::fastest;
 const LONGEST: f64 = 1.0;
 /// The same in a quick study \[s\].
 const LONGEST_QUICK: f64 = 0.05;
-/// Most steps to an interval of comparison.
-const FINEST: u32 = 4096;
+/// Most steps to an interval of comparison, as a power of two.
+const FINEST: u32 = 12;
 
 /// What a study is to do.
 #[derive(Clone, Copy, Debug)]
@@ -104,7 +104,7 @@ fn settings(knob: Knob, quick: bool) -> Vec<f64> {
     match (knob, quick) {
         (Knob::Tolerance, false) => (4..=13).map(tolerance).collect(),
         (Knob::Tolerance, true) => [6, 10].map(tolerance).to_vec(),
-        (Knob::StepsPerInterval, _) => (0..).map(|n| 1_u32 << n).take_while(|n| *n <= FINEST).map(f64::from).collect(),
+        (Knob::StepsPerInterval, _) => (0..=FINEST).map(|n| f64::from(1_u32 << n)).collect(),
     }
 }
 

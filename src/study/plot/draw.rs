@@ -225,7 +225,10 @@ fn draw_series(svg: &mut String, series: &Series, x: &Axis, y: &Axis) {
         path.join(" "),
         series.color
     );
-    points.iter().for_each(|at| marker(svg, series.marker, *at, if series.strong { 5.5 } else { 4.5 }, series.color));
+    let size = if series.strong { 5.5 } else { 4.5 };
+    for at in points {
+        marker(svg, series.marker, at, size, series.color);
+    }
 }
 
 /// A fan of slopes in the upper right corner, each over a decade or as far as there is room.

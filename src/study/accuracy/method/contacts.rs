@@ -56,7 +56,7 @@ impl Contacts {
                 let held = inside(site, &here);
                 self.states[number] = if held {
                     let law = self.law(model, number, frames);
-                    self.sharers[site.pair] = self.count(model, site.pair, frames);
+                    self.sharers[site.pair] = Self::count(model, site.pair, frames);
                     Contact::Closed(closed(law, Mode::Stick { anchor: here.at }))
                 } else {
                     Contact::Open { armed: false }
@@ -112,7 +112,7 @@ impl Contacts {
                 Contact::Open { armed: true } if inside(site, &here) => {
                     let law = self.law(model, number, frames);
                     if self.sharers[site.pair] == 0 {
-                        self.sharers[site.pair] = self.count(model, site.pair, frames);
+                        self.sharers[site.pair] = Self::count(model, site.pair, frames);
                     }
                     self.anchors[number] = here.at;
                     Contact::Closed(entered(law, &here))
@@ -168,7 +168,7 @@ impl Contacts {
         let at = model.contacts[number].pair;
         let pair = &model.pairs[at];
         let share = match self.sharers[at] {
-            0 => self.count(model, at, frames),
+            0 => Self::count(model, at, frames),
             known => known,
         } as f64;
         Law {
@@ -187,7 +187,7 @@ impl Contacts {
     }
 
     /// Declared nodes of a pair that are inside the facing polygon.
-    fn count(&self, model: &Model, pair: usize, frames: &[Frame]) -> usize {
+    fn count(model: &Model, pair: usize, frames: &[Frame]) -> usize {
         let pair = &model.pairs[pair];
         if pair.contact.sharing == Sharing::PerNode {
             return 1;

@@ -96,7 +96,7 @@ fn follow(world: &mut World, job: &Job<'_>) -> Result<Answer, String> {
         let taken = h.min(until / 200.0).min(until - t);
         let error = pair.attempt(world, t, &y, taken, job.setting);
         h = taken * (0.9 * error.powf(-0.2)).clamp(0.2, 5.0);
-        if !(error <= 1.0) {
+        if error.is_nan() || error > 1.0 {
             refused += 1;
             h = if error.is_nan() { 0.1 * taken } else { h.min(taken) };
             if h < 1e-15 * until || steps + refused > MOST {

@@ -39,6 +39,7 @@ impl Wide {
     }
 
     /// Divided by a number of 16 digits.
+    #[must_use]
     pub fn over(self, by: f64) -> Self {
         let q = ratio(self.hi, by);
         ordered_sum(q.hi, q.lo + self.lo / by)
@@ -50,6 +51,7 @@ impl Wide {
     }
 
     /// Square root of a positive number.
+    #[must_use]
     pub fn sqrt(self) -> Self {
         let x = self.hi.sqrt();
         let left = self - Self::from(x) * Self::from(x);
