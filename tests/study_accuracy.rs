@@ -133,7 +133,7 @@ fn a_study_writes_every_measurement_into_its_table_and_page() {
     let rows = study.parts[0].rows.len();
     assert!(rows >= 4, "two tolerances and several steps: {rows}");
     assert_eq!(study.csv().lines().count(), rows + 1, "a head and a line each");
-    let page = study.page(&girderbench::study::accuracy::Occasion::default(), "svg");
+    let page = study.page(&girderbench::study::Occasion::default(), "svg");
     assert!(page.contains("![free-decay: error against time](free-decay.svg)"), "the plot is on the page");
     let (name, plot) = &study.plots()[0];
     let svg = plot.svg();

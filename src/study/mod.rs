@@ -7,3 +7,14 @@ pub mod accuracy;
 pub mod clock;
 pub mod plot;
 pub mod size;
+
+/// What a page says of the occasion: when, where, how.
+#[derive(Clone, Debug, Default)]
+pub struct Occasion {
+    /// The day.
+    pub date: String,
+    /// The machine.
+    pub machine: String,
+    /// The command.
+    pub command: String,
+}

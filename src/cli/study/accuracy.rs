@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::{Console, Failure, at_least_one, picture_extension, plot_files};
+use super::{Console, Failure, OccasionArgs, at_least_one, picture_extension, plot_files};
 use crate::files;
-use crate::study::accuracy::{Occasion, Options, Problem, method, problem, study};
+use crate::study::accuracy::{Options, Problem, method, problem, study};
 
 /// Measure work against error: every method on every problem
 #[derive(Clone, Debug, clap::Args)]
@@ -24,12 +24,8 @@ pub(super) struct AccuracyArgs {
     /// Fewer settings and shorter sweeps: a minute instead of many
     #[arg(long)]
     quick: bool,
-    /// What the page calls the day of the measurement
-    #[arg(long, value_name = "TEXT", default_value = "on a day not given")]
-    date: String,
-    /// What the page calls the machine
-    #[arg(long, value_name = "TEXT", default_value = "a machine not named")]
-    machine: String,
+    #[command(flatten)]
+    occasion: OccasionArgs,
 }
 
 /// Does it.
@@ -43,7 +39,7 @@ pub(super) fn run(args: &AccuracyArgs, console: &mut Console) -> Result<(), Fail
     let methods: Vec<&'static dyn method::Method> = methods.into_iter().copied().collect();
     let options = Options { repeat: args.repeat, quick: args.quick };
     let study = study(&problems, &methods, options, &mut |what| console.note(what))?;
-    let occasion = Occasion { date: args.date.clone(), machine: args.machine.clone(), command: command(args) };
+    let occasion = args.occasion.with(command(args));
     let mut all = vec![
         ("results.csv".to_owned(), study.csv().into_bytes()),
         ("README.md".to_owned(), study.page(&occasion, picture_extension()).into_bytes()),

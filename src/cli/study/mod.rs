@@ -4,6 +4,7 @@ mod accuracy;
 mod size;
 
 use super::{Console, Failure};
+use crate::study::Occasion;
 
 /// Measure the program: work against error, cost against size
 #[derive(Clone, Debug, clap::Args)]
@@ -16,6 +17,23 @@ pub(super) struct StudyArgs {
 enum Study {
     Accuracy(accuracy::AccuracyArgs),
     Size(size::SizeArgs),
+}
+
+/// What a page says of when and where it was measured.
+#[derive(Clone, Debug, clap::Args)]
+struct OccasionArgs {
+    /// What the page calls the day of the measurement
+    #[arg(long, value_name = "TEXT", default_value = "a day that was not given")]
+    date: String,
+    /// What the page calls the machine
+    #[arg(long, value_name = "TEXT", default_value = "a machine that was not named")]
+    machine: String,
+}
+
+impl OccasionArgs {
+    fn with(&self, command: String) -> Occasion {
+        Occasion { date: self.date.clone(), machine: self.machine.clone(), command }
+    }
 }
 
 /// Does it.

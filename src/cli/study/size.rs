@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use super::{Console, Failure, at_least_one, plot_files};
+use super::{Console, Failure, OccasionArgs, at_least_one, picture_extension, plot_files};
 use crate::files;
 use crate::study::size;
 
 /// Measure cost against size: rows of 1 to 1000 girders
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SizeArgs {
-    /// Write size.csv and the plot into this folder
+    /// Write size.md, size.csv and the plot into this folder
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Runs that are timed, after a warm-up; the least counts
@@ -18,6 +18,8 @@ pub(super) struct SizeArgs {
     /// Rows of up to 100 girders only
     #[arg(long)]
     quick: bool,
+    #[command(flatten)]
+    occasion: OccasionArgs,
 }
 
 /// Does it.
@@ -27,7 +29,10 @@ pub(super) struct SizeArgs {
 pub(super) fn run(args: &SizeArgs, console: &mut Console) -> Result<(), Failure> {
     let rows = size::study(args.quick, args.repeat, &mut |what| console.note(what))?;
     let csv = size::csv(&rows);
-    let mut all = vec![("size.csv".to_owned(), csv.clone().into_bytes())];
+    let quick = if args.quick { " --quick" } else { "" };
+    let command = format!("girderbench study size --repeat {}{quick} --out {}", args.repeat, args.out.display());
+    let page = size::page(&rows, &args.occasion.with(command), picture_extension());
+    let mut all = vec![("size.csv".to_owned(), csv.clone().into_bytes()), ("size.md".to_owned(), page.into_bytes())];
     all.extend(plot_files("size", &size::plot(&rows))?);
     files::write_set(&args.out, &all)?;
     console.print(&csv);

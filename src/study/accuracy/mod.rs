@@ -17,6 +17,5 @@ mod study;
 mod table;
 
 pub use answer::{Answer, Errors, Instants};
-pub use page::Occasion;
 pub use problem::Problem;
 pub use study::{Options, Row, Study, study};

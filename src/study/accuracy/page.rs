@@ -5,20 +5,10 @@ use std::fmt::Write as _;
 use super::others::{OTHERS, Other};
 use super::picture::GOALS;
 use super::study::{Part, Row, Study};
+use crate::study::Occasion;
 
 /// Errors at which the methods are compared \[m\].
 const LEVELS: [f64; 4] = [1e-6, 1e-8, 1e-9, 1e-10];
-
-/// What the page says of the occasion: when, where, how.
-#[derive(Clone, Debug, Default)]
-pub struct Occasion {
-    /// The day.
-    pub date: String,
-    /// The machine.
-    pub machine: String,
-    /// The command.
-    pub command: String,
-}
 
 impl Study {
     /// The page, in Markdown; its pictures are the plots' PNGs, or their SVGs.
@@ -37,13 +27,19 @@ impl Study {
             "## Time to an error\n\nThe least time in which a method came below a displacement error; — where no setting did.\n\n",
         );
         let methods = self.methods();
-        let _ = writeln!(text, "| problem | error | {} |", methods.join(" | "));
-        let _ = writeln!(text, "|---|---|{}", "---|".repeat(methods.len()));
+        let _ = writeln!(text, "| problem | error | {} | next best over event-driven |", methods.join(" | "));
+        let _ = writeln!(text, "|---|---|---|{}", "---|".repeat(methods.len()));
         for part in &self.parts {
-            let levels: &[f64] = if part.largest > 0.05 { &LEVELS[..3] } else { &LEVELS };
-            for level in levels.iter().filter(|l| **l > part.reference.floor.displacement) {
-                let cells: Vec<String> = methods.iter().map(|m| time(best(part, m, *level))).collect();
-                let _ = writeln!(text, "| {} | {level:.0e} m | {} |", part.problem.name, cells.join(" | "));
+            for level in LEVELS.iter().filter(|l| **l > part.reference.floor.displacement) {
+                let times: Vec<Option<f64>> = methods.iter().map(|m| best(part, m, *level)).collect();
+                let cells: Vec<String> = times.iter().map(|t| time(*t)).collect();
+                let _ = writeln!(
+                    text,
+                    "| {} | {level:.0e} m | {} | {} |",
+                    part.problem.name,
+                    cells.join(" | "),
+                    lead(&methods, &times)
+                );
             }
         }
         text.push('\n');
@@ -136,6 +132,18 @@ fn remarks(problem: &str, method: &str, rows: &[&Row]) -> Vec<String> {
         said.push(format!("{problem} with {method}: never below {least:.1e} m within a second of work."));
     }
     said
+}
+
+/// By how much the event-driven solver is ahead of the next best, or behind it.
+fn lead(methods: &[&str], times: &[Option<f64>]) -> String {
+    let ours = methods.iter().zip(times).find(|(m, _)| **m == "event-driven").and_then(|(_, t)| *t);
+    let theirs = methods.iter().zip(times).filter(|(m, _)| **m != "event-driven").filter_map(|(_, t)| *t);
+    match (ours, theirs.min_by(f64::total_cmp)) {
+        (Some(ours), Some(theirs)) if theirs / ours < 10.0 => format!("{:.1}", theirs / ours),
+        (Some(ours), Some(theirs)) => format!("{:.0}", theirs / ours),
+        (Some(_), None) => "no other came there".to_owned(),
+        _ => "—".to_owned(),
+    }
 }
 
 fn other_row(other: &Other, ours: Option<f64>) -> String {

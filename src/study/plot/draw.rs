@@ -1,4 +1,4 @@
-//! A plot as SVG.
+//! A log–log plot as an SVG document.
 
 use std::fmt::Write as _;
 

@@ -1,5 +1,6 @@
 //! Cost against size: rows of 1 to 1000 girders, with many neighbours colliding and with few.
 
+mod page;
 mod rows;
 
 use crate::scene::{Scene, SceneErrors};
@@ -7,12 +8,13 @@ use crate::sim::History;
 use crate::study::clock::fastest;
 use crate::study::plot::{COLORS, Guide, Marker, Plot, Series, Ticks};
 
+pub use page::page;
 pub use rows::{colliding, few_touch};
 
 /// Girders in a row.
-pub const SIZES: [usize; 4] = [1, 10, 100, 1000];
+pub const SIZES: [usize; 5] = [1, 3, 10, 100, 1000];
 /// The same in a quick study.
-pub const SIZES_QUICK: [usize; 3] = [1, 10, 100];
+pub const SIZES_QUICK: [usize; 4] = [1, 3, 10, 100];
 
 /// One measurement.
 #[derive(Clone, Debug)]
