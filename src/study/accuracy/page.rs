@@ -180,8 +180,8 @@ fn head(occasion: &Occasion) -> String {
     format!(
         "# Work against error\n\n\
          Measured {} on {} with\n\n    {}\n\n\
-         Every method answers every problem at a range of settings. The time of an answer is the least of several runs after a \
-         warm-up, from the scene to something that can be asked for its motion, on one thread; the error is measured apart from \
+         Every method answers every problem at a range of settings. The time of an answer is the least CPU time of several runs after \
+         a warm-up, from the scene to something that can be asked for its motion; the error is measured apart from \
          it, as the largest difference in displacement from the reference at 2001 instants. The event-driven solver is the \
          product's own. The others are what a user of other tools would do with the same equations: the gap is tested wherever \
          forces are evaluated, the states {{open, stick, slip}} are brought up to date at the end of each step, and no event is \

@@ -31,7 +31,7 @@ fn plot(part: &Part) -> Plot {
     Plot {
         title: format!("{}: error against time", part.problem.name),
         subtitle: format!("{}. Down and to the left is better.", part.problem.summary),
-        x: ("time of a run [s]".into(), Ticks::Times),
+        x: ("CPU time of a run [s]".into(), Ticks::Times),
         y: ("largest displacement error [m]".into(), Ticks::Powers),
         guides: guides(),
         series: series(part),

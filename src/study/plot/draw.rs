@@ -237,11 +237,11 @@ fn draw_guides(svg: &mut String, guides: &[Guide], x: &Axis, y: &Axis) {
     let per_decade = |axis: &Axis| (axis.high - axis.low).abs() / f64::from(axis.to - axis.from);
     let (across, down) = (per_decade(x), per_decade(y));
     let rising = guides.iter().any(|guide| guide.slope > 0.0);
-    let from = (right - 1.15 * across.min(120.0) - 46.0, top + if rising { 124.0 } else { 14.0 });
+    let from = (right - 1.15 * across.min(90.0) - 46.0, top + if rising { 94.0 } else { 14.0 });
     let style = format!(r#"stroke="{GREY}" stroke-width="1" stroke-dasharray="7 4""#);
     for guide in guides {
         let steep = -guide.slope * down;
-        let decades = (120.0 / across).min(1.0).min(110.0 / steep.abs().max(1e-9));
+        let decades = (90.0 / across).min(1.0).min(80.0 / steep.abs().max(1e-9));
         let to = (from.0 + decades * across, from.1 + decades * steep);
         line(svg, from, to, &style);
         text(svg, (to.0 + 4.0, to.1 + 4.0), 12.0, "start", GREY, &escape(&guide.name));

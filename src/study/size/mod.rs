@@ -93,7 +93,7 @@ pub fn plot(rows: &[Row]) -> Plot {
         title: "Cost against size: rows of girders".into(),
         subtitle: "One simulated second of a row, neighbours colliding all along it, or three girders of all.".into(),
         x: ("girders in the row".into(), Ticks::Counts),
-        y: ("time per simulated second [s]".into(), Ticks::Times),
+        y: ("CPU time per simulated second [s]".into(), Ticks::Times),
         series: vec![
             series("colliding", "all collide", 0, Marker::Circle),
             series("few-touch", "three touch", 1, Marker::Diamond),

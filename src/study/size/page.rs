@@ -15,8 +15,8 @@ pub fn page(rows: &[Row], occasion: &Occasion, extension: &str) -> String {
         "# Cost against size\n\nMeasured {} on {} with\n\n    {}\n\n\
          A row of the paper's straight girders, gaps of 5 mm, periods that change from one to the next, 0.4 g at 2.4 Hz, one \
          second. In one row neighbours collide all along it; in the other only three girders in the middle are near enough to \
-         touch. Times are the least of several runs, from the scene to a history. The difference is the largest in displacement \
-         from the same run at a thousandth of the tolerance. Groups that no pair joins may use every core.\n\n\
+         touch. Times are the least CPU time of several runs, all threads together, from the scene to a history. The difference is the largest in displacement \
+         from the same run at a thousandth of the tolerance.\n\n\
          ![Cost against size](size.{extension})\n\n\
          | row | girders | simulated | time | time per girder | hits | difference |\n|---|---|---|---|---|---|---|\n",
         occasion.date, occasion.machine, occasion.command
