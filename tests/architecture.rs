@@ -20,7 +20,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
     ("app", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "files"]),
-    ("cli", &["geometry", "scene", "dynamics", "sim", "study", "tables", "view", "render", "snapshot", "files", "app"]),
+    ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app", "study"]),
 ];
 
 /// Rooms whose answer depends on their input alone, to the last bit.

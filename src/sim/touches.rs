@@ -74,6 +74,8 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
     // Just inside: at its very end the next state begins.
     times.push(until - (until - from) * 1e-9);
     times.sort_by(f64::total_cmp);
+    // Two bodies of one island have the same steps; a look taken twice would hide the hump on its far side.
+    times.dedup();
     let forces: Vec<f64> = times.iter().map(|t| force(*t)).collect();
     let best = (0..times.len()).max_by(|&a, &b| forces[a].total_cmp(&forces[b]).then(b.cmp(&a))).unwrap_or(0);
     let (a, b) = (times[best.saturating_sub(1)], times[(best + 1).min(times.len() - 1)]);

@@ -1,3 +1,21 @@
-//! Studies: many runs, one question.
+//! Many runs, to see what an answer is worth: work against error, cost against size, random scenes.
+//!
+//! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
+//! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
 
+pub mod accuracy;
+pub mod clock;
+pub mod plot;
+pub mod size;
 pub mod stability;
+
+/// What a page says of the occasion: when, where, how.
+#[derive(Clone, Debug, Default)]
+pub struct Occasion {
+    /// The day.
+    pub date: String,
+    /// The machine.
+    pub machine: String,
+    /// The command.
+    pub command: String,
+}

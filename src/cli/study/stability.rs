@@ -39,7 +39,7 @@ pub(in crate::cli) fn run(args: &StabilityArgs, console: &mut Console) -> Result
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.threads.map_or(cores, |n| n as usize);
     let asked = Asked { from: args.from, seeds: args.seeds, threads, patience: args.patience };
-    let progress = Mutex::new((Progress::over(args.seeds as f64), 0.0));
+    let progress = Mutex::new((Progress::over(args.seeds as f64, "seeds"), 0.0));
     let verdicts = stability::run(&asked, &|| timer.seconds(), &|_| {
         if let Ok(mut shown) = progress.lock() {
             shown.1 += 1.0;

@@ -1,0 +1,41 @@
+//! `girderbench study size`: cost against the number of girders, as CSV and a plot.
+
+use std::path::PathBuf;
+
+use super::{Console, Failure, OccasionArgs, at_least_one, picture_extension, plot_files};
+use crate::files;
+use crate::study::size;
+
+/// Measure cost against size: rows of 1 to 1000 girders
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct SizeArgs {
+    /// Write size.md, size.csv and the plot into this folder
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Runs that are timed, after a warm-up; the least counts
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = at_least_one)]
+    repeat: usize,
+    /// Rows of up to 100 girders only
+    #[arg(long)]
+    quick: bool,
+    #[command(flatten)]
+    occasion: OccasionArgs,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Files that cannot be written.
+pub(super) fn run(args: &SizeArgs, console: &mut Console) -> Result<(), Failure> {
+    let rows = size::study(args.quick, args.repeat, &mut |what| console.note(what))?;
+    let csv = size::csv(&rows);
+    let quick = if args.quick { " --quick" } else { "" };
+    let command = format!("girderbench study size --repeat {}{quick} --out {}", args.repeat, args.out.display());
+    let page = size::page(&rows, &args.occasion.with(command), picture_extension());
+    let mut all = vec![("size.csv".to_owned(), csv.clone().into_bytes()), ("size.md".to_owned(), page.into_bytes())];
+    all.extend(plot_files("size", &size::plot(&rows))?);
+    files::write_set(&args.out, &all)?;
+    console.print(&csv);
+    console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
+    Ok(())
+}

@@ -1,0 +1,29 @@
+//! The event-driven solver, as the product runs it: closed-form flight, Dormand–Prince 8(5,3) in contact, every change of
+//! state a root. Asked by its continuous answer, so the instants of comparison cost it nothing on the way.
+
+use super::{Job, Knob, Method, Work};
+use crate::sim::History;
+
+/// See above.
+#[derive(Debug)]
+pub(super) struct EventDriven;
+
+impl Method for EventDriven {
+    fn name(&self) -> &'static str {
+        "event-driven"
+    }
+
+    fn knob(&self) -> Knob {
+        Knob::Tolerance
+    }
+
+    fn work(&self, job: &Job<'_>) -> Result<Work, String> {
+        let mut scene = job.scene.clone();
+        scene.solver.tolerance = job.setting;
+        let history = History::of(&scene).map_err(|errors| errors.to_string())?;
+        match history.stop() {
+            Some(stop) => Err(format!("stopped at {} s: {}", stop.t, stop.reason)),
+            None => Ok(Work::History(Box::new(history))),
+        }
+    }
+}

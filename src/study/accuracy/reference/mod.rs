@@ -1,0 +1,75 @@
+//! Answers to measure errors against, computed by other methods than the ones that are measured.
+
+mod block;
+mod bouncer;
+mod closed_form;
+pub mod second;
+pub mod wide;
+
+use super::problem::Source;
+use super::{Answer, Instants};
+use crate::scene::{Scene, SceneErrors};
+use crate::sim::History;
+
+/// The tightest tolerance of the event-driven solver.
+const TIGHTEST: f64 = 1e-13;
+/// Change of the initial state that shows how far the answer can be trusted \[m\].
+const NUDGE: f64 = 1e-12;
+/// The comparison ends where the nudge has grown to this \[m\].
+const TRUSTED: f64 = 1e-8;
+
+/// An answer with what is known of its own error.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    /// The answer at the instants.
+    pub answer: Answer,
+    /// What computed it.
+    pub what: &'static str,
+    /// Instant number up to which a comparison means anything.
+    pub last: usize,
+    /// Its largest difference from the event-driven solver at its tightest: no error below this is quoted.
+    pub floor: super::Errors,
+    /// By how much a change of the initial displacement grows within the comparison, at the most.
+    pub growth: f64,
+}
+
+/// What the tables and the page say of a source.
+pub fn describe(source: Source) -> &'static str {
+    match source {
+        Source::FreeDecay | Source::HarmonicResponse => "closed form",
+        Source::Bouncer { .. } => "Taylor series in 32 digits, events as roots",
+        Source::Block => "closed form between roots",
+        Source::Second => "second formulation: own forces and laws, extrapolation, own event search",
+    }
+}
+
+/// The reference of a problem, and how far it reaches.
+///
+/// # Errors
+/// What the scene's validation says.
+pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
+    let instants = Instants { until: scene.duration };
+    let answer = match source {
+        Source::FreeDecay => closed_form::free_decay(instants),
+        Source::HarmonicResponse => closed_form::harmonic_response(instants),
+        Source::Bouncer { restitution } => bouncer::answer(restitution, instants),
+        Source::Block => block::answer(instants),
+        Source::Second => second::answer(scene, instants)?,
+    };
+    let tight = tightest(scene, instants)?;
+    let mut nudged = scene.clone();
+    nudged.girders[0].initial.displacement[0] += NUDGE;
+    nudged.girders[0].initial.displacement[1] += NUDGE;
+    let nudged = tightest(&nudged, instants)?;
+    let arm = scene.girders.iter().map(|g| g.length / 2.0).fold(0.0, f64::max);
+    let last = tight.together_until(&nudged, TRUSTED, arm);
+    let growth = tight.errors(&nudged, last).displacement / NUDGE;
+    let floor = tight.errors(&answer, last);
+    Ok(Reference { answer, what: describe(source), last, floor, growth })
+}
+
+fn tightest(scene: &Scene, instants: Instants) -> Result<Answer, SceneErrors> {
+    let mut scene = scene.clone();
+    scene.solver.tolerance = TIGHTEST;
+    Ok(Answer::of(&History::of(&scene)?, instants))
+}

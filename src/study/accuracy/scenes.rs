@@ -1,0 +1,99 @@
+//! The scenes of the problems: presets with changes.
+
+use super::record;
+use crate::scene::{Direction, FrictionLaw, Motion, RecordMotion, Scene, SceneErrors, SineMotion, presets};
+
+/// Amplitude of the P problems, 0.4 × 9.81 \[m/s²\].
+const AMPLITUDE: f64 = 3.924;
+/// `μ_s = μ_k` of the P problems.
+const MU: f64 = 0.15;
+
+/// A sine that starts at phase 0.
+fn sine(amplitude: f64, frequency_hz: f64, angle_deg: f64) -> Motion {
+    Motion::Sine(SineMotion { amplitude_g: None, amplitude: Some(amplitude), frequency_hz, phase_deg: 0.0, angle_deg })
+}
+
+/// The paper's straight girder 1 with nothing to touch, let go from a displacement and a rotation.
+pub(super) fn free_decay() -> Result<Scene, SceneErrors> {
+    let mut scene = alone("free-decay")?;
+    scene.girders[0].initial.displacement = [0.010, 0.004, 0.0];
+    scene.girders[0].initial.rotation_deg = 2.0;
+    scene.girders[0].initial.velocity = [0.0, 0.1, 0.0];
+    scene.motion = Motion::None;
+    scene.duration = 4.0;
+    Ok(scene)
+}
+
+/// The same from rest under a sine at 30° to the axis.
+pub(super) fn harmonic_response() -> Result<Scene, SceneErrors> {
+    let mut scene = alone("harmonic-response")?;
+    scene.motion = sine(AMPLITUDE, 2.0, 30.0);
+    scene.duration = 10.0;
+    Ok(scene)
+}
+
+fn alone(name: &str) -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("straight-abutment")?;
+    name.clone_into(&mut scene.name);
+    scene.abutments.clear();
+    Ok(scene)
+}
+
+/// P1: head-on, elastic contact. With `dashpot`, P1d.
+pub(super) fn head_on(dashpot: bool) -> Result<Scene, SceneErrors> {
+    let mut scene = pounding(if dashpot { "P1d" } else { "P1" }, 0.0, 10.0)?;
+    if dashpot {
+        (scene.contact.restitution_normal, scene.contact.restitution_tangential) = (0.4, 0.9);
+    }
+    Ok(scene)
+}
+
+/// P2 (45°, it slips only) and P2k (5°, it sticks at every touch).
+pub(super) fn oblique(name: &str, angle_deg: f64) -> Result<Scene, SceneErrors> {
+    pounding(name, angle_deg, 5.0)
+}
+
+/// The straight girder 5 mm before a wall, from rest, elastic contact, `μ_s = μ_k`, return mapping.
+fn pounding(name: &str, angle_deg: f64, duration: f64) -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("straight-abutment")?;
+    name.clone_into(&mut scene.name);
+    scene.abutments[0].gap = Some(0.005);
+    let contact = &mut scene.contact;
+    (contact.restitution_normal, contact.restitution_tangential) = (1.0, 1.0);
+    (contact.mu_static, contact.mu_kinetic) = (MU, MU);
+    contact.law = FrictionLaw::ReturnMapping;
+    scene.motion = sine(AMPLITUDE, 2.4, angle_deg);
+    scene.duration = duration;
+    Ok(scene)
+}
+
+/// A girder without bearings pressed 10 N on a wall, shaken along it: it sticks and slips.
+pub(super) fn block() -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("straight-abutment")?;
+    "block".clone_into(&mut scene.name);
+    let girder = &mut scene.girders[0];
+    girder.bearings = None;
+    girder.initial.displacement = [0.005 + 10.0 / 1.55e5, 0.0, 0.0];
+    girder.held = vec![Direction::X, Direction::Yaw];
+    scene.abutments[0].gap = Some(0.005);
+    scene.contact.law = FrictionLaw::ReturnMapping;
+    scene.motion = sine(1.4715, 2.0, 90.0);
+    scene.duration = 4.0;
+    Ok(scene)
+}
+
+/// The 45° girder of the paper under 40 s of a record.
+pub(super) fn under_a_record() -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("skew45-abutment")?;
+    "record".clone_into(&mut scene.name);
+    scene.motion = Motion::Record(RecordMotion {
+        samples: Some(record::samples(2004)),
+        dt: Some(record::INTERVAL),
+        file: None,
+        scale: 1.0,
+        angle_deg: 0.0,
+        loaded: None,
+    });
+    scene.duration = record::SAMPLES as f64 * record::INTERVAL;
+    Ok(scene)
+}

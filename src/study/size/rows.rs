@@ -1,0 +1,83 @@
+//! Rows of the paper's straight girder, end to end.
+
+use crate::scene::{
+    Bearings, ContactSettings, FrictionLaw, Girder, Motion, PerDirection, Scene, SharedBearings, SineMotion,
+};
+
+/// Gap between neighbours \[m\].
+const GAP: f64 = 0.005;
+/// Gap that nobody bridges \[m\].
+const FAR: f64 = 0.2;
+const LENGTH: f64 = 0.19;
+
+/// A row in which neighbours have different periods and collide all along it.
+pub fn colliding(girders: usize) -> Scene {
+    row(girders, |_| GAP, |i| 2.4 + 0.7 * ((i % 3) as f64))
+}
+
+/// The same row with wide gaps everywhere but between three girders in its middle.
+pub fn few_touch(girders: usize) -> Scene {
+    let middle = girders / 2;
+    row(girders, |i| if i + 1 == middle || i == middle { GAP } else { FAR }, |i| 2.4 + 0.7 * ((i % 3) as f64))
+}
+
+/// `gap(i)` lies between girders i and i + 1.
+fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> f64) -> Scene {
+    let mut x = 0.0;
+    let girders = (0..girders)
+        .map(|i| {
+            let girder = girder(i, x, frequency(i));
+            x += LENGTH + gap(i);
+            girder
+        })
+        .collect();
+    Scene {
+        format: 1,
+        name: "row".into(),
+        description: String::new(),
+        kind: crate::scene::Kind::Planar,
+        duration: 1.0,
+        gravity: crate::scene::STANDARD_GRAVITY,
+        girders,
+        abutments: Vec::new(),
+        contact: ContactSettings {
+            stiffness: Some(1.55e5),
+            law: FrictionLaw::ReturnMapping,
+            ..ContactSettings::default()
+        },
+        motion: Motion::Sine(SineMotion {
+            amplitude_g: None,
+            amplitude: Some(3.924),
+            frequency_hz: 2.4,
+            phase_deg: 0.0,
+            angle_deg: 0.0,
+        }),
+        solver: crate::scene::SolverSettings::default(),
+        view: crate::scene::ViewSettings::default(),
+    }
+}
+
+fn girder(number: usize, x: f64, frequency: f64) -> Girder {
+    Girder {
+        name: format!("g{number}"),
+        length: LENGTH,
+        width: 0.07,
+        thickness: 0.02,
+        skew_deg: 90.0,
+        mass: 2.0,
+        position: [x, 0.0, 0.0],
+        heading_deg: 0.0,
+        bearings: Some(Bearings::Shared(SharedBearings {
+            frequency_hz: PerDirection::Both(frequency),
+            damping_ratio: PerDirection::Both(0.1),
+            vertical_frequency_hz: None,
+            vertical_damping_ratio: None,
+            at_skewed: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
+            at: None,
+        })),
+        initial: crate::scene::Initial::default(),
+        push: crate::scene::Push::default(),
+        held: Vec::new(),
+        seat: crate::scene::Seat::default(),
+    }
+}
