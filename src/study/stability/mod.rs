@@ -13,7 +13,7 @@ mod shrink;
 mod watch;
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub use check::{Check, Complaint, Figures};
 pub use examine::{Examined, Outcome, examine};
@@ -85,21 +85,30 @@ pub fn seed(seed: u64, clock: Clock<'_>, patience: f64) -> Verdict {
     }
 }
 
-/// Examines seeds on several threads, in the order of their numbers whoever does them; `told` hears of each.
+/// Examines what was asked for, in the order of the seeds whoever does them; `told` hears of each.
 pub fn run(asked: &Asked, clock: Clock<'_>, told: &(dyn Fn(&Verdict) + Sync)) -> Vec<Verdict> {
-    let next = AtomicU64::new(0);
+    let seeds: Vec<u64> = (0..asked.seeds).map(|number| asked.from.wrapping_add(number)).collect();
+    run_seeds(&seeds, asked.threads, asked.patience, clock, told)
+}
+
+/// The same for any seeds.
+pub fn run_seeds(
+    seeds: &[u64],
+    threads: usize,
+    patience: f64,
+    clock: Clock<'_>,
+    told: &(dyn Fn(&Verdict) + Sync),
+) -> Vec<Verdict> {
+    let next = AtomicUsize::new(0);
     let verdicts = Mutex::new(Vec::new());
     // Threads of their own: one of a pool that waits for a part of its run would take up another seed meanwhile, and
     // that seed's time would count as its own.
     std::thread::scope(|scope| {
-        for _ in 0..asked.threads.max(1) {
+        for _ in 0..threads.max(1) {
             scope.spawn(|| {
                 loop {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= asked.seeds {
-                        return;
-                    }
-                    let verdict = seed(asked.from.wrapping_add(number), clock, asked.patience);
+                    let Some(&number) = seeds.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
+                    let verdict = seed(number, clock, patience);
                     told(&verdict);
                     if let Ok(mut all) = verdicts.lock() {
                         all.push(verdict);
