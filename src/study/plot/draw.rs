@@ -16,32 +16,36 @@ const LINE: f64 = 19.0;
 
 /// A logarithmic axis on the paper.
 struct Axis {
-    from: i32,
-    to: i32,
+    from: f64,
+    to: f64,
     low: f64,
     high: f64,
 }
 
 impl Axis {
-    /// Whole decades around the values.
-    fn over(values: impl Iterator<Item = f64>, low: f64, high: f64) -> Self {
+    /// Whole decades around the values; counts with a little air.
+    fn over(values: impl Iterator<Item = f64>, ticks: Ticks, low: f64, high: f64) -> Self {
         let logs = values.filter(|v| *v > 0.0 && v.is_finite()).map(f64::log10);
         let (least, most) = logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let (least, most) = if least <= most { (least, most) } else { (0.0, 1.0) };
-        #[expect(clippy::cast_possible_truncation, reason = "decades of f64")]
-        let (from, to) = ((least - 0.08).floor() as i32, (most + 0.08).ceil() as i32);
-        Self { from, to: to.max(from + 1), low, high }
+        let (from, to) = match ticks {
+            Ticks::Counts => (least - 0.2, most + 0.2),
+            Ticks::Powers | Ticks::Times => ((least - 0.08).floor(), (most + 0.08).ceil()),
+        };
+        Self { from, to: to.max(from + 1.0), low, high }
     }
 
     fn at(&self, value: f64) -> f64 {
-        let part = (value.log10() - f64::from(self.from)) / f64::from(self.to - self.from);
+        let part = (value.log10() - self.from) / (self.to - self.from);
         self.low + (self.high - self.low) * part
     }
 
     /// Decades, thinned out where there are many.
     fn decades(&self) -> impl Iterator<Item = i32> {
-        let every = (self.to - self.from) / 12 + 1;
-        (self.from..=self.to).filter(move |d| d.rem_euclid(every) == 0)
+        #[expect(clippy::cast_possible_truncation, reason = "decades of f64")]
+        let (from, to) = (self.from.ceil() as i32, self.to.floor() as i32);
+        let every = (to - from) / 12 + 1;
+        (from..=to).filter(move |d| d.rem_euclid(every) == 0)
     }
 }
 
@@ -126,8 +130,8 @@ impl Plot {
             let series = self.series.iter().flat_map(|s| s.points.iter().copied());
             series.chain(self.marks.iter().map(|m| m.at))
         };
-        let x = Axis::over(all().map(|p| p.0), left, right);
-        let y = Axis::over(all().map(|p| p.1).chain(self.floor.iter().map(|f| f.0)), bottom, top);
+        let x = Axis::over(all().map(|p| p.0), self.x.1, left, right);
+        let y = Axis::over(all().map(|p| p.1).chain(self.floor.iter().map(|f| f.0)), self.y.1, bottom, top);
         let mut svg = format!(
             r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" font-family="Ubuntu, 'Helvetica Neue', Arial, sans-serif">
 <rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>
@@ -234,7 +238,7 @@ fn draw_series(svg: &mut String, series: &Series, x: &Axis, y: &Axis) {
 /// A fan of slopes in the upper right corner, each over a decade or as far as there is room.
 fn draw_guides(svg: &mut String, guides: &[Guide], x: &Axis, y: &Axis) {
     let [_, top, right, _] = FIELD;
-    let per_decade = |axis: &Axis| (axis.high - axis.low).abs() / f64::from(axis.to - axis.from);
+    let per_decade = |axis: &Axis| (axis.high - axis.low).abs() / (axis.to - axis.from);
     let (across, down) = (per_decade(x), per_decade(y));
     let rising = guides.iter().any(|guide| guide.slope > 0.0);
     let from = (right - 1.15 * across.min(90.0) - 46.0, top + if rising { 94.0 } else { 14.0 });

@@ -37,7 +37,7 @@ pub fn page(rows: &[Row], occasion: &Occasion, extension: &str) -> String {
     if let Some(row) = rows.iter().find(|r| r.scene == "colliding" && r.girders == 1000) {
         page.push_str("\nOther kinds of program on such a row of 1000, in CPU seconds, as given and not measured here:\n\n| program | time | over ours |\n|---|---|---|\n");
         for (name, seconds) in OTHERS {
-            let _ = writeln!(page, "| {name} | {seconds} s | {:.0} |", seconds / row.seconds);
+            let _ = writeln!(page, "| {name} | {seconds} s | {:.1} |", seconds / row.seconds);
         }
     }
     page
