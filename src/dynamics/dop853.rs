@@ -16,6 +16,10 @@ pub trait System {
     fn extent(&self, _i: usize, y: f64) -> f64 {
         y.abs().max(1.0)
     }
+    /// Whether component `i` never changes.
+    fn is_held(&self, _i: usize) -> bool {
+        false
+    }
     /// How many of the last components follow the others so fast that an implicit method solves each by itself.
     fn followers(&self) -> usize {
         0

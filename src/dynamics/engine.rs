@@ -83,10 +83,19 @@ pub(super) struct ContactTrack {
     pub spot: Spot,
     /// Its next closing on the trajectories in force \[s\].
     pub closing: Option<f64>,
+    /// When it comes out in front of the face on them, after it was behind \[s\].
+    pub out: Option<f64>,
     /// Its states so far.
     pub log: ContactLog,
     /// Events of the touch in hand, and the time and number of those at one instant.
     pub counted: (usize, f64, usize),
+}
+
+impl ContactTrack {
+    /// Whether its next crossing counts: it is in front of the face, or has come out by `t`.
+    pub(super) fn armed(&self, t: f64) -> bool {
+        matches!(self.state, Contact::Open { armed: true }) || self.out.is_some_and(|at| at <= t)
+    }
 }
 
 /// The run of one group of bodies.
@@ -175,6 +184,7 @@ impl Engine {
                     rivals: Vec::new(),
                     state: Contact::Open { armed: true },
                     closing: None,
+                    out: None,
                     log: ContactLog::default(),
                     counted: (0, -1.0, 0),
                 });

@@ -165,6 +165,18 @@ impl System for Field<'_> {
         sum + angles
     }
 
+    fn is_held(&self, i: usize) -> bool {
+        let width = body_state::width(self.model.kind);
+        let Some(&body) = self.bodies.get(i / width) else { return false };
+        let free = &self.model.bodies[body].free;
+        match (self.model.kind, i % width) {
+            (Kind::Planar, i) => !free[[0, 1, 5][i % 3]],
+            (Kind::Spatial, 3..7) => false,
+            (Kind::Spatial, i @ 0..3) => !free[i],
+            (Kind::Spatial, i) => !free[i - 7],
+        }
+    }
+
     fn followers(&self) -> usize {
         self.active.iter().filter(|a| a.angle.is_some()).count()
     }

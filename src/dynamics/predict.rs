@@ -92,11 +92,14 @@ fn too_short(engine: &Engine, pair: usize, views: &Views) -> bool {
 
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
-    let Contact::Open { armed } = engine.contacts[contact].state else { return None };
-    let here = look(engine, contact, t);
+    let Contact::Open { .. } = engine.contacts[contact].state else { return None };
+    let (here, armed) = (look(engine, contact, t), engine.contacts[contact].armed(t));
     if !armed && in_front(here.gap, here.gap_rate, t, resolution(engine, contact, t)) {
         engine.contacts[contact].state = Contact::Open { armed: true };
         return Some(true);
+    }
+    if armed {
+        engine.contacts[contact].state = Contact::Open { armed: true };
     }
     Some(armed)
 }

@@ -162,6 +162,10 @@ impl Radau {
                 self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
             }
             self.correct(h);
+            // Elimination leaves rounding where nothing may move.
+            for i in (0..self.leading).filter(|&i| system.is_held(i)) {
+                (0..STAGES).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
+            }
             if !(0..followers).all(|follower| self.follow(follower, h)) {
                 return false;
             }

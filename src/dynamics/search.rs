@@ -53,6 +53,8 @@ pub(super) enum Sight {
 pub(super) struct Hunt {
     here: Outlook,
     armed: bool,
+    /// When a look found it in front \[s\].
+    out: Option<f64>,
     resolution: f64,
     finest: f64,
     floored: u32,
@@ -61,12 +63,17 @@ pub(super) struct Hunt {
 impl Hunt {
     /// Begins where the gap is `here`.
     pub(super) fn begin(here: Outlook, armed: bool, resolution: f64) -> Self {
-        Self { here, armed, resolution, finest: resolution, floored: 0 }
+        Self { here, armed, out: None, resolution, finest: resolution, floored: 0 }
     }
 
     /// Whether the gap can close at all.
     pub(super) fn armed(&self) -> bool {
         self.armed
+    }
+
+    /// When a look found the node in front, that was not when the search began \[s\].
+    pub(super) fn out(&self) -> Option<f64> {
+        self.out
     }
 
     /// Whether the gap cannot close while the promise holds.
@@ -100,7 +107,9 @@ impl Hunt {
         if self.armed && self.closing(&there) {
             return Sight::Closing;
         }
-        self.armed = self.armed || in_front(there.gap, there.rate, t, self.resolution);
+        if !self.armed && in_front(there.gap, there.rate, t, self.resolution) {
+            (self.armed, self.out) = (true, Some(t));
+        }
         self.here = there;
         self.finest = match self.floored {
             0 => self.resolution,

@@ -51,7 +51,7 @@ impl Engine {
 
     fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
         let track = &mut self.contacts[contact];
-        track.state = state;
+        (track.state, track.out) = (state, None);
         track.log.push(t, state);
         let (site, pair) = (track.site, self.pairs[track.pair].pair);
         self.events.push(Event { t, pair, contact: site, kind, released });

@@ -10,12 +10,16 @@ use crate::contact::{Frame, Local, Mode, locate};
 
 /// Looks per step.
 const LOOKS: usize = 5;
+/// Looks per implicit step, which may span several swings of a contact.
+const CLOSE_LOOKS: usize = 17;
 /// Projections this far outside a face, in parts of its size, still count as on its edge.
 pub(super) const EDGE: f64 = 1e-9;
 /// Rounding of a node's coordinates on a face, in parts of the face's size: a stretch is no better known.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A node that goes in and is less deep than this, in parts of the face's size, has only just touched.
 const ENTRY: f64 = 1e-14;
+/// On its way out the node is held by no more than this part of that.
+const PARTING: f64 = 0.1;
 /// At the start of a step, values below this part of their scale are the zero that the last event left.
 const ZERO: f64 = 1e-10;
 
@@ -85,20 +89,23 @@ fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
 /// The first events within the planned step and when; contacts whose event comes within `together` of the first change
 /// with it.
 pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
+    if island.pace().stiff {
+        first_of::<CLOSE_LOOKS>(model, island, together)
+    } else {
+        first_of::<LOOKS>(model, island, together)
+    }
+}
+
+fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
     let mut found: Vec<(f64, Due)> = Vec::new();
-    let times: [f64; LOOKS] = std::array::from_fn(|i| {
-        if i == LOOKS - 1 {
-            island.until
-        } else {
-            island.from + (island.until - island.from) * i as f64 / (LOOKS - 1) as f64
-        }
-    });
+    let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
+    let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let frames = times.map(|t| island.frames(model, t));
     for number in 0..island.active.len() {
-        let looks: [Local; LOOKS] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
+        let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
             let hair = hair(model, island, number, reason, &looks[0]);
-            let values: [f64; LOOKS] =
+            let values: [f64; N] =
                 std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
@@ -137,10 +144,12 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
 /// are rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
-    let length = ENTRY * model.contacts[island.active[number].site].face.size();
-    if here.gap <= -length {
+    let entry = ENTRY * model.contacts[island.active[number].site].face.size();
+    if here.gap <= -entry {
         return 0.0;
     }
+    // A node that comes out slowly must not be held by more than its rounding.
+    let length = if here.gap_rate < 0.0 { entry } else { PARTING * entry };
     match (reason, &closed.mode) {
         (Reason::Edge, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
@@ -168,7 +177,7 @@ fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
 }
 
 /// Size of a switching function's values, to tell the zero that an event left from a value.
-fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local; LOOKS]) -> f64 {
+fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local]) -> f64 {
     let closed = &island.active[number].closed;
     let largest = |f: fn(&Local) -> f64| looks.iter().map(f).fold(0.0, f64::max);
     let depth = largest(|l| l.gap.abs());
@@ -184,18 +193,12 @@ fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local; LOOKS])
 
 /// First time at which a sampled function rises through 0. A start above `zero` is due at once, unless it is `passing`:
 /// then it must fall below 0 first.
-fn first_rise(
-    times: &[f64; LOOKS],
-    values: &[f64; LOOKS],
-    zero: f64,
-    passing: bool,
-    mut ask: impl FnMut(f64) -> f64,
-) -> Option<f64> {
+fn first_rise(times: &[f64], values: &[f64], zero: f64, passing: bool, mut ask: impl FnMut(f64) -> f64) -> Option<f64> {
     if values[0] > zero && !passing {
         return Some(times[0]);
     }
     let mut below = values[0] < 0.0;
-    for i in 1..LOOKS {
+    for i in 1..values.len() {
         if values[i] > 0.0 && (below || !passing) {
             let left = if values[i - 1] < 0.0 { Some(times[i - 1]) } else { dip(times[i - 1], times[i], &mut ask) };
             return match left {
