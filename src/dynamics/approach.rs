@@ -177,14 +177,14 @@ fn open<'a>(engine: &'a Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry<
     let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
     let quarry = |contact: usize| {
         let track = &engine.contacts[contact];
-        let Contact::Open { .. } = track.state else { return None };
+        let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
         let (site, spot) = (&engine.model.contacts[track.site], track.spot);
         let unseen = Outlook { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
         let hunt = Hunt::begin(unseen, false, 0.0);
         let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), hunt };
         let (here, resolution) = (quarry.outlook(view), RESOLUTION * (spot.size + moved));
-        let armed = track.armed(t) || in_front(here.gap, here.rate, t, resolution);
+        let armed = armed || in_front(here.gap, here.rate, t, resolution);
         quarry.hunt = Hunt::begin(here, armed, resolution);
         Some(quarry)
     };

@@ -92,9 +92,11 @@ pub(super) struct ContactTrack {
 }
 
 impl ContactTrack {
-    /// Whether its next crossing counts: it is in front of the face, or has come out by `t`.
-    pub(super) fn armed(&self, t: f64) -> bool {
-        matches!(self.state, Contact::Open { armed: true }) || self.out.is_some_and(|at| at <= t)
+    /// At `t`, before the trajectories are looked at anew: a node that has come out on the old ones is armed.
+    pub(super) fn take_note(&mut self, t: f64) {
+        if self.out.take().is_some_and(|at| at <= t) && self.state.closed().is_none() {
+            self.state = Contact::Open { armed: true };
+        }
     }
 }
 

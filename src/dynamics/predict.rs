@@ -21,6 +21,9 @@ const LOOKS: usize = 5;
 /// Looks at a pair anew from `t` and enters what is due.
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
     engine.effort.searches += 1;
+    for contact in engine.pairs[pair].contacts.clone() {
+        engine.contacts[contact].take_note(t);
+    }
     let due = match planned(engine, pair) {
         Some(until) => in_steps(engine, pair, t, until),
         None => approach::search(engine, pair, t),
@@ -92,14 +95,11 @@ fn too_short(engine: &Engine, pair: usize, views: &Views) -> bool {
 
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
-    let Contact::Open { .. } = engine.contacts[contact].state else { return None };
-    let (here, armed) = (look(engine, contact, t), engine.contacts[contact].armed(t));
+    let Contact::Open { armed } = engine.contacts[contact].state else { return None };
+    let here = look(engine, contact, t);
     if !armed && in_front(here.gap, here.gap_rate, t, resolution(engine, contact, t)) {
         engine.contacts[contact].state = Contact::Open { armed: true };
         return Some(true);
-    }
-    if armed {
-        engine.contacts[contact].state = Contact::Open { armed: true };
     }
     Some(armed)
 }
