@@ -1,6 +1,6 @@
 //! Work against error: every method on every problem, each error against an answer that another method computed.
 //!
-//! A [`Problem`] names a scene and where its [`reference`] answer comes from; a [`method::Method`] answers a scene at a
+//! A [`Problem`] names a scene and where its [`mod@reference`] answer comes from; a [`method::Method`] answers a scene at a
 //! setting (a tolerance or a step). [`study`] measures the time of each answer and, apart from that, its error; a
 //! [`Study`] then writes itself as a table, as plots and as a page.
 
