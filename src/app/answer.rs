@@ -105,6 +105,6 @@ fn after(kind: EventKind) -> Option<ContactState> {
     match kind {
         EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
         EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
-        EventKind::Opened | EventKind::LeftFace | EventKind::Missed => None,
+        EventKind::Opened | EventKind::LeftFace | EventKind::Missed | EventKind::Hit => None,
     }
 }

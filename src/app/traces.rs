@@ -169,7 +169,7 @@ mod tests {
 
     fn touch(start: f64, end: f64, peak_force: f64) -> Touch {
         let peak_time = start.midpoint(end);
-        Touch { pair: 0, contact: 0, start, end, peak_time, peak_force, stick: 0.0, slip: end - start }
+        Touch { pair: 0, contact: 0, start, end, peak_time, peak_force, impulse: 0.0, stick: 0.0, slip: end - start }
     }
 
     #[test]

@@ -46,7 +46,7 @@ impl Spot {
     }
 
     /// What the gap can do at most.
-    fn outlook(&self, here: &Local, node: &Bound, face: &Bound, between: &Apart) -> Outlook {
+    pub(super) fn outlook(&self, here: &Local, node: &Bound, face: &Bound, between: &Apart) -> Outlook {
         let apart = self.apart + between.reach + node.turn * self.arm;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
         // g = n·r, r from the face's G to the node: n turns with the face.

@@ -17,6 +17,8 @@ pub enum EventKind {
     LeftFace,
     /// Went behind the plane of the face beside the polygon; no contact.
     Missed,
+    /// Was hit by an impulse (impact model).
+    Hit,
 }
 
 impl EventKind {
@@ -30,17 +32,18 @@ impl EventKind {
             Self::Opened => "->open",
             Self::LeftFace => "->left-face",
             Self::Missed => "miss",
+            Self::Hit => "hit",
         }
     }
 
     /// Whether a touch begins here.
     pub fn is_touch(self) -> bool {
-        matches!(self, Self::OpenToStick | Self::OpenToSlip)
+        matches!(self, Self::OpenToStick | Self::OpenToSlip | Self::Hit)
     }
 
     /// Whether a touch ends here.
     pub fn is_parting(self) -> bool {
-        matches!(self, Self::Opened | Self::LeftFace)
+        matches!(self, Self::Opened | Self::LeftFace | Self::Hit)
     }
 }
 
@@ -55,7 +58,7 @@ pub struct Event {
     pub contact: usize,
     /// What.
     pub kind: EventKind,
-    /// Energy that a jump of the anchor released (section 9) \[J\].
+    /// Energy that a jump of the anchor released (section 9), or that a hit lost \[J\].
     pub released: f64,
 }
 

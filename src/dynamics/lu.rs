@@ -88,6 +88,12 @@ impl<T: Entry> Lu<T> {
         true
     }
 
+    /// Size of the smallest pivot: how far the matrix is from singular.
+    pub(super) fn least_pivot(&self) -> f64 {
+        let n = self.rows.len();
+        (0..n).map(|k| self.entries[k * n + k].size()).fold(f64::INFINITY, f64::min)
+    }
+
     /// Solves for `right`; the answer goes to `out`.
     pub(super) fn solve(&self, right: &[T], out: &mut [T]) {
         let n = self.rows.len();

@@ -21,6 +21,7 @@ mod field;
 pub mod flight;
 mod forming;
 mod happening;
+pub mod impact2d;
 mod island;
 mod lu;
 mod model;

@@ -9,7 +9,7 @@ use crate::contact::{Frame, dashpots};
 use crate::geometry::{Face, Prism};
 use crate::motion::Ground;
 use crate::scene::facing::{PairContact, Side};
-use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, facing, placed};
+use crate::scene::{Direction, Girder, ImpactSettings, Kind, Motion, Scene, SceneErrors, facing, placed};
 
 /// A girder, compiled.
 #[derive(Clone, Debug)]
@@ -123,6 +123,8 @@ pub struct Model {
     pub duration: f64,
     /// Local error per step, relative.
     pub tolerance: f64,
+    /// Numbers of the impact model.
+    pub impact: ImpactSettings,
     /// Gravity; 0 in a planar scene \[m/s²\].
     pub gravity: f64,
     /// Ground motion.
@@ -162,6 +164,7 @@ impl Model {
             kind: scene.kind,
             duration: scene.duration,
             tolerance: scene.solver.tolerance,
+            impact: scene.impact,
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground: ground(&scene.motion),
             bodies,

@@ -8,6 +8,7 @@ mod abutment;
 mod bearing;
 mod contact;
 mod girder;
+mod model;
 mod motion;
 mod settings;
 
@@ -23,6 +24,7 @@ pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, ResolvedBearing, SharedBearings};
 pub use contact::{ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
+pub use model::{Flush, ImpactSettings, ModelKind, ModelSettings};
 pub use motion::{Motion, RecordMotion, SineMotion};
 pub use settings::{Overlays, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
 pub use validate::{SceneError, SceneErrors};
@@ -68,6 +70,9 @@ pub struct Scene {
         skip_serializing_if = "settings::is_standard_gravity"
     )]
     pub gravity: f64,
+    /// What computes it.
+    #[serde(default, skip_serializing_if = "settings::is_default")]
+    pub model: ModelSettings,
     /// Girders, in the order of the file.
     #[serde(rename = "girder", default)]
     pub girders: Vec<Girder>,
@@ -77,6 +82,9 @@ pub struct Scene {
     /// Contact numbers and overrides for named pairs.
     #[serde(default)]
     pub contact: ContactSettings,
+    /// Numbers of the impact model.
+    #[serde(default, skip_serializing_if = "settings::is_default")]
+    pub impact: ImpactSettings,
     /// How the ground moves.
     #[serde(default)]
     pub motion: Motion,

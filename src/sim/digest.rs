@@ -36,5 +36,14 @@ pub(super) fn of(history: &History) -> u64 {
         add(event.t);
         add(event.released);
     }
+    if let Some(record) = history.impact() {
+        for hit in &record.hits {
+            [hit.t, hit.offset, hit.point.x, hit.point.y].into_iter().chain(hit.total()).for_each(&mut add);
+        }
+        for change in &record.transitions {
+            add(change.t);
+            add(f64::from(u32::from(change.to.letter())));
+        }
+    }
     hash.digest()
 }

@@ -5,11 +5,12 @@ use std::sync::{Arc, OnceLock};
 use glam::{DQuat, DVec3};
 
 use super::ledger::Books;
-use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, touches};
+use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
 use crate::contact::{Frame, Mode};
 use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::engine::{Effort, Finished};
 use crate::dynamics::flight::System;
+use crate::dynamics::impact2d::Record;
 use crate::dynamics::penalty3d::{act, to_world};
 use crate::dynamics::track::{Closed, Path, Segment};
 use crate::dynamics::{Model, body_state};
@@ -27,7 +28,10 @@ pub struct Summary {
     pub max_rotation: f64,
     /// Largest |`R_k`| of any contact \[N\].
     pub peak_force: f64,
-    /// When \[s\].
+    /// Largest impulse of a hit; nothing under the contact model \[N·s\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_impulse: Option<f64>,
+    /// When, of the impulse where there is one \[s\].
     pub peak_time: Option<f64>,
     /// Touches of single contacts.
     pub touches: usize,
@@ -50,6 +54,7 @@ pub struct History {
     systems: Vec<Option<System>>,
     pub(super) logs: Vec<ContactLog>,
     events: Vec<Event>,
+    record: Option<Record>,
     effort: Effort,
     touches: OnceLock<Vec<Touch>>,
     books: OnceLock<Books>,
@@ -64,8 +69,8 @@ impl History {
         Session::run(scene)
     }
 
-    /// Puts the groups of a run together.
-    pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
+    /// Puts the groups of a run together; the impact model has a record of each.
+    pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>, records: Option<Vec<Record>>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
         let mut paths = vec![Vec::new(); model.bodies.len()];
@@ -83,9 +88,13 @@ impl History {
             }
             events.extend(group.events.into_iter().filter(|event| event.t <= end));
         }
+        let record = records.map(|records| Record::together(records, end));
+        if let Some(record) = &record {
+            events = impact::events(record, &model);
+        }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         let (touches, books) = (OnceLock::new(), OnceLock::new());
-        Self { scene, model, end, stop, paths, systems, logs, events, effort, touches, books }
+        Self { scene, model, end, stop, paths, systems, logs, events, record, effort, touches, books }
     }
 
     /// The scene that was run.
@@ -101,6 +110,11 @@ impl History {
     /// How far the answer reaches \[s\].
     pub fn end(&self) -> f64 {
         self.end
+    }
+
+    /// What the impact model did; nothing where the contact model computed the run.
+    pub fn impact(&self) -> Option<&Record> {
+        self.record.as_ref()
     }
 
     /// What the run did, counted.
@@ -178,6 +192,9 @@ impl History {
     /// Contacts closed at `t`, in the order of their numbers.
     pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
         let t = t.clamp(0.0, self.end);
+        if let Some(record) = &self.record {
+            return impact::contacts(self, record, t);
+        }
         let closed = |(contact, log): (usize, &ContactLog)| Some(self.contact(contact, log.at(t).closed()?, t));
         self.logs.iter().enumerate().filter_map(closed).collect()
     }
@@ -185,6 +202,9 @@ impl History {
     /// One contact at `t`; nothing when it is open.
     pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
         let t = t.clamp(0.0, self.end);
+        if let Some(record) = &self.record {
+            return impact::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
+        }
         Some(self.contact(contact, self.logs.get(contact)?.at(t).closed()?, t))
     }
 
@@ -225,13 +245,21 @@ impl History {
 
     /// All touches, ordered by their start.
     pub fn touches(&self) -> &[Touch] {
-        self.touches.get_or_init(|| touches::find(self))
+        self.touches.get_or_init(|| match &self.record {
+            Some(record) => impact::touches(self, record),
+            None => touches::find(self),
+        })
     }
 
     /// The touch with the largest force.
     pub fn hardest(&self) -> Option<&Touch> {
-        // Of equal forces the first.
-        self.touches().iter().rev().max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))
+        // Of equals the first; an impulse outweighs every force that takes its time.
+        let size = |touch: &Touch| (touch.impulse, touch.peak_force);
+        let heavier = |a: &&Touch, b: &&Touch| {
+            let (a, b) = (size(a), size(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        };
+        self.touches().iter().rev().max_by(heavier)
     }
 
     /// The energy ledger at `t`.
@@ -248,7 +276,8 @@ impl History {
         Summary {
             max_displacement: displacement,
             max_rotation: rotation,
-            peak_force: hardest.map_or(0.0, |touch| touch.peak_force),
+            peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
+            peak_impulse: self.record.is_some().then(|| hardest.map_or(0.0, |touch| touch.impulse)),
             peak_time: hardest.map(|touch| touch.peak_time),
             touches: touches.len(),
             hits: touches::hits(touches),

@@ -7,8 +7,9 @@ use glam::DVec3;
 
 use super::quadrature::integrate;
 use super::touches::flight_rate;
-use super::{EventKind, History, Ledger};
+use super::{EventKind, History, Ledger, impact};
 use crate::dynamics::body_state::{self, bearing_forces, world_inertia};
+use crate::dynamics::impact2d::Stay;
 use crate::dynamics::penalty3d::act;
 use crate::dynamics::track::{Contact, Path};
 use crate::motion::Ground;
@@ -56,6 +57,8 @@ pub(super) struct Books {
     bodies: Vec<Account<3>>,
     /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
     contacts: Vec<Account<3>>,
+    /// Per stretch of lasting contact of the impact model: the loss in friction.
+    stays: Vec<Account<1>>,
     initial: f64,
 }
 
@@ -65,6 +68,9 @@ impl Books {
         let mut books = Self {
             bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
             contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
+            stays: history
+                .impact()
+                .map_or(Vec::new(), |record| record.stays.iter().map(|stay| stay_account(history, stay)).collect()),
             initial: 0.0,
         };
         let start = books.stored(history, 0.0);
@@ -87,6 +93,14 @@ impl Books {
             ledger.loss_normal += normal;
             ledger.loss_tangential += tangential;
             ledger.loss_friction += friction;
+        }
+        if let Some(record) = history.impact() {
+            for (stay, account) in record.stays.iter().zip(&self.stays) {
+                let [friction] = account.at(t, |a, b| integrate(a, b, |s| [impact::friction_power(history, stay, s)]));
+                ledger.loss_friction += friction;
+            }
+            let stops = record.transitions.iter().take_while(|change| change.t <= t).map(|change| change.lost);
+            ledger.loss_hits += stops.sum::<f64>();
         }
         jumps(history, t, &mut ledger);
         balance(&mut ledger, self.initial);
@@ -119,6 +133,7 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
             EventKind::Opened => &mut ledger.jump_open,
             EventKind::LeftFace => &mut ledger.jump_edge,
             EventKind::OpenToStick | EventKind::OpenToSlip | EventKind::Missed => &mut ledger.jump_entry,
+            EventKind::Hit => &mut ledger.loss_hits,
         };
         *entry += event.released;
     }
@@ -127,7 +142,7 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
 fn balance(ledger: &mut Ledger, initial: f64) {
     let l = &*ledger;
     let stored = l.kinetic + l.bearing + l.gravity + l.contact;
-    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction;
+    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction + l.loss_hits;
     let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry;
     let worked = l.work_ground + l.work_push;
     let scale =
@@ -189,6 +204,23 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
         // An idle cell after the last, so that what follows is not integrated again.
         account.add(until, until, [0.0; 3]);
     }
+    account
+}
+
+/// Loss in the friction of a stretch of lasting contact, step by step.
+fn stay_account(history: &History, stay: &Stay) -> Account<1> {
+    let mut account = Account::new();
+    let mut borders = vec![stay.from, stay.until];
+    for &body in &stay.bodies {
+        let path = &history.paths[body];
+        let first = path.partition_point(|s| s.until <= stay.from);
+        borders.extend(path[first..].iter().map(|s| s.from).take_while(|t| *t < stay.until).filter(|t| *t > stay.from));
+    }
+    borders.sort_by(f64::total_cmp);
+    for w in borders.windows(2).filter(|w| w[1] > w[0]) {
+        account.add(w[0], w[1], integrate(w[0], w[1], |t| [impact::friction_power(history, stay, t)]));
+    }
+    account.add(stay.until, stay.until, [0.0]);
     account
 }
 

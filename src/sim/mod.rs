@@ -5,6 +5,7 @@
 
 mod digest;
 mod history;
+mod impact;
 mod ledger;
 mod quadrature;
 mod report;
@@ -14,3 +15,5 @@ mod touches;
 pub use history::{History, Summary};
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
 pub use session::Session;
+
+pub use crate::dynamics::impact2d::{Hit, Record, Row, State, Stay, Transition};

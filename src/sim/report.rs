@@ -103,6 +103,8 @@ pub struct Touch {
     pub peak_time: f64,
     /// Largest `|R_k|` \[N\].
     pub peak_force: f64,
+    /// Impulse of a hit of the impact model; 0 where the touch takes its time \[N·s\].
+    pub impulse: f64,
     /// Time spent in stick \[s\].
     pub stick: f64,
     /// Time spent in slip \[s\].
@@ -132,6 +134,8 @@ pub struct Ledger {
     pub loss_tangential: f64,
     /// Lost in friction.
     pub loss_friction: f64,
+    /// Lost in hits (impact model).
+    pub loss_hits: f64,
     /// Released by jumps of the anchor at breakaway and re-stick.
     pub jump_slip: f64,
     /// Released at opening.

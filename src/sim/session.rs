@@ -5,19 +5,26 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::History;
-use crate::dynamics::Model;
-use crate::dynamics::engine::Engine;
-use crate::scene::{Scene, SceneErrors};
+use crate::dynamics::engine::{self, Engine};
+use crate::dynamics::{Model, impact2d};
+use crate::scene::{ModelKind, Scene, SceneErrors};
 
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
 
-/// A run that advances in portions.
+/// A run that advances in portions: of the model that leads, where a scene asks for both.
 #[derive(Debug)]
 pub struct Session {
     scene: Scene,
     model: Arc<Model>,
-    engines: Vec<Engine>,
+    engines: Engines,
+}
+
+/// One engine a group of bodies.
+#[derive(Debug)]
+enum Engines {
+    Contact(Vec<Engine>),
+    Impact(Vec<impact2d::engine::Engine>),
 }
 
 impl Session {
@@ -28,7 +35,15 @@ impl Session {
     pub fn new(scene: &Scene) -> Result<Self, SceneErrors> {
         crate::scene::validate::validate(scene)?;
         let model = Arc::new(Model::compile(scene)?);
-        let engines = (0..model.groups.len()).into_par_iter().map(|group| Engine::new(&model, group)).collect();
+        let groups = (0..model.groups.len()).into_par_iter();
+        let engines = match scene.model.kind {
+            ModelKind::Contact | ModelKind::Both => {
+                Engines::Contact(groups.map(|group| Engine::new(&model, group)).collect())
+            }
+            ModelKind::Impact => {
+                Engines::Impact(groups.map(|group| impact2d::engine::Engine::new(&model, group)).collect())
+            }
+        };
         Ok(Self { scene: scene.clone(), model, engines })
     }
 
@@ -51,21 +66,34 @@ impl Session {
 
     /// Groups that no pair joins advance on as many threads as there are; each is the same whoever computes it.
     fn work(&mut self, until: f64) {
-        if self.engines.len() == 1 {
-            self.engines[0].advance(until);
-        } else {
-            self.engines.par_iter_mut().for_each(|engine| engine.advance(until));
+        match &mut self.engines {
+            Engines::Contact(engines) => each(engines, |engine| engine.advance(until)),
+            Engines::Impact(engines) => each(engines, |engine| engine.advance(until)),
         }
     }
 
     /// How far every group has come \[s\].
     fn reached(&self) -> f64 {
-        self.engines.iter().map(Engine::now).fold(self.model.duration, f64::min)
+        let duration = self.model.duration;
+        match &self.engines {
+            Engines::Contact(engines) => engines.iter().map(Engine::now).fold(duration, f64::min),
+            Engines::Impact(engines) => engines.iter().map(impact2d::engine::Engine::now).fold(duration, f64::min),
+        }
     }
 
     /// What is computed so far.
     pub fn finish(self) -> History {
-        History::gather(self.scene, self.model, self.engines.into_iter().map(Engine::finish).collect())
+        match self.engines {
+            Engines::Contact(engines) => {
+                let groups = engines.into_iter().map(Engine::finish).collect();
+                History::gather(self.scene, self.model, groups, None)
+            }
+            Engines::Impact(engines) => {
+                let (groups, records): (Vec<_>, Vec<_>) =
+                    engines.into_iter().map(|engine| split(engine.finish())).unzip();
+                History::gather(self.scene, self.model, groups, Some(records))
+            }
+        }
     }
 
     /// Runs a scene to the end of its duration, without asking anybody.
@@ -77,4 +105,20 @@ impl Session {
         session.work(scene.duration);
         Ok(session.finish())
     }
+}
+
+/// Does it to every engine, on as many threads as there are.
+fn each<E: Send>(engines: &mut [E], work: impl Fn(&mut E) + Sync + Send) {
+    if let [only] = engines {
+        work(only);
+    } else {
+        engines.par_iter_mut().for_each(work);
+    }
+}
+
+/// What both models leave, and what the impact model leaves beside it.
+fn split(finished: impact2d::engine::Finished) -> (engine::Finished, impact2d::Record) {
+    let impact2d::engine::Finished { end, stop, bodies, record, effort } = finished;
+    let bodies = bodies.into_iter().map(|(body, path, system)| (body, path, Some(system))).collect();
+    (engine::Finished { end, stop, bodies, contacts: Vec::new(), events: Vec::new(), effort }, record)
 }

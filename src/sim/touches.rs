@@ -35,6 +35,7 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
                 end: until,
                 peak_time: *from,
                 peak_force: 0.0,
+                impulse: 0.0,
                 stick: 0.0,
                 slip: 0.0,
             });

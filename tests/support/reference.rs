@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use girderbench::geometry::End;
 use girderbench::scene::{
-    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, Initial, Kind, Motion, PairSettings,
-    PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings, Sharing, SineMotion, SolverSettings, Tension,
-    ViewSettings,
+    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelKind, ModelSettings,
+    Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings, Sharing, SineMotion,
+    SolverSettings, Tension, ViewSettings,
 };
 use serde_json::Value;
 
@@ -21,6 +21,19 @@ pub(crate) struct Case {
     pub rows: Vec<Vec<f64>>,
     /// `(t, node, kind)`, the misses left out.
     pub events: Vec<(f64, String, String)>,
+    /// Hits of the impact model.
+    pub hits: Vec<ReferenceHit>,
+}
+
+/// A hit of the impact model.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ReferenceHit {
+    /// When.
+    pub t: f64,
+    /// Whether a whole face was hit.
+    pub flush: bool,
+    /// First impulse per unit mass along normal and tangent.
+    pub impulse: [f64; 2],
 }
 
 fn data(name: &str) -> PathBuf {
@@ -47,10 +60,20 @@ pub(crate) fn load(name: &str) -> Case {
         .as_array()
         .expect("events")
         .iter()
-        .filter(|e| text(&e["kind"]) != "miss")
+        .filter(|e| text(&e["kind"]) != "miss" && e["node"].is_string())
         .map(|e| (number(&e["t"]), text(&e["node"]).to_owned(), text(&e["kind"]).to_owned()))
         .collect();
-    Case { name: name.to_owned(), scene: scene(&value["case"]), rows: rows(name), events }
+    let hits = value["result"]["events"].as_array().expect("events").iter().filter_map(hit).collect();
+    Case { name: name.to_owned(), scene: scene(&value["case"]), rows: rows(name), events, hits }
+}
+
+fn hit(event: &Value) -> Option<ReferenceHit> {
+    let flush = match text(&event["kind"]) {
+        "flush hit" => true,
+        "corner hit" => false,
+        _ => return None,
+    };
+    Some(ReferenceHit { t: number(&event["t"]), flush, impulse: [number(&event["Q_n"]), number(&event["Q_s"])] })
 }
 
 fn rows(name: &str) -> Vec<Vec<f64>> {
@@ -72,7 +95,9 @@ fn scene(case: &Value) -> Scene {
         kind: Kind::Planar,
         duration: number(&case["T"]),
         gravity: 9.806_65,
-        contact: contact(case, pairs),
+        contact: if case["K"].is_null() { ContactSettings::default() } else { contact(case, pairs) },
+        model: model(case),
+        impact: impact(case),
         motion: motion(&case["excitation"]),
         solver: SolverSettings { tolerance: 1e-12, ..SolverSettings::default() },
         view: ViewSettings::default(),
@@ -176,6 +201,24 @@ fn contact(case: &Value, pairs: Vec<PairSettings>) -> ContactSettings {
         tension: if case["tension"] == true { Tension::Keep } else { Tension::Clamp },
         pairs,
         ..ContactSettings::default()
+    }
+}
+
+fn model(case: &Value) -> ModelSettings {
+    let kind = if case["model"].as_str() == Some("impact") { ModelKind::Impact } else { ModelKind::Contact };
+    ModelSettings { kind }
+}
+
+fn impact(case: &Value) -> ImpactSettings {
+    let number = |key: &str| case[key].as_f64();
+    let standard = ImpactSettings::default();
+    ImpactSettings {
+        restitution_normal: number("en2d").unwrap_or(standard.restitution_normal),
+        restitution_tangential: number("et2d").unwrap_or(standard.restitution_tangential),
+        mu_static: number("mus").unwrap_or(standard.mu_static),
+        mu_kinetic: number("muk").unwrap_or(standard.mu_kinetic),
+        stop_speed: number("vstop").unwrap_or(standard.stop_speed),
+        ..standard
     }
 }
 

@@ -19,6 +19,8 @@ pub(super) fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::Rename(from, to) => whole(scene, |scene| rename(scene, &from, &to)),
         Edit::General(general) => Ok(set_general(scene, *general)),
         Edit::Contact(contact) => Ok(Edit::Contact(Box::new(replace(&mut scene.contact, *contact)))),
+        Edit::Model(model) => Ok(Edit::Model(replace(&mut scene.model, model))),
+        Edit::Impact(impact) => Ok(Edit::Impact(replace(&mut scene.impact, impact))),
         Edit::Motion(motion) => Ok(Edit::Motion(Box::new(replace(&mut scene.motion, *motion)))),
         Edit::Solver(solver) => Ok(Edit::Solver(replace(&mut scene.solver, solver))),
         Edit::View(view) => Ok(Edit::View(replace(&mut scene.view, view))),

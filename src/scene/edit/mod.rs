@@ -10,7 +10,10 @@ mod undo;
 
 pub use undo::UndoStack;
 
-use super::{Abutment, ContactSettings, Girder, Kind, Motion, Scene, SceneErrors, SolverSettings, ViewSettings};
+use super::{
+    Abutment, ContactSettings, Girder, ImpactSettings, Kind, ModelSettings, Motion, Scene, SceneErrors, SolverSettings,
+    ViewSettings,
+};
 
 /// The single values at the top of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,6 +53,10 @@ pub enum Edit {
     General(Box<General>),
     /// Contact numbers and pairs.
     Contact(Box<ContactSettings>),
+    /// Which model computes it.
+    Model(ModelSettings),
+    /// Numbers of the impact model.
+    Impact(ImpactSettings),
     /// Ground motion.
     Motion(Box<Motion>),
     /// Solver settings.
@@ -131,6 +138,8 @@ impl Edit {
             (Self::Scene(_), _)
             | (Self::General(_), Self::General(_))
             | (Self::Contact(_), Self::Contact(_))
+            | (Self::Model(_), Self::Model(_))
+            | (Self::Impact(_), Self::Impact(_))
             | (Self::Motion(_), Self::Motion(_))
             | (Self::Solver(_), Self::Solver(_))
             | (Self::View(_), Self::View(_)) => true,

@@ -28,6 +28,8 @@ pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
         bodies::abutment(abutment, &mut complaints.at(format!("abutment.{}", abutment.name)));
     }
     numbers::contact(&scene.contact, &mut complaints);
+    numbers::model(scene, &mut complaints);
+    numbers::impact(&scene.impact, &mut complaints);
     numbers::motion(&scene.motion, &mut complaints.at("motion"));
     numbers::solver_and_view(scene, &mut complaints);
     if complaints.is_empty() {

@@ -2,7 +2,9 @@
 
 use super::complaints::number;
 use super::{At, Complaints};
-use crate::scene::{ContactSettings, Motion, PairSettings, RecordMotion, Scene, SineMotion};
+use crate::scene::{
+    ContactSettings, ImpactSettings, Kind, ModelKind, Motion, PairSettings, RecordMotion, Scene, SineMotion,
+};
 
 /// Restitution in a contact: 0 would be critical damping, and a free contact would never open again (65).
 const RESTITUTION: [f64; 2] = [0.01, 1.0];
@@ -36,6 +38,33 @@ fn pair_numbers(contact: &ContactSettings, pair: &PairSettings, at: &mut At<'_>)
 
 fn restitution(at: &mut At<'_>, key: &str, value: f64) {
     at.within(key, value, RESTITUTION);
+}
+
+/// Numbers of the impact model.
+pub(super) fn impact(impact: &ImpactSettings, complaints: &mut Complaints) {
+    let mut at = complaints.at("impact");
+    at.within("restitution_normal", impact.restitution_normal, [0.0, 1.0]);
+    at.within("restitution_tangential", impact.restitution_tangential, [-1.0, 1.0]);
+    at.not_negative("mu_static", impact.mu_static);
+    at.not_negative("mu_kinetic", impact.mu_kinetic);
+    at.if_given("corner_mu_static", impact.corner_mu_static, At::not_negative);
+    at.if_given("corner_mu_kinetic", impact.corner_mu_kinetic, At::not_negative);
+    at.positive("stop_speed_m_s", impact.stop_speed);
+    friction(impact.mu_static, impact.mu_kinetic, &mut at);
+    let [mu_s, mu_k] = impact.corner_friction();
+    if mu_k > mu_s {
+        let remedy = format!("it must not exceed corner_mu_static = {mu_s:?}: lower it, or raise corner_mu_static");
+        at.add("corner_mu_kinetic", number(mu_k), remedy);
+    }
+}
+
+/// The impact model is planar.
+pub(super) fn model(scene: &Scene, complaints: &mut Complaints) {
+    if scene.kind == Kind::Spatial && scene.model.kind != ModelKind::Contact {
+        let value = format!("\"{}\"", scene.model.kind.label());
+        let remedy = "the impact model knows planar scenes only: make it \"contact\", or kind = \"planar\"";
+        complaints.at("model").add("kind", value, remedy);
+    }
 }
 
 fn stiffness(stiffness: Option<f64>, young_modulus: Option<f64>, area: Option<f64>, at: &mut At<'_>) {

@@ -1,7 +1,8 @@
 //! Rows of the paper's straight girder, end to end.
 
 use crate::scene::{
-    Bearings, ContactSettings, FrictionLaw, Girder, Motion, PerDirection, Scene, SharedBearings, SineMotion,
+    Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, ModelSettings, Motion, PerDirection, Scene,
+    SharedBearings, SineMotion,
 };
 
 /// Gap between neighbours \[m\].
@@ -45,6 +46,8 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
             law: FrictionLaw::ReturnMapping,
             ..ContactSettings::default()
         },
+        model: ModelSettings::default(),
+        impact: ImpactSettings::default(),
         motion: Motion::Sine(SineMotion {
             amplitude_g: None,
             amplitude: Some(3.924),

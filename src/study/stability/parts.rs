@@ -3,9 +3,9 @@
 use super::dice::{Dice, three_digits};
 use crate::geometry::End;
 use crate::scene::{
-    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, Initial, Kind, Motion, PerDirection, Push,
-    RecordMotion, STANDARD_GRAVITY, Scene, Seat, SharedBearings, Sharing, SineMotion, SolverSettings, Tension,
-    ViewSettings,
+    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelSettings,
+    Motion, PerDirection, Push, RecordMotion, STANDARD_GRAVITY, Scene, Seat, SharedBearings, Sharing, SineMotion,
+    SolverSettings, Tension, ViewSettings,
 };
 
 /// Contact stiffness \[N/m\].
@@ -37,6 +37,8 @@ pub(super) fn blank(kind: Kind) -> Scene {
         girders: Vec::new(),
         abutments: Vec::new(),
         contact: ContactSettings::default(),
+        model: ModelSettings::default(),
+        impact: ImpactSettings::default(),
         motion: Motion::None,
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

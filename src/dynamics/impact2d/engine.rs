@@ -1,0 +1,408 @@
+//! The event loop of the impact model for one group of bodies: flights in closed form, hits found to rounding, lasting
+//! contact in steps.
+
+use std::sync::Arc;
+
+use super::grip::{Ending, Grip};
+use super::record::{Record, Stay};
+use super::search;
+use crate::contact::Frame;
+use crate::dynamics::Model;
+use crate::dynamics::agenda::{Agenda, Item};
+use crate::dynamics::approach::Spot;
+use crate::dynamics::body_state;
+use crate::dynamics::engine::Effort;
+use crate::dynamics::event::Stop;
+use crate::dynamics::flight::{Flight, Planar, System};
+use crate::dynamics::piece::Piece;
+use crate::dynamics::track::{Path, Segment};
+
+/// Hits, searches and steps per body after which a run gives up.
+const WORK: usize = 3_000_000;
+/// Changes at one instant after which a run gives up.
+const SAME_INSTANT: usize = 200;
+/// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
+/// rounding.
+const SINK: f64 = 1e-12;
+
+/// What a body does now.
+#[derive(Clone, Debug)]
+pub(super) enum Going {
+    /// It flies.
+    Flight(Flight),
+    /// It is in lasting contact, at a place of that grip.
+    Grip(usize, usize),
+}
+
+/// A body of the group.
+#[derive(Debug)]
+pub(super) struct BodyTrack {
+    /// Its number in the model.
+    pub body: usize,
+    /// Its free motion.
+    pub system: System,
+    /// What it does now.
+    pub now: Going,
+    /// What it did.
+    pub segments: Vec<Segment>,
+    /// Where the segment in hand begins \[s\].
+    pub since: f64,
+    /// Its state among a–f.
+    pub state: super::State,
+    /// The pairs it is in.
+    pub pairs: Vec<usize>,
+}
+
+/// A pair of the group.
+#[derive(Debug)]
+pub(super) struct PairTrack {
+    /// Its number in the model.
+    pub number: usize,
+    /// Slots of its bodies; nothing for an abutment.
+    pub slots: [Option<usize>; 2],
+    /// Its declared contacts.
+    pub sites: std::ops::Range<usize>,
+    /// Whether it is met when it is due, or searched on.
+    pub meets: bool,
+}
+
+/// A declared contact of the group.
+#[derive(Debug)]
+pub(super) struct SiteTrack {
+    /// Its number in the model.
+    pub number: usize,
+    /// Which side of the pair owns the node, and which the face; nothing for an abutment.
+    pub sides: [Option<usize>; 2],
+    /// Where its two sides stand as placed.
+    pub spot: Spot,
+    /// Whether it is in lasting contact.
+    pub kept: bool,
+    /// Whether its next crossing counts.
+    pub armed: bool,
+    /// Whether it has lifted off without speed.
+    pub lifted: bool,
+    /// When it comes out in front of the face on the trajectories in force \[s\].
+    pub out: Option<f64>,
+    /// How far behind the face a point that has lifted off is met again \[m\].
+    pub sink: f64,
+}
+
+/// The run of one group of bodies under the impact model.
+#[derive(Debug)]
+pub struct Engine {
+    pub(super) model: Arc<Model>,
+    pub(super) bodies: Vec<BodyTrack>,
+    pub(super) pairs: Vec<PairTrack>,
+    pub(super) sites: Vec<SiteTrack>,
+    pub(super) grips: Vec<Option<Grip>>,
+    pub(super) agenda: Agenda,
+    pub(super) record: Record,
+    /// Fastest that anybody has been, and farthest from home \[m/s\], \[m\].
+    pub(super) largest: [f64; 2],
+    pub(super) effort: Effort,
+    stop: Option<Stop>,
+    now: f64,
+    work: usize,
+    same: (f64, usize),
+}
+
+/// What an engine leaves behind.
+#[derive(Debug)]
+pub struct Finished {
+    /// How far it came \[s\].
+    pub end: f64,
+    /// Why it stopped early.
+    pub stop: Option<Stop>,
+    /// Number, path and free motion of every body.
+    pub bodies: Vec<(usize, Vec<Segment>, System)>,
+    /// Hits, transitions, lasting contacts.
+    pub record: Record,
+    /// What it took.
+    pub effort: Effort,
+}
+
+impl Engine {
+    /// Sets up a group of bodies, by its number in the model, at t = 0.
+    pub fn new(model: &Arc<Model>, group: usize) -> Self {
+        let mut engine = Self {
+            model: Arc::clone(model),
+            bodies: Vec::new(),
+            pairs: Vec::new(),
+            sites: Vec::new(),
+            grips: Vec::new(),
+            agenda: Agenda::default(),
+            record: Record::default(),
+            largest: [0.0; 2],
+            effort: Effort::default(),
+            stop: None,
+            now: 0.0,
+            work: 0,
+            same: (-1.0, 0),
+        };
+        engine.gather(group);
+        engine.begin();
+        engine
+    }
+
+    fn gather(&mut self, number: usize) {
+        let model = Arc::clone(&self.model);
+        let group = &model.groups[number];
+        for &body in group {
+            let system = System::new(&model.bodies[body], &model.ground, model.duration);
+            let initial = body_state::initial(model.kind, &model.bodies[body]);
+            let state: Planar = std::array::from_fn(|i| initial[i]);
+            let now = Going::Flight(system.fly(0.0, state));
+            let (segments, pairs) = (Vec::new(), Vec::new());
+            self.bodies.push(BodyTrack { body, system, now, segments, since: 0.0, state: super::State::Free, pairs });
+        }
+        for &number in &model.group_pairs[number] {
+            let pair = &model.pairs[number];
+            let slots = pair.bodies.map(|side| side.and_then(|b| group.binary_search(&b).ok()));
+            let from = self.sites.len();
+            for site in pair.contacts.clone() {
+                let contact = &model.contacts[site];
+                let side = |owner: Option<usize>| owner.map(|b| usize::from(pair.bodies[0] != Some(b)));
+                let spot = Spot::of(&model, site);
+                self.sites.push(SiteTrack {
+                    number: site,
+                    sides: [side(contact.node_body), side(contact.face_body)],
+                    sink: SINK * spot.size,
+                    spot,
+                    kept: false,
+                    armed: true,
+                    lifted: false,
+                    out: None,
+                });
+            }
+            for slot in slots.into_iter().flatten() {
+                self.bodies[slot].pairs.push(self.pairs.len());
+            }
+            self.pairs.push(PairTrack { number, slots, sites: from..self.sites.len(), meets: false });
+        }
+    }
+
+    /// The time of whatever comes next; infinite when the run is over \[s\].
+    fn next_time(&self) -> f64 {
+        if self.stop.is_some() { f64::INFINITY } else { self.agenda.first_time() }
+    }
+
+    /// How far the run has come \[s\].
+    pub fn now(&self) -> f64 {
+        if self.stop.is_none() && self.agenda.first_time() > self.model.duration {
+            self.model.duration
+        } else {
+            self.now
+        }
+    }
+
+    /// Does everything that is due until `until` \[s\].
+    pub fn advance(&mut self, until: f64) {
+        while self.next_time() <= until.min(self.model.duration) {
+            let Some((t, item)) = self.agenda.pop() else { return };
+            self.now = t;
+            self.work += 1;
+            if self.work > WORK.saturating_mul(self.bodies.len()) || self.too_many_at(t) {
+                self.out_of_work(t, item);
+                return;
+            }
+            match item {
+                Item::Island(grip) => self.end_of_step(grip, t),
+                Item::Pair(pair) if self.pairs[pair].meets => {
+                    let slots: Vec<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
+                    self.meet(t, &slots, None);
+                }
+                Item::Pair(pair) => self.seek(pair, t),
+            }
+        }
+    }
+
+    fn too_many_at(&mut self, t: f64) -> bool {
+        self.same = if self.same.0 == t { (t, self.same.1 + 1) } else { (t, 1) };
+        self.same.1 > SAME_INSTANT + 4 * self.pairs.len() + 2 * self.bodies.len()
+    }
+
+    fn out_of_work(&mut self, t: f64, item: Item) {
+        let place = match item {
+            Item::Pair(pair) => self.model.pairs[self.pairs[pair].number].name.clone(),
+            Item::Island(grip) => self.grips[grip].as_ref().map_or(String::new(), |grip| self.names(&grip.bodies)),
+        };
+        let reason = format!(
+            "{} hits, searches and steps, {} of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower \
+             restitution_normal would end it, or the contact model",
+            self.work, self.same.1
+        );
+        self.give_up(t, place, reason);
+    }
+
+    /// Names of bodies by their numbers in the model.
+    pub(super) fn names(&self, bodies: &[usize]) -> String {
+        bodies.iter().map(|&b| self.model.bodies[b].name.as_str()).collect::<Vec<_>>().join(", ")
+    }
+
+    pub(super) fn give_up(&mut self, t: f64, place: String, reason: String) {
+        if self.stop.is_none() {
+            self.stop = Some(Stop { t, place, reason });
+        }
+    }
+
+    /// Looks for a pair's next meeting from `t` and enters it.
+    pub(super) fn seek(&mut self, pair: usize, t: f64) {
+        for site in self.pairs[pair].sites.clone() {
+            let track = &mut self.sites[site];
+            if track.out.take().is_some_and(|at| at <= t) {
+                (track.armed, track.lifted) = (true, false);
+            }
+        }
+        let found = search::pair(self, pair, t);
+        self.pairs[pair].meets = found.meets;
+        if found.due.is_finite() {
+            self.agenda.set(Item::Pair(pair), found.due);
+        } else {
+            self.agenda.remove(Item::Pair(pair));
+        }
+    }
+
+    /// A grip's planned step ends.
+    fn end_of_step(&mut self, number: usize, t: f64) {
+        let Some(grip) = &self.grips[number] else { return };
+        let slots = self.slots(&grip.bodies);
+        if let Some(ending) = grip.ending {
+            self.meet(t, &slots, Some(ending));
+            return;
+        }
+        for &slot in &slots {
+            self.close_segment(slot, t);
+        }
+        if let Some(grip) = &mut self.grips[number] {
+            grip.commit();
+        }
+        for &slot in &slots {
+            self.bodies[slot].since = t;
+        }
+        self.plan(number);
+        self.seek_around(&slots, t);
+    }
+
+    /// Plans a grip's next step.
+    pub(super) fn plan(&mut self, number: usize) {
+        let Some(mut grip) = self.grips[number].take() else { return };
+        self.effort.steps += 1;
+        let [speed, reach] = self.largest;
+        let size = grip.bodies.iter().map(|&b| self.model.bodies[b].radius).fold(0.0, f64::max);
+        let tolerance = self.model.tolerance;
+        let allowed =
+            [tolerance * reach.max(1e-6 * size), tolerance * speed.max(1e-6 * size / self.model.duration.min(1.0))];
+        let duration = self.model.duration;
+        let numbers = self.model.impact;
+        // Where the run ends the last step may end, too; one that begins there has no length.
+        let cap = if grip.until < duration { duration } else { duration + 1.0 };
+        match grip.plan(&self.model, &numbers, allowed, cap) {
+            Ok(()) => {
+                self.agenda.set(Item::Island(number), grip.until);
+                self.grips[number] = Some(grip);
+            }
+            Err(reason) => {
+                let (t, place) = (grip.until, self.names(&grip.bodies));
+                self.grips[number] = Some(grip);
+                self.give_up(t, place, reason);
+            }
+        }
+    }
+
+    /// Looks for the next meetings of everybody who is in a pair with these bodies.
+    pub(super) fn seek_around(&mut self, slots: &[usize], t: f64) {
+        let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.clone()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        for pair in pairs {
+            self.seek(pair, t);
+        }
+    }
+
+    /// Slots of bodies by their numbers in the model.
+    pub(super) fn slots(&self, bodies: &[usize]) -> Vec<usize> {
+        bodies.iter().filter_map(|b| self.bodies.binary_search_by_key(b, |track| track.body).ok()).collect()
+    }
+
+    /// Where a body's planned step ends; nothing in flight \[s\].
+    pub(super) fn planned(&self, slot: usize) -> Option<f64> {
+        match self.bodies[slot].now {
+            Going::Grip(grip, _) => self.grips[grip].as_ref().map(|grip| grip.until),
+            Going::Flight(_) => None,
+        }
+    }
+
+    /// Lets a flight under a record keep the states that looks up to `until` start from.
+    pub(super) fn remember(&mut self, slot: usize, until: f64) {
+        let track = &mut self.bodies[slot];
+        if let Going::Flight(flight) = &mut track.now {
+            track.system.remember(flight, until);
+        }
+    }
+
+    /// State of a body on its trajectory.
+    pub(super) fn state(&self, slot: usize, t: f64) -> Planar {
+        let track = &self.bodies[slot];
+        match &track.now {
+            Going::Flight(flight) => track.system.state(flight, t),
+            Going::Grip(grip, place) => self.grips[*grip].as_ref().map_or([0.0; 6], |grip| grip.state(*place, t)),
+        }
+    }
+
+    /// Pose of a body on its trajectory.
+    pub(super) fn frame(&self, slot: usize, t: f64) -> Frame {
+        self.model.bodies[self.bodies[slot].body].planar_frame(&self.state(slot, t))
+    }
+
+    /// Keeps what a body did until `t`.
+    pub(super) fn close_segment(&mut self, slot: usize, t: f64) {
+        let track = &mut self.bodies[slot];
+        if t <= track.since {
+            return;
+        }
+        let path = match &mut track.now {
+            Going::Flight(flight) => {
+                track.system.remember(flight, t);
+                Path::Flight(Box::new(flight.clone()))
+            }
+            Going::Grip(grip, place) => {
+                let Some(dense) = self.grips[*grip].as_ref().and_then(Grip::dense) else { return };
+                Path::Step(Piece::of(dense, *place * body_state::PLANAR..(*place + 1) * body_state::PLANAR))
+            }
+        };
+        track.segments.push(Segment { from: track.since, until: t, path });
+    }
+
+    /// Ends a grip at `t` and keeps what it was.
+    pub(super) fn end_grip(&mut self, number: usize, t: f64) {
+        self.agenda.remove(Item::Island(number));
+        if let Some(grip) = self.grips[number].take()
+            && t > grip.since
+        {
+            self.record.stays.push(Stay { from: grip.since, until: t, bodies: grip.bodies, seats: grip.seats });
+        }
+    }
+
+    /// Everything that was computed.
+    pub fn finish(mut self) -> Finished {
+        let end = self.now();
+        for slot in 0..self.bodies.len() {
+            self.close_segment(slot, end);
+        }
+        for number in 0..self.grips.len() {
+            self.end_grip(number, end);
+        }
+        let bodies = self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect();
+        Finished { end, stop: self.stop, bodies, record: self.record, effort: self.effort }
+    }
+
+    /// What has just ended, as the pair's and the contact's numbers in the model.
+    pub(super) fn ended(ending: Option<Ending>) -> (Option<usize>, Option<usize>, bool) {
+        match ending {
+            Some(Ending::Lets(site)) => (Some(site), None, false),
+            Some(Ending::Breaks(pair)) => (None, Some(pair), true),
+            Some(Ending::Stops(pair)) => (None, Some(pair), false),
+            None => (None, None, false),
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! Bodies in lasting contact, integrated together between two changes.
+//!
+//! Everything at rest on its faces stands still: closed form. Else Dormand–Prince 8(5,3) with the reactions solved for at
+//! every stage. What can end it is looked for in the continuous answer of each step: a push that falls to 0, a hold that
+//! friction cannot give, a slide that stops, a point that comes to the edge of the face.
+
+use glam::DVec3;
+
+use super::reaction::{Answer, Scenery, Seat, Way, middle, react, shaking};
+use crate::dynamics::dop853::{DENSE, Dense, Dop853, System, next_factor};
+use crate::dynamics::flight::Planar;
+use crate::dynamics::search::root;
+use crate::dynamics::{Model, body_state};
+use crate::motion::{Ground, LinearPiece};
+use crate::scene::ImpactSettings;
+
+/// Looks at what can end the contact, per step.
+const LOOKS: usize = 16;
+/// Steps refused one after another before it is given up.
+const REFUSED: usize = 60;
+/// Components of a planar body.
+const WIDTH: usize = body_state::PLANAR;
+
+/// What ends a stretch of lasting contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Ending {
+    /// The declared contact is not pushed any more, or comes to the edge of the face.
+    Lets(usize),
+    /// Friction cannot hold the pair any more.
+    Breaks(usize),
+    /// The pair has stopped sliding.
+    Stops(usize),
+}
+
+/// Bodies in lasting contact, with the step that is planned but not yet committed.
+#[derive(Clone, Debug)]
+pub(super) struct Grip {
+    /// Their numbers in the model, rising.
+    pub bodies: Vec<usize>,
+    /// What touches, and how.
+    pub seats: Vec<Seat>,
+    /// Since when \[s\].
+    pub since: f64,
+    /// Where the planned step begins \[s\].
+    pub from: f64,
+    /// Where it ends \[s\].
+    pub until: f64,
+    /// What ends the contact at `until`.
+    pub ending: Option<Ending>,
+    dense: Option<Dense>,
+    y: Vec<f64>,
+    step: f64,
+}
+
+/// The right-hand side.
+struct Held<'a> {
+    model: &'a Model,
+    bodies: &'a [usize],
+    seats: &'a [Seat],
+    piece: LinearPiece,
+    numbers: &'a ImpactSettings,
+    /// What the tolerance allows of a place, and of a speed \[m\], \[m/s\].
+    allowed: [f64; 2],
+}
+
+impl Held<'_> {
+    fn answer(&self, t: f64, y: &[f64]) -> (Scenery, Option<Answer>) {
+        let ground = shaking(&self.model.ground, &self.piece, t);
+        let scenery = Scenery::new(self.model, self.bodies, &states(y), ground);
+        let points: Vec<_> = self.seats.iter().map(|seat| scenery.points(self.model, seat)).collect();
+        let answer = react(&scenery, self.seats, &points, self.numbers);
+        (scenery, answer)
+    }
+}
+
+impl System for Held<'_> {
+    fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+        let (_, answer) = self.answer(t, y);
+        // Without an answer the step is refused.
+        let none = vec![DVec3::NAN; self.bodies.len()];
+        let accelerations = answer.map_or(none, |answer| answer.accelerations);
+        for (i, (&body, a)) in self.bodies.iter().zip(accelerations).enumerate() {
+            let free = self.model.bodies[body].free;
+            for (j, direction) in [0, 1, 5].into_iter().enumerate() {
+                out[WIDTH * i + j] = if free[direction] { y[WIDTH * i + 3 + j] } else { 0.0 };
+                out[WIDTH * i + 3 + j] = a[j];
+            }
+        }
+    }
+
+    fn size2(&self, d: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (d, &body) in d.chunks_exact(WIDTH).zip(self.bodies) {
+            let i2 = self.model.bodies[body].gyration2;
+            let square = |d: &[f64]| d[0] * d[0] + d[1] * d[1] + i2 * d[2] * d[2];
+            sum += square(&d[..3]) / (self.allowed[0] * self.allowed[0])
+                + square(&d[3..]) / (self.allowed[1] * self.allowed[1]);
+        }
+        sum
+    }
+}
+
+/// Body by body.
+fn states(y: &[f64]) -> Vec<Planar> {
+    y.chunks_exact(WIDTH).map(|c| [c[0], c[1], c[2], c[3], c[4], c[5]]).collect()
+}
+
+impl Grip {
+    /// Bodies in lasting contact from `t` on.
+    pub(super) fn new(bodies: Vec<usize>, seats: Vec<Seat>, states: &[Planar], t: f64) -> Self {
+        let y = states.iter().flatten().copied().collect();
+        Self { bodies, seats, since: t, from: t, until: t, ending: None, dense: None, y, step: 0.0 }
+    }
+
+    /// Whether nobody moves: every seat is a face that stays put, and so are all bodies.
+    fn rests(&self) -> bool {
+        self.seats.iter().all(|seat| seat.is_flush() && seat.way == Way::Held)
+            && self.y.chunks_exact(WIDTH).all(|c| c[3..] == [0.0; 3])
+    }
+
+    /// Plans the next step from `until`, at most to `cap`; `allowed` is what the tolerance allows of places and speeds.
+    ///
+    /// # Errors
+    /// When no step is short enough.
+    pub(super) fn plan(
+        &mut self,
+        model: &Model,
+        numbers: &ImpactSettings,
+        allowed: [f64; 2],
+        cap: f64,
+    ) -> Result<(), String> {
+        let t = self.until;
+        self.from = t;
+        let piece = model.ground.piece(model.ground.piece_number(t));
+        let cap = cap.min(piece.until).min(t + quarter(&model.ground));
+        let dense = if self.rests() {
+            let constant =
+                self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE]>>();
+            Dense::new(t, cap - t, constant)
+        } else {
+            self.integrate(model, numbers, piece, allowed, cap)?
+        };
+        self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
+        self.dense = Some(dense);
+        self.look_for_an_end(model, numbers, piece);
+        Ok(())
+    }
+
+    fn integrate(
+        &mut self,
+        model: &Model,
+        numbers: &ImpactSettings,
+        piece: LinearPiece,
+        allowed: [f64; 2],
+        cap: f64,
+    ) -> Result<Dense, String> {
+        let mut system = Held { model, bodies: &self.bodies, seats: &self.seats, piece, numbers, allowed };
+        let (t, mut y) = (self.from, self.y.clone());
+        let mut method = Dop853::default();
+        method.resize(y.len());
+        method.start(&mut system, t, &y);
+        let mut h = if self.step > 0.0 { self.step } else { 1e-3 * (cap - t) };
+        for _ in 0..REFUSED {
+            h = if h >= 0.999 * (cap - t) { cap - t } else { h };
+            let error = method.attempt(&mut system, t, &y, h);
+            if error <= 1.0 {
+                let dense = method.accept(&mut system, t, &mut y, h);
+                self.step = h * next_factor(error);
+                return Ok(dense);
+            }
+            h *= if error.is_finite() { next_factor(error).min(0.5) } else { 0.1 };
+        }
+        Err("no step is short enough to follow the contact: its reactions have no answer here".to_owned())
+    }
+
+    /// State of a body, by its place here.
+    pub(super) fn state(&self, place: usize, t: f64) -> Planar {
+        let mut state = [0.0; WIDTH];
+        match &self.dense {
+            Some(dense) => dense.read(place * WIDTH..(place + 1) * WIDTH, t, &mut state),
+            None => state.copy_from_slice(&self.y[place * WIDTH..(place + 1) * WIDTH]),
+        }
+        state
+    }
+
+    /// The continuous answer of the planned step.
+    pub(super) fn dense(&self) -> Option<&Dense> {
+        self.dense.as_ref()
+    }
+
+    /// Commits the planned step: its end becomes the next start.
+    pub(super) fn commit(&mut self) {
+        let t = self.until;
+        self.y = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
+        self.dense = None;
+    }
+
+    /// What can end the contact, as numbers that are positive while it lasts.
+    fn gauges(&self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece, t: f64) -> Vec<(f64, Ending)> {
+        let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
+        let allowed = [1.0; 2];
+        let held = Held { model, bodies: &self.bodies, seats: &self.seats, piece, numbers, allowed };
+        let (scenery, Some(answer)) = held.answer(t, &y) else { return Vec::new() };
+        let mut all = Vec::new();
+        for (seat, reaction) in self.seats.iter().zip(&answer.reactions) {
+            let points = scenery.points(model, seat);
+            for ((&site, point), push) in seat.sites.iter().zip(&points).zip(reaction.normal) {
+                all.push((push, Ending::Lets(site)));
+                all.push((point.inset, Ending::Lets(site)));
+            }
+            match seat.way {
+                Way::Held => {
+                    let most = seat.friction(numbers)[0] * reaction.total();
+                    all.push((most - reaction.tangential.abs(), Ending::Breaks(seat.pair)));
+                }
+                Way::Slides(sign) => {
+                    let middle = middle(&points);
+                    all.push((sign * scenery.cluster.speed(&middle, middle.s), Ending::Stops(seat.pair)));
+                }
+            }
+        }
+        all
+    }
+
+    /// Ends the planned step where the first gauge falls through 0.
+    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece) {
+        self.ending = None;
+        let (from, until) = (self.from, self.until);
+        let gauges = |t: f64| self.gauges(model, numbers, piece, t);
+        let mut before = gauges(from);
+        let mut at = from;
+        for look in 1..=LOOKS {
+            let t = if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 };
+            let here = gauges(t);
+            let falls = |i: usize| here[i].0 < 0.0 && (before[i].0 > 0.0 || at == from);
+            let first = (0..here.len().min(before.len()))
+                .filter(|&i| falls(i))
+                .map(|i| (root(|t| -gauges(t).get(i).map_or(0.0, |g| g.0), at, t), i))
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((end, i)) = first {
+                (self.until, self.ending) = (end, Some(here[i].1));
+                return;
+            }
+            (before, at) = (here, t);
+        }
+    }
+}
+
+/// A quarter of the period of the shaking \[s\].
+fn quarter(ground: &Ground) -> f64 {
+    match ground {
+        Ground::Sine { omega, .. } if *omega > 0.0 => 0.25 * std::f64::consts::TAU / omega,
+        _ => f64::INFINITY,
+    }
+}
