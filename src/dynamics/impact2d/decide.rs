@@ -10,7 +10,7 @@ use crate::dynamics::Model;
 use crate::scene::ImpactSettings;
 
 /// Accelerations and forces that differ by less than this part of the largest are the same.
-const ROUNDING: f64 = 1e-10;
+pub(super) const ROUNDING: f64 = 1e-10;
 /// Guesses for all seats together; with more pairs than that, seat by seat.
 const MOST_GUESSES: usize = 4096;
 /// Rounds of going through the seats one by one.
@@ -27,6 +27,8 @@ pub struct Candidate {
     pub points: Vec<Point>,
     /// The way it slides; 0 where it is at rest along the face.
     pub slides: f64,
+    /// Whether it is so slow that it stays put where it can, although it slides.
+    pub stays_or_leaves: bool,
     /// What an event has just ruled out.
     pub ruled_out: RuledOut,
 }
@@ -48,6 +50,7 @@ impl Candidate {
         let kept = |sites: &Vec<usize>| self.ruled_out.site.is_none_or(|out| !sites.contains(&out));
         for sites in faces.into_iter().chain(self.sites.iter().map(|&site| vec![site])).filter(kept) {
             let ways: &[Way] = match self.slides {
+                _ if self.stays_or_leaves => &[Way::Held],
                 v if v > 0.0 => &[Way::Slides(1.0)],
                 v if v < 0.0 => &[Way::Slides(-1.0)],
                 _ if self.ruled_out.held => &[Way::Slides(1.0), Way::Slides(-1.0)],
@@ -152,7 +155,7 @@ impl Judge<'_> {
         let [mu_s, mu_k] = seat.friction(self.numbers);
         let middle = middle(points);
         let [w_n, _, w_ns] = self.scenery.cluster.mobilities(&middle);
-        let force = if w_n > 0.0 { ROUNDING * self.scale() / w_n } else { 0.0 };
+        let force = self.scenery.rounding(&middle);
         let n = seat.sites.len();
         if reaction.normal[..n].iter().any(|push| *push < -force) {
             return false;
@@ -170,8 +173,24 @@ impl Judge<'_> {
 
     /// Size of the accelerations in play \[m/s²\].
     fn scale(&self) -> f64 {
-        let reach = |place: usize| self.model.bodies[self.scenery.bodies[place]].radius;
-        let size = |(i, a): (usize, &glam::DVec3)| a.truncate().length() + a.z.abs() * reach(i);
-        self.scenery.free.iter().enumerate().map(size).fold(f64::MIN_POSITIVE, f64::max)
+        self.scenery.scale()
+    }
+}
+
+#[cfg(debug_dump)]
+pub(super) fn dump(model: &Model, scenery: &Scenery, candidates: &[Candidate], numbers: &ImpactSettings) {
+    for c in candidates {
+        eprintln!("cand pair {} sites {:?} slides {} out {:?} gaps {:?} vn {:?} vs {:?}", c.pair, c.sites, c.slides, c.ruled_out, c.points.iter().map(|p| p.gap).collect::<Vec<_>>(), c.points.iter().map(|p| scenery.cluster.speed(p, p.n)).collect::<Vec<_>>(), c.points.iter().map(|p| scenery.cluster.speed(p, p.s)).collect::<Vec<_>>());
+        for p in &c.points { eprintln!("   W {:?}", scenery.cluster.mobilities(p)); }
+    }
+    let options: Vec<Vec<Option<Seat>>> = candidates.iter().map(Candidate::options).collect();
+    let n: usize = options.iter().map(Vec::len).product();
+    for g in 0..n.min(200) {
+        let choice = digits(g, &options);
+        let seats: Vec<Seat> = choice.iter().flatten().cloned().collect();
+        let points: Vec<Vec<Point>> = seats.iter().map(|seat| scenery.points(model, seat)).collect();
+        let a = react(scenery, &seats, &points, numbers);
+        let an: Vec<Vec<[f64;2]>> = a.as_ref().map(|a| candidates.iter().map(|c| c.points.iter().map(|p| [a.along(p, p.n, p.bias[0]), a.along(p, p.s, p.bias[1])]).collect()).collect()).unwrap_or_default();
+        eprintln!("  {:?} -> {:?} acc {:?}", choice.iter().map(|s| s.as_ref().map(|s| (s.sites.clone(), s.way))).collect::<Vec<_>>(), a.map(|a| a.reactions), an);
     }
 }

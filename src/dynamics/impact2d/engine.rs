@@ -23,7 +23,7 @@ const WORK: usize = 3_000_000;
 const SAME_INSTANT: usize = 200;
 /// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
 /// rounding.
-const SINK: f64 = 1e-12;
+pub(super) const SINK: f64 = 1e-12;
 
 /// What a body does now.
 #[derive(Clone, Debug)]
@@ -81,10 +81,19 @@ pub(super) struct SiteTrack {
     pub armed: bool,
     /// Whether it has lifted off without speed.
     pub lifted: bool,
+    /// Whether it has gone over the edge of the face, and is not in front of it again.
+    pub left: bool,
     /// When it comes out in front of the face on the trajectories in force \[s\].
     pub out: Option<f64>,
     /// How far behind the face a point that has lifted off is met again \[m\].
     pub sink: f64,
+}
+
+impl SiteTrack {
+    /// It is in front of the face: its next crossing counts.
+    pub(super) fn arm(&mut self) {
+        (self.armed, self.lifted, self.left) = (true, false, false);
+    }
 }
 
 /// The run of one group of bodies under the impact model.
@@ -171,6 +180,7 @@ impl Engine {
                     kept: false,
                     armed: true,
                     lifted: false,
+                    left: false,
                     out: None,
                 });
             }
@@ -250,7 +260,7 @@ impl Engine {
         for site in self.pairs[pair].sites.clone() {
             let track = &mut self.sites[site];
             if track.out.take().is_some_and(|at| at <= t) {
-                (track.armed, track.lifted) = (true, false);
+                track.arm();
             }
         }
         let found = search::pair(self, pair, t);
@@ -267,6 +277,11 @@ impl Engine {
         let Some(grip) = &self.grips[number] else { return };
         let slots = self.slots(&grip.bodies);
         if let Some(ending) = grip.ending {
+            if let Ending::Leaves(number) = ending {
+                let first = self.sites.partition_point(|site| site.number < number);
+                self.sites[first].left = true;
+                (self.sites[first].armed, self.sites[first].kept) = (false, false);
+            }
             self.meet(t, &slots, Some(ending));
             return;
         }
@@ -394,15 +409,5 @@ impl Engine {
         }
         let bodies = self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect();
         Finished { end, stop: self.stop, bodies, record: self.record, effort: self.effort }
-    }
-
-    /// What has just ended, as the pair's and the contact's numbers in the model.
-    pub(super) fn ended(ending: Option<Ending>) -> (Option<usize>, Option<usize>, bool) {
-        match ending {
-            Some(Ending::Lets(site)) => (Some(site), None, false),
-            Some(Ending::Breaks(pair)) => (None, Some(pair), true),
-            Some(Ending::Stops(pair)) => (None, Some(pair), false),
-            None => (None, None, false),
-        }
     }
 }

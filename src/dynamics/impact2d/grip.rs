@@ -24,8 +24,10 @@ const WIDTH: usize = body_state::PLANAR;
 /// What ends a stretch of lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Ending {
-    /// The declared contact is not pushed any more, or comes to the edge of the face.
+    /// The declared contact is not pushed any more.
     Lets(usize),
+    /// The declared contact comes to the edge of the face.
+    Leaves(usize),
     /// Friction cannot hold the pair any more.
     Breaks(usize),
     /// The pair has stopped sliding.
@@ -206,11 +208,12 @@ impl Grip {
             let points = scenery.points(model, seat);
             for ((&site, point), push) in seat.sites.iter().zip(&points).zip(reaction.normal) {
                 all.push((push, Ending::Lets(site)));
-                all.push((point.inset, Ending::Lets(site)));
+                all.push((point.inset, Ending::Leaves(site)));
             }
             match seat.way {
                 Way::Held => {
-                    let most = seat.friction(numbers)[0] * reaction.total();
+                    let rounding = 2.0 * scenery.rounding(&middle(&points));
+                    let most = seat.friction(numbers)[0] * reaction.total() + rounding;
                     all.push((most - reaction.tangential.abs(), Ending::Breaks(seat.pair)));
                 }
                 Way::Slides(sign) => {

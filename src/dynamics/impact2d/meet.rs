@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::State;
 use super::blow::{Blow, Edge, Rules, strike};
 use super::decide::{Candidate, RuledOut, decide};
-use super::engine::{Engine, Going};
+use super::engine::{Engine, Going, SINK};
 use super::grip::{Ending, Grip};
 use super::point::Point;
 use super::reaction::{Scenery, Seat, Way, middle, shaking};
@@ -17,10 +17,13 @@ use crate::dynamics::flight::Planar;
 const TOUCH: f64 = 1e-9;
 /// Hits at one instant with a bounce; girders that are wedged between others lose theirs after as many.
 const LIVELY: usize = 64;
-/// Hits at one instant.
-const MOST: usize = 20_000;
+/// Hits at one instant after which all who are still driven in stop together.
+const MOST: usize = 256;
 /// Speeds off the face that a kept point may have gathered by its integrator's error, in parts of the fastest.
 const DRIFT: f64 = 1e-8;
+
+/// Speeds that are rounding, in parts of the fastest that anybody has been.
+const RUN: f64 = 1e-14;
 
 /// Everybody whom an instant concerns.
 struct Moment {
@@ -38,6 +41,7 @@ struct Moment {
 impl Engine {
     /// States at t = 0.
     pub(super) fn begin(&mut self) {
+        self.flag_those_behind();
         let mut seen = vec![false; self.bodies.len()];
         for slot in 0..self.bodies.len() {
             if !seen[slot] {
@@ -48,6 +52,28 @@ impl Engine {
         }
     }
 
+    /// Points that start behind their face beside it count once they have come out in front.
+    fn flag_those_behind(&mut self) {
+        for pair in 0..self.pairs.len() {
+            for site in self.pairs[pair].sites.clone() {
+                let point = self.point(site, pair, 0.0);
+                if point.gap < TOUCH * self.reach(pair) && !self.touches(site, pair, &point) {
+                    let beside = point.inset < 0.0 || -point.gap >= self.model.contacts[self.sites[site].number].face.depth;
+                    (self.sites[site].armed, self.sites[site].left) = (false, beside);
+                }
+            }
+        }
+    }
+
+    /// A declared contact, on the trajectories in force.
+    fn point(&self, site: usize, pair: usize, t: f64) -> Point {
+        let slots = self.pairs[pair].slots;
+        let still = crate::contact::Frame::fixed(DVec3::ZERO);
+        let frames = slots.map(|slot| slot.map_or(still, |slot| self.frame(slot, t)));
+        let places = slots.map(|slot| slot.map(|_| 0));
+        Point::of(&self.model, self.sites[site].number, places, [&frames[0], &frames[1]])
+    }
+
     /// Meets whoever touches these bodies at `t`; returns the slots of all whom it concerned.
     pub(super) fn meet(&mut self, t: f64, seeds: &[usize], ending: Option<Ending>) -> Vec<usize> {
         let mut moment = self.moment(t, seeds);
@@ -56,6 +82,11 @@ impl Engine {
             return slots;
         }
         let energy = kinetic(&moment);
+        #[cfg(debug_dump)]
+        {
+            eprintln!("meet t {t:.17e} slots {slots:?} ending {ending:?}");
+            for e in &moment.edges { for (s, p) in e.sites.iter().zip(&e.points) { eprintln!("   pair {} site {s} gap {:.3e} inset {:.3e} vn {:.3e} vs {:.3e} hush {:.1e}", e.pair, p.gap, p.inset, moment.scenery.cluster.speed(p, p.n), moment.scenery.cluster.speed(p, p.s), moment.hush); } }
+        }
         let mut to = moment.before.clone();
         match self.hits(&mut moment, &mut to) {
             Ok(lost) => self.settle(&mut moment, &to, energy - lost, ending),
@@ -100,21 +131,19 @@ impl Engine {
         let mut moment = Moment { t, slots, states, scenery, before, edges: Vec::new(), hush: 0.0 };
         moment.edges = self.edges(&moment);
         let points: Vec<Point> = moment.edges.iter().flat_map(|edge| edge.points.clone()).collect();
-        moment.hush = moment.scenery.cluster.rounding(&points);
+        moment.hush = moment.scenery.cluster.rounding(&points).max(RUN * self.largest[0]);
         moment
     }
 
     fn touches_at(&self, site: usize, pair: usize, t: f64) -> bool {
-        let slots = self.pairs[pair].slots;
-        let still = crate::contact::Frame::fixed(DVec3::ZERO);
-        let frames = slots.map(|slot| slot.map_or(still, |slot| self.frame(slot, t)));
-        let places = slots.map(|slot| slot.map(|_| 0));
-        let point = Point::of(&self.model, self.sites[site].number, places, [&frames[0], &frames[1]]);
-        self.touches(site, pair, &point)
+        self.touches(site, pair, &self.point(site, pair, t))
     }
 
     /// Whether a point is on its face.
     fn touches(&self, site: usize, pair: usize, point: &Point) -> bool {
+        if self.sites[site].left {
+            return false;
+        }
         let near = TOUCH * self.reach(pair);
         let near_enough = point.gap.abs() <= near || (self.sites[site].kept && point.gap.abs() <= 1e3 * near);
         near_enough && point.inset >= -near
@@ -163,12 +192,8 @@ impl Engine {
         for slot in moment.slots.clone() {
             for pair in self.bodies[slot].pairs.clone() {
                 let (near, depth) = (TOUCH * self.reach(pair), |site: usize| {
-                    let (slots, number) = (self.pairs[pair].slots, self.sites[site].number);
-                    let still = crate::contact::Frame::fixed(DVec3::ZERO);
-                    let frames = slots.map(|slot| slot.map_or(still, |slot| self.frame(slot, 0.0)));
-                    let places = slots.map(|slot| slot.map(|_| 0));
-                    let point = Point::of(&self.model, number, places, [&frames[0], &frames[1]]);
-                    let within = -point.gap < self.model.contacts[number].face.depth;
+                    let point = self.point(site, pair, 0.0);
+                    let within = -point.gap < self.model.contacts[self.sites[site].number].face.depth;
                     if point.inset >= 0.0 && within { -point.gap } else { 0.0 }
                 });
                 let deepest = self.pairs[pair].sites.clone().map(depth).fold(0.0, f64::max);
@@ -205,7 +230,8 @@ impl Engine {
                 break;
             }
             if count > MOST {
-                return Err((edge.pair, format!("more than {MOST} hits at one instant")));
+                super::wedge::stop(&mut moment.scenery.cluster, &moment.edges);
+                break;
             }
             lost += self.hit(moment, &edge, to, count > LIVELY)?;
         }
@@ -286,7 +312,16 @@ impl Engine {
         let shaking = shaking(&self.model.ground, &piece, moment.t);
         moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
         let mut candidates = self.candidates(moment, ending);
-        let Some(mut seats) = decide(&self.model, &moment.scenery, &candidates, &numbers) else {
+        let decided = decide(&self.model, &moment.scenery, &candidates, &numbers).or_else(|| {
+            // Who slides slower than the stop speed and cannot go on may stay put.
+            for candidate in candidates.iter_mut().filter(|c| along(moment, c).abs() <= numbers.stop_speed) {
+                candidate.stays_or_leaves = true;
+            }
+            decide(&self.model, &moment.scenery, &candidates, &numbers)
+        });
+        let Some(mut seats) = decided else {
+            #[cfg(debug_dump)]
+            super::decide::dump(&self.model, &moment.scenery, &candidates, &numbers);
             let names = self.names(&bodies);
             let state = to.first().copied().unwrap_or(State::Free);
             self.give_up(moment.t, names, painleve(state));
@@ -304,6 +339,8 @@ impl Engine {
         if again && let Some(other) = decide(&self.model, &moment.scenery, &candidates, &numbers) {
             seats = other;
         }
+        #[cfg(debug_dump)]
+        eprintln!("   -> seats {seats:?}");
         self.tidy(moment, &seats);
         let lost = energy - kinetic(moment);
         self.go_on(moment, to, seats, lost);
@@ -311,7 +348,6 @@ impl Engine {
 
     /// Pairs of a moment with points that neither come nor go.
     fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
-        let (site, pair, broke) = Self::ended(ending);
         let mut all = Vec::new();
         for edge in self.edges(moment) {
             let loose = if self.is_kept(&edge) { DRIFT / 1e-12 } else { 4.0 };
@@ -324,13 +360,15 @@ impl Engine {
             let (sites, points): (Vec<usize>, Vec<Point>) = kept.into_iter().unzip();
             let rest = if points.len() > 1 { self.model.impact.stop_speed } else { loose * moment.hush };
             let mut candidate =
-                Candidate { pair: edge.pair, sites, points, slides: 0.0, ruled_out: RuledOut::default() };
+                Candidate { pair: edge.pair, sites, points, slides: 0.0, stays_or_leaves: false, ruled_out: RuledOut::default() };
             let v_s = along(moment, &candidate);
-            let stopped = pair == Some(edge.pair);
-            if v_s.abs() > rest && !stopped {
+            if v_s.abs() > rest && ending != Some(Ending::Stops(edge.pair)) {
                 candidate.slides = v_s.signum();
             }
-            candidate.ruled_out = RuledOut { held: broke && stopped, site };
+            candidate.ruled_out = match ending {
+                Some(Ending::Lets(site)) => RuledOut { held: false, site: Some(site) },
+                _ => RuledOut { held: ending == Some(Ending::Breaks(edge.pair)), site: None },
+            };
             all.push(candidate);
         }
         all
@@ -451,8 +489,10 @@ impl Engine {
                 if touches && !kept {
                     // Going out for good, or without speed.
                     (track.armed, track.lifted) = (false, rate <= 4.0 * moment.hush);
-                } else if point.gap < near && !touches && !kept && rate < 0.0 {
-                    (track.armed, track.lifted) = (false, false);
+                    track.sink = SINK * track.spot.size + (-point.gap).max(0.0);
+                } else if point.gap < near && !touches && !kept {
+                    // Behind the face, or beside it.
+                    (track.armed, track.lifted, track.left) = (false, false, true);
                 }
             }
         }

@@ -23,6 +23,7 @@ pub mod reaction;
 pub mod record;
 mod search;
 pub mod state;
+mod wedge;
 
 pub use record::{Hit, Record, Stay, Transition};
 pub use state::{Row, State};

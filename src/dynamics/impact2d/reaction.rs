@@ -11,7 +11,7 @@ use super::dense;
 use super::point::{Cluster, Point, inverse_mass, rates};
 use crate::contact::Frame;
 use crate::dynamics::flight::Planar;
-use crate::dynamics::{Model, body_state};
+use crate::dynamics::{Body, Model, body_state};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;
 
@@ -75,6 +75,8 @@ pub struct Scenery {
     pub cluster: Cluster,
     /// Accelerations without any reaction, rotation last.
     pub free: Vec<DVec3>,
+    /// Size of what they are the sum of, at the farthest corner: their rounding goes by it \[m/s²\].
+    pub sizes: Vec<f64>,
 }
 
 impl Scenery {
@@ -88,6 +90,7 @@ impl Scenery {
                 velocity: Vec::with_capacity(bodies.len()),
             },
             free: Vec::with_capacity(bodies.len()),
+            sizes: Vec::with_capacity(bodies.len()),
         };
         for (&number, state) in bodies.iter().zip(states) {
             let body = &model.bodies[number];
@@ -96,6 +99,7 @@ impl Scenery {
             scenery.frames.push(body.planar_frame(state));
             scenery.cluster.velocity.push(rates(state));
             scenery.free.push(DVec3::new(rate[3], rate[4], rate[5]));
+            scenery.sizes.push(size(body, state, ground));
         }
         scenery
     }
@@ -114,10 +118,32 @@ impl Scenery {
         Point::of(model, site, places, [frame(0), frame(1)])
     }
 
+    /// Size of the accelerations in play \[m/s²\].
+    pub fn scale(&self) -> f64 {
+        self.sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// A push or a hold at a point that is rounding \[N\].
+    pub fn rounding(&self, point: &Point) -> f64 {
+        let w_n = self.cluster.mobilities(point)[0];
+        if w_n > 0.0 { super::decide::ROUNDING * self.scale() / w_n } else { 0.0 }
+    }
+
     /// The kept points of a seat.
     pub fn points(&self, model: &Model, seat: &Seat) -> Vec<Point> {
         seat.sites.iter().map(|&site| self.point(model, site)).collect()
     }
+}
+
+/// Size of the accelerations that act on a body, before they cancel \[m/s²\].
+fn size(body: &Body, state: &Planar, ground: DVec3) -> f64 {
+    let (q, v) = (DVec3::new(state[0], state[1], state[2]), DVec3::new(state[3], state[4], state[5]));
+    let push = DVec3::new(body.push.x, body.push.y, body.moment);
+    let at_corner = |force: DVec3| {
+        let a = inverse_mass(body) * force;
+        a.truncate().length() + a.z.abs() * body.radius
+    };
+    at_corner(body.planar.stiffness * q) + at_corner(body.planar.damping * v) + at_corner(push) + ground.length()
 }
 
 /// Reactions of all seats, and the accelerations with them.

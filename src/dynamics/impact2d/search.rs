@@ -113,7 +113,7 @@ fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry> {
         let here = outlook(engine, site, 0.0, view);
         let track = &mut engine.sites[site];
         if !track.armed && in_front(here.gap, here.rate, t, resolution) {
-            (track.armed, track.lifted) = (true, false);
+            track.arm();
         }
         let depth = if track.lifted { track.sink } else { 0.0 };
         let here = Outlook { gap: here.gap + depth, ..here };
