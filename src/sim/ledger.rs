@@ -74,7 +74,12 @@ impl Books {
             initial: 0.0,
         };
         let start = books.stored(history, 0.0);
-        books.initial = start.kinetic + start.bearing + start.gravity + start.contact;
+        // Hits at the very start have taken theirs already.
+        let hits = history.impact().map_or(0.0, |record| {
+            let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.lost).sum::<f64>();
+            hits + record.transitions.iter().take_while(|change| change.t <= 0.0).map(|change| change.lost).sum::<f64>()
+        });
+        books.initial = start.kinetic + start.bearing + start.gravity + start.contact + hits;
         books
     }
 

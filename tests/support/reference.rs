@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use girderbench::geometry::End;
 use girderbench::scene::{
-    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelKind, ModelSettings,
-    Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings, Sharing, SineMotion,
-    SolverSettings, Tension, ViewSettings,
+    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelKind,
+    ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings, Sharing,
+    SineMotion, SolverSettings, Tension, ViewSettings,
 };
 use serde_json::Value;
 

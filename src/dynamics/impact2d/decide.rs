@@ -176,21 +176,3 @@ impl Judge<'_> {
         self.scenery.scale()
     }
 }
-
-#[cfg(debug_dump)]
-pub(super) fn dump(model: &Model, scenery: &Scenery, candidates: &[Candidate], numbers: &ImpactSettings) {
-    for c in candidates {
-        eprintln!("cand pair {} sites {:?} slides {} out {:?} gaps {:?} vn {:?} vs {:?}", c.pair, c.sites, c.slides, c.ruled_out, c.points.iter().map(|p| p.gap).collect::<Vec<_>>(), c.points.iter().map(|p| scenery.cluster.speed(p, p.n)).collect::<Vec<_>>(), c.points.iter().map(|p| scenery.cluster.speed(p, p.s)).collect::<Vec<_>>());
-        for p in &c.points { eprintln!("   W {:?}", scenery.cluster.mobilities(p)); }
-    }
-    let options: Vec<Vec<Option<Seat>>> = candidates.iter().map(Candidate::options).collect();
-    let n: usize = options.iter().map(Vec::len).product();
-    for g in 0..n.min(200) {
-        let choice = digits(g, &options);
-        let seats: Vec<Seat> = choice.iter().flatten().cloned().collect();
-        let points: Vec<Vec<Point>> = seats.iter().map(|seat| scenery.points(model, seat)).collect();
-        let a = react(scenery, &seats, &points, numbers);
-        let an: Vec<Vec<[f64;2]>> = a.as_ref().map(|a| candidates.iter().map(|c| c.points.iter().map(|p| [a.along(p, p.n, p.bias[0]), a.along(p, p.s, p.bias[1])]).collect()).collect()).unwrap_or_default();
-        eprintln!("  {:?} -> {:?} acc {:?}", choice.iter().map(|s| s.as_ref().map(|s| (s.sites.clone(), s.way))).collect::<Vec<_>>(), a.map(|a| a.reactions), an);
-    }
-}

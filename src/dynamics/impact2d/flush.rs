@@ -66,7 +66,7 @@ const BISECTIONS: u32 = 52;
 
 /// Work that is rounding \[J\].
 fn rounding(cluster: &Cluster, ends: &Ends, spread: &Spread) -> f64 {
-    (spread.normal[0] + spread.normal[1] + spread.tangential.abs()) * cluster.rounding(ends)
+    1e-2 * (spread.normal[0] + spread.normal[1] + spread.tangential.abs()) * cluster.rounding(ends)
 }
 
 /// How the edge goes along the face.

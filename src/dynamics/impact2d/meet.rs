@@ -58,7 +58,8 @@ impl Engine {
             for site in self.pairs[pair].sites.clone() {
                 let point = self.point(site, pair, 0.0);
                 if point.gap < TOUCH * self.reach(pair) && !self.touches(site, pair, &point) {
-                    let beside = point.inset < 0.0 || -point.gap >= self.model.contacts[self.sites[site].number].face.depth;
+                    let beside =
+                        point.inset < 0.0 || -point.gap >= self.model.contacts[self.sites[site].number].face.depth;
                     (self.sites[site].armed, self.sites[site].left) = (false, beside);
                 }
             }
@@ -82,11 +83,6 @@ impl Engine {
             return slots;
         }
         let energy = kinetic(&moment);
-        #[cfg(debug_dump)]
-        {
-            eprintln!("meet t {t:.17e} slots {slots:?} ending {ending:?}");
-            for e in &moment.edges { for (s, p) in e.sites.iter().zip(&e.points) { eprintln!("   pair {} site {s} gap {:.3e} inset {:.3e} vn {:.3e} vs {:.3e} hush {:.1e}", e.pair, p.gap, p.inset, moment.scenery.cluster.speed(p, p.n), moment.scenery.cluster.speed(p, p.s), moment.hush); } }
-        }
         let mut to = moment.before.clone();
         match self.hits(&mut moment, &mut to) {
             Ok(lost) => self.settle(&mut moment, &to, energy - lost, ending),
@@ -320,8 +316,6 @@ impl Engine {
             decide(&self.model, &moment.scenery, &candidates, &numbers)
         });
         let Some(mut seats) = decided else {
-            #[cfg(debug_dump)]
-            super::decide::dump(&self.model, &moment.scenery, &candidates, &numbers);
             let names = self.names(&bodies);
             let state = to.first().copied().unwrap_or(State::Free);
             self.give_up(moment.t, names, painleve(state));
@@ -339,8 +333,6 @@ impl Engine {
         if again && let Some(other) = decide(&self.model, &moment.scenery, &candidates, &numbers) {
             seats = other;
         }
-        #[cfg(debug_dump)]
-        eprintln!("   -> seats {seats:?}");
         self.tidy(moment, &seats);
         let lost = energy - kinetic(moment);
         self.go_on(moment, to, seats, lost);
@@ -359,8 +351,14 @@ impl Engine {
             }
             let (sites, points): (Vec<usize>, Vec<Point>) = kept.into_iter().unzip();
             let rest = if points.len() > 1 { self.model.impact.stop_speed } else { loose * moment.hush };
-            let mut candidate =
-                Candidate { pair: edge.pair, sites, points, slides: 0.0, stays_or_leaves: false, ruled_out: RuledOut::default() };
+            let mut candidate = Candidate {
+                pair: edge.pair,
+                sites,
+                points,
+                slides: 0.0,
+                stays_or_leaves: false,
+                ruled_out: RuledOut::default(),
+            };
             let v_s = along(moment, &candidate);
             if v_s.abs() > rest && ending != Some(Ending::Stops(edge.pair)) {
                 candidate.slides = v_s.signum();
