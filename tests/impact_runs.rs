@@ -68,13 +68,8 @@ fn run(scene: &Scene) -> History {
 fn full_edge(skew_deg: f64, mu: f64, flush: Flush) -> [f64; 3] {
     let mut deck = girder(30.0, 10.0, skew_deg);
     deck.initial.velocity = [0.5, 0.0, 0.0];
-    let impact = ImpactSettings {
-        restitution_normal: 0.5,
-        mu_static: mu,
-        mu_kinetic: mu,
-        flush,
-        ..ImpactSettings::default()
-    };
+    let impact =
+        ImpactSettings { restitution_normal: 0.5, mu_static: mu, mu_kinetic: mu, flush, ..ImpactSettings::default() };
     let history = run(&scene(deck, 0.1, 0.3, impact));
     let motion = history.motion(0, 0.25);
     [motion.velocity.x, motion.velocity.y, motion.spin.z]

@@ -32,6 +32,6 @@ pub(super) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<String, Stri
     let options = TableOptions { estimated_error, run_time, ..TableOptions::default() };
     let tables = all(&answer.history, &options);
     write_set(folder, &tables).map_err(|e| e.to_string())?;
-    let names: Vec<&str> = tables.iter().map(|(name, _)| *name).collect();
+    let names: Vec<&str> = tables.iter().map(|(name, _)| name.as_str()).collect();
     Ok(format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", ")))
 }

@@ -7,7 +7,7 @@ use super::run::write_files;
 use super::{Console, Failure, summary};
 use crate::scene::Scene;
 use crate::sim::History;
-use crate::tables::{self, Report, TableOptions};
+use crate::tables::{Report, TableOptions};
 
 /// Runs a scene and writes everything about it into a folder.
 ///
@@ -15,11 +15,14 @@ use crate::tables::{self, Report, TableOptions};
 /// Bad input; a run that gave up, after its answer has been written.
 pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result<(), Failure> {
     let timed = compute(scene)?;
-    let error = timed.estimate_error();
-    let options =
-        TableOptions { estimated_error: Some(error), run_time: Some(timed.run_time), ..TableOptions::default() };
-    console.print(&summary::text(&Report::of(&timed.history, &options)));
-    let mut all = tables::all(&timed.history, &options);
+    let mut all = Vec::new();
+    for answer in &timed {
+        let (error, run_time) = (Some(answer.estimate_error()), Some(answer.run_time));
+        let options = TableOptions { estimated_error: error, run_time, ..TableOptions::default() };
+        console.print(&summary::text(&Report::of(&answer.history, &options)));
+        all.extend(answer.tables(&options));
+    }
+    let timed = &timed[0];
     match pictures(&timed.history) {
         Ok(pictures) => all.extend(pictures),
         Err(why) => console.note(&format!("no pictures: {why}")),
@@ -33,7 +36,7 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
 
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
 #[cfg(feature = "render")]
-fn pictures(history: &History) -> Result<Vec<(&'static str, Vec<u8>)>, crate::render::GpuError> {
+fn pictures(history: &History) -> Result<Vec<(String, Vec<u8>)>, crate::render::GpuError> {
     use crate::render::Packing;
     use crate::scene::ViewPreset::{Contact, Iso, Side, Top};
     use crate::snapshot::{Shot, Studio};
@@ -45,13 +48,13 @@ fn pictures(history: &History) -> Result<Vec<(&'static str, Vec<u8>)>, crate::re
             let shot = Shot { view: Some(view), ..Shot::default() };
             let image = studio.shoot(history, &shot)?;
             let texts = studio.texts(history.scene(), shot.at.of(history));
-            Ok((name, image.to_png(&texts, Packing::Small)))
+            Ok((name.to_owned(), image.to_png(&texts, Packing::Small)))
         })
         .collect()
 }
 
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.
 #[cfg(not(feature = "render"))]
-fn pictures(_: &History) -> Result<Vec<(&'static str, Vec<u8>)>, &'static str> {
+fn pictures(_: &History) -> Result<Vec<(String, Vec<u8>)>, &'static str> {
     Err("this build has none (feature render)")
 }

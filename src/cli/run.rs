@@ -7,7 +7,7 @@ use super::compute::{Timed, compute};
 use super::summary;
 use super::{Console, Failure};
 use crate::files;
-use crate::tables::{self, DEFAULT_SAMPLE_HZ, Report, TableOptions};
+use crate::tables::{DEFAULT_SAMPLE_HZ, Report, TableOptions};
 
 /// More rows than this are refused: the table would not fit a disk or a memory.
 const MOST_ROWS: f64 = 2e7;
@@ -20,7 +20,8 @@ pub(super) struct RunArgs {
     /// Rows per second in the tables [Hz]
     #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
     sample: f64,
-    /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder
+    /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder; of the impact model also hits.csv and
+    /// transitions.csv, and impact-….csv beside the contact model's where the scene asks for both
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print a hash of the whole answer and nothing else
@@ -39,29 +40,35 @@ pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> 
     args.out.as_deref().map_or(Ok(()), files::check_folder)?;
     let timed = compute(&scene)?;
     if args.digest {
-        console.print(&format!("{:016x}\n", timed.history.digest()));
+        timed.iter().for_each(|timed| console.print(&format!("{:016x}\n", timed.history.digest())));
     }
     if !args.digest || args.out.is_some() {
         report(args, &timed, console)?;
     }
-    match timed.history.stop() {
+    match timed.iter().find_map(|timed| timed.history.stop()) {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
         None => Ok(()),
     }
 }
 
-/// Prints the summary and writes the tables.
-fn report(args: &RunArgs, timed: &Timed, console: &mut Console) -> Result<(), Failure> {
-    let options = TableOptions {
-        sample_hz: args.sample,
-        estimated_error: Some(timed.estimate_error()),
-        run_time: Some(timed.run_time),
-    };
-    if !args.digest {
-        console.print(&summary::text(&Report::of(&timed.history, &options)));
+/// Prints the summaries and writes the tables.
+fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), Failure> {
+    let mut all = Vec::new();
+    for timed in timed {
+        let options = TableOptions {
+            sample_hz: args.sample,
+            estimated_error: Some(timed.estimate_error()),
+            run_time: Some(timed.run_time),
+        };
+        if !args.digest {
+            console.print(&summary::text(&Report::of(&timed.history, &options)));
+        }
+        if args.out.is_some() {
+            all.extend(timed.tables(&options));
+        }
     }
     let Some(folder) = &args.out else { return Ok(()) };
-    let written = write_files(folder, &tables::all(&timed.history, &options))?;
+    let written = write_files(folder, &all)?;
     if !args.digest {
         console.print(&written);
     }
@@ -69,9 +76,9 @@ fn report(args: &RunArgs, timed: &Timed, console: &mut Console) -> Result<(), Fa
 }
 
 /// Writes files of an answer into a folder and says so.
-pub(super) fn write_files(folder: &Path, all: &[(&str, Vec<u8>)]) -> Result<String, Failure> {
+pub(super) fn write_files(folder: &Path, all: &[(String, Vec<u8>)]) -> Result<String, Failure> {
     files::write_set(folder, all)?;
-    let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+    let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
     Ok(format!("written to {}: {}\n", folder.display(), names.join(", ")))
 }
 

@@ -19,12 +19,17 @@ fn line(label: &str, value: String) -> Line {
 
 fn head(report: &Report) -> Vec<Line> {
     let gave_up = report.gave_up.iter();
-    gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason))).collect()
+    let model = (report.model == "impact").then(|| line("model", "impact (rigid bodies, impulses)".to_owned()));
+    let gave_up =
+        gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
+    model.into_iter().chain(gave_up).collect()
 }
 
 fn answer(report: &Report) -> Vec<Line> {
     let n = &report.numbers;
     let peak = match n.peak_time {
+        Some(_) if n.peak_impulse.is_some() && n.peak_force == 0.0 => "none that lasts".to_owned(),
+        Some(_) if n.peak_impulse.is_some() => format!("{} of a single corner, lasting", force(n.peak_force)),
         Some(t) => format!("{} of a single corner at {t:.6} s", force(n.peak_force)),
         None => "no contact".to_owned(),
     };
@@ -32,12 +37,17 @@ fn answer(report: &Report) -> Vec<Line> {
         line("largest displacement", format!("{:.4} mm", n.max_displacement * 1e3)),
         line("largest rotation", format!("{:.4}°", n.max_rotation.to_degrees())),
         line("largest contact force", peak),
+    ];
+    if let (Some(impulse), Some(t)) = (n.peak_impulse, n.peak_time) {
+        lines.push(line("largest impulse", format!("{} N·s at {t:.6} s", short(impulse))));
+    }
+    lines.extend([
         line("hits", format!("{} ({} touches of single contacts)", n.hits, n.touches)),
         line(
             "time in stick, slip",
             format!("{} s, {} s, summed over contacts", short(n.stick_time), short(n.slip_time)),
         ),
-    ];
+    ]);
     lines.extend(report.pairs.iter().map(|pair| {
         let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
         line(&format!("pair {}", pair.name), value)

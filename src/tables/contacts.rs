@@ -3,7 +3,7 @@
 //! A touch of the model girder lasts about 10 ms, one sample at the usual rate, so the samples alone would miss what
 //! matters: events and peaks have rows of their own, and `why` tells which instant a row is.
 
-use super::events::law_label;
+use super::events::law_of;
 use super::{number, sample_times, to_csv, xyz, xyz_header};
 use crate::sim::{ContactNow, History};
 
@@ -68,7 +68,7 @@ fn row(history: &History, t: f64, why: &str, contact: &ContactNow) -> Vec<String
         vec![number(contact.normal_damping)],
         xyz(contact.tangential_damping).into(),
         xyz(contact.force).into(),
-        vec![law_label(pair.contact.law).to_owned()],
+        vec![law_of(history, contact.pair).to_owned()],
     ]
     .concat()
 }

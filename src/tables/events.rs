@@ -21,8 +21,13 @@ fn row(history: &History, event: &Event) -> Vec<String> {
         site.node.clone(),
         site.face_name.clone(),
         number(event.released),
-        law_label(pair.contact.law).to_owned(),
+        law_of(history, event.pair).to_owned(),
     ]
+}
+
+/// The law that a pair used; under the impact model there is none but its own.
+pub(super) fn law_of(history: &History, pair: usize) -> &'static str {
+    if history.impact().is_some() { "impact" } else { law_label(history.model().pairs[pair].contact.law) }
 }
 
 /// The law as scene files spell it.

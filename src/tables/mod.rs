@@ -7,12 +7,14 @@
 pub mod compare;
 mod contacts;
 mod events;
+mod impact;
 pub mod read;
 mod summary;
 mod trajectory;
 
 pub use contacts::contacts;
 pub use events::{events, law_label};
+pub use impact::{hits, transitions};
 pub use summary::{PairReport, Report, SeatReport, Versions};
 pub use trajectory::trajectory;
 
@@ -38,14 +40,24 @@ impl Default for TableOptions {
     }
 }
 
-/// Every table of an answer, as (file name, bytes).
-pub fn all(history: &History, options: &TableOptions) -> Vec<(&'static str, Vec<u8>)> {
-    vec![
+/// Every table of an answer, as (file name, bytes); the impact model adds its hits and transitions.
+pub fn all(history: &History, options: &TableOptions) -> Vec<(String, Vec<u8>)> {
+    let mut all = vec![
         ("trajectory.csv", trajectory(history, options.sample_hz)),
         ("contacts.csv", contacts(history, options.sample_hz)),
         ("events.csv", events(history)),
         ("summary.json", Report::of(history, options).to_json()),
-    ]
+    ];
+    if history.impact().is_some() {
+        all.extend([("hits.csv", hits(history)), ("transitions.csv", transitions(history))]);
+    }
+    all.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect()
+}
+
+/// The tables of the model that does not lead, beside the other's.
+pub fn all_beside(history: &History, options: &TableOptions) -> Vec<(String, Vec<u8>)> {
+    let name = |name: String| format!("{}-{name}", history.scene().model.kind.label());
+    all(history, options).into_iter().map(|(file, bytes)| (name(file), bytes)).collect()
 }
 
 /// The instants `0, 1/hz, 2/hz, …` up to `end`, each `i / hz` to the last bit \[s\].

@@ -32,7 +32,7 @@ pub struct TableError {
     pub remedy: &'static str,
 }
 
-/// Reads the bytes of a `trajectory.csv`.
+/// Reads the bytes of a `trajectory.csv`; columns of states, `NAME.state`, are words and are passed over.
 ///
 /// # Errors
 /// When they are not a table of finite numbers whose first column is `t`.
@@ -46,13 +46,20 @@ pub fn trajectory(bytes: &[u8]) -> Result<Trajectory, TableError> {
     let mut values = vec![Vec::new(); names.len()];
     for record in reader.records() {
         let record = record.map_err(not_csv)?;
-        for ((field, name), column) in record.iter().zip(&names).zip(&mut values) {
+        for ((field, name), column) in
+            record.iter().zip(&names).zip(&mut values).filter(|((_, name), _)| !is_word(name))
+        {
             column.push(number(field, name, &record)?);
         }
     }
     let mut columns = names.into_iter().zip(values);
     let t = columns.next().map(|(_, t)| t).unwrap_or_default();
-    Ok(Trajectory { t, columns: columns.collect() })
+    Ok(Trajectory { t, columns: columns.filter(|(name, _)| !is_word(name)).collect() })
+}
+
+/// Whether a column holds words.
+fn is_word(name: &str) -> bool {
+    name.ends_with(".state")
 }
 
 /// Reads the bytes of an `events.csv`; columns other than `t`, `pair`, `kind`, `node` and `face` are passed over.

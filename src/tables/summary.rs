@@ -3,7 +3,7 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use super::events::law_label;
+use super::events::law_of;
 use super::{TableOptions, sample_times};
 use crate::geometry::{End, Prism};
 use crate::scene::Kind;
@@ -16,6 +16,8 @@ pub struct Report {
     pub scene: String,
     /// Planar or spatial.
     pub kind: Kind,
+    /// Which model computed it, `contact` or `impact`.
+    pub model: &'static str,
     /// What was asked for \[s\].
     pub duration: f64,
     /// How far the answer reaches \[s\].
@@ -91,6 +93,7 @@ impl Report {
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
+            model: if history.impact().is_some() { "impact" } else { "contact" },
             duration: scene.duration,
             end: history.end(),
             gave_up: history.stop().cloned(),
@@ -122,7 +125,7 @@ fn pairs(history: &History) -> Vec<PairReport> {
         let touches: Vec<_> = history.touches().iter().filter(|touch| touch.pair == number).collect();
         PairReport {
             name: pair.name.clone(),
-            law: law_label(pair.contact.law),
+            law: law_of(history, number),
             touches: touches.len(),
             peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
         }

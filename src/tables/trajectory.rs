@@ -10,7 +10,7 @@ const PLANAR: [&str; 6] = ["x", "y", "theta", "vx", "vy", "omega"];
 const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 
 /// The table: `t`, then per girder `NAME.x, NAME.y, NAME.theta, NAME.vx, NAME.vy, NAME.omega`; a spatial girder adds
-/// `z, qx, qy, qz, qw, vz, wx, wy`.
+/// `z, qx, qy, qz, qw, vz, wx, wy`; under the impact model `state` follows, a letter from a to f.
 pub fn trajectory(history: &History, sample_hz: f64) -> Vec<u8> {
     let spatial = history.scene().kind == Kind::Spatial;
     let bodies = &history.model().bodies;
@@ -18,15 +18,19 @@ pub fn trajectory(history: &History, sample_hz: f64) -> Vec<u8> {
         let mut row = vec![number(t)];
         for girder in 0..bodies.len() {
             row.extend(columns(&history.motion(girder, t), spatial));
+            row.extend(history.impact().map(|record| record.state(girder, t).letter().to_string()));
         }
         row
     });
-    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial), rows)
+    let state = history.impact().is_some();
+    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial, state), rows)
 }
 
-fn header<'a>(names: impl Iterator<Item = &'a str>, spatial: bool) -> Vec<String> {
-    let more = if spatial { &SPATIAL[..] } else { &[] };
-    let of_girder = |name: &str| PLANAR.iter().chain(more).map(|column| format!("{name}.{column}")).collect::<Vec<_>>();
+fn header<'a>(names: impl Iterator<Item = &'a str>, spatial: bool, state: bool) -> Vec<String> {
+    let mut more = if spatial { SPATIAL.to_vec() } else { Vec::new() };
+    more.extend(state.then_some("state"));
+    let of_girder =
+        |name: &str| PLANAR.iter().chain(&more).map(|column| format!("{name}.{column}")).collect::<Vec<_>>();
     std::iter::once("t".to_owned()).chain(names.flat_map(of_girder)).collect()
 }
 
@@ -45,10 +49,14 @@ mod tests {
     #[test]
     fn the_header_names_the_body_and_the_quantity() {
         assert_eq!(
-            header(["deck"].into_iter(), false).join(","),
+            header(["deck"].into_iter(), false, false).join(","),
             "t,deck.x,deck.y,deck.theta,deck.vx,deck.vy,deck.omega",
             "planar"
         );
-        assert_eq!(header(["a", "b"].into_iter(), true).len(), 1 + 2 * (6 + 8), "spatial girders have more columns");
+        assert_eq!(
+            header(["a", "b"].into_iter(), true, false).len(),
+            1 + 2 * (6 + 8),
+            "spatial girders have more columns"
+        );
     }
 }
