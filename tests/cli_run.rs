@@ -355,3 +355,25 @@ fn an_interrupted_run_leaves_nothing_half_written() {
     assert_eq!(status.code(), None, "ended by the signal");
     assert!(!out.exists(), "nothing was written");
 }
+
+#[test]
+fn both_models_are_written_side_by_side() {
+    let folder = folder();
+    run_into(folder.path(), &["run", "skew45-abutment", "--set", "model.kind=both"]);
+    let read = |name: &str| String::from_utf8(bytes_of(folder.path(), name)).expect("UTF-8");
+    let header = "t,deck.x,deck.y,deck.theta,deck.vx,deck.vy,deck.omega,deck.state\n";
+    assert!(read("impact-trajectory.csv").starts_with(header), "the state is a column");
+    assert!(read("impact-hits.csv").contains("\"Table 9, row 9\""), "the first hit names its row");
+    assert!(read("impact-transitions.csv").contains("接触滑り回転"), "the state by the paper's name");
+    assert!(!read("trajectory.csv").contains("state"), "the contact model has no such states");
+    let summary: serde_json::Value = serde_json::from_str(&read("impact-summary.json")).expect("JSON");
+    assert_eq!(summary["model"], "impact", "who computed it");
+    assert!(summary["ledger"]["loss_hits"].as_f64().is_some_and(|lost| lost > 0.0), "hits lose energy");
+}
+
+#[test]
+fn the_impact_model_is_refused_in_space() {
+    let said = call(&["run", "deck-30m", "--set", "model.kind=impact"]);
+    assert_eq!(said.status, Some(2), "bad input");
+    assert!(said.err.contains("model.kind") && said.err.contains("planar"), "place and remedy: {}", said.err);
+}

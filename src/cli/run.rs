@@ -40,7 +40,9 @@ pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> 
     args.out.as_deref().map_or(Ok(()), files::check_folder)?;
     let timed = compute(&scene)?;
     if args.digest {
-        timed.iter().for_each(|timed| console.print(&format!("{:016x}\n", timed.history.digest())));
+        for timed in &timed {
+            console.print(&format!("{:016x}\n", timed.history.digest()));
+        }
     }
     if !args.digest || args.out.is_some() {
         report(args, &timed, console)?;

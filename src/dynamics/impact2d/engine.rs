@@ -68,6 +68,7 @@ pub(super) struct PairTrack {
 
 /// A declared contact of the group.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each says another thing about one point")]
 pub(super) struct SiteTrack {
     /// Its number in the model.
     pub number: usize,

@@ -84,12 +84,16 @@ impl Engine {
         }
         let energy = kinetic(&moment);
         let mut to = moment.before.clone();
-        match self.hits(&mut moment, &mut to) {
+        let known = (self.record.hits.len(), self.record.transitions.len());
+        let done = match self.hits(&mut moment, &mut to) {
             Ok(lost) => self.settle(&mut moment, &to, energy - lost, ending),
-            Err((pair, why)) => {
-                let name = self.model.pairs[pair].name.clone();
-                self.give_up(t, name, why);
-            }
+            Err((pair, why)) => Err((self.model.pairs[pair].name.clone(), why)),
+        };
+        if let Err((place, why)) = done {
+            // The answer ends before this instant, and so does the record.
+            self.record.hits.truncate(known.0);
+            self.record.transitions.truncate(known.1);
+            self.give_up(t, place, why);
         }
         slots
     }
@@ -296,8 +300,14 @@ impl Engine {
         Ok(lost)
     }
 
-    /// Decides who stays in contact, and sends everybody on.
-    fn settle(&mut self, moment: &mut Moment, to: &[State], energy: f64, ending: Option<Ending>) {
+    /// Decides who stays in contact, and sends everybody on; `energy` is the kinetic energy that the hits have left.
+    fn settle(
+        &mut self,
+        moment: &mut Moment,
+        to: &[State],
+        energy: f64,
+        ending: Option<Ending>,
+    ) -> Result<(), (String, String)> {
         let numbers = self.model.impact;
         // The velocities are those after the hits.
         for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
@@ -316,10 +326,8 @@ impl Engine {
             decide(&self.model, &moment.scenery, &candidates, &numbers)
         });
         let Some(mut seats) = decided else {
-            let names = self.names(&bodies);
-            let state = to.first().copied().unwrap_or(State::Free);
-            self.give_up(moment.t, names, painleve(state));
-            return;
+            let place = (0..to.len()).find(|&place| to[place].touches()).unwrap_or(0);
+            return Err((self.names(&bodies), painleve(to[place])));
         };
         // A face that was to rest below the stop speed but cannot goes on as it goes.
         let mut again = false;
@@ -333,9 +341,11 @@ impl Engine {
         if again && let Some(other) = decide(&self.model, &moment.scenery, &candidates, &numbers) {
             seats = other;
         }
+        let strain = self.strain(moment);
         self.tidy(moment, &seats);
-        let lost = energy - kinetic(moment);
+        let lost = energy - kinetic(moment) + strain - self.strain(moment);
         self.go_on(moment, to, seats, lost);
+        Ok(())
     }
 
     /// Pairs of a moment with points that neither come nor go.
@@ -410,6 +420,15 @@ impl Engine {
             }
         }
         moment.scenery.cluster.velocity = moment.states.iter().map(super::point::rates).collect();
+    }
+
+    /// Energy in the bearings of a moment \[J\].
+    fn strain(&self, moment: &Moment) -> f64 {
+        let body = |(&body, state): (&usize, &Planar)| {
+            let q = DVec3::new(state[0], state[1], state[2]);
+            0.5 * q.dot(self.model.bodies[body].planar.stiffness * q)
+        };
+        moment.scenery.bodies.iter().zip(&moment.states).map(body).sum()
     }
 
     /// Starts flights and grips, logs what changed, and looks for the next meetings.
@@ -500,12 +519,7 @@ impl Engine {
     fn state_of(&self, moment: &Moment, place: usize, seats: &[Seat]) -> State {
         let touching = |seat: &&Seat| moment.scenery.places(&self.model, seat.pair).contains(&Some(place));
         if let Some(seat) = seats.iter().find(touching) {
-            return match (seat.is_flush(), seat.way) {
-                (true, Way::Held) => State::Resting,
-                (true, Way::Slides(_)) => State::Sliding,
-                (false, Way::Held) => State::Turning,
-                (false, Way::Slides(_)) => State::SlidingTurning,
-            };
+            return seat.state();
         }
         let body = &self.model.bodies[moment.scenery.bodies[place]];
         let v = moment.scenery.cluster.velocity[place];
@@ -590,8 +604,9 @@ fn joined(model: &crate::dynamics::Model, scenery: &Scenery, seats: Vec<Seat>) -
 
 fn painleve(state: State) -> String {
     format!(
-        "in state {} ({}) neither staying put nor sliding agrees with the equations: past the Painlevé bound \
-         w_n − μ |w_ns| ≤ 0 friction drives the corner in; lower mu_kinetic, or take the contact model",
+        "in state {} ({}) neither staying put, sliding nor leaving agrees with the equations: past the Painlevé bound \
+         w_n − μ |w_ns| ≤ 0, or several contacts together, friction drives a corner in; lower mu_kinetic, or take the \
+         contact model",
         state.letter(),
         state.label()
     )

@@ -7,6 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::State;
 use super::dense;
 use super::point::{Cluster, Point, inverse_mass, rates};
 use crate::contact::Frame;
@@ -40,6 +41,16 @@ impl Seat {
     /// Whether a whole face lies on the other.
     pub fn is_flush(&self) -> bool {
         self.sites.len() > 1
+    }
+
+    /// The state c–f of a girder on this seat.
+    pub fn state(&self) -> State {
+        match (self.is_flush(), self.way) {
+            (true, Way::Held) => State::Resting,
+            (true, Way::Slides(_)) => State::Sliding,
+            (false, Way::Held) => State::Turning,
+            (false, Way::Slides(_)) => State::SlidingTurning,
+        }
     }
 
     /// `[μ_s, μ_k]` of the face or, at one point, of a corner.

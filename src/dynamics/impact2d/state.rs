@@ -116,15 +116,16 @@ impl Row {
 
     /// The row for a change without a hit (Tables 4–7): from a state in contact to another.
     pub fn between(from: State, to: State) -> Option<Self> {
-        let row = |order: [State; 6]| order.iter().position(|state| *state == to);
-        use State::{Free, FreeTurning, Resting, Sliding, SlidingTurning, Turning};
-        let (table, row) = match from {
-            SlidingTurning => (4, row([Resting, Sliding, Turning, SlidingTurning, Free, FreeTurning])),
-            Turning => (5, row([Resting, Sliding, Turning, SlidingTurning, Free, FreeTurning])),
-            Sliding => (6, row([Resting, Sliding, Turning, SlidingTurning, Free, FreeTurning])),
-            Resting => (7, row([Resting, Sliding, Turning, SlidingTurning, Free, FreeTurning])),
-            Free | FreeTurning => return None,
+        let table = match from {
+            State::SlidingTurning => 4,
+            State::Turning => 5,
+            State::Sliding => 6,
+            State::Resting => 7,
+            State::Free | State::FreeTurning => return None,
         };
+        let order =
+            [State::Resting, State::Sliding, State::Turning, State::SlidingTurning, State::Free, State::FreeTurning];
+        let row = order.iter().position(|state| *state == to);
         // A face that lies on the wall does not turn as it leaves: one row for both ways of being free.
         let last = if table >= 6 { 5 } else { 6 };
         let number = u8::try_from(row?).ok()? + 1;
@@ -135,7 +136,7 @@ impl Row {
     /// hit while another end is in contact.
     pub fn landing(l: &Landing) -> Option<Self> {
         match (l.from, l.flush) {
-            (State::FreeTurning, false) | (State::Free, false) => Some(Self::of(8, corner(l.after))),
+            (State::FreeTurning | State::Free, false) => Some(Self::of(8, corner(l.after))),
             (State::FreeTurning, true) => Some(Self::of(8, 5 + face(l))),
             (State::Free, true) => Some(Self::of(9, translation(l))),
             (State::SlidingTurning | State::Turning, true) => Some(Self::of(10, face(l))),

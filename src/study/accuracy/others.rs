@@ -2,7 +2,7 @@
 //!
 //! CPU seconds on one core of a like machine at the best setting found for each; the error is the largest displacement
 //! error. "finite elements" is a general finite-element code with a gap element and Newmark steps, "robotics engine" a
-//! time-stepping multibody engine, "LSODA" a general adaptive solver without events.
+//! time-stepping multibody engine, "game-physics engine" one for games, "LSODA" a general adaptive solver without events.
 
 /// One figure.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,7 @@ pub(super) const OTHERS: &[Other] = &[
     other("P1d", "finite elements", 23.0, 1e-6),
     other("P1d", "robotics engine", 10.0, 1e-6),
     other("P1d", "LSODA", 0.055, 1e-6),
+    other("P3", "game-physics engine", 37.0, 6.5e-7),
     other("P2", "finite elements", 6.9, 1e-6),
     never("P2", "robotics engine", 5e-6, "its best"),
     other("P2", "LSODA", 0.082, 1e-6),

@@ -15,6 +15,11 @@ pub enum Source {
         /// `e_n` of the dashpot; 1 is none.
         restitution: f64,
     },
+    /// The same with a rigid wall.
+    Rigid {
+        /// `e_n`.
+        restitution: f64,
+    },
     /// A damped oscillator in stick, a parabola plus a sine in slip, switched at roots.
     Block,
     /// The second formulation: its own kinematics, forces, laws, integrator and event search.
@@ -55,7 +60,7 @@ const fn problem(
     Problem { name, summary, source, contact, scene }
 }
 
-static PROBLEMS: [Problem; 12] = [
+static PROBLEMS: [Problem; 13] = [
     problem("free-decay", "straight girder let go, nothing to touch, 4 s", Source::FreeDecay, scenes::free_decay),
     problem(
         "harmonic-response",
@@ -72,6 +77,12 @@ static PROBLEMS: [Problem; 12] = [
     problem("P1d", "the same with the dashpot (e_n = 0.4)", Source::Bouncer { restitution: 0.4 }, || {
         scenes::head_on(true)
     }),
+    problem(
+        "P3",
+        "P1 with an instantaneous restitution of 0.4 (impact model)",
+        Source::Rigid { restitution: 0.4 },
+        scenes::rigid,
+    ),
     problem(
         "P2",
         "straight girder at 45°, return mapping, μ = 0.15, no dashpot: it slips only, 5 s",

@@ -1,7 +1,7 @@
 //! The scenes of the problems: presets with changes.
 
 use super::record;
-use crate::scene::{Direction, FrictionLaw, Motion, RecordMotion, Scene, SceneErrors, SineMotion, presets};
+use crate::scene::{Direction, FrictionLaw, ModelKind, Motion, RecordMotion, Scene, SceneErrors, SineMotion, presets};
 
 /// Amplitude of the P problems, 0.4 × 9.81 \[m/s²\].
 const AMPLITUDE: f64 = 3.924;
@@ -45,6 +45,13 @@ pub(super) fn head_on(dashpot: bool) -> Result<Scene, SceneErrors> {
     if dashpot {
         (scene.contact.restitution_normal, scene.contact.restitution_tangential) = (0.4, 0.9);
     }
+    Ok(scene)
+}
+
+/// P3: P1 with an instantaneous restitution of 0.4.
+pub(super) fn rigid() -> Result<Scene, SceneErrors> {
+    let mut scene = pounding("P3", 0.0, 10.0)?;
+    scene.model.kind = ModelKind::Impact;
     Ok(scene)
 }
 

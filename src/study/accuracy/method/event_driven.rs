@@ -2,6 +2,7 @@
 //! state a root. Asked by its continuous answer, so the instants of comparison cost it nothing on the way.
 
 use super::{Job, Knob, Method, Work};
+use crate::scene::ModelKind;
 use crate::sim::History;
 
 /// See above.
@@ -15,6 +16,10 @@ impl Method for EventDriven {
 
     fn knob(&self) -> Knob {
         Knob::Tolerance
+    }
+
+    fn knows(&self, _: ModelKind) -> bool {
+        true
     }
 
     fn work(&self, job: &Job<'_>) -> Result<Work, String> {

@@ -15,7 +15,7 @@ mod solve;
 mod world;
 
 use super::{Answer, Instants};
-use crate::scene::Scene;
+use crate::scene::{ModelKind, Scene};
 use crate::sim::History;
 
 /// What a method is turned by.
@@ -64,6 +64,11 @@ pub trait Method: Sync {
 
     /// What it is turned by.
     fn knob(&self) -> Knob;
+
+    /// Whether it computes a scene by this model.
+    fn knows(&self, model: ModelKind) -> bool {
+        model == ModelKind::Contact
+    }
 
     /// The work that is timed: from the scene to what can be asked for its motion.
     ///

@@ -1,6 +1,8 @@
-//! P1 and P1d: the straight girder head-on. One degree of freedom, linear in flight and in contact:
+//! P1, P1d and P3: the straight girder head-on. One degree of freedom, linear in flight and in contact:
 //!
 //! flight `ẍ = −ω²x − 2hω ẋ − A sin Ωt`, contact the same with `−(K (x − g) + C ẋ)/m`.
+//!
+//! In P3 the wall is rigid: where the gap closes, `ẋ` becomes `−e_n ẋ`.
 //!
 //! Each stretch is a Taylor series in 32-digit arithmetic, its end a root of the gap to as many digits. The numbers are
 //! those of the problem's statement, not of the program; nothing else is shared with it either.
@@ -29,14 +31,16 @@ struct Bouncer {
     drive: Wide,
     mass: f64,
     touching: bool,
+    /// `e_n` of a rigid wall.
+    rigid: Option<f64>,
     /// x, ẋ, sin Ωt, cos Ωt.
     state: [Wide; 4],
     t: Wide,
     peak: f64,
 }
 
-/// The answer for a restitution `e_n`.
-pub(super) fn answer(restitution: f64, instants: Instants) -> Answer {
+/// The answer for a restitution `e_n` of the dashpot, or of a rigid wall.
+pub(super) fn answer(restitution: f64, rigid: bool, instants: Instants) -> Answer {
     let omega = TAU * ratio(12.0, 5.0);
     let (mass, k) = (2.0, Wide::from(1.55e5));
     let log = restitution.ln();
@@ -50,6 +54,7 @@ pub(super) fn answer(restitution: f64, instants: Instants) -> Answer {
         drive: omega,
         mass,
         touching: false,
+        rigid: rigid.then_some(restitution),
         state: [Wide::default(), Wide::default(), Wide::default(), Wide::from(1.0)],
         t: Wide::default(),
         peak: 0.0,
@@ -112,8 +117,13 @@ impl Bouncer {
         seen(self.t, (self.t + end).value(), &series[0]);
         self.state = [0, 1, 2, 3].map(|i| horner(&series[i], end));
         self.t = self.t + end;
-        if crossing.is_some() {
-            self.touching = !self.touching;
+        match (crossing, self.rigid) {
+            (Some(_), Some(restitution)) => {
+                self.state[0] = self.gap;
+                self.state[1] = Wide::default() - self.state[1] * Wide::from(restitution);
+            }
+            (Some(_), None) => self.touching = !self.touching,
+            (None, _) => {}
         }
     }
 

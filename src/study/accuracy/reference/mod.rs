@@ -37,7 +37,7 @@ pub struct Reference {
 pub fn describe(source: Source) -> &'static str {
     match source {
         Source::FreeDecay | Source::HarmonicResponse => "closed form",
-        Source::Bouncer { .. } => "Taylor series in 32 digits, events as roots",
+        Source::Bouncer { .. } | Source::Rigid { .. } => "Taylor series in 32 digits, events as roots",
         Source::Block => "closed form between roots",
         Source::Second => "second formulation: own forces and laws, extrapolation, own event search",
     }
@@ -52,7 +52,8 @@ pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
     let answer = match source {
         Source::FreeDecay => closed_form::free_decay(instants),
         Source::HarmonicResponse => closed_form::harmonic_response(instants),
-        Source::Bouncer { restitution } => bouncer::answer(restitution, instants),
+        Source::Bouncer { restitution } => bouncer::answer(restitution, false, instants),
+        Source::Rigid { restitution } => bouncer::answer(restitution, true, instants),
         Source::Block => block::answer(instants),
         Source::Second => second::answer(scene, instants)?,
     };
