@@ -7,7 +7,7 @@ mod handmade;
 
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
-use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
+use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::view::list::{ArrowKind, Mark};
 use girderbench::view::{
@@ -422,4 +422,45 @@ fn nonsense_in_a_view_is_no_panic() {
     }
     let empty = Scene { girders: Vec::new(), abutments: Vec::new(), ..scene.clone() };
     let _ = draw_list(&input(&empty, None, 0.0, &camera)).to_string();
+}
+
+#[test]
+fn both_models_are_drawn_together_and_told_apart() {
+    let mut scene = load("skew45-abutment");
+    scene.model.kind = ModelKind::Both;
+    let history = History::of(&scene).expect("a preset runs");
+    let hit = history.beside().and_then(|beside| beside.impact()?.hits.first().cloned()).expect("it hits");
+    let list = at(&history, hit.t + 1e-3);
+    // Twelve edges of twelve dashes.
+    assert_eq!(list.xray_lines.iter().filter(|line| line.group == "ghost").count(), 144, "the other model's girder");
+    let texts: Vec<&str> = list
+        .marks
+        .iter()
+        .filter_map(|m| if let Mark::Text { text, .. } = m { Some(text.as_str()) } else { None })
+        .collect();
+    for words in [
+        "deck · c: contact, sliding and turning",
+        "contact model",
+        "impact model, and its states",
+        "impulse of a hit, fading",
+    ] {
+        assert!(texts.contains(&words), "{words} is said: {texts:?}");
+    }
+    let impulse = list.arrows.iter().find(|arrow| arrow.kind == ArrowKind::Impulse).expect("the hit's impulse");
+    let scale = f64::from((impulse.to - impulse.from).length());
+    let size = hit.total()[0].hypot(hit.total()[1]);
+    let unit = girderbench::view::scale::auto_impulse_scale(history.beside().expect("both")).expect("there are hits");
+    assert!((scale - size / unit).abs() < 1e-6, "as long as it was large");
+    let later = at(&history, hit.t + 0.02);
+    let faded = later.arrows.iter().find(|arrow| arrow.kind == ArrowKind::Impulse).expect("still there");
+    assert!(faded.color.0[3] < impulse.color.0[3], "it fades");
+    assert!(at(&history, hit.t + 0.3).arrows.iter().all(|arrow| arrow.kind != ArrowKind::Impulse), "and is gone");
+}
+
+#[test]
+fn one_model_alone_is_drawn_as_before() {
+    let history = run("skew45-abutment");
+    let list = at(&history, 0.29);
+    assert!(list.xray_lines.iter().all(|line| line.group != "ghost"), "no ghost");
+    assert!(list.arrows.iter().all(|arrow| arrow.kind != ArrowKind::Impulse), "no impulse");
 }

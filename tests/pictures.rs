@@ -12,7 +12,7 @@ mod handmade;
 mod studio;
 
 use girderbench::render::{Image, Packing, Quality, Renderer};
-use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
+use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::snapshot::{Instant, Shot, Studio};
 use girderbench::view::{Background, Bounds, Camera, DrawList, ViewInput, draw_moment};
@@ -46,6 +46,16 @@ fn take(studio: &mut Studio, name: &str, history: &History, shot: &Shot) -> Resu
 fn no_complaint(results: impl IntoIterator<Item = Result<(), String>>) {
     let complaints: Vec<String> = results.into_iter().filter_map(Result::err).collect();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn both_models_look_as_blessed() {
+    let Some(mut studio) = studio("both_models_look_as_blessed") else { return };
+    let mut scene = presets::load("skew45-abutment").expect("a preset is valid");
+    scene.model.kind = ModelKind::Both;
+    let history = run(&scene);
+    let later = Shot { at: Instant::At(0.68), view: Some(ViewPreset::Top), size: SIZE, ..Shot::default() };
+    no_complaint([take(&mut studio, "skew45-both-models", &history, &later)]);
 }
 
 #[test]

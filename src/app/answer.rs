@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use super::clock::merged;
-use crate::sim::{ContactState, EventKind, History, Summary};
+use crate::sim::{ContactState, EventKind, History, Hit, Summary};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,20 @@ pub struct Span {
     /// To \[s\].
     pub end: f64,
 }
+
+/// How far the two models are apart at the most, where both computed the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apart {
+    /// Displacement of any girder's G \[m\].
+    pub place: f64,
+    /// Rotation of any girder \[rad\].
+    pub turn: f64,
+    /// Whether a whole face hits.
+    pub flush: bool,
+}
+
+/// Instants at which the models are compared.
+const COMPARED: u32 = 1000;
 
 /// A run, ready to be looked at.
 pub struct Answer {
@@ -35,6 +49,10 @@ pub struct Answer {
     pub event_times: Vec<f64>,
     /// Stick and slip of every contact, ordered by start.
     pub spans: Vec<Span>,
+    /// Hits of the impact model: pair and time \[s\].
+    pub hits: Vec<(usize, f64)>,
+    /// How far the models are apart, where there are two.
+    pub apart: Option<Apart>,
     error: OnceLock<f64>,
 }
 
@@ -43,10 +61,21 @@ impl Answer {
     pub fn new(history: History, took: Duration, number: u64) -> Self {
         let summary = history.summary();
         let touches = merged(history.touches().iter().map(|t| (t.start, t.end)));
-        let mut event_times: Vec<f64> = history.events().iter().map(|e| e.t).collect();
+        let runs = [Some(&history), history.beside()];
+        let mut event_times: Vec<f64> =
+            runs.into_iter().flatten().flat_map(History::events).map(|event| event.t).collect();
+        event_times.sort_by(f64::total_cmp);
         event_times.dedup();
         let spans = spans(&history);
-        Self { history, number, took, summary, touches, event_times, spans, error: OnceLock::new() }
+        let record = runs.into_iter().flatten().find_map(History::impact);
+        let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
+        let apart = history.beside().map(|beside| apart(&history, beside));
+        Self { history, number, took, summary, touches, event_times, spans, hits, apart, error: OnceLock::new() }
+    }
+
+    /// How far the models are apart at `t`: displacement \[m\], rotation \[rad\]; 0 where there is one.
+    pub fn apart_at(&self, t: f64) -> [f64; 2] {
+        self.history.beside().map_or([0.0; 2], |beside| apart_at(&self.history, beside, t))
     }
 
     /// Estimated error, once it is known; NaN when it could not be had \[m\].
@@ -79,11 +108,31 @@ impl Answer {
     }
 }
 
+fn apart(one: &History, other: &History) -> Apart {
+    let end = one.end().min(other.end());
+    let at = |i: u32| apart_at(one, other, end * f64::from(i) / f64::from(COMPARED));
+    let [place, turn] = (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])));
+    let flush = other.impact().is_some_and(|record| record.hits.iter().any(Hit::is_flush));
+    Apart { place, turn, flush }
+}
+
+fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
+    let girder = |i: usize| {
+        let (a, b) = (one.motion(i, t), other.motion(i, t));
+        [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
+    };
+    (0..one.model().bodies.len()).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+}
+
 /// Turns events into stretches of one state.
 fn spans(history: &History) -> Vec<Span> {
     let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
     let mut spans = Vec::new();
     for event in history.events() {
+        if event.kind == EventKind::Hit {
+            // It takes no time.
+            continue;
+        }
         let Some(slot) = open.get_mut(event.contact) else { continue };
         if let Some((state, start)) = slot.take() {
             spans.push(Span { pair: event.pair, state, start, end: event.t });

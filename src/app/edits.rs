@@ -24,6 +24,8 @@ pub(super) fn label(edit: &Edit, scene: &Scene) -> String {
         Edit::Rename(from, to) => format!("rename {from} to {to}"),
         Edit::Contact(_) => "change contact".into(),
         Edit::Motion(_) => "change ground motion".into(),
+        Edit::Model(_) => "change model".into(),
+        Edit::Impact(_) => "change impact numbers".into(),
         Edit::Scene(other) => format!("open {}", other.name),
         Edit::General(_) | Edit::Solver(_) | Edit::View(_) | Edit::Set(_) => "change scene".into(),
         Edit::Batch(edits) => edits.first().map_or_else(|| "nothing".into(), |first| label(first, scene)),

@@ -7,7 +7,7 @@ use super::answer::Answer;
 use super::text;
 use crate::files::{write_atomic, write_set};
 use crate::render::{Gpu, Packing, Quality, Renderer};
-use crate::tables::{TableOptions, all};
+use crate::tables::{TableOptions, all, all_beside};
 use crate::view::DrawList;
 
 /// Draws a list anew, off screen and in full quality, and writes it.
@@ -30,7 +30,10 @@ pub(super) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<String, Stri
     let run_time = Some(answer.took.as_secs_f64());
     let estimated_error = answer.error().filter(|e| e.is_finite());
     let options = TableOptions { estimated_error, run_time, ..TableOptions::default() };
-    let tables = all(&answer.history, &options);
+    let mut tables = all(&answer.history, &options);
+    if let Some(beside) = answer.history.beside() {
+        tables.extend(all_beside(beside, &TableOptions::default()));
+    }
     write_set(folder, &tables).map_err(|e| e.to_string())?;
     let names: Vec<&str> = tables.iter().map(|(name, _)| name.as_str()).collect();
     Ok(format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", ")))

@@ -22,6 +22,7 @@ mod input;
 mod inspector;
 mod look;
 mod menu;
+mod models;
 mod name_field;
 mod notices;
 mod outliner;

@@ -58,15 +58,17 @@ fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<C
     };
     let mut place = pick(&traces.x, palette.x, LineStyle::Solid);
     place.extend(pick(&traces.y, palette.y, LineStyle::Dashed { length: 7.0 }));
+    let dotted = LineStyle::Dotted { spacing: 4.0 };
+    place.extend(pick(&traces.ghosts[0], palette.x, dotted));
+    place.extend(pick(&traces.ghosts[1], palette.y, dotted));
     place.sort_by_key(|c| c.3);
+    let mut theta = pick(&traces.theta, palette.theta, LineStyle::Solid);
+    theta.extend(pick(&traces.ghosts[2], palette.theta, dotted));
+    let both = !traces.ghosts[0].is_empty();
     let force = traces.force.iter().map(|c| (c, palette.force, LineStyle::Solid, true)).collect();
     vec![
-        Chart { label: text::PLOT_PLACE, curves: place, words: text::short },
-        Chart {
-            label: text::PLOT_THETA,
-            curves: pick(&traces.theta, palette.theta, LineStyle::Solid),
-            words: text::short,
-        },
+        Chart { label: if both { text::PLOT_PLACE_BOTH } else { text::PLOT_PLACE }, curves: place, words: text::short },
+        Chart { label: text::PLOT_THETA, curves: theta, words: text::short },
         Chart { label: text::PLOT_FORCE, curves: force, words: text::force },
     ]
 }

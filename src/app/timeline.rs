@@ -97,6 +97,24 @@ fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, 
             hatched(painter, bar.intersect(lanes));
         }
     }
+    hits(painter, answer, axis, lanes, palette);
+}
+
+/// Hits of the impact model: a tick over the lane's whole height, with a head.
+fn hits(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
+    let height = lanes.height() / answer.history.model().pairs.len().max(1) as f32;
+    let mut last = vec![f32::NEG_INFINITY; answer.history.model().pairs.len()];
+    for &(pair, t) in &answer.hits {
+        let x = axis.x(t);
+        let Some(done) = last.get_mut(pair).filter(|done| x - **done >= 1.0 && lanes.x_range().contains(x)) else {
+            continue;
+        };
+        *done = x;
+        let top = lanes.top() + pair as f32 * height;
+        painter.vline(x, top..=top + height, Stroke::new(1.0, palette.force));
+        let head = vec![pos2(x - 2.5, top), pos2(x + 2.5, top), pos2(x, top + 4.0)];
+        painter.add(egui::Shape::convex_polygon(head, palette.force, Stroke::NONE));
+    }
 }
 
 /// The spans that reach into a window; spans are ordered by start, touches are short.

@@ -21,6 +21,8 @@ pub(super) struct Traces {
     pub(super) y: Vec<Curve>,
     /// Rotation, per girder \[degrees\].
     pub(super) theta: Vec<Curve>,
+    /// x, y and θ by the other model, where there is one.
+    pub(super) ghosts: [Vec<Curve>; 3],
     /// Largest `|R_k|` of a contact, hit by hit of every pair \[N\].
     pub(super) force: Vec<Curve>,
 }
@@ -60,6 +62,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         x: vec![Vec::with_capacity(points); girders],
         y: vec![Vec::with_capacity(points); girders],
         theta: vec![Vec::with_capacity(points); girders],
+        ghosts: [(); 3].map(|()| vec![Vec::new(); if history.beside().is_some() { girders } else { 0 }]),
         force: Vec::new(),
     };
     for t in grid(window, points, history.end()) {
@@ -68,6 +71,12 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
             traces.x[girder].push([t, motion.displacement.x * 1e3]);
             traces.y[girder].push([t, motion.displacement.y * 1e3]);
             traces.theta[girder].push([t, motion.theta.to_degrees()]);
+            if let Some(ghost) = history.beside().map(|beside| beside.motion(girder, t)) {
+                let values = [ghost.displacement.x * 1e3, ghost.displacement.y * 1e3, ghost.theta.to_degrees()];
+                for (curves, value) in traces.ghosts.iter_mut().zip(values) {
+                    curves[girder].push([t, value]);
+                }
+            }
         }
     }
     traces.force = (0..pairs).flat_map(|pair| force(answer, pair, window, points)).collect();

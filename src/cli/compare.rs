@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::{Changes, positive};
-use super::compute::compute_leading;
+use super::compute::compute;
 use super::run::check_rows;
 use super::{Console, Failure};
 use crate::files;
@@ -99,7 +99,7 @@ fn run_answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result
     let scene = args.changes.load(source)?;
     let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
     check_rows(sample, scene.duration)?;
-    let history = compute_leading(&scene)?.history;
+    let history = compute(&scene)?.swap_remove(0).history;
     if let Some(stop) = history.stop() {
         console.note(&Failure::GaveUp { scene: source.to_owned(), stop: stop.clone() }.to_string());
     }

@@ -14,21 +14,18 @@ pub(super) struct Timed {
     pub(super) leads: bool,
 }
 
-/// Runs a scene by every model that it asks for, the one that leads first; never empty.
+/// Runs a scene by every model that it asks for, each timed for itself, the one that leads first; never empty.
 pub(super) fn compute(scene: &Scene) -> Result<Vec<Timed>, SceneErrors> {
     let run = |(number, &kind): (usize, &ModelKind)| {
-        if number == 0 {
-            return compute_leading(scene);
-        }
-        let mut other = scene.clone();
-        other.model.kind = kind;
-        compute_leading(&other).map(|timed| Timed { leads: false, ..timed })
+        let mut one = scene.clone();
+        one.model.kind = kind;
+        compute_as_asked(&one).map(|timed| Timed { leads: number == 0, ..timed })
     };
     scene.model.kind.models().iter().enumerate().map(run).collect()
 }
 
-/// Runs a scene by the model that leads, to its end or to where it gives up.
-pub(super) fn compute_leading(scene: &Scene) -> Result<Timed, SceneErrors> {
+/// Runs a scene to its end, or to where it gives up: the model that leads, with the other beside it.
+pub(super) fn compute_as_asked(scene: &Scene) -> Result<Timed, SceneErrors> {
     let timer = Timer::start();
     let mut progress = Progress::over(scene.duration, "s");
     let mut session = Session::new(scene)?;

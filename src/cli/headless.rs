@@ -22,14 +22,17 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
         console.print(&summary::text(&Report::of(&answer.history, &options)));
         all.extend(answer.tables(&options));
     }
-    let timed = &timed[0];
-    match pictures(&timed.history) {
+    let stop = timed.iter().find_map(|timed| timed.history.stop().cloned());
+    let Some(history) = timed.into_iter().map(|timed| timed.history).reduce(History::with_beside) else {
+        return Ok(());
+    };
+    match pictures(&history) {
         Ok(pictures) => all.extend(pictures),
         Err(why) => console.note(&format!("no pictures: {why}")),
     }
     console.print(&write_files(folder, &all)?);
-    match timed.history.stop() {
-        Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }),
+    match stop {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop }),
         None => Ok(()),
     }
 }

@@ -14,7 +14,7 @@ use crate::dynamics::impact2d::Record;
 use crate::dynamics::penalty3d::{act, to_world};
 use crate::dynamics::track::{Closed, Path, Segment};
 use crate::dynamics::{Model, body_state};
-use crate::scene::{Kind, Scene, SceneErrors};
+use crate::scene::{Kind, ModelKind, Scene, SceneErrors};
 
 /// Instants at which two runs are compared for the error estimate.
 const COMPARED: u32 = 2000;
@@ -55,6 +55,8 @@ pub struct History {
     pub(super) logs: Vec<ContactLog>,
     events: Vec<Event>,
     record: Option<Record>,
+    /// The same scene by the other model.
+    beside: Option<Arc<Self>>,
     effort: Effort,
     touches: OnceLock<Vec<Touch>>,
     books: OnceLock<Books>,
@@ -94,7 +96,7 @@ impl History {
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         let (touches, books) = (OnceLock::new(), OnceLock::new());
-        Self { scene, model, end, stop, paths, systems, logs, events, record, effort, touches, books }
+        Self { scene, model, end, stop, paths, systems, logs, events, record, beside: None, effort, touches, books }
     }
 
     /// The scene that was run.
@@ -115,6 +117,18 @@ impl History {
     /// What the impact model did; nothing where the contact model computed the run.
     pub fn impact(&self) -> Option<&Record> {
         self.record.as_ref()
+    }
+
+    /// The same scene by the model that does not lead, where it asks for both.
+    pub fn beside(&self) -> Option<&Self> {
+        self.beside.as_deref()
+    }
+
+    /// The same answer with another model's beside it.
+    #[must_use]
+    pub fn with_beside(mut self, beside: Self) -> Self {
+        self.beside = Some(Arc::new(beside));
+        self
     }
 
     /// What the run did, counted.
@@ -305,6 +319,7 @@ impl History {
     /// Largest displacement difference from a run at a hundredth of the tolerance \[m\].
     pub fn estimate_error(&self) -> f64 {
         let mut finer = self.scene.clone();
+        finer.model.kind = if self.record.is_some() { ModelKind::Impact } else { ModelKind::Contact };
         finer.solver.tolerance = (self.scene.solver.tolerance / 100.0).max(1e-13);
         if self.scene.solver.tolerance <= 1e-13 {
             // Nothing finer is left: from a coarser run, which errs the other way.

@@ -12,12 +12,14 @@ use crate::scene::{ModelKind, Scene, SceneErrors};
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
 
-/// A run that advances in portions: of the model that leads, where a scene asks for both.
+/// A run that advances in portions; where a scene asks for both models, the one that leads with the other beside it.
 #[derive(Debug)]
 pub struct Session {
     scene: Scene,
     model: Arc<Model>,
     engines: Engines,
+    /// The other model's run, where a scene asks for both.
+    beside: Option<Box<Self>>,
 }
 
 /// One engine a group of bodies.
@@ -44,7 +46,8 @@ impl Session {
                 Engines::Impact(groups.map(|group| impact2d::engine::Engine::new(&model, group)).collect())
             }
         };
-        Ok(Self { scene: scene.clone(), model, engines })
+        let beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
+        Ok(Self { scene: scene.clone(), model, engines, beside })
     }
 
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then with the time reached \[s\] and
@@ -70,6 +73,9 @@ impl Session {
             Engines::Contact(engines) => each(engines, |engine| engine.advance(until)),
             Engines::Impact(engines) => each(engines, |engine| engine.advance(until)),
         }
+        if let Some(beside) = &mut self.beside {
+            beside.work(until);
+        }
     }
 
     /// How far every group has come \[s\].
@@ -83,7 +89,8 @@ impl Session {
 
     /// What is computed so far.
     pub fn finish(self) -> History {
-        match self.engines {
+        let beside = self.beside.map(|beside| beside.finish());
+        let history = match self.engines {
             Engines::Contact(engines) => {
                 let groups = engines.into_iter().map(Engine::finish).collect();
                 History::gather(self.scene, self.model, groups, None)
@@ -93,6 +100,10 @@ impl Session {
                     engines.into_iter().map(|engine| split(engine.finish())).unzip();
                 History::gather(self.scene, self.model, groups, Some(records))
             }
+        };
+        match beside {
+            Some(beside) => history.with_beside(beside),
+            None => history,
         }
     }
 
@@ -105,6 +116,14 @@ impl Session {
         session.work(scene.duration);
         Ok(session.finish())
     }
+}
+
+/// The scene of the model that does not lead, where both are asked for.
+fn beside(scene: &Scene) -> Option<Scene> {
+    let [_, second] = scene.model.kind.models() else { return None };
+    let mut other = scene.clone();
+    other.model.kind = *second;
+    Some(other)
 }
 
 /// Does it to every engine, on as many threads as there are.

@@ -6,7 +6,7 @@ use super::block::{Block, abutment_block, moved_girder_block};
 use super::hiding::solidity;
 use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
-use super::palette::{Palette, SELECTED};
+use super::palette::{GHOST, Palette, SELECTED};
 use super::scale::round_down;
 use super::{Bounds, Target, ViewInput};
 use crate::scene::{Bearings, Girder, Scene};
@@ -16,6 +16,9 @@ use crate::sim::Motion;
 const PAD_SIDE: f64 = 0.6;
 /// Height of a bearing pad, as a share of the girder's thickness, where no abutment says where the ground is.
 const PAD_HEIGHT: f64 = 0.8;
+
+/// Dashes of a ghost's edge.
+const DASHES: u32 = 12;
 
 /// Bodies and the lines along their edges.
 #[derive(Debug, Default)]
@@ -81,10 +84,24 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         let selected = input.selected == Some(Target::Girder(i));
         out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
     }
+    for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {
+        out.add_ghost(input, &moved_girder_block(girder, motion));
+    }
     out
 }
 
 impl Bodies {
+    /// A girder by the other model: dashed edges seen through everything. A fill would fight with the girder's own faces.
+    fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block) {
+        let width = 1.8 * input.pixels_per_point;
+        for [from, to] in block.edges() {
+            for dash in 0..DASHES {
+                let at = |part: f64| from.lerp(to, (f64::from(dash) + part) / f64::from(DASHES)).as_vec3();
+                self.outline.push(Line { group: "ghost", from: at(0.0), to: at(0.55), width, color: GHOST });
+            }
+        }
+    }
+
     fn add(&mut self, input: &ViewInput<'_>, block: &Block, name: &str, color: Rgba, edge: Rgba, selected: bool) {
         let face = block.face.map(DVec3::as_vec3);
         let list = if color.0[3] == 0xff { &mut self.solids } else { &mut self.ghosts };

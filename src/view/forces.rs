@@ -8,8 +8,8 @@ use glam::{DVec3, Vec2};
 
 use super::ViewInput;
 use super::list::{Arrow, ArrowKind, Cone, Line, Mark};
-use super::moment::Moment;
-use super::palette::{DAMPING, NORMAL, OPENED, Palette, SELECTED, TANGENTIAL, of_state};
+use super::moment::{Impulse, Moment};
+use super::palette::{DAMPING, IMPULSE, NORMAL, OPENED, Palette, SELECTED, TANGENTIAL, of_state};
 use super::{Basis, Target};
 use crate::sim::{ContactNow, ContactState};
 
@@ -40,6 +40,7 @@ pub(super) fn forces(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
             out.arrows.extend(arrows(input, contact, scale, palette));
         }
     }
+    out.arrows.extend(moment.impulses.iter().filter_map(|impulse| impulse_arrow(input, moment, impulse, palette)));
     if input.overlays.contacts {
         out.marks = glyphs(input, moment, palette);
     }
@@ -76,6 +77,22 @@ fn arrows(input: &ViewInput<'_>, c: &ContactNow, scale: f64, palette: &Palette) 
             halo: palette.halo,
         })
         .collect()
+}
+
+/// An impulse: as long as it was large, fainter as it lies back.
+fn impulse_arrow(input: &ViewInput<'_>, moment: &Moment, i: &Impulse, palette: &Palette) -> Option<Arrow> {
+    let scale = moment.impulse_scale?;
+    let point = point_length(input, i.point);
+    let seen = input.overlays.resultant && i.impulse.is_finite() && i.impulse.length() / scale > LEAST * point;
+    seen.then(|| Arrow {
+        contact: i.contact,
+        kind: ArrowKind::Impulse,
+        from: i.point.as_vec3(),
+        to: (i.point + i.impulse / scale).as_vec3(),
+        radius: (1.2 * point * SHAFT) as f32,
+        color: IMPULSE.fainter(i.left),
+        halo: palette.halo.fainter(i.left),
+    })
 }
 
 impl Forces {

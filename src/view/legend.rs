@@ -7,8 +7,8 @@ use super::forces::glyph;
 use super::labels::{Area, text_size};
 use super::list::{Mark, Rgba};
 use super::moment::Moment;
-use super::palette::{DAMPING, NORMAL, Palette, STICK, TANGENTIAL};
-use super::scale::{round_down, round_force, round_length};
+use super::palette::{DAMPING, GHOST, IMPULSE, NORMAL, Palette, STICK, TANGENTIAL};
+use super::scale::{round_down, round_force, round_impulse, round_length};
 use super::texts::TEXT;
 use crate::sim::ContactState;
 
@@ -34,6 +34,8 @@ enum Sign {
     State(ContactState),
     Cone,
     Grid,
+    Girder,
+    Ghost,
 }
 
 fn row(sign: Sign, text: impl Into<String>) -> Row {
@@ -47,6 +49,14 @@ pub(super) fn force_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, 
     let per_pixel = input.camera.metres_per_pixel(focus, f64::from(input.size[1])) * scale;
     let force = round_down(LONGEST_BAR * f64::from(input.pixels_per_point) * per_pixel);
     Some((force, (force / per_pixel) as f32))
+}
+
+/// The impulse whose bar is a round number, and the bar's length \[N·s, pixels\].
+fn impulse_bar(input: &ViewInput<'_>, moment: &Moment) -> Option<(f64, f32)> {
+    let focus = moment.impulses.last().map_or(input.camera.target, |impulse| impulse.point);
+    let per_pixel = input.camera.metres_per_pixel(focus, f64::from(input.size[1])) * moment.impulse_scale?;
+    let impulse = round_down(LONGEST_BAR * f64::from(input.pixels_per_point) * per_pixel);
+    Some((impulse, (impulse / per_pixel) as f32))
 }
 
 /// Where the scale is true in a perspective view: the middle of the contacts, or what the camera looks at.
@@ -76,6 +86,14 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         if o.cones {
             rows.push(row(Sign::Cone, "outline μ_s, filled μ_k"));
         }
+    }
+    if let Some((impulse, length)) = o.resultant.then(|| impulse_bar(input, moment)).flatten() {
+        rows.push(row(Sign::Bar(length), round_impulse(impulse)));
+        rows.push(row(Sign::Arrow(IMPULSE), "impulse of a hit, fading"));
+    }
+    if !moment.ghosts.is_empty() {
+        rows.push(row(Sign::Girder, "contact model"));
+        rows.push(row(Sign::Ghost, "impact model, and its states"));
     }
     if o.contacts && can_touch {
         rows.push(row(Sign::State(ContactState::Stick), "stick"));
@@ -153,6 +171,16 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
             out.push(Mark::Fill { points: vec![p(15.0, 7.0), p(9.0, -7.0), p(21.0, -7.0)], color: fill });
             let outline = [p(6.0, -7.0), p(15.0, 7.0), p(24.0, -7.0)];
             out.push(stroke(outline, 1.2 * ppp, palette.faint_ink));
+        }
+        Sign::Girder => {
+            let points = vec![p(2.0, -5.0), p(28.0, -5.0), p(28.0, 5.0), p(2.0, 5.0)];
+            out.push(Mark::Fill { points, color: palette.girder });
+            out.push(stroke([p(2.0, -5.0), p(28.0, -5.0), p(28.0, 5.0), p(2.0, 5.0), p(2.0, -5.0)], ppp, palette.edge));
+        }
+        Sign::Ghost => {
+            for k in [2.0, 11.5, 21.0] {
+                out.extend([-5.0, 5.0].map(|y| stroke([p(k, y), p(k + 6.5, y)], 1.8 * ppp, GHOST)));
+            }
         }
         Sign::Grid => {
             let color = palette.grid.with_alpha(0xb0);

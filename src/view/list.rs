@@ -149,6 +149,8 @@ pub enum ArrowKind {
     Resultant,
     /// Both dashpots.
     Damping,
+    /// An impulse of the impact model, which fades.
+    Impulse,
 }
 
 /// A force, drawn at the node that it acts on.

@@ -3,10 +3,13 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::ViewInput;
-use super::scale::auto_force_scale;
+use super::scale::{auto_force_scale, auto_impulse_scale};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
-use crate::sim::{ContactNow, History, Motion};
+use crate::sim::{ContactNow, History, Hit, Motion, State};
+
+/// Impulses that fade at once, at most: the latest.
+const MOST_IMPULSES: usize = 24;
 
 /// Two ends that face each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +29,19 @@ pub struct Opened {
     pub point: DVec3,
 }
 
+/// A hit of the impact model that fades.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impulse {
+    /// Where it acted \[m\].
+    pub point: DVec3,
+    /// All of it, on the first side's girder \[N·s\].
+    pub impulse: DVec3,
+    /// What is left of it, from 1 at the hit down to 0.
+    pub left: f64,
+    /// A contact that touched.
+    pub contact: usize,
+}
+
 /// One instant of a run, or a scene as placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
@@ -41,6 +57,14 @@ pub struct Moment {
     pub opened: Vec<Opened>,
     /// The friction laws in use, by name; empty where nothing can touch.
     pub laws: Vec<&'static str>,
+    /// Motion of each girder by the other model, where the answer has it beside this one.
+    pub ghosts: Vec<Motion>,
+    /// State of each girder under the impact model, this one or the one beside; empty without.
+    pub states: Vec<State>,
+    /// Hits of the impact model a moment ago.
+    pub impulses: Vec<Impulse>,
+    /// Scale of the impulses' arrows, where there are any in the run \[N·s/m\].
+    pub impulse_scale: Option<f64>,
     /// Scale of the arrows, where there can be any \[N/m\].
     pub force_scale: Option<f64>,
 }
@@ -62,13 +86,26 @@ impl Moment {
         let t = if t.is_finite() { t.clamp(0.0, history.end()) } else { 0.0 };
         let model = history.model();
         let contacts = history.contacts(t);
+        let by_impulses = [Some(history), history.beside()].into_iter().flatten().find(|h| h.impact().is_some());
+        let record = by_impulses.and_then(History::impact);
+        let fading = |history| impulses(history, t, 2.0 * linger(scene));
         Self {
+            ghosts: history
+                .beside()
+                .map_or(Vec::new(), |beside| (0..model.bodies.len()).map(|i| beside.motion(i, t)).collect()),
+            states: record
+                .map_or(Vec::new(), |record| (0..model.bodies.len()).map(|body| record.state(body, t)).collect()),
+            impulses: by_impulses.map_or(Vec::new(), fading),
+            impulse_scale: by_impulses.and_then(auto_impulse_scale),
             t: Some(t),
             motions: (0..model.bodies.len()).map(|i| history.motion(i, t)).collect(),
             facings: model.pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
-            laws: law_names(model.pairs.iter().map(|p| p.contact.law)),
+            laws: match history.impact() {
+                Some(_) => Vec::new(),
+                None => law_names(model.pairs.iter().map(|p| p.contact.law)),
+            },
             force_scale: Some(auto_force_scale(history)),
         }
     }
@@ -83,6 +120,10 @@ impl Moment {
             contacts: Vec::new(),
             opened: Vec::new(),
             laws: law_names(pairs.iter().map(|p| p.contact.law)),
+            ghosts: Vec::new(),
+            states: Vec::new(),
+            impulses: Vec::new(),
+            impulse_scale: None,
             force_scale: None,
         }
     }
@@ -108,6 +149,28 @@ pub fn at_rest(girder: &Girder) -> Motion {
     }
 }
 
+/// Hits of the last moment, the latest last.
+fn impulses(history: &History, t: f64, linger: f64) -> Vec<Impulse> {
+    let Some(record) = history.impact() else { return Vec::new() };
+    let until = record.hits.partition_point(|hit| hit.t <= t);
+    let recent = record.hits[..until].iter().rev().take_while(|hit| hit.t > t - linger).take(MOST_IMPULSES);
+    let height = |body: Option<usize>| body.map_or(0.0, |body| history.motion(body, t).place.z);
+    let impulse = |hit: &Hit| {
+        let [normal, tangential] = hit.total();
+        let pair = &history.model().pairs[hit.pair];
+        let flat = hit.normal * normal + hit.normal.perp() * tangential;
+        Impulse {
+            point: hit.point.extend(height(pair.bodies.into_iter().flatten().next())),
+            impulse: flat.extend(0.0),
+            left: 1.0 - (t - hit.t) / linger,
+            contact: hit.sites.first().copied().unwrap_or(pair.contacts.start),
+        }
+    };
+    let mut all: Vec<Impulse> = recent.map(impulse).collect();
+    all.reverse();
+    all
+}
+
 /// The period of a harmonic motion \[s\].
 pub fn period(scene: &Scene) -> Option<f64> {
     match &scene.motion {
@@ -123,7 +186,12 @@ fn linger(scene: &Scene) -> f64 {
 
 fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) -> Vec<Opened> {
     let mut opened: Vec<Opened> = Vec::new();
-    let ended = history.touches().iter().filter(|u| u.end <= t && u.end > t - linger && u.end < history.end());
+    // A hit without length has no contact to open.
+    let ended = history
+        .touches()
+        .iter()
+        .filter(|u| u.end > u.start)
+        .filter(|u| u.end <= t && u.end > t - linger && u.end < history.end());
     for touch in ended {
         let again = closed.iter().any(|c| c.contact == touch.contact);
         // Between the peak and the end the contact is closed; close to the end it is nearly where it parted.

@@ -53,6 +53,10 @@ pub(super) const NORMAL: Rgba = Rgba::rgb(0x00, 0x9e, 0x73);
 pub(super) const TANGENTIAL: Rgba = Rgba::rgb(0xb8, 0x4f, 0x8d);
 /// Dashpot force.
 pub(super) const DAMPING: Rgba = Rgba::rgb(0xe6, 0x9f, 0x00);
+/// The other model's girders: dashed outlines.
+pub(super) const GHOST: Rgba = Rgba::rgb(0x00, 0x5a, 0x8c);
+/// Impulses of the impact model.
+pub(super) const IMPULSE: Rgba = Rgba::rgb(0x8c, 0x2d, 0x6b);
 /// What is selected.
 pub(super) const SELECTED: Rgba = Rgba::rgb(0xf0, 0xa2, 0x02);
 

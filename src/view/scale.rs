@@ -27,8 +27,14 @@ pub fn round_up(x: f64) -> f64 {
 ///
 /// The largest arrow of the run is then between a fifth and half of its shortest girder long.
 pub fn auto_force_scale(history: &History) -> f64 {
-    let peak = history.hardest().map_or(0.0, |touch| touch.peak_force);
+    let peak = history.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
     force_scale_for(peak, history.scene())
+}
+
+/// A scale for the impulses of a whole run, as for forces; nothing where there are none \[N·s/m\].
+pub fn auto_impulse_scale(history: &History) -> Option<f64> {
+    let peak = history.touches().iter().map(|touch| touch.impulse).fold(0.0, f64::max);
+    (peak > 0.0).then(|| force_scale_for(peak, history.scene()))
 }
 
 pub(super) fn force_scale_for(peak: f64, scene: &crate::scene::Scene) -> f64 {
@@ -66,6 +72,11 @@ pub fn force(newton: f64) -> String {
         _ => (newton, "N"),
     };
     format!("{} {unit}", three_digits(value))
+}
+
+/// A round impulse: `0.2 N·s`, `500 kN·s`.
+pub fn round_impulse(newton_second: f64) -> String {
+    format!("{}·s", round_force(newton_second))
 }
 
 /// A length in mm, or in m from 1 m on; short at any size.

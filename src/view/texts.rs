@@ -97,17 +97,26 @@ fn top_of(block: &Block) -> DVec3 {
     middle.with_z(highest)
 }
 
+/// A girder's name, with its state under the impact model: `deck · c: contact, sliding and turning`.
+fn with_state(name: &str, moment: &Moment, girder: usize) -> String {
+    match moment.states.get(girder) {
+        Some(state) => format!("{name} · {}: {}", state.letter(), state.label()),
+        None => name.to_owned(),
+    }
+}
+
 /// Names of girders and abutments, on their upper sides.
 pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
     let girders = input.scene.girders.iter().enumerate();
-    let girders = girders.filter_map(|(i, g)| Some((&g.name, girder_block_at(input.scene, moment, i)?)));
-    let walls = input.scene.abutments.iter().filter_map(|a| Some((&a.name, abutment_block(input.scene, a)?)));
+    let girders =
+        girders.filter_map(|(i, g)| Some((with_state(&g.name, moment, i), girder_block_at(input.scene, moment, i)?)));
+    let walls = input.scene.abutments.iter().filter_map(|a| Some((a.name.clone(), abutment_block(input.scene, a)?)));
     let size = TEXT * input.pixels_per_point;
     girders
         .chain(walls)
         .filter_map(|(name, block)| {
             let at = pixel(input, top_of(&block))?;
-            let text = one_line(name);
+            let text = one_line(&name);
             let (color, plate) = (palette.ink, palette.plate.with_alpha(0xa8));
             Some(placer.place(&Label { at, clear: 8.0, text, size, color, plate, directions: ON.to_vec() }))
         })

@@ -36,6 +36,58 @@ fn every_slider_changes_the_answer_at_once() {
     }
 }
 
+/// Opens a list of choices by its name and takes one.
+fn choose(harness: &mut egui_kittest::Harness<'_, girderbench::app::Workbench>, list: &str, choice: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, list).scroll_to_me();
+    harness.run_steps(40);
+    harness.get_by_role_and_label(Role::ComboBox, list).click();
+    // It opens in a few frames.
+    harness.run_steps(40);
+    harness.get_by_label(choice).click();
+    harness.run_steps(40);
+    settle(harness);
+}
+
+#[test]
+fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
+    let mut harness = open(presets::OPENING);
+    let first = digest(&harness);
+    choose(&mut harness, "Model", "both");
+    let answer = harness.state().answer().expect("an answer").history.clone();
+    let beside = answer.beside().expect("the impact model beside").digest();
+    assert_eq!(answer.digest(), first, "the contact model still leads");
+    assert!(harness.query_by_label_contains("Models apart now").is_some(), "the difference is read out");
+    assert!(harness.query_by_label_contains("A whole face hits").is_some(), "a flush hit is pointed out");
+    assert!(harness.query_by_label_contains("deck: b free").is_some(), "the state at the start, in words");
+    for (label, value) in [("Impact e normal", 0.8), ("Impact e tang.", -0.5), ("Corner μ kinetic", 0.05)] {
+        let before = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+        slide(&mut harness, label, value);
+        let after = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+        assert_ne!(after, before, "{label} is part of the impact model");
+        assert_eq!(digest(&harness), first, "and of no other");
+    }
+    choose(&mut harness, "Flush hits", "two corners");
+    for _ in 0..4 {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        settle(&mut harness);
+    }
+    let again = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+    assert_eq!(again, Some(beside), "every number is taken back");
+    choose(&mut harness, "Model", "impact");
+    assert_eq!(digest(&harness), beside, "alone it is the same run");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("the preset ships"), "as it was");
+}
+
+#[test]
+fn the_switch_says_why_a_spatial_scene_has_one_model() {
+    let harness = open("deck-30m");
+    assert!(harness.query_by_label_contains("planar scenes only").is_some(), "the reason stands there");
+}
+
 #[test]
 fn the_answer_shown_is_the_one_without_a_window() {
     let mut harness = open(presets::OPENING);

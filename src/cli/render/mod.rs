@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use choices::{Behind, Layer, Size, View, Work, instant, size};
 
-use super::compute::compute_leading;
+use super::compute::compute_as_asked;
 use super::{Console, Failure, SceneArgs};
 use crate::files;
 use crate::render::GpuError;
@@ -150,7 +150,7 @@ pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failur
     args.check_out()?;
     // Before the run, so that a machine that cannot draw says so at once.
     let mut studio = Studio::open(args.quality.quality()).map_err(Failure::from)?;
-    let history = compute_leading(&scene)?.history;
+    let history = compute_as_asked(&scene)?.history;
     let wanted = args.wanted(&history, console)?;
     console.print(&film::take(args, &mut studio, &history, &wanted)?);
     match history.stop() {

@@ -1,0 +1,114 @@
+//! Which model computes the scene, the impact model's numbers, and how far the two models are apart.
+
+use egui::{ComboBox, RichText, Ui};
+
+use super::answer::Apart;
+use super::command::Command;
+use super::field::{Change, PURE, Place, SPEED, slider};
+use super::{Workbench, text};
+use crate::scene::edit::Edit;
+use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
+
+/// Shows the switch; the impact model's numbers and what both say where they are asked for.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let mut model = scene.model;
+    let spatial = scene.kind == Kind::Spatial;
+    ui.add_enabled_ui(!spatial || model.kind != ModelKind::Contact, |ui| {
+        choice(ui, text::MODEL, "model", &mut model.kind, &MODELS);
+    });
+    if spatial {
+        ui.add(egui::Label::new(RichText::new(text::MODEL_SPATIAL).weak().small()).wrap());
+    }
+    if model != scene.model {
+        out.push(Command::Edit { edit: Edit::Model(model), gesture: None });
+    }
+    if scene.model.kind != ModelKind::Contact {
+        numbers(ui, bench, out);
+        states(ui, bench);
+    }
+}
+
+const MODELS: [(ModelKind, &str); 3] = [
+    (ModelKind::Contact, text::MODEL_CONTACT),
+    (ModelKind::Impact, text::MODEL_IMPACT),
+    (ModelKind::Both, text::MODEL_BOTH),
+];
+
+const RULES: [(Flush, &str); 2] = [(Flush::Paper, text::FLUSH_PAPER), (Flush::TwoCorner, text::FLUSH_TWO_CORNER)];
+
+/// One of a few, by name; whether it was changed.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, salt: &str, value: &mut T, options: &[(T, &str)]) -> bool {
+    let before = *value;
+    let word = |v: T| options.iter().find(|(option, _)| *option == v).map_or("", |(_, word)| word);
+    ui.horizontal(|ui| {
+        let label = ui.label(label);
+        let combo = ComboBox::from_id_salt(salt).selected_text(word(before)).show_ui(ui, |ui| {
+            for (option, word) in options {
+                ui.selectable_value(value, *option, *word);
+            }
+        });
+        combo.response.labelled_by(label.id);
+    });
+    *value != before
+}
+
+fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let mut new: ImpactSettings = bench.scene().impact;
+    let place = Place { problems: bench.problems(), table: "impact" };
+    let [corner_s, corner_k] = new.corner_friction();
+    let (mut mu_s, mut mu_k) = (corner_s, corner_k);
+    let changes = [
+        slider(ui, place, ("restitution_normal", text::IMPACT_E_NORMAL), &mut new.restitution_normal, PURE, 0.0..=1.0),
+        slider(
+            ui,
+            place,
+            ("restitution_tangential", text::IMPACT_E_TANGENTIAL),
+            &mut new.restitution_tangential,
+            PURE,
+            -1.0..=1.0,
+        ),
+        slider(ui, place, ("mu_static", text::IMPACT_MU_STATIC), &mut new.mu_static, PURE, 0.0..=1.0),
+        slider(ui, place, ("mu_kinetic", text::IMPACT_MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
+    ];
+    let corner = [
+        slider(ui, place, ("corner_mu_static", text::CORNER_MU_STATIC), &mut mu_s, PURE, 0.0..=1.0),
+        slider(ui, place, ("corner_mu_kinetic", text::CORNER_MU_KINETIC), &mut mu_k, PURE, 0.0..=1.0),
+    ];
+    if corner[0].is_some() {
+        new.corner_mu_static = Some(mu_s);
+    }
+    if corner[1].is_some() {
+        new.corner_mu_kinetic = Some(mu_k);
+    }
+    let speed = slider(ui, place, ("stop_speed_m_s", text::STOP_SPEED), &mut new.stop_speed, SPEED, 1e-6..=1e-2);
+    let rule = choice(ui, text::FLUSH_HITS, "flush", &mut new.flush, &RULES).then_some(Change { gesture: None });
+    let change = changes.into_iter().chain(corner).flatten().next().or(speed).or(rule);
+    if let Some(change) = change {
+        out.push(Command::Edit { edit: Edit::Impact(new), gesture: change.gesture });
+    }
+}
+
+/// The girders' states now, and how far the models are apart.
+fn states(ui: &mut Ui, bench: &Workbench) {
+    let Some(answer) = bench.answer().filter(|_| !bench.is_stale()) else { return };
+    let t = bench.clock().t;
+    let by_impulses = answer.history.beside().unwrap_or(&answer.history);
+    let Some(record) = by_impulses.impact() else { return };
+    for (number, body) in answer.history.model().bodies.iter().enumerate() {
+        let state = record.state(number, t);
+        ui.label(format!("{}: {} {}", body.name, state.letter(), state.label())).on_hover_text(text::STATE_HINT);
+    }
+    if let Some(apart) = &answer.apart {
+        difference(ui, apart, answer.apart_at(t));
+        if apart.flush {
+            ui.add(egui::Label::new(RichText::new(text::FLUSH_NOTE).weak().small()).wrap());
+        }
+    }
+}
+
+fn difference(ui: &mut Ui, largest: &Apart, [place, turn]: [f64; 2]) {
+    let words = |place: f64, turn: f64| format!("{}, {}°", text::length(place), text::short(turn.to_degrees()));
+    ui.label(format!("{} {}", text::APART_NOW, words(place, turn)));
+    ui.label(format!("{} {}", text::APART_MOST, words(largest.place, largest.turn)));
+}
