@@ -12,7 +12,7 @@ mod rows;
 
 use std::time::Instant;
 
-use girderbench::scene::{Scene, presets};
+use girderbench::scene::{ModelKind, Scene, presets};
 use girderbench::sim::History;
 use rows::Row;
 
@@ -30,6 +30,7 @@ const FIGURES: usize = 7;
 
 const PROBLEMS: &[Problem] = &[
     Problem { name: "P1", repeats: 60, asked_ms: 1.0, tolerance: 1e-9, scene: rows::p1 },
+    Problem { name: "P3", repeats: 200, asked_ms: 0.2, tolerance: 1e-9, scene: p3 },
     Problem { name: "P2", repeats: 60, asked_ms: 2.0, tolerance: 1e-9, scene: rows::p2 },
     Problem { name: "skew45", repeats: 60, asked_ms: 2.0, tolerance: 1e-9, scene: skew45 },
     Problem { name: "record-4000", repeats: 20, asked_ms: 5.0, tolerance: 1e-9, scene: |e| rows::record(4000, e) },
@@ -49,6 +50,13 @@ fn many(count: usize, tolerance: f64) -> Scene {
 
 fn few(count: usize, tolerance: f64) -> Scene {
     Row { tolerance, ..Row::few(count) }.scene()
+}
+
+/// P1 with an instantaneous restitution of 0.4: the impact model.
+fn p3(tolerance: f64) -> Scene {
+    let mut scene = rows::p1(tolerance);
+    scene.model.kind = ModelKind::Impact;
+    scene
 }
 
 fn preset(name: &str, tolerance: f64) -> Scene {

@@ -159,10 +159,10 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         };
         let speed = |dice: &mut Dice| DVec3::from([(); 3].map(|()| dice.between(-1.0, 1.0)));
         let cluster = Cluster {
-            inverse: (0..1 + usize::from(two)).map(|_| body(&mut dice)).collect(),
-            velocity: (0..1 + usize::from(two)).map(|_| speed(&mut dice)).collect(),
+            inverse: (0..=usize::from(two)).map(|_| body(&mut dice)).collect(),
+            velocity: (0..=usize::from(two)).map(|_| speed(&mut dice)).collect(),
         };
-        let n = DVec2::from_angle(dice.between(0.0, 6.28));
+        let n = DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU));
         let mut point = at_wall(DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)), n);
         point.bodies[1] = two.then_some(1);
         point.arms[1] = DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));

@@ -75,7 +75,7 @@ pub struct ImpactSettings {
     pub corner_mu_kinetic: Option<f64>,
     /// How a whole face is hit.
     pub flush: Flush,
-    /// Slower than this there is no bounce: e_n → 0, e_t → −1 \[m/s\].
+    /// Slower than this there is no bounce: `e_n` → 0, `e_t` → −1 \[m/s\].
     #[serde(rename = "stop_speed_m_s")]
     pub stop_speed: f64,
 }

@@ -98,9 +98,9 @@ pub(super) fn touches(history: &History, record: &Record) -> Vec<Touch> {
             touch.end = until;
             let length = until - from;
             if state == ContactState::Stick {
-                touch.stick += length
+                touch.stick += length;
             } else {
-                touch.slip += length
+                touch.slip += length;
             }
             for look in 0..=LOOKS {
                 // Just inside: at its very end the next state begins.

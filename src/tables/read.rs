@@ -59,7 +59,7 @@ pub fn trajectory(bytes: &[u8]) -> Result<Trajectory, TableError> {
 
 /// Whether a column holds words.
 fn is_word(name: &str) -> bool {
-    name.ends_with(".state")
+    name.rsplit_once('.').is_some_and(|(_, quantity)| quantity == "state")
 }
 
 /// Reads the bytes of an `events.csv`; columns other than `t`, `pair`, `kind`, `node` and `face` are passed over.
