@@ -22,7 +22,7 @@ fn scene(seed: u64) -> Option<Scene> {
     // Past the Painlevé bound there is no answer; that has a test of its own.
     scene.impact.mu_static = scene.contact.mu_static.min(0.4);
     scene.impact.mu_kinetic = scene.contact.mu_kinetic.min(0.4);
-    scene.impact.flush = if seed % 3 == 0 { Flush::TwoCorner } else { Flush::Paper };
+    scene.impact.flush = if seed.is_multiple_of(3) { Flush::TwoCorner } else { Flush::Paper };
     Some(scene)
 }
 

@@ -190,3 +190,119 @@ fn runs_are_the_same_in_portions_and_on_any_number_of_threads() {
     assert_eq!(pool.install(|| History::of(&scene).expect("runs").digest()), whole.digest(), "one thread");
     within("row ledger", whole.ledger(whole.end()).residual.abs() / whole.ledger(whole.end()).scale, 1e-9);
 }
+
+/// A girder pressed on a wall and pushed along it, without bearings.
+fn pressed(push: [f64; 2], v_y: f64) -> Scene {
+    let mut deck = girder(0.19, 0.07, 90.0);
+    deck.push.force = [push[0], push[1], 0.0];
+    deck.initial.velocity = [0.0, v_y, 0.0];
+    scene(deck, 0.001, 2.0, ImpactSettings::default())
+}
+
+#[test]
+fn a_girder_that_rocks_as_it_lands_ends_on_its_face() {
+    for (push, v_y) in [(5.0, 0.02), (10.0, 0.05), (20.0, 0.1), (10.0, 0.3)] {
+        let history = run(&pressed([push, 0.0], v_y));
+        let record = history.impact().expect("the impact model");
+        assert_eq!(record.state(0, 2.0), State::Resting, "push {push} N, {v_y} m/s: {:?}", record.transitions.last());
+        let end = history.motion(0, 2.0);
+        assert!(
+            (end.displacement.x - 0.001).abs() < 1e-9 && end.theta.abs() < 1e-8,
+            "push {push} N, {v_y} m/s: lies on the wall: {end:?}"
+        );
+    }
+}
+
+/// Shaken along the wall by a sine.
+fn shaken(push: f64, amplitude: f64, frequency_hz: f64, phase_deg: f64, duration: f64) -> Scene {
+    let mut scene = pressed([push, 0.0], 0.0);
+    scene.abutments[0].gap = Some(0.0);
+    scene.duration = duration;
+    scene.motion = Motion::Sine(girderbench::scene::SineMotion {
+        amplitude_g: None,
+        amplitude: Some(amplitude),
+        frequency_hz,
+        phase_deg,
+        angle_deg: 90.0,
+    });
+    scene
+}
+
+#[test]
+fn what_breaks_away_and_stops_rests_again_and_no_break_is_overlooked() {
+    // μ_s N = 2 N holds 1 m/s²; a twentieth of a per cent more breaks, whatever the phase.
+    for phase in [0.0, 2.8125, 33.3, 77.0, 90.0, 123.4] {
+        let history = run(&shaken(10.0, 1.0005, 1.0, phase, 4.0));
+        let record = history.impact().expect("the impact model");
+        let slides = record.transitions.iter().filter(|change| change.to == State::Sliding).count();
+        let rests = record.transitions.iter().filter(|change| change.to == State::Resting).count();
+        assert!(slides >= 7 && rests >= 7, "phase {phase}°: {slides} slides, {rests} rests");
+        assert!(record.hits.is_empty(), "phase {phase}°: nothing hits: {:?}", record.hits.first());
+        let end = history.motion(0, 4.0);
+        assert!(
+            end.displacement.x.abs() < 1e-10 && end.theta.abs() < 1e-9,
+            "phase {phase}°: stays on the wall: {end:?}"
+        );
+    }
+}
+
+#[test]
+fn who_rests_on_a_wall_is_hit_by_who_swings_fast() {
+    let mut resting = girder(0.19, 0.07, 90.0);
+    resting.push.force = [-10.0, 0.0, 0.0];
+    resting.name = "resting".to_owned();
+    let mut scene = scene(resting, 0.0, 2.0, ImpactSettings::default());
+    scene.abutments[0].faces = "resting".to_owned();
+    scene.abutments[0].end = girderbench::geometry::End::Minus;
+    let mut swinging = girder(0.19, 0.07, 90.0);
+    swinging.name = "swinging".to_owned();
+    swinging.position = [0.195, 0.0, 0.0];
+    swinging.bearings =
+        girderbench::scene::presets::load("straight-abutment").expect("a preset").girders[0].bearings.clone();
+    if let Some(girderbench::scene::Bearings::Shared(shared)) = &mut swinging.bearings {
+        shared.frequency_hz = girderbench::scene::PerDirection::Both(20.0);
+        shared.damping_ratio = girderbench::scene::PerDirection::Both(0.0);
+    }
+    let omega = 2.0 * std::f64::consts::PI * 20.0;
+    swinging.initial.displacement = [0.005_54, 0.0, 0.0];
+    scene.girders.push(swinging);
+    let history = run(&scene);
+    let first = history.impact().expect("the impact model").hits.iter().map(|hit| hit.t).find(|&t| t > 0.0);
+    let expected = (-0.005f64 / 0.005_54).acos() / omega;
+    assert!((first.expect("it is hit") - expected).abs() < 1e-10, "{first:?} against {expected}");
+}
+
+#[test]
+fn both_girders_of_a_hit_change_their_states() {
+    let mut turned = girder(0.19, 0.07, 90.0);
+    turned.initial.rotation_deg = 5.0;
+    turned.initial.velocity = [0.3, 0.0, 0.0];
+    let mut scene = scene(turned, 1.0, 0.1, ImpactSettings::default());
+    scene.abutments.clear();
+    let mut other = girder(0.19, 0.07, 90.0);
+    other.name = "other".to_owned();
+    other.position = [0.205, 0.0, 0.0];
+    scene.girders.push(other);
+    let history = run(&scene);
+    let record = history.impact().expect("the impact model");
+    assert_eq!(record.state(1, 0.0), State::Free, "at rest");
+    assert!(history.motion(1, 0.1).spin.z.abs() > 0.1, "it is turned");
+    assert_eq!(record.state(1, 0.1), State::FreeTurning, "and says so");
+}
+
+#[test]
+fn a_slow_face_is_met_smoothly_and_lasting_contact_reaches_the_end() {
+    let mut deck = girder(0.19, 0.07, 90.0);
+    deck.initial.velocity = [5e-5, 0.5, 0.0];
+    deck.push.force = [1.0, 0.0, 0.0];
+    let history = run(&scene(deck, 1e-6, 0.5, ImpactSettings::default()));
+    let record = history.impact().expect("the impact model");
+    let slow = record.hits.iter().find(|hit| hit.approach[0].abs() < 1e-4);
+    if let Some(hit) = slow {
+        assert_eq!((hit.first[1], hit.offset), (0.0, 0.0), "e_t = −1 and ζ = 0 below the stop speed");
+    }
+    let end = history.end();
+    assert!(record.state(0, end).touches(), "still on the wall");
+    assert!(!history.contacts(end).is_empty(), "and pushed at the last instant");
+    assert!(history.events().iter().all(|event| event.t < end), "nothing opens because the run ends");
+}

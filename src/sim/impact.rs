@@ -29,7 +29,7 @@ pub(super) fn events(record: &Record, model: &Model) -> Vec<Event> {
                 (Some(ContactState::Slip), ContactState::Stick) => all.push(event(from, EventKind::SlipToStick)),
                 _ => {}
             }
-            if spans.get(i + 1).is_none_or(|next| next.0 != until) {
+            if until < record.end && spans.get(i + 1).is_none_or(|next| next.0 != until) {
                 all.push(event(until, EventKind::Opened));
             }
         }

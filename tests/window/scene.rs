@@ -60,9 +60,9 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     assert!(harness.query_by_label_contains("A whole face hits").is_some(), "a flush hit is pointed out");
     assert!(harness.query_by_label_contains("deck: b free").is_some(), "the state at the start, in words");
     for (label, value) in [("Impact e normal", 0.8), ("Impact e tang.", -0.5), ("Corner μ kinetic", 0.05)] {
-        let before = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+        let before = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         slide(&mut harness, label, value);
-        let after = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+        let after = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         assert_ne!(after, before, "{label} is part of the impact model");
         assert_eq!(digest(&harness), first, "and of no other");
     }
@@ -71,7 +71,7 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
         settle(&mut harness);
     }
-    let again = harness.state().answer().and_then(|a| a.history.beside().map(|b| b.digest()));
+    let again = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
     assert_eq!(again, Some(beside), "every number is taken back");
     choose(&mut harness, "Model", "impact");
     assert_eq!(digest(&harness), beside, "alone it is the same run");

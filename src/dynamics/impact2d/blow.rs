@@ -138,9 +138,11 @@ fn outcome(
 
 fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> Result<Blow, Jammed> {
     let speeds = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
-    let slow = -speeds[0].min(speeds[1]) < rules.numbers.stop_speed;
-    if slow || rules.dead || rules.numbers.flush == Flush::TwoCorner {
-        return spread(cluster, ends, from, rules, slow || rules.dead);
+    if speeds.iter().all(|v| v.abs() < rules.numbers.stop_speed) {
+        return Ok(lie_down(cluster, ends, from));
+    }
+    if rules.dead || rules.numbers.flush == Flush::TwoCorner {
+        return spread(cluster, ends, from, rules, rules.dead);
     }
     let part = centroid(cluster, ends);
     let point = ends[0].towards(&ends[1], part);
@@ -171,6 +173,32 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> R
         lost: -work,
         landing,
     })
+}
+
+/// A face slower than the stop speed at both ends lies down: no bounce, `e_t` = −1, no rocking on.
+fn lie_down(cluster: &mut Cluster, ends: &Ends, from: State) -> Blow {
+    let middle = ends[0].towards(&ends[1], 0.5);
+    let approach = cluster.speeds(&middle);
+    let before = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
+    let entry = |r: usize, c: usize| cluster.mobility(&ends[r], ends[r].n, &ends[c], ends[c].n);
+    // Two ends that give way have an answer; one that is held takes no push.
+    let pushes = super::dense::solve(2, entry, |r| -before[r]).unwrap_or_else(|| vec![0.0; 2]);
+    cluster.push(&ends[0], [pushes[0], 0.0]);
+    cluster.push(&ends[1], [pushes[1], 0.0]);
+    let lost = 0.5 * (0..2).map(|i| -pushes[i] * before[i]).sum::<f64>();
+    let still = approach[1] == 0.0;
+    let after = After::Contact { still };
+    Blow {
+        arm: middle.arms[0],
+        normal: middle.n,
+        approach,
+        offset: 0.0,
+        first: [pushes[0] + pushes[1], 0.0],
+        second: None,
+        last: None,
+        lost,
+        landing: Landing { from, flush: true, turns: false, slides: !still, e_n: 0.0, e_t: -1.0, after },
+    }
 }
 
 /// A hit along the face with unilateral conditions at both ends.

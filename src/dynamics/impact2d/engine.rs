@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::grip::{Ending, Grip};
 use super::record::{Record, Stay};
 use super::search;
+use super::track::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::agenda::{Agenda, Item};
@@ -13,7 +14,7 @@ use crate::dynamics::approach::Spot;
 use crate::dynamics::body_state;
 use crate::dynamics::engine::Effort;
 use crate::dynamics::event::Stop;
-use crate::dynamics::flight::{Flight, Planar, System};
+use crate::dynamics::flight::{Planar, System};
 use crate::dynamics::piece::Piece;
 use crate::dynamics::track::{Path, Segment};
 
@@ -25,78 +26,6 @@ const SAME_INSTANT: usize = 200;
 /// rounding.
 pub(super) const SINK: f64 = 1e-12;
 
-/// What a body does now.
-#[derive(Clone, Debug)]
-pub(super) enum Going {
-    /// It flies.
-    Flight(Flight),
-    /// It is in lasting contact, at a place of that grip.
-    Grip(usize, usize),
-}
-
-/// A body of the group.
-#[derive(Debug)]
-pub(super) struct BodyTrack {
-    /// Its number in the model.
-    pub body: usize,
-    /// Its free motion.
-    pub system: System,
-    /// What it does now.
-    pub now: Going,
-    /// What it did.
-    pub segments: Vec<Segment>,
-    /// Where the segment in hand begins \[s\].
-    pub since: f64,
-    /// Its state among a–f.
-    pub state: super::State,
-    /// The pairs it is in.
-    pub pairs: Vec<usize>,
-}
-
-/// A pair of the group.
-#[derive(Debug)]
-pub(super) struct PairTrack {
-    /// Its number in the model.
-    pub number: usize,
-    /// Slots of its bodies; nothing for an abutment.
-    pub slots: [Option<usize>; 2],
-    /// Its declared contacts.
-    pub sites: std::ops::Range<usize>,
-    /// Whether it is met when it is due, or searched on.
-    pub meets: bool,
-}
-
-/// A declared contact of the group.
-#[derive(Debug)]
-#[expect(clippy::struct_excessive_bools, reason = "each says another thing about one point")]
-pub(super) struct SiteTrack {
-    /// Its number in the model.
-    pub number: usize,
-    /// Which side of the pair owns the node, and which the face; nothing for an abutment.
-    pub sides: [Option<usize>; 2],
-    /// Where its two sides stand as placed.
-    pub spot: Spot,
-    /// Whether it is in lasting contact.
-    pub kept: bool,
-    /// Whether its next crossing counts.
-    pub armed: bool,
-    /// Whether it has lifted off without speed.
-    pub lifted: bool,
-    /// Whether it has gone over the edge of the face, and is not in front of it again.
-    pub left: bool,
-    /// When it comes out in front of the face on the trajectories in force \[s\].
-    pub out: Option<f64>,
-    /// How far behind the face a point that has lifted off is met again \[m\].
-    pub sink: f64,
-}
-
-impl SiteTrack {
-    /// It is in front of the face: its next crossing counts.
-    pub(super) fn arm(&mut self) {
-        (self.armed, self.lifted, self.left) = (true, false, false);
-    }
-}
-
 /// The run of one group of bodies under the impact model.
 #[derive(Debug)]
 pub struct Engine {
@@ -107,7 +36,7 @@ pub struct Engine {
     pub(super) grips: Vec<Option<Grip>>,
     pub(super) agenda: Agenda,
     pub(super) record: Record,
-    /// Fastest that anybody has been, and farthest from home \[m/s\], \[m\].
+    /// Fastest that anybody has been, and farthest from home, corners included \[m/s\], \[m\].
     pub(super) largest: [f64; 2],
     pub(super) effort: Effort,
     stop: Option<Stop>,
@@ -370,8 +299,22 @@ impl Engine {
         self.model.bodies[self.bodies[slot].body].planar_frame(&self.state(slot, t))
     }
 
+    /// Notes how fast and how far a body is.
+    pub(super) fn note(&mut self, slot: usize, state: &Planar) {
+        let radius = self.model.bodies[self.bodies[slot].body].radius;
+        self.largest[0] = self.largest[0].max(state[3].hypot(state[4]) + radius * state[5].abs());
+        self.largest[1] = self.largest[1].max(state[0].hypot(state[1]) + radius * state[2].abs());
+    }
+
     /// Keeps what a body did until `t`.
     pub(super) fn close_segment(&mut self, slot: usize, t: f64) {
+        if let Going::Grip(..) = self.bodies[slot].now {
+            // A slide may begin and end at rest.
+            for part in [0.25, 0.5, 0.75, 1.0] {
+                let state = self.state(slot, self.bodies[slot].since + part * (t - self.bodies[slot].since));
+                self.note(slot, &state);
+            }
+        }
         let track = &mut self.bodies[slot];
         if t <= track.since {
             return;

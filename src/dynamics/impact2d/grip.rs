@@ -16,6 +16,8 @@ use crate::scene::ImpactSettings;
 
 /// Looks at what can end the contact, per step.
 const LOOKS: usize = 16;
+/// A gauge lower than this part of its largest may dip below 0 between two looks.
+const NEAR: f64 = 0.05;
 /// Steps refused one after another before it is given up.
 const REFUSED: usize = 60;
 /// Components of a planar body.
@@ -230,23 +232,53 @@ impl Grip {
         self.ending = None;
         let (from, until) = (self.from, self.until);
         let gauges = |t: f64| self.gauges(model, numbers, piece, t);
-        let mut before = gauges(from);
-        let mut at = from;
-        for look in 1..=LOOKS {
-            let t = if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 };
-            let here = gauges(t);
-            let falls = |i: usize| here[i].0 < 0.0 && (before[i].0 > 0.0 || at == from);
-            let first = (0..here.len().min(before.len()))
-                .filter(|&i| falls(i))
-                .map(|i| (root(|t| -gauges(t).get(i).map_or(0.0, |g| g.0), at, t), i))
-                .min_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some((end, i)) = first {
-                (self.until, self.ending) = (end, Some(here[i].1));
-                return;
+        let times: Vec<f64> = (0..=LOOKS)
+            .map(|look| if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 })
+            .collect();
+        let seen: Vec<Vec<(f64, Ending)>> = times.iter().map(|&t| gauges(t)).collect();
+        let count = seen.iter().map(Vec::len).min().unwrap_or(0);
+        let mut first: Option<(f64, Ending)> = None;
+        for i in 0..count {
+            let gauge = |t: f64| gauges(t).get(i).map_or(0.0, |g| g.0);
+            let values: Vec<f64> = seen.iter().map(|at| at[i].0).collect();
+            if let Some(t) = falls(&gauge, &times, &values)
+                && first.is_none_or(|(earliest, _)| t < earliest)
+            {
+                first = Some((t, seen[0][i].1));
             }
-            (before, at) = (here, t);
+        }
+        if let Some((t, ending)) = first {
+            (self.until, self.ending) = (t, Some(ending));
         }
     }
+}
+
+/// Where a gauge, seen at some times, first falls through 0: between two looks, or in a dip between them that comes near 0.
+fn falls(gauge: &dyn Fn(f64) -> f64, times: &[f64], values: &[f64]) -> Option<f64> {
+    let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    for (k, (t, v)) in times.windows(2).zip(values.windows(2)).enumerate() {
+        if v[1] < 0.0 && (v[0] > 0.0 || k == 0) {
+            return Some(root(|t| -gauge(t), t[0], t[1]));
+        }
+        if v[0] > 0.0
+            && v[0].min(v[1]) < NEAR * largest
+            && let Some(low) = dip(gauge, [t[0], t[1]])
+        {
+            return Some(root(|t| -gauge(t), t[0], low));
+        }
+    }
+    None
+}
+
+/// Where a gauge is below 0 between two looks that see it above; nothing where it turns round above, or not at all.
+fn dip(gauge: &dyn Fn(f64) -> f64, [a, b]: [f64; 2]) -> Option<f64> {
+    let hair = 1e-4 * (b - a);
+    let slope = |t: f64| gauge(t + hair) - gauge(t);
+    if slope(a) >= 0.0 || slope(b - hair) <= 0.0 {
+        return None;
+    }
+    let low = root(slope, a, b - hair) + 0.5 * hair;
+    (gauge(low) < 0.0).then_some(low)
 }
 
 /// A quarter of the period of the shaking \[s\].

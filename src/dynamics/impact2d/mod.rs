@@ -22,7 +22,9 @@ pub mod point;
 pub mod reaction;
 pub mod record;
 mod search;
+mod settle;
 pub mod state;
+mod track;
 mod wedge;
 
 pub use record::{Hit, Record, Stay, Transition};

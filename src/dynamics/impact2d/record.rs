@@ -94,6 +94,8 @@ pub struct Record {
     pub transitions: Vec<Transition>,
     /// Lasting contacts in order of their start.
     pub stays: Vec<Stay>,
+    /// Where the answer ends \[s\].
+    pub end: f64,
 }
 
 impl Record {
@@ -107,17 +109,18 @@ impl Record {
     /// Lasting contacts at `t` \[s\].
     pub fn stays_at(&self, t: f64) -> impl Iterator<Item = &Stay> {
         let started = self.stays.partition_point(|stay| stay.from <= t);
-        self.stays[..started].iter().filter(move |stay| t < stay.until)
+        self.stays[..started].iter().filter(move |stay| t < stay.until || (t >= self.end && stay.until >= self.end))
     }
 
     /// The records of all groups in one, in order of time, up to `end` \[s\].
     #[must_use]
     pub fn together(records: Vec<Self>, end: f64) -> Self {
-        let mut all = Self::default();
+        let mut all = Self { end, ..Self::default() };
         for record in records {
             all.hits.extend(record.hits.into_iter().filter(|hit| hit.t <= end));
             all.transitions.extend(record.transitions.into_iter().filter(|change| change.t <= end));
-            all.stays.extend(record.stays.into_iter().filter(|stay| stay.from <= end));
+            let cut = |stay: Stay| Stay { until: stay.until.min(end), ..stay };
+            all.stays.extend(record.stays.into_iter().filter(|stay| stay.from < end).map(cut));
         }
         all.hits.sort_by(|a, b| a.t.total_cmp(&b.t));
         all.transitions.sort_by(|a, b| a.t.total_cmp(&b.t));

@@ -3,7 +3,8 @@
 //! In flight by leaps that no gap can outrun, all points of the pair together; in planned steps of lasting contact by
 //! looks at gap and rate.
 
-use super::engine::{Engine, Going};
+use super::engine::Engine;
+use super::track::Going;
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::bound::Bound;
 use crate::dynamics::predict::{RESOLUTION, in_front};
@@ -62,6 +63,7 @@ struct Quarry {
     site: usize,
     /// Depth that counts as the face: a point that has just lifted off is met where it has clearly come back in \[m\].
     depth: f64,
+    resolution: f64,
     hunt: Hunt,
 }
 
@@ -83,12 +85,29 @@ fn outlook(engine: &Engine, site: usize, depth: f64, view: &View) -> Outlook {
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) -> Found {
     let slots = engine.pairs[pair].slots;
     let planned = slots.into_iter().flatten().filter_map(|slot| engine.planned(slot)).fold(f64::INFINITY, f64::min);
-    let until = horizon(&engine.model.ground, t, engine.model.duration).min(planned);
+    let mut until = horizon(&engine.model.ground, t, engine.model.duration).min(planned);
+    if planned.is_finite() {
+        // The step of a body at rest may span many swings of one that flies.
+        until = until.min(t + sight(engine, slots));
+    }
     for slot in slots.into_iter().flatten() {
         engine.remember(slot, until);
     }
     engine.effort.searches += 1;
-    if planned.is_finite() { in_steps(engine, pair, t, until) } else { in_flight(engine, pair, t, until) }
+    if planned.is_finite() { in_steps(engine, pair, t, until, planned) } else { in_flight(engine, pair, t, until) }
+}
+
+/// How far ahead the looks at a pair see all that moves: half of the shortest swing of who flies \[s\].
+fn sight(engine: &Engine, slots: [Option<usize>; 2]) -> f64 {
+    let ground = if let Ground::Sine { omega, .. } = engine.model.ground { omega } else { 0.0 };
+    let fastest = |slot: usize| match engine.bodies[slot].now {
+        Going::Flight(_) => {
+            let [omega, damping] = engine.bodies[slot].system.rates;
+            std::f64::consts::PI / omega.max(damping).max(ground)
+        }
+        Going::Grip(..) => f64::INFINITY,
+    };
+    slots.into_iter().flatten().map(fastest).fold(f64::INFINITY, f64::min)
 }
 
 /// How far one search goes \[s\].
@@ -117,7 +136,7 @@ fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry> {
         }
         let depth = if track.lifted { track.sink } else { 0.0 };
         let here = Outlook { gap: here.gap + depth, ..here };
-        all.push(Quarry { site, depth, hunt: Hunt::begin(here, track.armed || track.lifted, resolution) });
+        all.push(Quarry { site, depth, resolution, hunt: Hunt::begin(here, track.armed || track.lifted, resolution) });
     }
     all
 }
@@ -168,21 +187,38 @@ fn arrive(
 ) -> Option<f64> {
     let here = outlook(engine, quarry.site, quarry.depth, there);
     let sight = quarry.hunt.arrive(here, next);
-    let mut ask = |at: f64| outlook(engine, quarry.site, quarry.depth, &View::of(engine, pair, at, until));
+    let (site, depth) = (quarry.site, quarry.depth);
+    let mut ask = |at: f64| outlook(engine, site, depth, &View::of(engine, pair, at, until));
+    if sight != Sight::Open && depth > 0.0 {
+        // One leap may go over the whole hop: who was clearly out on the way comes back in at the face itself.
+        let true_gap = |at: f64| outlook(engine, site, 0.0, &View::of(engine, pair, at, until));
+        let middle = f64::midpoint(t, next);
+        let way = true_gap(middle);
+        if in_front(way.gap, way.rate, middle, quarry.resolution) {
+            return Some(root(|at| -true_gap(at).gap, middle, next));
+        }
+    }
     match sight {
-        Sight::Open => None,
+        Sight::Open => {
+            // Out in front it is met at the face itself.
+            if quarry.depth > 0.0 && in_front(here.gap - quarry.depth, here.rate, next, quarry.resolution) {
+                quarry.depth = 0.0;
+            }
+            None
+        }
         Sight::Closed => Some(root(|at| -ask(at).gap, t, next)),
         Sight::Closing => Some(polish(&mut ask, next, &here, until)),
     }
 }
 
 /// A side is in a planned step: looks at gap and rate, and where the gap turns round between two of them.
-fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
+fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64, planned: f64) -> Found {
     let first = View::of(engine, pair, t, until);
     let quarries = open(engine, pair, t, &first);
     let first = quarries.iter().filter_map(|quarry| in_step(engine, pair, quarry, t, until)).reduce(f64::min);
     // The step's own end calls for the next search.
-    Found { due: first.unwrap_or(f64::INFINITY), meets: first.is_some() }
+    let next = if until < planned.min(engine.model.duration) { until } else { f64::INFINITY };
+    Found { due: first.unwrap_or(next), meets: first.is_some() }
 }
 
 fn in_step(engine: &Engine, pair: usize, quarry: &Quarry, t: f64, until: f64) -> Option<f64> {
