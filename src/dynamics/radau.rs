@@ -75,6 +75,7 @@ impl Radau {
     /// Makes room for a system of `size` components and forgets the last.
     pub(super) fn resize(&mut self, size: usize) {
         self.size = size;
+        self.slides.forget();
         (self.factored, self.fresh, self.known, self.last) = (0.0, false, false, None);
         self.jacobian.resize(size * size, 0.0);
         for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
@@ -99,13 +100,17 @@ impl Radau {
         }
         self.guess(h);
         if !self.solve(system, t, y, h) {
-            if !self.fresh {
+            if self.slides.unite(system) || !self.fresh {
                 self.differentiate(system, t, y, slope);
                 return self.attempt(system, t, y, slope, h);
             }
             return f64::INFINITY;
         }
-        self.error(system, t, y, slope, h)
+        let error = self.error(system, t, y, slope, h);
+        if self.rate > GOOD && self.slides.unite(system) {
+            self.known = false;
+        }
+        error
     }
 
     /// The Jacobian by differences: each component moves by what changes the state by the root of a rounding.
@@ -113,7 +118,7 @@ impl Radau {
         let n = self.leading;
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
         state.copy_from_slice(y);
-        if system.sliders() > 0 {
+        if self.slides.together(system) {
             system.slope(t, y, moved);
             self.slides.gather(system, y, n);
             system.hold(true);
@@ -171,7 +176,7 @@ impl Radau {
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
                 self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
-                self.slides.record(stage, system.channels());
+                self.slides.record(stage, n - followers, system.channels());
             }
             self.correct(h);
             (0..followers).for_each(|follower| self.residual(follower, h));

@@ -34,6 +34,8 @@ pub struct Channel {
 pub(super) struct Slides {
     sliders: usize,
     size: usize,
+    /// Whether what follows is solved together with the rest: where it turns slowly against it, each by itself will do.
+    together: bool,
     /// Rates of the state per unit of force, column by column, two a slider.
     push: Vec<f64>,
     /// Velocities per unit of the state, row by row, two a slider.
@@ -71,10 +73,27 @@ impl Slides {
         self.at_once = product(&self.view, &self.push, size);
     }
 
+    /// Whether the sliders are solved together with the rest: always those that answer at once.
+    pub(super) fn together(&mut self, system: &impl System) -> bool {
+        self.together |= system.followers() < system.sliders();
+        self.together
+    }
+
+    /// From now on solves together what was solved apart; whether that is news.
+    pub(super) fn unite(&mut self, system: &impl System) -> bool {
+        system.sliders() > 0 && !std::mem::replace(&mut self.together, true)
+    }
+
+    /// Begins anew with another system.
+    pub(super) fn forget(&mut self) {
+        (self.sliders, self.together) = (0, false);
+        self.channels.iter_mut().for_each(Vec::clear);
+    }
+
     /// Responses of the factored systems to forces on the sliders.
     pub(super) fn factor(&mut self, real: &Lu<f64>, complex: &[Lu<Complex64>; 3]) {
         let (n, columns) = (self.size, 2 * self.sliders);
-        if columns == 0 {
+        if columns == 0 || !self.together {
             return;
         }
         self.real.resize(columns * n, 0.0);
@@ -92,22 +111,25 @@ impl Slides {
                 complex[m].solve(&right, found);
             }
         }
-        let kernels: [Vec<Complex64>; 3] = std::array::from_fn(|m| product(&self.view, &self.complex[m], n));
-        for (k, l) in (0..STAGES * STAGES).map(|kl| (kl / STAGES, kl % STAGES)) {
-            let real = REAL_RIGHT[k] * REAL_LEFT[l];
-            let weights: [Complex64; 3] = std::array::from_fn(|m| {
+        // Parts apart, so that whole rows are added at a time.
+        let parts: [[Vec<f64>; 2]; 3] = std::array::from_fn(|m| {
+            let kernel = product(&self.view, &self.complex[m], n);
+            [kernel.iter().map(|z| 2.0 * z.re).collect(), kernel.iter().map(|z| -2.0 * z.im).collect()]
+        });
+        for (kl, out) in self.between.chunks_exact_mut(columns * columns).enumerate() {
+            let (k, l) = (kl / STAGES, kl % STAGES);
+            add(out, REAL_RIGHT[k] * REAL_LEFT[l], &self.within);
+            for (m, [re, im]) in parts.iter().enumerate() {
                 let (a, b) = (COMPLEX_RIGHT[m][k], COMPLEX_LEFT[m][l]);
-                2.0 * Complex64::new(a.0, a.1) * Complex64::new(b.0, b.1)
-            });
-            let out = &mut self.between[(k * STAGES + l) * columns * columns..][..columns * columns];
-            for (i, out) in out.iter_mut().enumerate() {
-                *out = real * self.within[i] + (0..3).map(|m| (weights[m] * kernels[m][i]).re).sum::<f64>();
+                add(out, a.0 * b.0 - a.1 * b.1, re);
+                add(out, a.0 * b.1 + a.1 * b.0, im);
             }
         }
     }
 
     /// Takes the channels of a stage as the system has them where its slope was last asked for.
-    pub(super) fn record(&mut self, stage: usize, channels: &[Channel]) {
+    pub(super) fn record(&mut self, stage: usize, leading: usize, channels: &[Channel]) {
+        self.size = leading;
         self.channels[stage].clear();
         self.channels[stage].extend_from_slice(channels);
     }
@@ -127,6 +149,9 @@ impl Slides {
         let lives = |c: &usize| channels.iter().any(|stage| stage[*c].force != DVec2::ZERO);
         self.live.extend((0..self.channels[0].len()).filter(|c| self.channels[0][*c].follower.is_some() || lives(c)));
         let (count, columns) = (self.live.len(), 2 * self.sliders);
+        if !self.together {
+            return (0..count).all(|follower| self.alone(correction, width, follower, h, &rate));
+        }
         if count == 0 {
             return true;
         }
@@ -163,6 +188,27 @@ impl Slides {
             }
         }
         self.respond(correction, width);
+        true
+    }
+
+    /// A component that follows by itself, all of its stages at once.
+    fn alone(
+        &mut self,
+        correction: &mut [f64],
+        width: usize,
+        follower: usize,
+        h: f64,
+        rate: impl Fn(usize, usize) -> f64,
+    ) -> bool {
+        let i = self.size + follower;
+        let rate = |k: usize| rate(k, follower);
+        if !self.lu.factor(STAGES, |k, l| INVERSE[k][l] / h - if k == l { rate(k) } else { 0.0 }) {
+            return false;
+        }
+        let right: [f64; STAGES] = std::array::from_fn(|k| correction[k * width + i]);
+        let mut found = [0.0; STAGES];
+        self.lu.solve(&right, &mut found);
+        found.iter().enumerate().for_each(|(k, d)| correction[k * width + i] = *d);
         true
     }
 
@@ -203,6 +249,9 @@ impl Slides {
         if count == 0 {
             return;
         }
+        if !self.together {
+            return (0..count).for_each(|follower| found[n + follower] /= REAL / h - rate(follower));
+        }
         let (channels, within) = (&self.channels[0], &self.within);
         let own = |c: &Channel| c.follower.map_or(1.0, |follower| REAL / h - rate(follower));
         let done = self.lu.factor(count, |i, j| {
@@ -238,6 +287,10 @@ impl Slides {
     }
 }
 
+fn add(out: &mut [f64], weight: f64, row: &[f64]) {
+    out.iter_mut().zip(row).for_each(|(o, r)| *o += weight * r);
+}
+
 /// What a unit in the channel `from` adds to the channel `to`, by velocities per unit of force.
 fn through(velocities: &[f64], columns: usize, to: &Channel, from: &Channel) -> f64 {
     let entry = |row: usize, column: usize| velocities[(2 * to.slider + row) * columns + 2 * from.slider + column];
@@ -259,4 +312,74 @@ where
     let columns: Vec<&[T]> = columns.chunks_exact(n.max(1)).collect();
     let entry = |row: &[f64], column: &[T]| column.iter().zip(row).map(|(c, r)| *c * *r).sum();
     rows.chunks_exact(n.max(1)).flat_map(|row| columns.iter().map(move |column| entry(row, column))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::radau::Radau;
+    use super::*;
+
+    /// Far below the velocity by which a Jacobian is differenced.
+    const LEAST: f64 = 1e-10;
+
+    /// A unit mass that a force of 0.9, turning once in 2π, pushes against friction of 1: it creeps at 0.9 of the least
+    /// speed, along the force.
+    struct Creep {
+        channels: Vec<Channel>,
+        held: Option<DVec2>,
+    }
+
+    impl System for Creep {
+        fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+            let v = DVec2::new(y[0], y[1]);
+            let against = self.held.unwrap_or(v / v.length().max(LEAST));
+            let force = DVec2::new(t.cos(), t.sin()) * 0.9 - against;
+            out.copy_from_slice(&force.to_array());
+            let (along, speed) = (v.try_normalize().unwrap_or(DVec2::X), v.length());
+            let channel = |direction: DVec2, slope: f64| Channel {
+                slider: 0,
+                force: direction * slope,
+                speed: direction,
+                follower: None,
+            };
+            let slowing = if speed < LEAST { -1.0 / LEAST } else { 0.0 };
+            self.channels = vec![channel(along.perp(), -1.0 / speed.max(LEAST)), channel(along, slowing)];
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d.iter().map(|x| (x / (1e-6 * LEAST)).powi(2)).sum()
+        }
+
+        fn sliders(&self) -> usize {
+            1
+        }
+
+        fn channels(&self) -> &[Channel] {
+            &self.channels
+        }
+
+        fn hold(&mut self, held: bool) {
+            self.held = held.then_some(DVec2::X * 0.9);
+        }
+
+        fn slider(&self, _: usize, _: &[f64], push: &mut [f64], view: &mut [f64]) {
+            push.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
+            view.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
+        }
+    }
+
+    #[test]
+    fn creeping_friction_is_stepped_over_in_a_billion_of_its_time_constants() {
+        let mut system = Creep { channels: Vec::new(), held: None };
+        let (mut radau, mut y, mut slope) = (Radau::new(2), vec![0.9 * LEAST, 0.0], vec![0.0; 2]);
+        for i in 0..10 {
+            let (t, h) = (0.1 * f64::from(i), 0.1);
+            system.slope(t, &y, &mut slope);
+            let error = radau.attempt(&mut system, t, &y, &slope, h);
+            assert!(error.is_finite(), "Newton's method ends at {t}");
+            radau.accept(t, &mut y, h);
+            let wanted = DVec2::new((t + h).cos(), (t + h).sin()) * (0.9 * LEAST);
+            assert!((DVec2::new(y[0], y[1]) - wanted).length() < 1e-6 * LEAST, "{y:?} is not {wanted} at {t}");
+        }
+    }
 }
