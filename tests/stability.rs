@@ -8,9 +8,13 @@ use girderbench::study::stability::{self, Check, Outcome, examine, family};
 /// Seeds examined here; `GIRDERBENCH_SEEDS` asks for another number, `GIRDERBENCH_FROM` for another first one.
 const SEEDS: u64 = 500;
 
-/// Seeds whose runs take longer than 3 s each: fast contacts in the paper's law that stop sliding in two directions,
-/// elastic ones that last, the finest tolerances.
-const SLOW: &[u64] = &[7, 49, 55, 58, 119, 126, 128, 159, 192, 288, 313, 321, 345, 410, 472, 478, 484];
+/// Seeds whose runs take longer than about 10 s together: an hour of touches, chatter of elastic contacts, creep in the
+/// paper's law.
+const SLOW: &[u64] = &[7, 58, 126, 128, 192, 478];
+
+/// Seeds that used to fail: sliding that stopped and began again without end (1040, 1794, 1807, 2238), grazes within
+/// rounding (1274), steps too small (3329, 3552), slides that turned too fast for their steps (776, 1150).
+const ONCE: &[u64] = &[776, 1040, 1150, 1274, 1794, 1807, 2238, 3329, 3552];
 
 fn asked_by(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
@@ -32,6 +36,14 @@ fn every_seed_passes_every_check() {
     let touches: usize = verdicts.iter().map(|v| v.examined.figures.touches).sum();
     assert!(failed.is_empty(), "{} of {seeds}:\n{}", failed.len(), failed.join("\n"));
     assert!(touches as u64 > 20 * seeds, "contacts are in play: {touches} touches");
+}
+
+#[test]
+fn seeds_that_failed_once_pass() {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    for verdict in stability::run_seeds(ONCE, threads, f64::INFINITY, &no_clock, &|_| ()) {
+        assert_eq!(verdict.examined.outcome, Outcome::Passed, "seed {} ({})", verdict.seed, verdict.family);
+    }
 }
 
 #[test]

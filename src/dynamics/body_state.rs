@@ -156,6 +156,12 @@ pub fn mobility(body: &Body, rotation: &DMat3, arm: DVec3, axes: [DVec3; 2]) -> 
     DMat2::from_cols(along(axes[0]), along(axes[1]))
 }
 
+/// Acceleration and rate of spin of a body per unit of a force that acts at `arm` from G, along `force`.
+pub fn response(body: &Body, rotation: &DMat3, force: DVec3, arm: DVec3) -> (DVec3, DVec3) {
+    let free = DVec3::from_array(std::array::from_fn(|i| f64::from(u8::from(body.free[i]))));
+    (force * free / body.mass, free_inverse(body, rotation, arm.cross(force)))
+}
+
 /// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.
 fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
     let [inertia, inverse] = &body.inertia;

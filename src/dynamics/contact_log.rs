@@ -32,7 +32,7 @@ impl ContactLog {
     pub fn push(&mut self, from: f64, state: Contact) {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
-            Contact::Closed(Closed { law, mode, ease, passing, slack }) => {
+            Contact::Closed(Closed { law, mode, ease, passing, slack, .. }) => {
                 if self.laws.last() != Some(&(law, ease)) {
                     self.laws.push((law, ease));
                 }
@@ -54,7 +54,7 @@ impl ContactLog {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { law, mode, passing, slack } => {
                 let (law, ease) = self.laws[law as usize];
-                Contact::Closed(Closed { law, mode, ease, passing, slack })
+                Contact::Closed(Closed { law, mode, ease, passing, again: 0, slack })
             }
         }
     }

@@ -2,6 +2,7 @@
 //! (Hairer, Nørsett and Wanner, section II.5). Knows no physics; all buffers are kept from step to step.
 
 use super::dop853_coefficients::{A, C, D, E3, E5};
+use super::slides::Channel;
 
 /// Coefficients of the interpolant per component.
 pub const DENSE: usize = 8;
@@ -20,7 +21,7 @@ pub trait System {
     fn is_held(&self, _i: usize) -> bool {
         false
     }
-    /// How many of the last components follow the others so fast that an implicit method solves each by itself.
+    /// How many of the last components follow the others, each by one of the channels.
     fn followers(&self) -> usize {
         0
     }
@@ -28,6 +29,19 @@ pub trait System {
     fn rates(&self) -> &[f64] {
         &[]
     }
+    /// How many forces turn with velocities faster than one Jacobian can say.
+    fn sliders(&self) -> usize {
+        0
+    }
+    /// How they answered where the slope was last asked for: as many everywhere.
+    fn channels(&self) -> &[Channel] {
+        &[]
+    }
+    /// Whether from now on they keep the direction that they had there.
+    fn hold(&mut self, _held: bool) {}
+    /// Rates of the leading components per unit of a slider's force, and its velocity per unit of those components, at
+    /// `y`: two columns and two rows, both 0 as given.
+    fn slider(&self, _slider: usize, _y: &[f64], _push: &mut [f64], _view: &mut [f64]) {}
 }
 
 /// The integrator's memory for systems of one size.

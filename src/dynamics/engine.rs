@@ -25,7 +25,7 @@ const SAME_INSTANT: usize = 64;
 /// Planned steps, meetings and searches per body before the run gives up: hundreds of times what an hour of shaking needs.
 const WORK: usize = 1_000_000;
 /// Events of one contact during one touch before the run gives up there.
-const PER_TOUCH: usize = 100_000;
+const PER_TOUCH: usize = 1_000_000;
 
 /// How a body moves from now on.
 #[derive(Debug)]

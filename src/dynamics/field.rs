@@ -5,9 +5,10 @@ use glam::{DVec2, DVec3};
 
 use super::body_state::{self, Wrench};
 use super::dop853::System;
+use super::slides::Channel;
 use super::track::Closed;
 use super::{Model, penalty3d};
-use crate::contact::{Frame, Local, Mode, locate};
+use crate::contact::{Forces, Frame, Local, Mode, law::Friction, locate};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -33,6 +34,13 @@ impl Active {
         let fixed = Frame::fixed(site.fixed);
         let frame = |index: Option<usize>| index.map_or(&fixed, |i| &frames[i]);
         locate(site.point, frame(self.node), &site.face, frame(self.face))
+    }
+
+    /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
+    fn turns_at_once(&self) -> bool {
+        let law = &self.closed.law;
+        let slips = matches!(self.closed.mode, Mode::Slip { .. });
+        slips && law.friction == Friction::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
     }
 
     /// The contact with its slip direction as the vector has it.
@@ -84,6 +92,62 @@ pub(super) struct Field<'a> {
     pub wrenches: &'a mut Vec<Wrench>,
     /// How fast each slip angle returns to the direction of its velocity, with the sign of a rate \[1/s\].
     pub rates: &'a mut Vec<f64>,
+    /// Sliding in two directions.
+    pub sliding: &'a mut Sliding,
+}
+
+/// Contacts that slide in two directions, as an implicit step sees them.
+#[derive(Debug, Default)]
+pub(super) struct Sliding {
+    /// Numbers of those contacts among the closed ones.
+    pub sliders: Vec<usize>,
+    /// How their friction answers to `V_t`.
+    channels: Vec<Channel>,
+    /// What their friction pointed against, `V_t / max(|V_t|, v_stick)`.
+    against: Vec<DVec2>,
+    /// Whether it keeps that direction.
+    held: bool,
+}
+
+impl Sliding {
+    /// Of these closed contacts.
+    pub(super) fn of(active: &[Active]) -> Self {
+        let slides = |a: &Active| a.angle.is_some() || a.turns_at_once();
+        let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
+        Self { against: vec![DVec2::X; sliders.len()], sliders, ..Self::default() }
+    }
+}
+
+/// Change of a slip angle by which its force's change is measured \[rad\].
+const TURN: f64 = 1e-6;
+
+impl Sliding {
+    /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
+    fn follows(&mut self, slider: usize, follower: usize, closed: &Closed, here: &Local, forces: &Forces, length: f64) {
+        let Mode::Slip { direction } = closed.mode else { return };
+        let turned =
+            Closed { mode: Mode::Slip { direction: (direction + direction.perp() * TURN).normalize() }, ..*closed };
+        let force = (turned.forces(here).tangential_total() - forces.tangential_total()) / TURN;
+        self.channels.push(Channel { slider, force, speed: direction.perp() / length, follower: Some(follower) });
+    }
+
+    /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
+    fn turns(&mut self, slider: usize, closed: &Closed, forces: &Forces) {
+        let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
+        let against = forces.sliding / speed.max(least);
+        let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
+        let across = along.perp();
+        let friction = closed.law.mu_k * forces.normal;
+        let slowing = if speed < least { -friction / least } else { 0.0 };
+        self.against[slider] = against;
+        self.channels.push(Channel {
+            slider,
+            force: across * (-friction / speed.max(least)),
+            speed: across,
+            follower: None,
+        });
+        self.channels.push(Channel { slider, force: along * slowing, speed: along, follower: None });
+    }
 }
 
 impl Field<'_> {
@@ -97,12 +161,18 @@ impl Field<'_> {
     }
 
     fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
+        let mut slider = 0;
         for active in self.active {
             let site = &self.model.contacts[active.site];
             let fixed = Frame::fixed(site.fixed);
             let node = active.node.map_or(&fixed, |i| &self.frames[i]);
             let face = active.face.map_or(&fixed, |i| &self.frames[i]);
-            let closed = active.turned(y);
+            let mut closed = active.turned(y);
+            let at_once = active.turns_at_once();
+            if at_once && self.sliding.held {
+                closed.mode = Mode::Slip { direction: self.sliding.against[slider] };
+                closed.law.v_stick = 0.0;
+            }
             let action = penalty3d::act(site, &closed, node, face);
             if let Some(i) = active.node {
                 self.wrenches[i].push(action.force, action.node_arm);
@@ -114,6 +184,13 @@ impl Field<'_> {
                 let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
                 out[at] = direction.perp_dot(action.here.rate) / length;
                 self.rates.push(-direction.dot(action.here.rate) / length);
+                self.sliding.follows(slider, self.rates.len() - 1, &closed, &action.here, &action.forces, length);
+                slider += 1;
+            } else if at_once {
+                if !self.sliding.held {
+                    self.sliding.turns(slider, &closed, &action.forces);
+                }
+                slider += 1;
             }
         }
     }
@@ -125,6 +202,7 @@ impl System for Field<'_> {
         self.frames.clear();
         self.wrenches.clear();
         self.rates.clear();
+        self.sliding.channels.clear();
         for (i, &body) in self.bodies.iter().enumerate() {
             self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
             self.wrenches.push(Wrench::default());
@@ -183,6 +261,49 @@ impl System for Field<'_> {
 
     fn rates(&self) -> &[f64] {
         self.rates
+    }
+
+    fn sliders(&self) -> usize {
+        self.sliding.sliders.len()
+    }
+
+    fn channels(&self) -> &[Channel] {
+        &self.sliding.channels
+    }
+
+    fn hold(&mut self, held: bool) {
+        self.sliding.held = held;
+    }
+
+    fn slider(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+        let Some(active) = self.sliding.sliders.get(slider).map(|&i| &self.active[i]) else { return };
+        // Planar faces are slid along in one direction only.
+        if self.model.kind == Kind::Planar {
+            return;
+        }
+        let (width, n) = (body_state::SPATIAL, push.len() / 2);
+        let site = &self.model.contacts[active.site];
+        let fixed = Frame::fixed(site.fixed);
+        let frame = |side: Option<usize>| {
+            side.map_or(fixed, |i| {
+                body_state::frame(Kind::Spatial, &self.model.bodies[self.bodies[i]], &y[i * width..])
+            })
+        };
+        let frames = [active.node, active.face].map(frame);
+        let action = penalty3d::act(site, &active.turned(y), &frames[0], &frames[1]);
+        let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
+        for (axis, along) in [site.face.tangent, site.face.bitangent].into_iter().enumerate() {
+            let along = frames[1].rotation * along;
+            for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
+                let Some(i) = side else { continue };
+                let body = &self.model.bodies[self.bodies[i]];
+                let (linear, turning) = body_state::response(body, &frames[which].rotation, along * sign, arm);
+                let from = axis * n + i * width + 7;
+                push[from..from + 6].copy_from_slice(&[linear.to_array(), turning.to_array()].concat());
+                let lever = arm.cross(along) * sign;
+                view[from..from + 6].copy_from_slice(&[(along * sign).to_array(), lever.to_array()].concat());
+            }
+        }
     }
 
     fn extent(&self, i: usize, y: f64) -> f64 {

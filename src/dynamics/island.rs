@@ -3,7 +3,7 @@
 use super::body_state::{self, Wrench};
 use super::dop853::Dense;
 use super::fastest::fastest;
-use super::field::{Active, Field, Scale, direction};
+use super::field::{Active, Field, Scale, Sliding, direction};
 use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
@@ -14,8 +14,11 @@ use crate::scene::Kind;
 
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
-/// Rounding of a place over one step, in parts of its size.
+/// Rounding of a place over one explicit step, which spans less than a radian, in parts of its size.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
+/// what that comes to cannot be had by a shorter step.
+const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Bodies in one integrator, with the step that is planned but not yet committed.
 #[derive(Debug)]
@@ -43,6 +46,7 @@ pub(super) struct Island {
     frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
+    sliding: Sliding,
 }
 
 /// Why a step could not be made.
@@ -90,7 +94,9 @@ impl Island {
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
+            sliding: Sliding::default(),
         };
+        island.sliding = Sliding::of(&island.active);
         island.rewind(model, t);
         island
     }
@@ -113,6 +119,7 @@ impl Island {
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,
             rates: &mut self.rates,
+            sliding: &mut self.sliding,
         }
     }
 
@@ -262,7 +269,8 @@ impl Island {
         let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
         let speed = speed2.sqrt().max(1e-3 * floor);
         // No step can be made smaller than its rounding: a place's last bit, as a speed at the contact's frequency.
-        let speed = model.tolerance * speed + ROUNDING * omega * place;
+        let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
+        let speed = model.tolerance * speed + rounding * omega * place;
         // A direction counts by the place that it puts p at.
         let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
         Scale { speed, omega, angle, place }

@@ -33,6 +33,7 @@ mod radau;
 mod radau_coefficients;
 mod relative;
 pub mod search;
+mod slides;
 mod stepper;
 pub mod track;
 mod transition;

@@ -114,6 +114,13 @@ pub struct ContactSite {
     pub fixed: DVec3,
 }
 
+impl ContactSite {
+    /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].
+    pub fn reach(&self) -> f64 {
+        self.face.size().max(self.point.length()).max(self.face.corners[0].length())
+    }
+}
+
 /// A scene, compiled.
 #[derive(Clone, Debug)]
 pub struct Model {

@@ -2,9 +2,8 @@
 //! the motion (Hairer and Wanner, section IV.8): a stiff contact that lasts, the turning of a fast slip.
 //!
 //! The stages are found by Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
-//! method's matrix: one real and three complex systems of the size of one state. Components that only follow the others
-//! (the angles of slips) are solved each by itself, with its own rate at every stage, which changes too much within a step
-//! for one Jacobian. The continuous answer is the collocation polynomial itself, of degree seven.
+//! method's matrix: one real and three complex systems of the size of one state. What turns too much within a step for one
+//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`Slides`]. The continuous answer is the collocation polynomial itself, of degree seven.
 
 use num_complex::Complex64;
 
@@ -13,6 +12,7 @@ use super::lu::Lu;
 use super::radau_coefficients::{
     C, COMPLEX, COMPLEX_LEFT, COMPLEX_RIGHT, DENSE, E, INVERSE, REAL, REAL_LEFT, REAL_RIGHT,
 };
+use super::slides::Slides;
 
 /// Stages.
 const STAGES: usize = 7;
@@ -20,6 +20,8 @@ const STAGES: usize = 7;
 const PATIENCE: usize = 12;
 /// What may be left of the stages' equations, in parts of the tolerance.
 const LEFT: f64 = 1e-2;
+/// Corrections that no longer shrink are rounding; it is let pass up to this part of the tolerance.
+const STALLED: f64 = 0.2;
 /// Newton's method that converges better than this keeps its Jacobian.
 const GOOD: f64 = 0.1;
 /// Steps that differ by less are one.
@@ -35,7 +37,7 @@ pub(super) struct Radau {
     leading: usize,
     jacobian: Vec<f64>,
     real: Lu<f64>,
-    follower: Lu<f64>,
+    slides: Slides,
     complex: [Lu<Complex64>; 3],
     /// Step for which the matrices are factored; 0 when they are not.
     factored: f64,
@@ -73,6 +75,7 @@ impl Radau {
     /// Makes room for a system of `size` components and forgets the last.
     pub(super) fn resize(&mut self, size: usize) {
         self.size = size;
+        self.slides.forget();
         (self.factored, self.fresh, self.known, self.last) = (0.0, false, false, None);
         self.jacobian.resize(size * size, 0.0);
         for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
@@ -97,13 +100,17 @@ impl Radau {
         }
         self.guess(h);
         if !self.solve(system, t, y, h) {
-            if !self.fresh {
+            if self.slides.unite(system) || !self.fresh {
                 self.differentiate(system, t, y, slope);
                 return self.attempt(system, t, y, slope, h);
             }
             return f64::INFINITY;
         }
-        self.error(system, t, y, slope, h)
+        let error = self.error(system, t, y, slope, h);
+        if self.rate > GOOD && self.slides.unite(system) {
+            self.known = false;
+        }
+        error
     }
 
     /// The Jacobian by differences: each component moves by what changes the state by the root of a rounding.
@@ -111,6 +118,11 @@ impl Radau {
         let n = self.leading;
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
         state.copy_from_slice(y);
+        if self.slides.together(system) {
+            system.slope(t, y, moved);
+            self.slides.gather(system, y, n);
+            system.hold(true);
+        }
         for j in 0..n {
             let step = f64::EPSILON.sqrt() * system.extent(j, y[j]);
             state[j] = y[j] + step;
@@ -121,6 +133,7 @@ impl Radau {
             }
             state[j] = y[j];
         }
+        system.hold(false);
         (self.known, self.fresh, self.factored) = (true, true, 0.0);
     }
 
@@ -130,6 +143,9 @@ impl Radau {
         let mut done = self.real.factor(n, |i, j| diagonal(i, j, REAL) - jacobian[i * n + j]);
         for (lu, (re, im)) in self.complex.iter_mut().zip(COMPLEX) {
             done &= lu.factor(n, |i, j| Complex64::new(diagonal(i, j, re) - jacobian[i * n + j], diagonal(i, j, im)));
+        }
+        if done {
+            self.slides.factor(&self.real, &self.complex);
         }
         self.factored = if done { h } else { 0.0 };
         done
@@ -160,14 +176,17 @@ impl Radau {
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
                 self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
+                self.slides.record(stage, n - followers, system.channels());
             }
             self.correct(h);
+            (0..followers).for_each(|follower| self.residual(follower, h));
+            let (rates, correction) = (&self.rates, &mut self.scratch.correction);
+            if !self.slides.complete(correction, n, h, |k, follower| rates[k * followers + follower]) {
+                return false;
+            }
             // Elimination leaves rounding where nothing may move.
             for i in (0..self.leading).filter(|&i| system.is_held(i)) {
                 (0..STAGES).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
-            }
-            if !(0..followers).all(|follower| self.follow(follower, h)) {
-                return false;
             }
             let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
             let size = (size2 / STAGES as f64).sqrt();
@@ -184,11 +203,11 @@ impl Radau {
                 return true;
             }
             if round > 1 && rate >= 1.0 {
-                return false;
+                return size <= STALLED;
             }
             before = size;
         }
-        false
+        before <= STALLED
     }
 
     /// One Newton correction of the leading components from the stages and their slopes, eigenvector by eigenvector.
@@ -227,21 +246,13 @@ impl Radau {
         }
     }
 
-    /// One Newton correction of a component that follows, in all its stages at once.
-    fn follow(&mut self, follower: usize, h: f64) -> bool {
-        let (n, i, followers) = (self.size, self.leading + follower, self.size - self.leading);
-        let rate = |k: usize| self.rates[k * followers + follower];
-        if !self.follower.factor(STAGES, |k, l| INVERSE[k][l] / h - if k == l { rate(k) } else { 0.0 }) {
-            return false;
+    /// What is left of the stages' equations of a component that follows.
+    fn residual(&mut self, follower: usize, h: f64) {
+        let (n, i) = (self.size, self.leading + follower);
+        for k in 0..STAGES {
+            let moved = (0..STAGES).map(|l| INVERSE[k][l] * self.stages[l * n + i]).sum::<f64>();
+            self.scratch.correction[k * n + i] = self.slopes[k * n + i] - moved / h;
         }
-        let stage = |k: usize| self.stages[k * n + i];
-        let right: [f64; STAGES] = std::array::from_fn(|k| {
-            self.slopes[k * n + i] - (0..STAGES).map(|l| INVERSE[k][l] * stage(l)).sum::<f64>() / h
-        });
-        let mut found = [0.0; STAGES];
-        self.follower.solve(&right, &mut found);
-        found.iter().enumerate().for_each(|(k, d)| self.scratch.correction[k * n + i] = *d);
-        true
     }
 
     /// Error of the stages just found: the embedded formula, filtered so that what decays at once does not count.
@@ -265,9 +276,9 @@ impl Radau {
         let [right, found] = &mut self.scratch.real;
         (0..n).for_each(|i| right[i] = slope[i] + embedded(i));
         self.real.solve(&right[..leading], &mut found[..leading]);
-        for i in leading..n {
-            found[i] = right[i] / (REAL / h - self.rates[i - leading]);
-        }
+        found[leading..].copy_from_slice(&right[leading..]);
+        let rates = &self.rates;
+        self.slides.filter(found, h, |follower| rates[follower]);
         let error = system.size2(found).sqrt();
         if error.is_nan() { f64::INFINITY } else { error }
     }
@@ -290,7 +301,7 @@ impl Radau {
     /// The fastest rate in the Jacobian at hand, by the power method in the system's own measure; 0 without one \[1/s\].
     pub(super) fn fastest(&mut self, system: &impl System) -> f64 {
         let n = self.leading;
-        let mut rate = self.rates.iter().fold(0.0f64, |a, r| a.max(r.abs()));
+        let mut rate = self.rates.iter().fold(self.slides.fastest(), |a, r| a.max(r.abs()));
         let Scratch { state, slope, .. } = &mut self.scratch;
         state.fill(0.0);
         slope.fill(0.0);

@@ -141,7 +141,8 @@ impl Stepper {
             Some(radau) if self.pace.stiff => {
                 let dense = radau.accept(t, y, h);
                 self.rk.start(system, t + h, y);
-                (dense, error > GROWING && h * radau.fastest(system) < WORTH)
+                // What turns gets faster without bound where a touch ends: explicit steps would come to nothing.
+                (dense, system.followers() == 0 && error > GROWING && h * radau.fastest(system) < WORTH)
             }
             _ => {
                 let dense = self.rk.accept(system, t, y, h);

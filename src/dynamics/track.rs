@@ -48,6 +48,8 @@ pub struct Closed {
     pub ease: f64,
     /// Sliding stopped but could not hold: it passes through until `V_t` has grown again.
     pub passing: bool,
+    /// How many times at one instant it has gone on sliding when it had stopped.
+    pub again: u32,
     /// Under `clamp`: the dashpot out-pulls the spring, the normal force is held at 0.
     pub slack: bool,
 }

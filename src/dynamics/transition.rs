@@ -95,7 +95,7 @@ impl Engine {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let ease = self.ease(contact, &law, &here, now);
-        let closed = Closed { law, mode, ease, passing: false, slack: false };
+        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -127,7 +127,7 @@ impl Engine {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed = Closed { law, mode, ease, passing: false, slack: false };
+                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
                 closed.slack = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {
@@ -166,6 +166,8 @@ impl Engine {
             Mode::Stick { anchor } => {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
+                let (_, at, same) = self.contacts[contact].counted;
+                closed.again = if at == now.t { same as u32 } else { 0 };
                 self.log(contact, now.t, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {
@@ -232,7 +234,7 @@ impl Engine {
         let (_, speed) = here.relative_velocity(DVec2::ZERO);
         let (_, push) = self.relative_acceleration(contact, here, now);
         let depth = (speed.abs() * radian).max(push.abs() * radian * radian).max(here.penetration());
-        let size = self.model.contacts[self.contacts[contact].site].face.size();
+        let size = self.model.contacts[self.contacts[contact].site].reach();
         // Never less than a stretch's rounding: a direction within that is none.
         (EASE * law.mu_k.max(LEAST_EASED) * depth).max(ROUNDING * size)
     }

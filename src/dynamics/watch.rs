@@ -5,6 +5,7 @@
 
 use super::island::Island;
 use super::search::root;
+use super::track::Closed;
 use super::{ContactSite, Model};
 use crate::contact::{Frame, Local, Mode, locate};
 
@@ -14,14 +15,17 @@ const LOOKS: usize = 5;
 const CLOSE_LOOKS: usize = 17;
 /// Projections this far outside a face, in parts of its size, still count as on its edge.
 pub(super) const EDGE: f64 = 1e-9;
-/// Rounding of a node's coordinates on a face, in parts of the face's size: a stretch is no better known.
+/// Rounding of a node's coordinates on a face, in parts of its reach: a stretch is no better known.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// A node that goes in and is less deep than this, in parts of the face's size, has only just touched.
+/// A node that goes in and is less deep than this, in parts of its reach, has only just touched.
 const ENTRY: f64 = 1e-14;
 /// On its way out the node is held by no more than this part of that.
 const PARTING: f64 = 0.1;
 /// At the start of a step, values below this part of their scale are the zero that the last event left.
 const ZERO: f64 = 1e-10;
+/// Sliding that began again so often at one instant ends there less easily each time, doubled so many times at most.
+const PATIENCE: u32 = 4;
+const MOST: u32 = 36;
 
 /// What ends a contact's state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -65,7 +69,7 @@ fn function(model: &Model, island: &Island, number: usize, reason: Reason, here:
     let site: &ContactSite = &model.contacts[active.site];
     match reason {
         Reason::Opening => here.gap,
-        Reason::Switching => closed.law.switch(&closed.mode, here),
+        Reason::Switching => closed.law.switch(&closed.mode, here) - eased(closed, here),
         Reason::Edge => {
             let outside = -(site.face.inset_at(here.at) + EDGE * site.face.size());
             outside.max(here.penetration() - site.face.depth)
@@ -104,13 +108,13 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     for number in 0..island.active.len() {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
-            let hair = hair(model, island, number, reason, &looks[0]);
+            let hair = hair(model, island, number, reason, &looks[0]) + reluctance(island, number, reason, &looks);
             let values: [f64; N] =
                 std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
             let entering = is_entering(model, island, number, &looks[0]);
-            let rounding = ROUNDING * model.contacts[island.active[number].site].face.size();
+            let rounding = ROUNDING * model.contacts[island.active[number].site].reach();
             let zero = match reason {
                 _ if entering => f64::INFINITY,
                 Reason::Switching if is_sticking(island, number) => {
@@ -119,6 +123,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
                 _ => ZERO * scale(island, number, reason, &looks),
             };
             if let Some(t) = first_rise(&times, &values, zero, passing, ask) {
+                let t = if entering && reason == Reason::Opening { turned(model, island, number, t) } else { t };
                 found.push((t, Due { number, reason }));
             }
         }
@@ -130,13 +135,41 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     Some((first, due))
 }
 
+/// How far sliding that began again and again at one instant may go back along itself: as fast as its anchor, eased, moves
+/// across, where stick would have turned its stretch faster and broken away at once \[m/s\].
+fn eased(closed: &Closed, here: &Local) -> f64 {
+    match closed.mode {
+        Mode::Slip { direction } if closed.ease > 0.0 && closed.again >= PATIENCE => {
+            let length = (closed.law.mu_k * here.penetration()).max(0.0);
+            direction.perp_dot(here.rate).abs() * closed.ease / (length + closed.ease)
+        }
+        _ => 0.0,
+    }
+}
+
+/// What sliding must be past its end by to end once more at the instant at which it began again and again: neither state
+/// lasts there (the two differ by an eased direction, or by rounding), and each time it takes more.
+fn reluctance(island: &Island, number: usize, reason: Reason, looks: &[Local]) -> f64 {
+    let again = island.active[number].closed.again;
+    if again < PATIENCE || reason != Reason::Switching || is_sticking(island, number) {
+        return 0.0;
+    }
+    ZERO * scale(island, number, reason, looks) * 2f64.powi((again - PATIENCE).min(MOST) as i32)
+}
+
+/// A node that comes in by less than its rounding goes out where it turns round: not before, or it would come in again.
+fn turned(model: &Model, island: &Island, number: usize, t: f64) -> f64 {
+    let rate = |t: f64| look(model, island, number, t).gap_rate;
+    if rate(t) < 0.0 && rate(island.until) > 0.0 { root(rate, t, island.until) } else { t }
+}
+
 fn is_sticking(island: &Island, number: usize) -> bool {
     matches!(island.active[number].closed.mode, Mode::Stick { .. })
 }
 
 /// Whether a node has just come through the face: its gap is rounding of either sign, and so are its forces.
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
-    let size = model.contacts[island.active[number].site].face.size();
+    let size = model.contacts[island.active[number].site].reach();
     here.gap_rate < 0.0 && here.gap > -ENTRY * size
 }
 
@@ -144,12 +177,13 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
 /// are rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
-    let entry = ENTRY * model.contacts[island.active[number].site].face.size();
+    let entry = ENTRY * model.contacts[island.active[number].site].reach();
     if here.gap <= -entry {
         return 0.0;
     }
     // A node that comes out slowly must not be held by more than its rounding.
-    let length = if here.gap_rate < 0.0 { entry } else { PARTING * entry };
+    // One that goes in has crossed within rounding, be it before the face still.
+    let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING * entry };
     match (reason, &closed.mode) {
         (Reason::Edge, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
