@@ -125,8 +125,10 @@ impl Sliding {
     /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
     fn follows(&mut self, slider: usize, follower: usize, closed: &Closed, here: &Local, forces: &Forces, length: f64) {
         let Mode::Slip { direction } = closed.mode else { return };
-        let turned =
-            Closed { mode: Mode::Slip { direction: (direction + direction.perp() * TURN).normalize() }, ..*closed };
+        let turned = Closed {
+            mode: Mode::Slip { direction: (direction + direction.perp() * TURN) / TURN.hypot(1.0) },
+            ..*closed
+        };
         let force = (turned.forces(here).tangential_total() - forces.tangential_total()) / TURN;
         self.channels.push(Channel { slider, force, speed: direction.perp() / length, follower: Some(follower) });
     }

@@ -249,8 +249,8 @@ impl Radau {
     /// What is left of the stages' equations of a component that follows.
     fn residual(&mut self, follower: usize, h: f64) {
         let (n, i) = (self.size, self.leading + follower);
-        for k in 0..STAGES {
-            let moved = (0..STAGES).map(|l| INVERSE[k][l] * self.stages[l * n + i]).sum::<f64>();
+        for (k, row) in INVERSE.iter().enumerate() {
+            let moved = row.iter().enumerate().map(|(l, a)| a * self.stages[l * n + i]).sum::<f64>();
             self.scratch.correction[k * n + i] = self.slopes[k * n + i] - moved / h;
         }
     }

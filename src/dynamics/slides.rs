@@ -104,11 +104,11 @@ impl Slides {
         let mut right = vec![Complex64::ZERO; n];
         self.between.clear();
         self.between.resize(STAGES * STAGES * columns * columns, 0.0);
-        for m in 0..3 {
-            self.complex[m].resize(columns * n, Complex64::ZERO);
-            for (push, found) in self.push.chunks_exact(n).zip(self.complex[m].chunks_exact_mut(n)) {
+        for (responses, lu) in self.complex.iter_mut().zip(complex) {
+            responses.resize(columns * n, Complex64::ZERO);
+            for (push, found) in self.push.chunks_exact(n).zip(responses.chunks_exact_mut(n)) {
                 right.iter_mut().zip(push).for_each(|(r, p)| *r = Complex64::new(*p, 0.0));
-                complex[m].solve(&right, found);
+                lu.solve(&right, found);
             }
         }
         // Parts apart, so that whole rows are added at a time.

@@ -167,7 +167,7 @@ impl Engine {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
                 let (_, at, same) = self.contacts[contact].counted;
-                closed.again = if at == now.t { same as u32 } else { 0 };
+                closed.again = if at == now.t { u32::try_from(same).unwrap_or(u32::MAX) } else { 0 };
                 self.log(contact, now.t, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {

@@ -154,7 +154,7 @@ fn reluctance(island: &Island, number: usize, reason: Reason, looks: &[Local]) -
     if again < PATIENCE || reason != Reason::Switching || is_sticking(island, number) {
         return 0.0;
     }
-    ZERO * scale(island, number, reason, looks) * 2f64.powi((again - PATIENCE).min(MOST) as i32)
+    ZERO * scale(island, number, reason, looks) * f64::from((again - PATIENCE).min(MOST)).exp2()
 }
 
 /// A node that comes in by less than its rounding goes out where it turns round: not before, or it would come in again.
