@@ -4,7 +4,7 @@ use girderbench::dynamics::Model;
 use girderbench::dynamics::impact2d::blow::{Edge, Rules, strike};
 use girderbench::dynamics::impact2d::decide::{Candidate, RuledOut, decide};
 use girderbench::dynamics::impact2d::point::{Cluster, Point};
-use girderbench::dynamics::impact2d::reaction::Scenery;
+use girderbench::dynamics::impact2d::reaction::{Scenery, Seat};
 use girderbench::dynamics::impact2d::{Row, State};
 use girderbench::scene::{ImpactSettings, format};
 use glam::{DVec2, DVec3};
@@ -72,7 +72,7 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
     };
     let numbers = ImpactSettings { mu_static: held.mu[0], mu_kinetic: held.mu[1], ..ImpactSettings::default() };
     let seats = decide(&model, &scenery, &[candidate], &numbers).expect("a consistent motion");
-    let to = seats.first().map_or(if held.theta == 0.0 { Free } else { FreeTurning }, |seat| seat.state());
+    let to = seats.first().map_or(if held.theta == 0.0 { Free } else { FreeTurning }, Seat::state);
     Row::between(from, to)
 }
 

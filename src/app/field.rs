@@ -26,6 +26,8 @@ pub(super) const HERTZ: Unit = Unit { factor: 1.0, suffix: " Hz", speed: 0.01 };
 pub(super) const SECONDS: Unit = Unit { factor: 1.0, suffix: " s", speed: 0.05 };
 /// Metres a second.
 pub(super) const SPEED: Unit = Unit { factor: 1.0, suffix: " m/s", speed: 0.01 };
+/// Millimetres a second.
+pub(super) const SLOW: Unit = Unit { factor: 1e3, suffix: " mm/s", speed: 0.01 };
 /// Multiples of standard gravity.
 pub(super) const GRAVITIES: Unit = Unit { factor: 1.0, suffix: " g", speed: 0.005 };
 

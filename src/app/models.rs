@@ -4,7 +4,7 @@ use egui::{ComboBox, RichText, Ui};
 
 use super::answer::Apart;
 use super::command::Command;
-use super::field::{Change, PURE, Place, SPEED, slider};
+use super::field::{Change, PURE, Place, SLOW, slider};
 use super::{Workbench, text};
 use crate::scene::edit::Edit;
 use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
@@ -81,7 +81,7 @@ fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     if corner[1].is_some() {
         new.corner_mu_kinetic = Some(mu_k);
     }
-    let speed = slider(ui, place, ("stop_speed_m_s", text::STOP_SPEED), &mut new.stop_speed, SPEED, 1e-6..=1e-2);
+    let speed = slider(ui, place, ("stop_speed_m_s", text::STOP_SPEED), &mut new.stop_speed, SLOW, 1e-6..=1e-2);
     let rule = choice(ui, text::FLUSH_HITS, "flush", &mut new.flush, &RULES).then_some(Change { gesture: None });
     let change = changes.into_iter().chain(corner).flatten().next().or(speed).or(rule);
     if let Some(change) = change {

@@ -59,7 +59,7 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     assert!(harness.query_by_label_contains("Models apart now").is_some(), "the difference is read out");
     assert!(harness.query_by_label_contains("A whole face hits").is_some(), "a flush hit is pointed out");
     assert!(harness.query_by_label_contains("deck: b free").is_some(), "the state at the start, in words");
-    for (label, value) in [("Impact e normal", 0.8), ("Impact e tang.", -0.5), ("Corner μ kinetic", 0.05)] {
+    for (label, value) in [("Impact e n", 0.8), ("Impact e t", -0.5), ("Corner μ k", 0.05)] {
         let before = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         slide(&mut harness, label, value);
         let after = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
