@@ -131,7 +131,7 @@ pub(super) fn number(
 const NAMES: f32 = 82.0;
 
 /// Width of the number behind a slider \[points\].
-const NUMBERS: f32 = 64.0;
+const NUMBERS: f32 = 72.0;
 
 /// A row with a name, a slider and its number.
 pub(super) fn slider(

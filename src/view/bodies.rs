@@ -6,7 +6,7 @@ use super::block::{Block, abutment_block, moved_girder_block};
 use super::hiding::solidity;
 use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
-use super::palette::{GHOST, Palette, SELECTED};
+use super::palette::{Palette, SELECTED};
 use super::scale::round_down;
 use super::{Bounds, Target, ViewInput};
 use crate::scene::{Bearings, Girder, Scene};
@@ -85,19 +85,19 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
     }
     for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {
-        out.add_ghost(input, &moved_girder_block(girder, motion));
+        out.add_ghost(input, &moved_girder_block(girder, motion), palette.ghost);
     }
     out
 }
 
 impl Bodies {
     /// A girder by the other model: dashed edges seen through everything. A fill would fight with the girder's own faces.
-    fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block) {
+    fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block, color: Rgba) {
         let width = 1.8 * input.pixels_per_point;
         for [from, to] in block.edges() {
             for dash in 0..DASHES {
                 let at = |part: f64| from.lerp(to, (f64::from(dash) + part) / f64::from(DASHES)).as_vec3();
-                self.outline.push(Line { group: "ghost", from: at(0.0), to: at(0.55), width, color: GHOST });
+                self.outline.push(Line { group: "ghost", from: at(0.0), to: at(0.55), width, color });
             }
         }
     }

@@ -7,7 +7,7 @@ use super::forces::glyph;
 use super::labels::{Area, text_size};
 use super::list::{Mark, Rgba};
 use super::moment::Moment;
-use super::palette::{DAMPING, GHOST, IMPULSE, NORMAL, Palette, STICK, TANGENTIAL};
+use super::palette::{DAMPING, IMPULSE, NORMAL, Palette, STICK, TANGENTIAL};
 use super::scale::{round_down, round_force, round_impulse, round_length};
 use super::texts::TEXT;
 use crate::sim::ContactState;
@@ -179,7 +179,7 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
         }
         Sign::Ghost => {
             for k in [2.0, 11.5, 21.0] {
-                out.extend([-5.0, 5.0].map(|y| stroke([p(k, y), p(k + 6.5, y)], 1.8 * ppp, GHOST)));
+                out.extend([-5.0, 5.0].map(|y| stroke([p(k, y), p(k + 6.5, y)], 1.8 * ppp, palette.ghost)));
             }
         }
         Sign::Grid => {

@@ -37,6 +37,8 @@ pub(super) struct Palette {
     pub(super) halo: Rgba,
     /// Resultant arrows.
     pub(super) resultant: Rgba,
+    /// The other model's girders: dashed outlines.
+    pub(super) ghost: Rgba,
     /// World axes x, y, z.
     pub(super) axes: [Rgba; 3],
 }
@@ -53,8 +55,6 @@ pub(super) const NORMAL: Rgba = Rgba::rgb(0x00, 0x9e, 0x73);
 pub(super) const TANGENTIAL: Rgba = Rgba::rgb(0xb8, 0x4f, 0x8d);
 /// Dashpot force.
 pub(super) const DAMPING: Rgba = Rgba::rgb(0xe6, 0x9f, 0x00);
-/// The other model's girders: dashed outlines.
-pub(super) const GHOST: Rgba = Rgba::rgb(0x00, 0x5a, 0x8c);
 /// Impulses of the impact model.
 pub(super) const IMPULSE: Rgba = Rgba::rgb(0x8c, 0x2d, 0x6b);
 /// What is selected.
@@ -75,6 +75,7 @@ const LIGHT: Palette = Palette {
     plate: Rgba::new(0xff, 0xff, 0xff, 0xd8),
     halo: Rgba::new(0xff, 0xff, 0xff, 0xe8),
     resultant: Rgba::rgb(0x16, 0x1b, 0x22),
+    ghost: Rgba::rgb(0x00, 0x5a, 0x8c),
     axes: [Rgba::rgb(0xb0, 0x3a, 0x2e), Rgba::rgb(0x2e, 0x7d, 0x4f), Rgba::rgb(0x2c, 0x5a, 0xa0)],
 };
 
@@ -93,6 +94,7 @@ const DARK: Palette = Palette {
     plate: Rgba::new(0x12, 0x17, 0x1c, 0xd8),
     halo: Rgba::new(0x10, 0x14, 0x18, 0xd0),
     resultant: Rgba::rgb(0xfa, 0xfb, 0xfc),
+    ghost: Rgba::rgb(0x56, 0xb4, 0xe9),
     axes: [Rgba::rgb(0xf0, 0x8a, 0x7c), Rgba::rgb(0x7f, 0xd1, 0x9e), Rgba::rgb(0x8f, 0xb8, 0xee)],
 };
 
