@@ -67,7 +67,7 @@ fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
         camera: &camera,
         overlays: Overlays::default(),
         force_scale: None,
-        selected: None,
+        selected: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

@@ -35,7 +35,7 @@ fn input<'a>(scene: &'a Scene, history: Option<&'a History>, t: f64, camera: &'a
         camera,
         overlays: Overlays::default(),
         force_scale: None,
-        selected: None,
+        selected: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

@@ -118,7 +118,7 @@ fn view<'a>(scene: &'a Scene, history: Option<&'a History>, camera: &'a Camera) 
         camera,
         overlays: Overlays::default(),
         force_scale: None,
-        selected: None,
+        selected: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

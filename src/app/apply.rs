@@ -35,8 +35,8 @@ impl Workbench {
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
-        let asked = (self.help, self.closing, self.notice.clone());
-        (self.revision(), self.clock.clone(), self.selected, self.time_window, self.is_stale(), view, asked)
+        let asked = (self.tool, self.row, self.help, self.closing, self.notice.clone());
+        (self.revision(), self.clock.clone(), self.selection.clone(), self.time_window, self.is_stale(), view, asked)
     }
 
     /// Does one thing.
@@ -51,8 +51,18 @@ impl Workbench {
                 let done = self.document.redo();
                 self.after(done);
             }
-            Command::Select(target) => self.selected = target,
-            Command::AddGirder | Command::AddAbutment | Command::Duplicate | Command::Remove => self.place(&command),
+            Command::Select(target) => self.selection.only(target),
+            Command::SelectAlso(target) => self.selection.toggle(target),
+            Command::SelectAll => self.select_all(),
+            Command::Tool(tool) => self.tool = tool,
+            Command::AskRow(draft) => self.row = draft,
+            Command::Place(_)
+            | Command::AddGirder
+            | Command::AddAbutment
+            | Command::Duplicate
+            | Command::Array { .. }
+            | Command::Nudge(_)
+            | Command::Remove => self.place(&command),
             Command::Rename(target, name) => {
                 if let Some(edit) = edits::rename(self.scene(), target, name) {
                     self.edit(edit, None);
@@ -61,7 +71,7 @@ impl Workbench {
             Command::View(preset) => self.viewport.want(preset),
             Command::Camera(camera) => self.viewport.set_camera(camera),
             Command::Frame => {
-                let bounds = viewport::bounds_of(self, self.selected);
+                let bounds = viewport::bounds_of(self, self.selection.all());
                 self.viewport.frame(bounds);
             }
             Command::Overlays(overlays) => self.overlays = overlays,
@@ -85,7 +95,7 @@ impl Workbench {
         }
     }
 
-    fn edit(&mut self, edit: Edit, gesture: Option<u64>) {
+    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<u64>) {
         let done = self.document.edit(edit, gesture);
         self.after(done);
     }
@@ -101,49 +111,21 @@ impl Workbench {
 
     /// The scene is another one: run it, and let go of what is no longer there.
     fn changed(&mut self) {
-        let scene = self.document.scene();
-        let there = match self.selected {
-            Some(Target::Girder(i)) => i < scene.girders.len(),
-            Some(Target::Abutment(i)) => i < scene.abutments.len(),
-            Some(Target::Contact(_)) => false,
-            None => true,
-        };
-        if !there {
-            self.selected = None;
-        }
+        self.selection.keep_in(self.document.scene());
         self.run();
         self.clock.t = self.clock.t.min(self.end());
         self.keep_window_inside();
     }
 
+    fn select_all(&mut self) {
+        let scene = self.document.scene();
+        let girders = (0..scene.girders.len()).map(Target::Girder);
+        self.selection.these(girders.chain((0..scene.abutments.len()).map(Target::Abutment)));
+    }
+
     fn keep_window_inside(&mut self) {
         let end = self.end();
         self.time_window = self.time_window.filter(|w| w[1] <= end);
-    }
-
-    fn place(&mut self, command: &Command) {
-        let scene = self.scene();
-        let girder = match self.selected {
-            Some(Target::Girder(i)) => Some(i),
-            _ => None,
-        };
-        let (girders, abutments) = (scene.girders.len(), scene.abutments.len());
-        let (edit, then) = match (command, self.selected_body()) {
-            (Command::AddGirder, _) => (Some(edits::add_girder(scene, girder)), Some(Target::Girder(girders))),
-            (Command::Duplicate, Some(Target::Girder(i))) => {
-                (Some(edits::add_girder(scene, Some(i))), Some(Target::Girder(girders)))
-            }
-            (Command::AddAbutment, _) | (Command::Duplicate, Some(Target::Abutment(_))) => {
-                (edits::add_abutment(scene, girder), Some(Target::Abutment(abutments)))
-            }
-            (Command::Remove, Some(target)) => (edits::remove(target), None),
-            _ => (None, self.selected),
-        };
-        if let Some(edit) = edit {
-            self.selected = None;
-            self.edit(edit, None);
-            self.selected = then;
-        }
     }
 
     fn apply_time(&mut self, command: &Command) {
@@ -217,7 +199,7 @@ impl Workbench {
                 self.overlays = scene.view.overlays;
                 self.force_scale = scene.view.force_scale;
                 self.viewport.want(scene.view.camera);
-                self.selected = None;
+                self.selection.only(None);
                 self.time_window = None;
                 self.clock.t = 0.0;
                 self.clock.playing = false;

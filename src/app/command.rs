@@ -5,6 +5,8 @@
 
 use std::path::PathBuf;
 
+use super::row_dialog::RowDraft;
+use super::tool::Tool;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::{Camera, Target};
@@ -26,6 +28,15 @@ impl Way {
             Self::Back => -1.0,
         }
     }
+}
+
+/// A little way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nudge {
+    /// Along the world's x and y \[m\].
+    pub way: [f64; 2],
+    /// Against the clock seen from above \[degrees\].
+    pub turn_deg: f64,
 }
 
 /// Something to be written to a folder or file.
@@ -53,12 +64,31 @@ pub enum Command {
     Redo,
     /// Select something, or nothing.
     Select(Option<Target>),
+    /// Select something beside what is selected, or let go of it.
+    SelectAlso(Target),
+    /// Select every girder and abutment.
+    SelectAll,
+    /// What a click in the view does.
+    Tool(Tool),
+    /// Put something new where the mouse is.
+    Place(Edit),
     /// Put a new girder after the last one.
     AddGirder,
     /// Put an abutment before a free end.
     AddAbutment,
     /// Put a copy of what is selected beside it.
     Duplicate,
+    /// Make a row of so many spans of the girder that is selected, with a gap between neighbours \[m\].
+    Array {
+        /// Girders in the row, the selected one among them.
+        spans: usize,
+        /// Gap between neighbours \[m\].
+        gap: f64,
+    },
+    /// Ask for the numbers of a row, or stop asking.
+    AskRow(Option<RowDraft>),
+    /// Move and turn what is selected by a little.
+    Nudge(Nudge),
     /// Remove what is selected.
     Remove,
     /// Give something another name.

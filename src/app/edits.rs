@@ -28,7 +28,14 @@ pub(super) fn label(edit: &Edit, scene: &Scene) -> String {
         Edit::Impact(_) => "change impact numbers".into(),
         Edit::Scene(other) => format!("open {}", other.name),
         Edit::General(_) | Edit::Solver(_) | Edit::View(_) | Edit::Set(_) => "change scene".into(),
-        Edit::Batch(edits) => edits.first().map_or_else(|| "nothing".into(), |first| label(first, scene)),
+        Edit::Batch(edits) => match &edits[..] {
+            [] => "nothing".into(),
+            [one] => label(one, scene),
+            [first, ..] => {
+                let first = label(first, scene);
+                format!("{} {} things", first.split(' ').next().unwrap_or("change"), edits.len())
+            }
+        },
     }
 }
 
@@ -94,8 +101,35 @@ pub(super) fn gap(scene: &Scene, gap: f64) -> Edit {
 }
 
 /// A place in whole micrometres: it will be read in a file.
-fn tidy(place: DVec3) -> [f64; 3] {
-    place.to_array().map(|v| (v * 1e6).round() / 1e6)
+pub(super) fn tidy(place: DVec3) -> [f64; 3] {
+    place.to_array().map(micrometres)
+}
+
+/// To a whole micrometre \[m\].
+pub(super) fn micrometres(v: f64) -> f64 {
+    (v * 1e6).round() / 1e6
+}
+
+/// Moves a girder and every girder that stands in a row with it, up to `from`, by a way \[m\]: gaps beyond stay.
+pub(super) fn row_shifted(scene: &Scene, from: usize, second: usize, way: DVec3) -> Edit {
+    let pairs = facing::find(scene).unwrap_or_default();
+    let mut row = vec![second];
+    let mut next = 0;
+    while let Some(&here) = row.get(next) {
+        next += 1;
+        for pair in &pairs {
+            let (Side::Girder(a, _), Side::Girder(b, _)) = (pair.first, pair.second) else { continue };
+            let there = if a == here { b } else { a };
+            if (a == here || b == here) && there != from && !row.contains(&there) {
+                row.push(there);
+            }
+        }
+    }
+    let moved = row.into_iter().filter_map(|i| {
+        let girder = scene.girders.get(i)?;
+        Some(Edit::MoveGirder(i, tidy(DVec3::from(girder.position) + way), girder.heading_deg))
+    });
+    Edit::Batch(moved.collect())
 }
 
 /// Moves the second girder with the first one's shift and `way` on; a girder already moved by another pair stays.
@@ -153,6 +187,65 @@ pub(super) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
     Edit::AddGirder(scene.girders.len(), Box::new(new))
 }
 
+/// Copies of a girder in a row beyond its `+x` end: so many spans, the first of them itself, `gap` apart \[m\]. The
+/// abutment that stood before that end stands before the row's end then.
+pub(super) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
+    let mut scene = scene.clone();
+    let mut edits = Vec::with_capacity(spans);
+    for span in 1..spans {
+        let Some(model) = scene.girders.get(first) else { break };
+        let way = placed::axes(model).x_axis * ((model.length + gap) * span as f64);
+        let mut new = model.clone();
+        new.name = free_name(&scene, stem(&new.name));
+        new.position = tidy(DVec3::from(new.position) + way);
+        scene.girders.push(new.clone());
+        edits.push(Edit::AddGirder(scene.girders.len() - 1, Box::new(new)));
+    }
+    let Some((model, last)) = scene.girders.get(first).zip(scene.girders.last()) else { return Edit::Batch(edits) };
+    let walls = scene.abutments.iter().enumerate();
+    let before = walls.filter(|(_, a)| a.faces == model.name && a.end == End::Plus && a.polygon.is_none());
+    edits.extend(before.map(|(i, a)| abutment(i, Abutment { faces: last.name.clone(), ..a.clone() })));
+    Edit::Batch(edits)
+}
+
+/// A body moved over the ground \[m\] and turned \[degrees\]; an abutment that follows a girder goes with its gap and
+/// offset, and does not turn.
+pub(super) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
+    match target {
+        Target::Girder(i) => {
+            let girder = scene.girders.get(i)?;
+            let [x, y, z] = girder.position;
+            Some(Edit::MoveGirder(i, tidy(DVec3::new(x + dx, y + dy, z)), girder.heading_deg + turn_deg))
+        }
+        Target::Abutment(i) => shifted_abutment(scene, i, glam::DVec2::new(dx, dy)),
+        Target::Contact(_) => None,
+    }
+}
+
+/// An abutment follows its gap and its offset, or its corners.
+fn shifted_abutment(scene: &Scene, number: usize, way: glam::DVec2) -> Option<Edit> {
+    let mut new = scene.abutments.get(number)?.clone();
+    if let Some(corners) = &mut new.polygon {
+        for corner in corners {
+            *corner = tidy(DVec3::new(corner[0] + way.x, corner[1] + way.y, corner[2]));
+        }
+        return Some(abutment(number, new));
+    }
+    let girder = scene.girders.iter().find(|g| g.name == new.faces)?;
+    let along = (placed::axes(girder).x_axis * new.end.sign()).truncate();
+    let [a, b, ..] = placed::end_face(girder, new.end);
+    let side = (a - b).truncate().normalize_or_zero();
+    // way = u along + v side: the two are not square to each other on a skewed girder.
+    let area = along.perp_dot(side);
+    if area.abs() < 1e-9 {
+        return None;
+    }
+    let (u, v) = (way.perp_dot(side) / area, along.perp_dot(way) / area);
+    new.gap = Some(micrometres(new.gap? + u).max(0.0));
+    new.offset = Some(micrometres(new.offset.unwrap_or(0.0) + v)).filter(|o| *o != 0.0);
+    Some(abutment(number, new))
+}
+
 /// How far a wall reaches along a direction \[m\].
 fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
     let block = abutment_block(scene, abutment)?;
@@ -180,22 +273,30 @@ fn first_girder() -> Girder {
 
 /// An abutment before the first end, of the chosen girder or of any, that faces nobody yet.
 pub(super) fn add_abutment(scene: &Scene, before: Option<usize>) -> Option<Edit> {
+    let free = free_ends(scene);
+    let (i, end) = free.iter().find(|(i, _)| Some(*i) == before).or(free.first()).copied()?;
+    Some(Edit::AddAbutment(scene.abutments.len(), Box::new(abutment_before(scene, i, end))))
+}
+
+/// Ends of girders that face nobody.
+pub(super) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
     let pairs = facing::find(scene).unwrap_or_default();
     let taken = |side: Side| pairs.iter().any(|p| p.first == side || p.second == side);
-    let ends = |i: usize| End::BOTH.into_iter().map(move |end| (i, end));
-    let order = before.into_iter().chain(0..scene.girders.len());
-    let (i, end) = order.flat_map(ends).find(|&(i, end)| !taken(Side::Girder(i, end)))?;
-    let gap = gap_of(scene).unwrap_or(scene.girders[i].length * 0.016);
-    let new = Abutment {
+    let ends = (0..scene.girders.len()).flat_map(|i| End::BOTH.into_iter().map(move |end| (i, end)));
+    ends.filter(|&(i, end)| !taken(Side::Girder(i, end))).collect()
+}
+
+/// An abutment before an end of a girder, at the scene's own gap.
+pub(super) fn abutment_before(scene: &Scene, girder: usize, end: End) -> Abutment {
+    Abutment {
         name: free_name(scene, "abutment"),
-        faces: scene.girders[i].name.clone(),
+        faces: scene.girders[girder].name.clone(),
         end,
-        gap: Some(gap),
+        gap: Some(gap_of(scene).unwrap_or(scene.girders[girder].length * 0.016)),
         width: None,
         height: None,
         offset: None,
         polygon: None,
         depth: None,
-    };
-    Some(Edit::AddAbutment(scene.abutments.len(), Box::new(new)))
+    }
 }

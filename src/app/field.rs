@@ -3,6 +3,7 @@
 use egui::{DragValue, Response, RichText, Slider, Ui};
 
 use super::theme::Palette;
+use super::units::{self, Dimension};
 use crate::scene::SceneErrors;
 
 /// How a number is shown: `shown = SI × factor`.
@@ -14,38 +15,72 @@ pub(super) struct Unit {
     pub suffix: &'static str,
     /// Change per point of dragging, shown units.
     pub speed: f64,
+    /// What may be typed into it.
+    pub dimension: Dimension,
+}
+
+impl Unit {
+    const fn new(dimension: Dimension, factor: f64, suffix: &'static str, speed: f64) -> Self {
+        Self { factor, suffix, speed, dimension }
+    }
 }
 
 /// A pure number.
-pub(super) const PURE: Unit = Unit { factor: 1.0, suffix: "", speed: 0.005 };
+pub(super) const PURE: Unit = Unit::new(Dimension::Pure, 1.0, "", 0.005);
 /// Degrees that are degrees in the scene too.
-pub(super) const DEGREES: Unit = Unit { factor: 1.0, suffix: "°", speed: 0.25 };
+pub(super) const DEGREES: Unit = Unit::new(Dimension::Angle, 1.0, "°", 0.25);
 /// Hertz.
-pub(super) const HERTZ: Unit = Unit { factor: 1.0, suffix: " Hz", speed: 0.01 };
+pub(super) const HERTZ: Unit = Unit::new(Dimension::Frequency, 1.0, " Hz", 0.01);
 /// Seconds.
-pub(super) const SECONDS: Unit = Unit { factor: 1.0, suffix: " s", speed: 0.05 };
+pub(super) const SECONDS: Unit = Unit::new(Dimension::Time, 1.0, " s", 0.05);
 /// Metres a second.
-pub(super) const SPEED: Unit = Unit { factor: 1.0, suffix: " m/s", speed: 0.01 };
+pub(super) const SPEED: Unit = Unit::new(Dimension::Speed, 1.0, " m/s", 0.01);
 /// Millimetres a second.
-pub(super) const SLOW: Unit = Unit { factor: 1e3, suffix: " mm/s", speed: 0.01 };
+pub(super) const SLOW: Unit = Unit::new(Dimension::Speed, 1e3, " mm/s", 0.01);
+/// Degrees a second.
+pub(super) const TURNING: Unit = Unit::new(Dimension::Turning, 1.0, " °/s", 0.1);
 /// Multiples of standard gravity.
-pub(super) const GRAVITIES: Unit = Unit { factor: 1.0, suffix: " g", speed: 0.005 };
+pub(super) const GRAVITIES: Unit = Unit::new(Dimension::Acceleration, 1.0, " g", 0.005);
+/// Newton metres.
+pub(super) const MOMENTS: Unit = Unit::new(Dimension::Moment, 1.0, " N m", 1.0);
+/// Pascals, in thousands of millions.
+pub(super) const MODULUS: Unit = Unit::new(Dimension::Pressure, 1e-9, " GPa", 0.1);
 
 /// Lengths of a scene: millimetres on the bench, metres at a bridge.
 pub(super) fn length_unit(size: f64) -> Unit {
     if size < 2.0 {
-        Unit { factor: 1e3, suffix: " mm", speed: 0.1 }
+        Unit::new(Dimension::Length, 1e3, " mm", 0.1)
     } else {
-        Unit { factor: 1.0, suffix: " m", speed: 0.01 }
+        Unit::new(Dimension::Length, 1.0, " m", 0.01)
     }
 }
 
 /// Masses of a scene: kilograms or tonnes.
 pub(super) fn mass_unit(mass: f64) -> Unit {
-    if mass < 5e3 {
-        Unit { factor: 1.0, suffix: " kg", speed: 0.01 }
+    if mass < 5e3 { Unit::new(Dimension::Mass, 1.0, " kg", 0.01) } else { Unit::new(Dimension::Mass, 1e-3, " t", 1.0) }
+}
+
+/// Forces: newtons or kilonewtons, as the weight of the body is.
+pub(super) fn force_unit(mass: f64) -> Unit {
+    if mass < 5e3 { Unit::new(Dimension::Force, 1.0, " N", 0.1) } else { Unit::new(Dimension::Force, 1e-3, " kN", 1.0) }
+}
+
+/// Stiffnesses: as readable as they come.
+pub(super) fn stiffness_unit(k: f64) -> Unit {
+    match k.abs() {
+        k if k >= 1e9 => Unit::new(Dimension::Stiffness, 1e-9, " GN/m", 0.01),
+        k if k >= 1e6 => Unit::new(Dimension::Stiffness, 1e-6, " MN/m", 0.01),
+        k if k >= 1e4 => Unit::new(Dimension::Stiffness, 1e-3, " kN/m", 0.1),
+        _ => Unit::new(Dimension::Stiffness, 1.0, " N/m", 1.0),
+    }
+}
+
+/// Dashpots: as readable as they come.
+pub(super) fn damping_unit(c: f64) -> Unit {
+    if c.abs() >= 1e4 {
+        Unit::new(Dimension::Damping, 1e-3, " kN s/m", 0.1)
     } else {
-        Unit { factor: 1e-3, suffix: " t", speed: 1.0 }
+        Unit::new(Dimension::Damping, 1.0, " N s/m", 0.1)
     }
 }
 
@@ -114,6 +149,7 @@ pub(super) fn number(
         .suffix(unit.suffix)
         .max_decimals(6)
         .custom_formatter(|v, _| trimmed(v))
+        .custom_parser(|text| units::parse(text, unit))
         .range(least..=f64::INFINITY)
         .clamp_existing_to_range(false)
         .update_while_editing(false);
@@ -149,6 +185,7 @@ pub(super) fn slider(
         .suffix(unit.suffix)
         .max_decimals(4)
         .custom_formatter(|v, _| trimmed(v))
+        .custom_parser(|text| units::parse(text, unit))
         .clamping(egui::SliderClamping::Edits)
         .update_while_editing(false);
     let response = slider_row(ui, named(ui, label, complaint.is_some()), slider, "");
@@ -189,6 +226,17 @@ fn named(ui: &Ui, label: &str, wrong: bool) -> RichText {
 fn complain(ui: &mut Ui, complaint: &str) {
     let color = Palette::of(ui).problem;
     ui.add(egui::Label::new(RichText::new(complaint).color(color).small()).wrap());
+}
+
+/// Rounded to a power of ten, with no digits beyond it.
+pub(super) fn rounded(value: f64, step: f64) -> f64 {
+    // Dividing by a whole number keeps the decimal digits short, multiplying by 0.0001 does not.
+    if step < 1.0 {
+        let per_unit = (1.0 / step).round();
+        (value * per_unit).round() / per_unit
+    } else {
+        (value / step).round() * step
+    }
 }
 
 /// Up to six decimals, none of them needless.

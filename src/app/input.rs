@@ -5,12 +5,14 @@
 use egui::{Event, Key, Modifiers};
 
 use super::Workbench;
-use super::command::{Command, Way};
+use super::command::{Command, Nudge, Way};
+use super::row_dialog::RowDraft;
+use super::tool::Tool;
 use crate::scene::ViewPreset;
 
 /// Commands for the keys pressed in this frame.
 pub(super) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.asks_before_closing() {
+    if bench.asks_before_closing() || bench.row_draft().is_some() {
         return;
     }
     let typing = ui.text_edit_focused();
@@ -62,9 +64,17 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
 
 fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
     if modifiers.command {
-        return with_control(key, modifiers.shift);
+        return with_control(key, modifiers.shift, bench);
+    }
+    if modifiers.alt {
+        return nudge(key, modifiers.shift, bench);
     }
     match key {
+        Key::G if modifiers.shift => Some(Command::Tool(Tool::Girder)),
+        Key::B if modifiers.shift => Some(Command::Tool(Tool::Abutment)),
+        Key::OpenBracket => Some(turn(1.0, modifiers)),
+        Key::CloseBracket => Some(turn(-1.0, modifiers)),
+        Key::Escape if bench.tool() != Tool::Select => Some(Command::Tool(Tool::Select)),
         Key::Space => Some(Command::TogglePlay),
         Key::ArrowRight => Some(Command::Step(steps(modifiers))),
         Key::ArrowLeft => Some(Command::Step(-steps(modifiers))),
@@ -87,11 +97,32 @@ fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
     }
 }
 
-fn with_control(key: Key, shift: bool) -> Option<Command> {
+fn turn(sign: f64, modifiers: Modifiers) -> Command {
+    let turn_deg = if modifiers.shift { 15.0 } else { 1.0 } * sign;
+    Command::Nudge(Nudge { way: [0.0; 2], turn_deg })
+}
+
+/// A step of about a thousandth of the largest girder, a round number.
+fn nudge(key: Key, far: bool, bench: &Workbench) -> Option<Command> {
+    let largest = bench.scene().girders.iter().map(|g| g.length).fold(1e-3, f64::max);
+    let step = 10f64.powf((largest / 100.0).log10().floor()) * if far { 10.0 } else { 1.0 };
+    let way = match key {
+        Key::ArrowRight => [step, 0.0],
+        Key::ArrowLeft => [-step, 0.0],
+        Key::ArrowUp => [0.0, step],
+        Key::ArrowDown => [0.0, -step],
+        _ => return None,
+    };
+    Some(Command::Nudge(Nudge { way, turn_deg: 0.0 }))
+}
+
+fn with_control(key: Key, shift: bool, bench: &Workbench) -> Option<Command> {
     match (key, shift) {
         (Key::Z, false) => Some(Command::Undo),
         (Key::Z, true) | (Key::Y, _) => Some(Command::Redo),
         (Key::D, _) => Some(Command::Duplicate),
+        (Key::A, false) => Some(Command::SelectAll),
+        (Key::R, false) => Some(Command::AskRow(Some(RowDraft::of(bench)))),
         (Key::ArrowRight, _) => Some(Command::StepEvent(Way::Forward)),
         (Key::ArrowLeft, _) => Some(Command::StepEvent(Way::Back)),
         _ => None,

@@ -6,6 +6,8 @@ use wgpu::TextureFormat;
 
 use super::answer::Answer;
 use super::clock::Clock;
+use super::row_dialog::RowDraft;
+use super::tool::Tool;
 use super::traces::Traces;
 use super::workbench::Closing;
 use super::{Workbench, text};
@@ -116,19 +118,34 @@ impl Workbench {
         self.time_window
     }
 
-    /// What is selected.
+    /// What is selected; of several the one that leads.
     pub fn selected(&self) -> Option<Target> {
-        self.selected
+        self.selection.lead()
+    }
+
+    /// All that is selected, in the order in which it was.
+    pub fn selection(&self) -> &[Target] {
+        self.selection.all()
+    }
+
+    /// The row that is being asked for.
+    pub fn row_draft(&self) -> Option<RowDraft> {
+        self.row
+    }
+
+    /// What a click in the view does.
+    pub fn tool(&self) -> Tool {
+        self.tool
     }
 
     /// The girder or abutment that is selected.
     pub fn selected_body(&self) -> Option<Target> {
-        self.selected.filter(|t| !matches!(t, Target::Contact(_)))
+        self.selection.lead().filter(|t| !matches!(t, Target::Contact(_)))
     }
 
     /// The girder whose curves stand out.
     pub(super) fn shown_girder(&self) -> usize {
-        match self.selected {
+        match self.selection.lead() {
             Some(Target::Girder(i)) => i,
             Some(Target::Abutment(i)) => {
                 let faces = self.scene().abutments.get(i).map(|a| &a.faces);

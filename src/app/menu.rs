@@ -3,6 +3,8 @@
 use egui::{Button, MenuBar, Theme, Ui};
 
 use super::command::{Command, Export};
+use super::row_dialog::RowDraft;
+use super::tool::Tool;
 use super::{Workbench, text};
 use crate::scene::{ViewPreset, presets};
 
@@ -10,6 +12,7 @@ use crate::scene::{ViewPreset, presets};
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button(text::FILE, |ui| file(ui, out));
+        ui.menu_button(text::EDIT, |ui| edit(ui, bench, out));
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
         ui.separator();
         let (undo, redo) = (bench.undo_label(), bench.redo_label());
@@ -45,6 +48,24 @@ fn file(ui: &mut Ui, out: &mut Vec<Command>) {
     ];
     for (words, keys, command) in items {
         if ui.add(Button::new(words).shortcut_text(keys)).clicked() {
+            out.push(command);
+            ui.close();
+        }
+    }
+}
+
+fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let (bodies, any) = (bench.selected_body().is_some(), !bench.scene().girders.is_empty());
+    let items = [
+        (true, text::PLACE_GIRDER, "Shift G", Command::Tool(Tool::Girder)),
+        (any, text::PLACE_ABUTMENT, "Shift B", Command::Tool(Tool::Abutment)),
+        (any, text::ROW_ASK, "Ctrl R", Command::AskRow(Some(RowDraft::of(bench)))),
+        (any, text::SELECT_ALL, "Ctrl A", Command::SelectAll),
+        (bodies, text::DUPLICATE, "Ctrl D", Command::Duplicate),
+        (bodies, text::REMOVE, "Delete", Command::Remove),
+    ];
+    for (enabled, words, keys, command) in items {
+        if ui.add_enabled(enabled, Button::new(words).shortcut_text(keys)).clicked() {
             out.push(command);
             ui.close();
         }

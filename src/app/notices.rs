@@ -12,6 +12,11 @@ pub(super) fn over_view(ui: &mut Ui, rect: Rect, bench: &Workbench, out: &mut Ve
         let veil: Color32 = Palette::of(ui).view.gamma_multiply(0.55);
         ui.painter().rect_filled(rect, 0.0, veil);
     }
+    if bench.tool() != super::Tool::Select {
+        let at = rect.center_bottom() - vec2(0.0, 10.0);
+        let font = egui::FontId::proportional(12.0);
+        ui.painter().text(at, Align2::CENTER_BOTTOM, text::TOOL_ENDS, font, Palette::of(ui).weak);
+    }
     if let Some(problems) = bench.problems() {
         let lines: Vec<String> =
             problems.0.iter().map(|e| format!("{}: {} — {}", e.place, e.value, e.remedy)).collect();

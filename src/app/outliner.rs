@@ -37,12 +37,16 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
 }
 
 fn row(ui: &mut Ui, bench: &Workbench, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {
-    let selected = bench.selected() == Some(target);
+    let selected = bench.selection().contains(&target);
     let button = Button::selectable(selected, name).right_text(RichText::new(about).weak()).truncate();
     let size = egui::vec2(ui.available_width(), 20.0);
     let response = ui.add(button.min_size(size));
     if response.clicked() {
-        out.push(Command::Select(if selected { None } else { Some(target) }));
+        let alone = selected && bench.selection().len() == 1;
+        out.push(match ui.input(|i| i.modifiers.command || i.modifiers.shift) {
+            true => Command::SelectAlso(target),
+            false => Command::Select(if alone { None } else { Some(target) }),
+        });
     }
     if response.double_clicked() {
         out.push(Command::Select(Some(target)));

@@ -25,6 +25,17 @@ pub(super) const ADD_GIRDER: &str = "Add girder";
 pub(super) const ADD_ABUTMENT: &str = "Add abutment";
 pub(super) const DUPLICATE: &str = "Duplicate";
 pub(super) const REMOVE: &str = "Remove";
+pub(super) const EDIT: &str = "Edit";
+pub(super) const SELECT_ALL: &str = "Select all";
+pub(super) const PLACE_GIRDER: &str = "Place girder with the mouse";
+pub(super) const PLACE_ABUTMENT: &str = "Place abutment with the mouse";
+pub(super) const ROW: &str = "Row of spans";
+pub(super) const ROW_ASK: &str = "Row of spans…";
+pub(super) const ROW_OF: &str = "In a row with equal gaps, like";
+pub(super) const ROW_SPANS: &str = "Spans";
+pub(super) const ROW_GAP: &str = "Gap between spans";
+pub(super) const ROW_MAKE: &str = "Make the row";
+pub(super) const TOOL_ENDS: &str = "click: place   Ctrl: no snapping   Esc: done";
 pub(super) const HELP: &str = "Help";
 pub(super) const THEME_LIGHT: &str = "Light";
 pub(super) const THEME_DARK: &str = "Dark";
@@ -201,7 +212,15 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("middle or Shift drag", "shift the view"),
     ("wheel", "nearer, farther; over the timeline: zoom in time"),
     ("click", "select; in timeline and plots: go to that time"),
+    ("Ctrl or Shift click", "select more, or fewer"),
+    ("Ctrl A", "select every girder and abutment"),
+    ("drag a handle", "move, turn, length, width, skew, gap; with Ctrl without snapping"),
+    ("Tab, arrows", "to the next handle or control; pull a handle, with Shift ten times as far"),
+    ("Alt arrows", "move what is selected by a small step; with Shift ten"),
+    ("[ ]", "turn what is selected by 1°; with Shift by 15°"),
     ("G  B", "add a girder, an abutment"),
+    ("Shift G  Shift B", "place a girder, an abutment with the mouse"),
+    ("Ctrl R", "make a row of spans"),
     ("Ctrl D  Delete", "duplicate, remove what is selected"),
     ("Ctrl Z", "undo"),
     ("Ctrl Shift Z, Ctrl Y", "redo"),
@@ -247,6 +266,15 @@ pub(super) fn length(metres: f64) -> String {
         m if m >= 1.0 => format!("{} m", short(metres)),
         m if m >= 1e-4 => format!("{} mm", short(metres * 1e3)),
         _ => format!("{} m", short(metres)),
+    }
+}
+
+/// A length as it is, to the micrometre, in the unit that fits it.
+pub(super) fn exact_length(metres: f64) -> String {
+    if metres.abs() >= 1.0 {
+        format!("{} m", super::field::trimmed(metres))
+    } else {
+        format!("{} mm", super::field::trimmed(super::field::rounded(metres * 1e3, 1e-4)))
     }
 }
 

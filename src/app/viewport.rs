@@ -13,7 +13,7 @@ use crate::sim::History;
 use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, block, draw_list};
 
 /// Everything that a picture depends on; the same key is the same picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Key {
     scene: u64,
     answer: Option<u64>,
@@ -21,7 +21,7 @@ struct Key {
     camera: Camera,
     overlays: Overlays,
     force_scale: Option<f64>,
-    selected: Option<Target>,
+    selected: Vec<Target>,
     size: [u32; 2],
     pixels_per_point: f32,
     background: Background,
@@ -101,29 +101,32 @@ impl Viewport {
     }
 }
 
-/// The box about something selected, where it is at `t`.
-pub(super) fn bounds_of(bench: &Workbench, target: Option<Target>) -> Bounds {
+/// The box about what is selected, where it is at the time shown; about everything when that is nothing.
+pub(super) fn bounds_of(bench: &Workbench, targets: &[Target]) -> Bounds {
+    let corners: Vec<DVec3> = targets.iter().flat_map(|target| corners_of(bench, *target)).collect();
+    if corners.is_empty() { Bounds::of_scene(bench.shown().0) } else { Bounds::of_points(corners) }
+}
+
+fn corners_of(bench: &Workbench, target: Target) -> Vec<DVec3> {
     let (scene, history) = bench.shown();
     let t = bench.clock().t;
-    let corners: Vec<DVec3> = match target {
-        Some(Target::Girder(i)) => match (scene.girders.get(i), history) {
+    match target {
+        Target::Girder(i) => match (scene.girders.get(i), history.filter(|h| i < h.model().bodies.len())) {
             (Some(girder), Some(history)) => block::moved_girder_block(girder, &history.motion(i, t)).corners().into(),
             (Some(girder), None) => block::girder_block(girder).corners().into(),
             (None, _) => Vec::new(),
         },
-        Some(Target::Abutment(i)) => {
+        Target::Abutment(i) => {
             let block = scene.abutments.get(i).and_then(|a| block::abutment_block(scene, a));
             block.map(|b| b.face.into()).unwrap_or_default()
         }
-        Some(Target::Contact(number)) => {
+        Target::Contact(number) => {
             let contacts = history.map(|h| h.contacts(t)).unwrap_or_default();
             let here = contacts.iter().find(|c| c.contact == number).map(|c| c.point);
             let reach = Bounds::of_scene(scene).radius() * 0.08;
             here.map(|p| vec![p - DVec3::splat(reach), p + DVec3::splat(reach)]).unwrap_or_default()
         }
-        None => Vec::new(),
-    };
-    if corners.is_empty() { Bounds::of_scene(scene) } else { Bounds::of_points(corners) }
+    }
 }
 
 /// Shows the view over the rest of the window.
@@ -141,6 +144,9 @@ pub(super) fn show(ui: &mut Ui, bench: &mut Workbench) {
     aim(bench);
     paint(ui, rect, bench, pixels_per_point);
     let mut out = Vec::new();
+    // Over the picture, which is painted by now.
+    super::gizmo::show(ui, rect, bench, &mut out);
+    super::tool::show(ui, &response, bench, &mut out);
     notices::over_view(ui, rect, bench, &mut out);
     bench.apply_all(ui, out);
 }
@@ -162,7 +168,7 @@ fn paint(ui: &Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
         camera,
         overlays: bench.overlays(),
         force_scale: bench.force_scale(),
-        selected: bench.selected(),
+        selected: bench.selection().to_vec(),
         size: bench.viewport.size,
         pixels_per_point,
         background,
@@ -188,7 +194,7 @@ fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &Key) -> ViewInput<'
         camera,
         overlays: key.overlays,
         force_scale: key.force_scale,
-        selected: key.selected,
+        selected: bench.selection(),
         size: key.size,
         pixels_per_point: key.pixels_per_point,
         background: key.background,
@@ -199,8 +205,7 @@ fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &Key) -> ViewInput<'
 /// What is seen at a place of the view.
 pub(super) fn pick(bench: &Workbench, rect: Rect, at: egui::Pos2, pixels_per_point: f32) -> Option<Target> {
     let camera = bench.viewport.camera?;
-    let key = bench.viewport.picture.as_ref()?.0;
-    let key = Key { camera, pixels_per_point, ..key };
+    let key = Key { camera, pixels_per_point, ..bench.viewport.picture.as_ref()?.0.clone() };
     crate::view::pick(&input(bench, &camera, &key), ndc(rect, at))
 }
 

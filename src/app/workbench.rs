@@ -12,13 +12,15 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::row_dialog::RowDraft;
 use super::runner::{Runner, Wake};
+use super::selection::Selection;
 use super::theme::{self, Palette};
+use super::tool::Tool;
 use super::traces::TraceCache;
 use super::viewport::{self, Viewport};
-use super::{help, input, inspector, menu, notices, outliner, plots, status, timeline, transport, whatif};
+use super::{help, input, inspector, menu, notices, outliner, plots, row_dialog, status, timeline, transport, whatif};
 use crate::scene::{Overlays, Scene};
-use crate::view::Target;
 
 /// The workbench: a scene, its answer, and how both are looked at.
 pub struct Workbench {
@@ -27,7 +29,9 @@ pub struct Workbench {
     pub(super) clock: Clock,
     pub(super) viewport: Viewport,
     pub(super) dialogs: Dialogs,
-    pub(super) selected: Option<Target>,
+    pub(super) selection: Selection,
+    pub(super) tool: Tool,
+    pub(super) row: Option<RowDraft>,
     pub(super) overlays: Overlays,
     pub(super) force_scale: Option<f64>,
     pub(super) time_window: Option<[f64; 2]>,
@@ -65,7 +69,9 @@ impl Workbench {
             clock: Clock::default(),
             viewport: Viewport::new(scene.view.camera),
             dialogs: Dialogs::new(wake.clone()),
-            selected: None,
+            selection: Selection::default(),
+            tool: Tool::default(),
+            row: None,
             overlays: scene.view.overlays,
             force_scale: scene.view.force_scale,
             time_window: None,
@@ -114,6 +120,7 @@ impl Workbench {
         input::keys(ui, self, &mut out);
         self.panels(ui, &mut out);
         help::show(ui, self, &mut out);
+        row_dialog::show(ui, self, &mut out);
         notices::over_all(ui, self, &mut out);
         self.apply_all(ui, out);
         let view = Frame::new().fill(Palette::of(ui).view);

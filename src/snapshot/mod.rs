@@ -100,7 +100,7 @@ impl Shot {
             camera: &camera,
             overlays: self.overlays.unwrap_or(scene.view.overlays),
             force_scale: self.force_scale,
-            selected: self.selected,
+            selected: self.selected.as_slice(),
             size: self.size,
             pixels_per_point: points(self.size),
             background: self.background,

@@ -63,7 +63,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         input.scene.girders.iter().zip(&moment.motions).map(|(g, m)| moved_girder_block(g, m)).collect();
     for (i, abutment) in input.scene.abutments.iter().enumerate() {
         if let Some(block) = abutment_block(input.scene, abutment) {
-            let selected = input.selected == Some(Target::Abutment(i));
+            let selected = input.selected.contains(&Target::Abutment(i));
             let color = palette.abutment.fainter(solidity(&block, &girders, input.camera));
             out.add(input, &block, &abutment.name, color, palette.edge, selected);
         }
@@ -81,7 +81,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
                 );
             }
         }
-        let selected = input.selected == Some(Target::Girder(i));
+        let selected = input.selected.contains(&Target::Girder(i));
         out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
     }
     for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {

@@ -168,7 +168,7 @@ fn glyphs(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Vec<Mark
         Some(Mark::Cross { at: pixels(input, o.point)?, radius: 4.5 * ppp, width: 2.2 * ppp, color: OPENED, halo })
     });
     let closed = moment.contacts.iter().filter_map(|c| Some(glyph(pixels(input, c.point)?, c.state, ppp, palette)));
-    let chosen = moment.contacts.iter().filter(|c| input.selected == Some(Target::Contact(c.contact)));
+    let chosen = moment.contacts.iter().filter(|c| input.selected.contains(&Target::Contact(c.contact)));
     let chosen = chosen.filter_map(|c| {
         Some(Mark::Ring { at: pixels(input, c.point)?, radius: 10.0 * ppp, width: 2.2 * ppp, color: SELECTED, halo })
     });

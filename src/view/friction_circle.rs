@@ -18,7 +18,7 @@ const RADIUS: f32 = 44.0;
 
 /// The circle at the top right, where a closed contact is selected.
 pub(super) fn friction_circle(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Option<(Vec<Mark>, Area)> {
-    let Some(Target::Contact(number)) = input.selected else { return None };
+    let Some(&Target::Contact(number)) = input.selected.last() else { return None };
     let contact = moment.contacts.iter().find(|c| c.contact == number)?;
     let limit = contact.mu_static * contact.normal_force;
     if !(limit.is_finite() && limit > 0.0) {

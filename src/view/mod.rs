@@ -67,7 +67,7 @@ pub struct ViewInput<'a> {
     /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
     pub force_scale: Option<f64>,
     /// What is selected.
-    pub selected: Option<Target>,
+    pub selected: &'a [Target],
     /// Width and height \[pixels\].
     pub size: [u32; 2],
     /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.

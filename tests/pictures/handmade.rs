@@ -71,7 +71,7 @@ pub(crate) fn list(
         camera: &camera,
         overlays,
         force_scale: None,
-        selected: None,
+        selected: &[],
         size,
         pixels_per_point,
         background: Background::Studio,

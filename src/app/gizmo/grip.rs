@@ -1,0 +1,160 @@
+//! What can be taken hold of in the 3D view, and where it is.
+//!
+//! A handle belongs to the scene as it is edited and stands where its girder is at the time shown.
+
+use glam::{DQuat, DVec2, DVec3};
+
+use crate::geometry::End;
+use crate::scene::facing::{self, Facing, Side};
+use crate::scene::{Abutment, Girder, Scene, placed};
+use crate::view::Target;
+
+/// Most gaps with a handle of their own: beyond that they would hide the row.
+const MOST_GAPS: usize = 24;
+
+/// One of two long sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::app) enum Flank {
+    /// Toward `+y`.
+    Left,
+    /// Toward `-y`.
+    Right,
+}
+
+impl Flank {
+    /// Both.
+    pub(super) const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// +1 or −1.
+    pub(super) fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+}
+
+/// What a hand takes hold of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::app) enum Grip {
+    /// All that is selected, over the ground.
+    Bodies,
+    /// A girder along its own axis.
+    Along(usize),
+    /// A girder across its axis.
+    Across(usize),
+    /// A girder about its middle.
+    Turn(usize),
+    /// An end: the length.
+    Length(usize, End),
+    /// A long side: the width.
+    Width(usize, Flank),
+    /// A corner: the skew.
+    Skew(usize, End, Flank),
+    /// A gap, by the number of the facing pair.
+    Gap(usize),
+    /// An abutment along its face.
+    Offset(usize),
+    /// An abutment's side: the width of its face.
+    FaceWidth(usize, Flank),
+}
+
+/// Something to take hold of.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Handle {
+    /// What it is.
+    pub(super) grip: Grip,
+    /// Where it is \[m\].
+    pub(super) at: DVec3,
+    /// Which way it goes, as far as it goes one way \[unit\].
+    pub(super) along: DVec3,
+    /// What it is called.
+    pub(super) name: String,
+}
+
+/// A girder's place and attitude now.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::app) struct Stance {
+    /// Where G is \[m\].
+    pub(in crate::app) place: DVec3,
+    /// Body to world.
+    pub(in crate::app) attitude: DQuat,
+}
+
+/// The handles of what is selected, and the gaps.
+pub(super) fn handles(scene: &Scene, selected: &[Target], gaps: bool, stance: impl Fn(usize) -> Stance) -> Vec<Handle> {
+    let mut all = Vec::new();
+    match selected {
+        &[Target::Girder(i)] => {
+            if let Some(girder) = scene.girders.get(i) {
+                of_girder(i, girder, stance(i), &mut all);
+            }
+        }
+        &[Target::Abutment(i)] => {
+            if let Some(abutment) = scene.abutments.get(i) {
+                of_abutment(scene, i, abutment, &mut all);
+            }
+        }
+        _ => {}
+    }
+    let pairs = if gaps { facing::find(scene).unwrap_or_default() } else { Vec::new() };
+    if pairs.len() <= MOST_GAPS {
+        all.extend(pairs.iter().enumerate().filter_map(|(n, pair)| of_gap(scene, n, pair, &stance)));
+    }
+    // What lies in space nowhere cannot be drawn: a scene may hold any number while it is edited.
+    all.retain(|h| h.at.is_finite() && h.along.is_finite());
+    all
+}
+
+fn of_girder(i: usize, girder: &Girder, stance: Stance, out: &mut Vec<Handle>) {
+    let prism = girder.prism();
+    let (a, b, shear) = (prism.length / 2.0, prism.width / 2.0, prism.shear());
+    let top = prism.thickness / 2.0;
+    let name = &girder.name;
+    let mut add = |grip, at: DVec2, along: DVec2, what: String| {
+        let (at, along) = (stance.place + stance.attitude * at.extend(top), stance.attitude * along.extend(0.0));
+        out.push(Handle { grip, at, along, name: what });
+    };
+    let (x, y) = (DVec2::X, DVec2::Y);
+    add(Grip::Along(i), DVec2::ZERO, x, format!("move {name} along"));
+    add(Grip::Across(i), DVec2::ZERO, y, format!("move {name} across"));
+    // Pulled toward -x, the knob on the left turns the girder against the clock.
+    add(Grip::Turn(i), DVec2::new(b * shear, b), -x, format!("turn {name}"));
+    for end in End::BOTH {
+        let s = end.sign();
+        add(Grip::Length(i, end), x * (s * a), x * s, format!("length of {name} at {}", end.label()));
+        for flank in Flank::BOTH {
+            let at = DVec2::new(s * a + flank.sign() * b * shear, flank.sign() * b);
+            let side = if flank == Flank::Left { "left" } else { "right" };
+            add(Grip::Skew(i, end, flank), at, x, format!("skew of {name} at {} {side}", end.label()));
+        }
+    }
+    let s = -1.0;
+    add(Grip::Width(i, Flank::Right), DVec2::new(s * b * shear, s * b), y * s, format!("width of {name}"));
+}
+
+fn of_abutment(scene: &Scene, i: usize, abutment: &Abutment, out: &mut Vec<Handle>) {
+    let Some([a, b, c, d]) = placed::abutment_face(scene, abutment) else { return };
+    let name = &abutment.name;
+    let (top, side) = ((c + d) / 2.0, (b - a).normalize_or_zero());
+    out.push(Handle { grip: Grip::Offset(i), at: top, along: side, name: format!("move {name} sideways") });
+    if abutment.polygon.is_none() {
+        for (flank, at) in Flank::BOTH.into_iter().zip([c, d]) {
+            let name = format!("width of {name}, {}", if flank == Flank::Left { "one side" } else { "other side" });
+            out.push(Handle { grip: Grip::FaceWidth(i, flank), at, along: side * flank.sign(), name });
+        }
+    }
+}
+
+fn of_gap(scene: &Scene, n: usize, pair: &Facing, stance: &impl Fn(usize) -> Stance) -> Option<Handle> {
+    let Side::Girder(i, end) = pair.first else { return None };
+    let girder = scene.girders.get(i)?;
+    if let Side::Abutment(k) = pair.second {
+        scene.abutments.get(k)?.gap?;
+    }
+    let here = stance(i);
+    let along = here.attitude * DVec3::X * end.sign();
+    let middle = DVec3::new(end.sign() * girder.length / 2.0, 0.0, girder.thickness / 2.0);
+    let at = here.place + here.attitude * middle + along * pair.gap;
+    Some(Handle { grip: Grip::Gap(n), at, along, name: format!("gap of {}", pair.name) })
+}

@@ -1,0 +1,215 @@
+//! From a handle and how far it was pulled to the edit, what is read beside the hand, and the lines it snapped to.
+
+use glam::{DVec2, DVec3};
+
+use super::grip::{Flank, Grip};
+use super::snap::{self, Guide};
+use crate::app::{edits, field, text};
+use crate::geometry::End;
+use crate::scene::edit::Edit;
+use crate::scene::facing::{self, Side};
+use crate::scene::{Abutment, Bearings, Girder, Scene, placed};
+use crate::view::Target;
+
+/// Least length or width that a handle leaves, as a share of what it was.
+const LEAST: f64 = 0.02;
+
+/// A pull, from the scene as it was when the hand closed.
+pub(in crate::app) struct Pull<'a> {
+    /// The scene then.
+    pub(super) scene: &'a Scene,
+    /// What was selected.
+    pub(super) selected: &'a [Target],
+    /// Where the hand was on its plane \[m\].
+    pub(super) from: DVec3,
+    /// Where it is \[m\].
+    pub(super) to: DVec3,
+    /// Numbers are rounded to this \[m\].
+    pub(super) step: f64,
+    /// How near a line must be to be snapped to \[m\]; none at all when 0.
+    pub(super) reach: f64,
+}
+
+/// What a pull comes to.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Pulled {
+    /// What is changed.
+    pub(in crate::app) edit: Edit,
+    /// What is read beside the hand.
+    pub(in crate::app) words: Vec<String>,
+    /// Lines that it snapped to.
+    pub(in crate::app) guides: Vec<Guide>,
+}
+
+impl Pull<'_> {
+    /// How far along a direction, rounded \[m\].
+    fn along(&self, direction: DVec3) -> f64 {
+        field::rounded((self.to - self.from).dot(direction), self.step)
+    }
+
+    fn girder(&self, i: usize) -> Option<(&Girder, DVec3, DVec3)> {
+        let girder = self.scene.girders.get(i)?;
+        let axes = placed::axes(girder);
+        Some((girder, axes.x_axis, axes.y_axis))
+    }
+}
+
+/// What a pull on a handle comes to; `None` when the scene has no such thing.
+pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
+    match grip {
+        Grip::Bodies => bodies(pull, (pull.to - pull.from).truncate()),
+        Grip::Along(i) => {
+            let (_, x, _) = pull.girder(i)?;
+            bodies(pull, (x * pull.along(x)).truncate())
+        }
+        Grip::Across(i) => {
+            let (_, _, y) = pull.girder(i)?;
+            bodies(pull, (y * pull.along(y)).truncate())
+        }
+        Grip::Turn(i) => turn(pull, i),
+        Grip::Length(i, end) => length(pull, i, end),
+        Grip::Width(i, flank) => width(pull, i, flank),
+        Grip::Skew(i, end, flank) => skew(pull, i, end, flank),
+        Grip::Gap(n) => gap(pull, n),
+        Grip::Offset(i) => offset(pull, i),
+        Grip::FaceWidth(i, flank) => face_width(pull, i, flank),
+    }
+}
+
+fn plain(edit: Edit, words: String) -> Pulled {
+    Pulled { edit, words: vec![words], guides: Vec::new() }
+}
+
+/// Moves all that is selected; the girder that leads is what snaps.
+fn bodies(pull: &Pull<'_>, way: DVec2) -> Option<Pulled> {
+    let lead = pull.selected.iter().rev().find_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
+    let rounded = DVec2::new(field::rounded(way.x, pull.step), field::rounded(way.y, pull.step));
+    let snapped = match lead {
+        Some(i) if pull.reach > 0.0 => {
+            let gaps = snap::usual_gaps(pull.scene);
+            snap::moved(pull.scene, pull.selected, i, rounded, (pull.reach, &gaps))
+        }
+        _ => snap::Snapped::free(rounded),
+    };
+    let way = snapped.way;
+    let edits = pull.selected.iter().filter_map(|t| edits::shifted(pull.scene, *t, way.to_array(), 0.0));
+    let mut edits: Vec<Edit> = edits.collect();
+    let edit = if edits.len() == 1 { edits.pop()? } else { Edit::Batch(edits) };
+    let mut words = vec![format!("Δx {}   Δy {}", text::length(way.x), text::length(way.y))];
+    words.extend(snapped.words);
+    Some(Pulled { edit, words, guides: snapped.guides })
+}
+
+fn turn(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
+    let (girder, ..) = pull.girder(i)?;
+    let middle = DVec3::from(girder.position);
+    let angle = |p: DVec3| (p - middle).y.atan2((p - middle).x);
+    let way = (angle(pull.to) - angle(pull.from)).to_degrees();
+    let free = field::rounded(wrapped(girder.heading_deg + way), 0.1);
+    let (heading, to) = if pull.reach > 0.0 { snap::heading(pull.scene, i, free) } else { (free, None) };
+    let mut words = vec![format!("heading {}°", field::trimmed(heading))];
+    words.extend(to);
+    Some(Pulled { edit: Edit::MoveGirder(i, girder.position, heading), words, guides: Vec::new() })
+}
+
+/// Between −180° and 180°.
+fn wrapped(angle: f64) -> f64 {
+    let turned = angle.rem_euclid(360.0);
+    if turned > 180.0 { turned - 360.0 } else { turned }
+}
+
+fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
+    let (girder, x, _) = pull.girder(i)?;
+    let outward = x * end.sign();
+    let length = (girder.length + pull.along(outward)).max(girder.length * LEAST);
+    // The other end stays where it is.
+    let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
+    let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
+    Some(plain(edits::girder(i, new), format!("length {}", text::exact_length(length))))
+}
+
+fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
+    let (girder, _, y) = pull.girder(i)?;
+    let width = (girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST);
+    let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
+    Some(plain(edits::girder(i, new), format!("width {}", text::exact_length(width))))
+}
+
+fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
+    let (girder, x, _) = pull.girder(i)?;
+    let half = flank.sign() * girder.width / 2.0;
+    // The corner slides along the girder: cot β = (shift of the corner) / (its distance from the axis).
+    let shear = girder.prism().shear() + (pull.to - pull.from).dot(x) / half;
+    let free = field::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1);
+    let (skew, to) = if pull.reach > 0.0 { snap::skew(pull.scene, i, free) } else { (free, None) };
+    let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
+    let mut words = vec![format!("β {}° at {}", field::trimmed(skew), end.label())];
+    words.extend(to);
+    Some(Pulled { edit: edits::girder(i, new), words, guides: Vec::new() })
+}
+
+/// A girder whose bearings keep their places as shares of its plan.
+fn stretched(girder: &Girder, along: f64, across: f64, skew_deg: f64) -> Girder {
+    let before = girder.prism().shear();
+    let after = Girder { skew_deg, ..girder.clone() }.prism().shear();
+    let moved = |[x, y]: [f64; 2]| {
+        let y_new = y * across;
+        edits::tidy(DVec3::new((x - y * before) * along + y_new * after, y_new, 0.0))
+    };
+    let mut new = girder.clone();
+    match &mut new.bearings {
+        Some(Bearings::Shared(shared)) => {
+            for place in shared.at.iter_mut().flatten() {
+                let [x, y, _] = moved(*place);
+                *place = [x, y];
+            }
+            for place in shared.at_skewed.iter_mut().flatten() {
+                let [x, y, _] = edits::tidy(DVec3::new(place[0] * along, place[1] * across, 0.0));
+                *place = [x, y];
+            }
+        }
+        Some(Bearings::Each(each)) => {
+            for bearing in each {
+                let [x, y, _] = moved(bearing.at);
+                bearing.at = [x, y];
+            }
+        }
+        None => {}
+    }
+    new
+}
+
+fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
+    let pair = facing::find(pull.scene).ok()?.into_iter().nth(n)?;
+    let Side::Girder(first, end) = pair.first else { return None };
+    let (_, x, _) = pull.girder(first)?;
+    let outward = x * end.sign();
+    let free = (pair.gap + pull.along(outward)).max(0.0);
+    let (gap, to) = if pull.reach > 0.0 { snap::gap(pull.scene, n, free, pull.reach) } else { (free, None) };
+    let edit = match pair.second {
+        Side::Abutment(i) => {
+            edits::abutment(i, Abutment { gap: Some(edits::micrometres(gap)), ..pull.scene.abutments.get(i)?.clone() })
+        }
+        Side::Girder(second, _) => edits::row_shifted(pull.scene, first, second, outward * (gap - pair.gap)),
+    };
+    let mut words = vec![format!("gap {}", text::exact_length(gap))];
+    words.extend(to);
+    Some(Pulled { edit, words, guides: Vec::new() })
+}
+
+fn offset(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
+    let [a, b, ..] = placed::abutment_face(pull.scene, pull.scene.abutments.get(i)?)?;
+    let side = (b - a).normalize_or_zero();
+    let way = side * pull.along(side);
+    let edit = edits::shifted(pull.scene, Target::Abutment(i), way.truncate().to_array(), 0.0)?;
+    Some(plain(edit, format!("sideways {}", text::length(pull.along(side)))))
+}
+
+fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
+    let abutment = pull.scene.abutments.get(i)?;
+    let [a, b, ..] = placed::abutment_face(pull.scene, abutment)?;
+    let (side, before) = ((b - a).normalize_or_zero(), (b - a).length());
+    let width = (before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST);
+    let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
+    Some(plain(edits::abutment(i, new), format!("face width {}", text::exact_length(width))))
+}

@@ -1,0 +1,237 @@
+//! Placing with the mouse: handles, snapping, tools, rows, several at once, numbers with units.
+
+use super::harness::{click, drag, on_screen, open, press, settle};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{Command, Tool, Workbench};
+use girderbench::scene::presets;
+use girderbench::view::Target;
+use glam::DVec3;
+
+type Window = Harness<'static, Workbench>;
+
+/// The opening preset from above, its girder selected.
+fn from_above(preset: &str, select: &[Target]) -> Window {
+    let mut harness = open(preset);
+    harness.key_press(Key::Num2);
+    harness.state_mut().apply(Command::Select(None));
+    for target in select {
+        harness.state_mut().apply(Command::SelectAlso(*target));
+    }
+    settle(&mut harness);
+    harness
+}
+
+/// Drags a handle by its name, so many points to the right and down, without snapping.
+fn pull(harness: &mut Window, name: &str, by: [f32; 2]) {
+    let from: Pos2 = harness.get_by_role_and_label(Role::Splitter, name).rect().center();
+    drag(harness, from, from + egui::vec2(by[0], by[1]));
+}
+
+/// Metres to a point on the screen, along x.
+fn metres_per_point(harness: &Window) -> f64 {
+    let ends = [DVec3::ZERO, DVec3::X * 0.1].map(|p| on_screen(harness, p));
+    0.1 / f64::from(ends[1].x - ends[0].x)
+}
+
+fn undo(harness: &mut Window) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(harness);
+}
+
+#[test]
+fn an_end_is_dragged_to_another_length_and_the_other_end_stays() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let before = harness.state().scene().girders[0].clone();
+    let by = metres_per_point(&harness) * 40.0;
+    pull(&mut harness, "length of deck at -x", [-40.0, 0.0]);
+    let after = harness.state().scene().girders[0].clone();
+    assert!((after.length - before.length - by).abs() < 1e-3, "as far as the mouse: {}", after.length);
+    let plus_end = |g: &girderbench::scene::Girder| g.position[0] + g.length / 2.0;
+    assert!((plus_end(&after) - plus_end(&before)).abs() < 1e-6, "the +x end stays");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+    undo(&mut harness);
+    assert_eq!(harness.state().scene().girders[0], before, "one drag is one step");
+}
+
+#[test]
+fn a_corner_is_dragged_to_another_skew_and_snaps_to_round_angles() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    // cot β goes from 1 to cot 60° = 0.577: the left corner 0.423 b toward -x.
+    let half = harness.state().scene().girders[0].width / 2.0;
+    let far = half * (1.0 - 1.0 / 60f64.to_radians().tan()) / metres_per_point(&harness);
+    #[expect(clippy::cast_possible_truncation, reason = "points on the screen")]
+    pull(&mut harness, "skew of deck at -x left", [-far as f32 + 0.4, 0.0]);
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 60.0, "near enough to be meant");
+}
+
+#[test]
+fn turning_moving_and_widening_by_their_handles() {
+    let mut harness = from_above("flush-free-hit", &[Target::Girder(0)]);
+    let name = harness.state().scene().girders[0].name.clone();
+    let before = harness.state().scene().girders[0].clone();
+    let by = metres_per_point(&harness) * 30.0;
+    pull(&mut harness, &format!("move {name} across"), [3.0, -30.0]);
+    let moved = harness.state().scene().girders[0].clone();
+    assert_eq!(moved.position[0], before.position[0], "only across");
+    assert!((moved.position[1] - before.position[1] - by).abs() < 1e-3, "as far as the mouse");
+    pull(&mut harness, &format!("width of {name}"), [0.0, 20.0]);
+    let width = harness.state().scene().girders[0].width;
+    assert!(width > before.width, "wider: {width}");
+    pull(&mut harness, &format!("turn {name}"), [-20.0, 0.0]);
+    let heading = harness.state().scene().girders[0].heading_deg;
+    assert!(heading > 1.0, "pulled to the left at its left side it turns against the clock: {heading}");
+}
+
+#[test]
+fn a_gap_is_dragged_at_its_dimension() {
+    let mut harness = from_above(presets::OPENING, &[]);
+    let gap = |h: &Window| h.state().scene().abutments[0].gap.expect("given");
+    let before = gap(&harness);
+    let by = metres_per_point(&harness) * 12.0;
+    let name = "gap of deck+x|wall";
+    pull(&mut harness, name, [12.0, 0.0]);
+    assert!((gap(&harness) - before - by).abs() < 1e-3, "wider by the mouse's way: {}", gap(&harness));
+    pull(&mut harness, name, [-400.0, 0.0]);
+    assert_eq!(gap(&harness), 0.0, "never into the girder");
+}
+
+#[test]
+fn a_gap_in_a_row_moves_the_rest_of_the_row() {
+    let mut harness = from_above("row-of-5", &[]);
+    let x = |h: &Window| h.state().scene().girders.iter().map(|g| g.position[0]).collect::<Vec<_>>();
+    let before = x(&harness);
+    let gaps = harness.query_all_by_role(Role::Splitter).count();
+    assert!(gaps >= 4, "a handle at every gap, found {gaps}");
+    let pair = &harness.state().answer().expect("run").history.model().pairs[2];
+    let name = format!("gap of {}", pair.name);
+    pull(&mut harness, &name, [20.0, 0.0]);
+    let after = x(&harness);
+    let moved: Vec<bool> = before.iter().zip(&after).map(|(a, b)| (a - b).abs() > 1e-9).collect();
+    let first = moved.iter().position(|m| *m).expect("something moved");
+    assert!(moved[first..].iter().all(|m| *m) && first > 0, "all beyond the gap, none before: {moved:?}");
+    let ways: Vec<f64> = before.iter().zip(&after).skip(first).map(|(a, b)| b - a).collect();
+    assert!(ways.iter().all(|w| (w - ways[0]).abs() < 2e-6), "together: {ways:?}");
+}
+
+#[test]
+fn handles_are_pulled_by_keys_too() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    harness.get_by_role_and_label(Role::Splitter, "length of deck at -x").focus();
+    settle(&mut harness);
+    let (before, t) = (harness.state().scene().girders[0].length, harness.state().clock().t);
+    harness.key_press(Key::ArrowRight);
+    settle(&mut harness);
+    let once = harness.state().scene().girders[0].length - before;
+    assert!((once - 1e-3).abs() < 1e-9, "a millimetre, got {once}");
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    settle(&mut harness);
+    let back = harness.state().scene().girders[0].length - before;
+    assert!((back + 9e-3).abs() < 1e-9, "ten back, got {back}");
+    assert_eq!(harness.state().clock().t, t, "the time is left alone");
+}
+
+#[test]
+fn a_girder_is_placed_with_the_mouse_and_snaps_into_the_row() {
+    let mut harness = from_above("row-of-5", &[Target::Girder(4)]);
+    let gone = harness.state().scene().girders[4].clone();
+    harness.key_press(Key::Delete);
+    settle(&mut harness);
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::G);
+    settle(&mut harness);
+    assert_eq!(harness.state().tool(), Tool::Girder, "the tool");
+    // A little off the axis and the gap that the row has.
+    let near = on_screen(&harness, DVec3::from(gone.position)) + egui::vec2(3.0, 3.0);
+    click(&mut harness, near);
+    assert_eq!(harness.state().scene().girders.len(), 5, "one more");
+    let new = harness.state().scene().girders[4].position;
+    let off = (DVec3::from(new) - DVec3::from(gone.position)).length();
+    assert!(off < 2e-6, "in the row as before: {new:?}");
+    harness.key_press(Key::Escape);
+    settle(&mut harness);
+    assert_eq!(harness.state().tool(), Tool::Select, "done");
+    assert_eq!(harness.state().selected(), Some(Target::Girder(4)), "the new one is selected");
+}
+
+#[test]
+fn an_abutment_is_placed_before_the_nearest_free_end() {
+    let mut harness = from_above(presets::OPENING, &[]);
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::B);
+    settle(&mut harness);
+    let girder = harness.state().scene().girders[0].clone();
+    let left = on_screen(&harness, DVec3::new(girder.position[0] - girder.length * 0.6, 0.0, 0.0));
+    click(&mut harness, left);
+    let walls = &harness.state().scene().abutments;
+    assert_eq!(walls.len(), 2, "one more");
+    assert_eq!(walls[1].end.label(), "-x", "where the mouse was");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+}
+
+#[test]
+fn a_row_of_five_is_made_from_one_and_undone_as_one() {
+    let mut harness = from_above("flush-free-hit", &[Target::Girder(0)]);
+    let before = harness.state().scene().clone();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::R);
+    settle(&mut harness);
+    harness.get_by_role_and_label(Role::SpinButton, "Gap between spans").click();
+    settle(&mut harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text("3 cm".into()));
+    settle(&mut harness);
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    press(&mut harness, "Make the row");
+    let girders = &harness.state().scene().girders;
+    assert_eq!(girders.len(), before.girders.len() + 4, "five spans");
+    let at = girders[girders.len() - 1].position[0] - girders[girders.len() - 2].position[0];
+    assert!((at - girders[0].length - 0.03).abs() < 1e-6, "30 mm apart, {at}");
+    assert_eq!(harness.state().scene().abutments[0].faces, girders[4].name, "the wall stands before the last one");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+    undo(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "one step");
+}
+
+#[test]
+fn several_are_selected_moved_copied_and_removed_together() {
+    let mut harness = from_above("row-of-5", &[]);
+    let before = harness.state().scene().clone();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    settle(&mut harness);
+    assert_eq!(harness.state().selection().len(), before.girders.len() + before.abutments.len(), "everything");
+    harness.key_press_modifiers(Modifiers::ALT, Key::ArrowUp);
+    settle(&mut harness);
+    let ways: Vec<f64> = harness
+        .state()
+        .scene()
+        .girders
+        .iter()
+        .zip(&before.girders)
+        .map(|(a, b)| a.position[1] - b.position[1])
+        .collect();
+    assert!(ways[0] > 0.0 && ways.iter().all(|w| (w - ways[0]).abs() < 1e-9), "all by one step: {ways:?}");
+    undo(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "one step of undo");
+    harness.key_press(Key::Delete);
+    settle(&mut harness);
+    assert!(harness.state().scene().girders.is_empty(), "all gone");
+    assert!(harness.state().scene().abutments.is_empty(), "walls too");
+    undo(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "and back");
+}
+
+#[test]
+fn a_number_is_typed_with_a_unit() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    for (typed, wanted) in [("25 cm", 0.25), ("1 m", 1.0), ("190", 0.19), ("12 kg", 0.19)] {
+        harness.get_by_role_and_label(Role::SpinButton, "Length a₀").click();
+        settle(&mut harness);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(egui::Event::Text(typed.into()));
+        settle(&mut harness);
+        harness.key_press(Key::Enter);
+        settle(&mut harness);
+        assert_eq!(harness.state().scene().girders[0].length, wanted, "{typed}");
+    }
+}
