@@ -7,6 +7,8 @@ mod golden;
 mod harness;
 #[path = "window/layout.rs"]
 mod layout;
+#[path = "window/numbers.rs"]
+mod numbers;
 #[path = "window/placing.rs"]
 mod placing;
 #[path = "window/scene.rs"]

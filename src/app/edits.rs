@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
-use crate::scene::facing::{self, Side};
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Push, Scene, Seat, placed};
+use crate::scene::facing::{self, Facing, Side};
+use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, PairSettings, Push, Scene, Seat, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -53,6 +53,88 @@ pub(super) fn abutment(i: usize, abutment: Abutment) -> Edit {
 pub(super) fn skew(scene: &Scene, one: Option<usize>, skew_deg: f64) -> Edit {
     let turned = scene.girders.iter().enumerate().filter(|(i, _)| one.is_none_or(|one| one == *i));
     Edit::Batch(turned.map(|(i, g)| girder(i, Girder { skew_deg, ..g.clone() })).collect())
+}
+
+/// A girder with other numbers; each number that was changed goes to the other selected girders too.
+pub(super) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selected: &[Target]) -> Edit {
+    let Some(old) = scene.girders.get(i) else { return girder(i, new.clone()) };
+    let mut edits = vec![girder(i, new.clone())];
+    for target in selected {
+        let Target::Girder(k) = *target else { continue };
+        if let Some(other) = scene.girders.get(k).filter(|_| k != i) {
+            edits.push(girder(k, carried(old, new, other)));
+        }
+    }
+    if edits.len() == 1 { girder(i, new.clone()) } else { Edit::Batch(edits) }
+}
+
+/// What changed from `old` to `new`, in `other`.
+fn carried(old: &Girder, new: &Girder, other: &Girder) -> Girder {
+    fn take<T: Clone + PartialEq>(to: &mut T, old: &T, new: &T) {
+        if old != new {
+            to.clone_from(new);
+        }
+    }
+    let mut out = other.clone();
+    take(&mut out.length, &old.length, &new.length);
+    take(&mut out.width, &old.width, &new.width);
+    take(&mut out.thickness, &old.thickness, &new.thickness);
+    take(&mut out.skew_deg, &old.skew_deg, &new.skew_deg);
+    take(&mut out.mass, &old.mass, &new.mass);
+    for axis in 0..3 {
+        take(&mut out.position[axis], &old.position[axis], &new.position[axis]);
+    }
+    take(&mut out.heading_deg, &old.heading_deg, &new.heading_deg);
+    take(&mut out.bearings, &old.bearings, &new.bearings);
+    take(&mut out.initial, &old.initial, &new.initial);
+    take(&mut out.push, &old.push, &new.push);
+    take(&mut out.held, &old.held, &new.held);
+    take(&mut out.seat, &old.seat, &new.seat);
+    out
+}
+
+/// Names of the two bodies of a facing pair.
+pub(super) fn names_of<'a>(scene: &'a Scene, pair: &Facing) -> [&'a str; 2] {
+    [pair.first, pair.second].map(|side| match side {
+        Side::Girder(i, _) => scene.girders.get(i).map_or("", |g| g.name.as_str()),
+        Side::Abutment(i) => scene.abutments.get(i).map_or("", |a| a.name.as_str()),
+    })
+}
+
+fn ends_of(pair: &Facing) -> Option<[End; 2]> {
+    match (pair.first, pair.second) {
+        (Side::Girder(_, a), Side::Girder(_, b)) => Some([a, b]),
+        _ => None,
+    }
+}
+
+/// The last entry of `[[contact.pair]]` that is about this pair alone.
+pub(super) fn pair_entry(scene: &Scene, pair: &Facing) -> Option<usize> {
+    let [a, b] = names_of(scene, pair);
+    scene.contact.pairs.iter().rposition(|entry| {
+        let [x, y] = &entry.between;
+        let straight = (x == a && y == b) && entry.ends.is_none_or(|e| Some(e) == ends_of(pair));
+        let turned = (x == b && y == a) && entry.ends.is_none_or(|[e, f]| Some([f, e]) == ends_of(pair));
+        straight || turned
+    })
+}
+
+/// An entry of `[[contact.pair]]` for this pair that says nothing yet.
+pub(super) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
+    PairSettings {
+        between: names_of(scene, pair).map(str::to_owned),
+        ends: ends_of(pair),
+        stiffness: None,
+        young_modulus: None,
+        area: None,
+        restitution_normal: None,
+        restitution_tangential: None,
+        mu_static: None,
+        mu_kinetic: None,
+        law: None,
+        sharing: None,
+        tension: None,
+    }
 }
 
 /// Gives the contact other numbers.

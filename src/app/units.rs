@@ -35,8 +35,6 @@ pub(super) enum Dimension {
     Damping,
     /// Pascals.
     Pressure,
-    /// Square metres.
-    Area,
 }
 
 impl Dimension {
@@ -58,7 +56,6 @@ impl Dimension {
             Self::Stiffness => &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9), ("N/mm", 1e3)],
             Self::Damping => &[("N s/m", 1.0), ("Ns/m", 1.0), ("kN s/m", 1e3), ("kNs/m", 1e3)],
             Self::Pressure => &[("Pa", 1.0), ("MPa", 1e6), ("GPa", 1e9)],
-            Self::Area => &[("m²", 1.0), ("m2", 1.0), ("mm²", 1e-6), ("mm2", 1e-6), ("cm²", 1e-4), ("cm2", 1e-4)],
         }
     }
 }

@@ -1,9 +1,8 @@
 //! Every word the window shows, and how numbers are written.
 
-use egui::text::{LayoutJob, TextFormat};
-use egui::{FontId, Ui};
+mod numbers;
 
-use super::theme::Palette;
+pub(super) use numbers::*;
 
 /// The program's name, in the title.
 pub(super) const PROGRAM: &str = "Girderbench";
@@ -84,7 +83,7 @@ pub(super) const PLOT_FORCE: &str = "{f}contact force";
 // What is placed.
 pub(super) const OUTLINER: &str = "Placed";
 pub(super) const INSPECTOR: &str = "Numbers";
-pub(super) const NOTHING_SELECTED: &str = "Select a girder or an abutment to see its numbers.";
+pub(super) const NOTHING_SELECTED: &str = "Select a girder or an abutment to see its numbers; these are the scene's.";
 pub(super) const NAME: &str = "Name";
 pub(super) const LENGTH: &str = "Length a₀";
 pub(super) const WIDTH: &str = "Width b₀";
@@ -100,8 +99,54 @@ pub(super) const FREQUENCY_Y: &str = "Bearings f y";
 pub(super) const DAMPING_X: &str = "Bearings h x";
 pub(super) const DAMPING_Y: &str = "Bearings h y";
 pub(super) const FREQUENCY_Z: &str = "Bearings f z";
+pub(super) const BEARINGS: &str = "Bearings";
 pub(super) const BEARINGS_NONE: &str = "No bearings: it slides freely.";
-pub(super) const BEARINGS_EACH: &str = "Bearings are given one by one in the file.";
+pub(super) const BEARINGS_ADD: &str = "Put it on four bearings";
+pub(super) const BEARINGS_REMOVE: &str = "Take the bearings away";
+pub(super) const BEARINGS_ONE_BY_ONE: &str = "Edit one by one";
+pub(super) const BEARINGS_ONE_BY_ONE_HINT: &str = "Each bearing gets its own springs and dashpots, equal to begin with";
+pub(super) const BEARING: &str = "Bearing";
+pub(super) const BEARING_ADD: &str = "Add a bearing";
+pub(super) const BEARING_REMOVE: &str = "Remove no.";
+pub(super) const BEARING_X: &str = "At x";
+pub(super) const BEARING_Y: &str = "At y";
+pub(super) const AT: &str = "Places, from the middle of the girder";
+pub(super) const AT_SKEWED: &str = "Places, from the middle, x along the skewed plan";
+pub(super) const START_SECTION: &str = "Start, push, held";
+pub(super) const START_X: &str = "Starts at x";
+pub(super) const START_Y: &str = "Starts at y";
+pub(super) const START_Z: &str = "Starts at z";
+pub(super) const START_TURN: &str = "Starts turned";
+pub(super) const START_VZ: &str = "Starts with v z";
+pub(super) const START_SPIN: &str = "Starts with spin";
+pub(super) const PUSH_X: &str = "Push x";
+pub(super) const PUSH_Y: &str = "Push y";
+pub(super) const PUSH_Z: &str = "Push z";
+pub(super) const PUSH_MOMENT: &str = "Push moment";
+pub(super) const HELD: &str = "Held";
+pub(super) const SEAT_SECTION: &str = "Seats";
+pub(super) const SEAT_PLUS: &str = "seat at +x";
+pub(super) const SEAT_MINUS: &str = "seat at -x";
+pub(super) const SEAT_LENGTH: &str = "Seat length";
+pub(super) const SEAT_HINT: &str = "Length over which the end may move before it falls";
+pub(super) const SCENE_SECTION: &str = "Scene";
+pub(super) const DESCRIPTION: &str = "About";
+pub(super) const KIND: &str = "Motion in";
+pub(super) const PLANAR: &str = "plan";
+pub(super) const SPATIAL: &str = "space";
+pub(super) const GRAVITY: &str = "Gravity";
+pub(super) const TOLERANCE: &str = "Tolerance 1e-n, n";
+pub(super) const PAIRS_SECTION: &str = "Contact pairs";
+pub(super) const PAIR: &str = "Pair";
+pub(super) const OF_PAIR: &str = "of pair";
+pub(super) const PAIR_RESET: &str = "Use the scene's numbers";
+pub(super) const PAIR_RESET_HINT: &str = "Forget the numbers that this pair has of its own";
+pub(super) const FROM_PAIR: &str = "of this pair";
+pub(super) const FROM_SCENE: &str = "of the scene";
+pub(super) const FROM_EA_L: &str = "E A / L (64)";
+pub(super) const FROM_65: &str = "from e and K (65)";
+pub(super) const FROM_PLACES: &str = "as placed";
+pub(super) const FACE_DEPTH: &str = "Depth";
 pub(super) const START_VX: &str = "Starts with v x";
 pub(super) const START_VY: &str = "Starts with v y";
 pub(super) const GAP: &str = "Gap";
@@ -229,118 +274,3 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Esc", "select nothing, close this"),
     ("F1", "this help"),
 ];
-
-/// A number with three significant digits and no needless zeros.
-pub(super) fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    if !value.is_finite() {
-        return "–".into();
-    }
-    let magnitude = value.abs().log10().floor();
-    if !(-4.0..6.0).contains(&magnitude) {
-        return format!("{value:.2e}");
-    }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 6")]
-    let decimals = (2.0 - magnitude).clamp(0.0, 6.0) as usize;
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
-
-/// What a button would do, and its keys.
-pub(super) fn keyed(what: Option<&str>, keys: &str) -> String {
-    what.map_or_else(|| keys.to_owned(), |what| format!("{what} ({keys})"))
-}
-
-/// What American texts call this skew.
-pub(super) fn us_skew(skew_deg: f64) -> String {
-    format!("β {}°, US skew {}°", short(skew_deg), short(90.0 - skew_deg))
-}
-
-/// A length in the unit that fits it.
-pub(super) fn length(metres: f64) -> String {
-    match metres.abs() {
-        m if m.is_nan() => "–".into(),
-        0.0 => "0 mm".into(),
-        m if m >= 1.0 => format!("{} m", short(metres)),
-        m if m >= 1e-4 => format!("{} mm", short(metres * 1e3)),
-        _ => format!("{} m", short(metres)),
-    }
-}
-
-/// A length as it is, to the micrometre, in the unit that fits it.
-pub(super) fn exact_length(metres: f64) -> String {
-    if metres.abs() >= 1.0 {
-        format!("{} m", super::field::trimmed(metres))
-    } else {
-        format!("{} mm", super::field::trimmed(super::field::rounded(metres * 1e3, 1e-4)))
-    }
-}
-
-/// A force in the unit that fits it.
-pub(super) fn force(newtons: f64) -> String {
-    match newtons.abs() {
-        f if f >= 1e6 => format!("{} MN", short(newtons / 1e6)),
-        f if f >= 1e4 => format!("{} kN", short(newtons / 1e3)),
-        _ => format!("{} N", short(newtons)),
-    }
-}
-
-/// The time of a tick, with as many digits as tell it from its neighbours.
-pub(super) fn tick(t: f64, step: f64) -> String {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 9")]
-    let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
-    format!("{t:.decimals$} s")
-}
-
-/// How long a run took, and how many times faster than the ground shakes.
-pub(super) fn run_time(seconds: f64, times: f64) -> String {
-    format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
-}
-
-/// A playing speed: `1/100`, `1`, `×5`.
-pub(super) fn speed(speed: f64) -> String {
-    if speed < 1.0 { format!("1/{}", short(1.0 / speed)) } else { format!("×{}", short(speed)) }
-}
-
-/// A chart's name with its symbols in the colours of their curves: `{x}x` is an x in the colour of x.
-pub(super) fn legend(template: &str, palette: &Palette, ui: &Ui) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    let font = FontId::proportional(11.0);
-    for part in template.split('{').filter(|p| !p.is_empty()) {
-        let (which, words) = part.split_once('}').unwrap_or(("", part));
-        let color = match which {
-            "x" => palette.x,
-            "y" => palette.y,
-            "t" => palette.theta,
-            "f" => palette.force,
-            _ => palette.weak,
-        };
-        job.append(words, 0.0, TextFormat::simple(font.clone(), color));
-    }
-    job.wrap.max_width = ui.available_width().max(200.0);
-    job
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short() {
-        let cases =
-            [(0.0, "0"), (1.0, "1"), (0.4, "0.4"), (12.345, "12.3"), (1234.6, "1235"), (-0.001_234, "-0.00123")];
-        for (value, wanted) in cases {
-            assert_eq!(short(value), wanted, "{value}");
-        }
-        assert_eq!(short(1.55e-7), "1.55e-7", "very small");
-        assert_eq!(short(f64::NAN), "–", "no number");
-    }
-
-    #[test]
-    fn speeds_are_fractions_below_one() {
-        assert_eq!(speed(0.001), "1/1000", "slowest");
-        assert_eq!(speed(1.0), "×1", "true");
-    }
-}

@@ -1,0 +1,188 @@
+//! Bearings: equal ones by frequency and damping, or each with its own place, springs and dashpots.
+
+use egui::{RichText, Ui};
+
+use super::{grid, note};
+use crate::app::field::{Change, HERTZ, PURE, Place, Unit, damping_unit, length_unit, number, stiffness_unit};
+use crate::app::text;
+use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, SharedBearings};
+
+/// Something done by a button or a box.
+const CLICK: Option<Change> = Some(Change { gesture: None });
+
+/// Shows a girder's bearings.
+pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+    let length = length_unit(g.length);
+    match &mut g.bearings {
+        Some(Bearings::Shared(shared)) => {
+            let numbers = grid(ui, "bearings", |ui| shared_rows(ui, place, kind, shared));
+            let places = places(ui, place, length, shared);
+            let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
+            let gone = ui.button(text::BEARINGS_REMOVE).clicked();
+            if each {
+                g.bearings = Some(one_by_one(g, kind));
+            } else if gone {
+                g.bearings = None;
+            }
+            numbers.or(places).or(if each || gone { CLICK } else { None })
+        }
+        Some(Bearings::Each(each)) => {
+            let changed = list(ui, place, kind, length, each);
+            if each.is_empty() {
+                g.bearings = None;
+            }
+            changed
+        }
+        None => {
+            grid(ui, "no bearings", |ui| note(ui, text::BEARINGS_NONE));
+            if !ui.button(text::BEARINGS_ADD).clicked() {
+                return None;
+            }
+            g.bearings = Some(Bearings::Shared(four_below(g)));
+            CLICK
+        }
+    }
+}
+
+/// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
+fn four_below(g: &Girder) -> SharedBearings {
+    let (a, b) = (0.37 * g.length, 0.36 * g.width);
+    SharedBearings {
+        frequency_hz: PerDirection::Both(2.6),
+        damping_ratio: PerDirection::Both(0.28),
+        vertical_frequency_hz: None,
+        vertical_damping_ratio: None,
+        at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]].into_iter().map(tidy).collect()),
+        at: None,
+    }
+}
+
+fn tidy(place: [f64; 2]) -> [f64; 2] {
+    place.map(|v| (v * 1e4).round() / 1e4)
+}
+
+/// The same bearings, each with its own numbers.
+fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
+    let resolved = g.bearings.as_ref().map(|b| b.resolve(g, kind)).unwrap_or_default();
+    let single = |b: &crate::scene::ResolvedBearing| Bearing {
+        at: [b.place.x, b.place.y],
+        stiffness: b.stiffness,
+        damping: b.damping,
+    };
+    Bearings::Each(resolved.iter().map(single).collect())
+}
+
+/// Places of equal bearings: in the girder's own frame, or in the frame that is skewed with it.
+fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, b: &mut SharedBearings) -> Option<Change> {
+    let lists = [("bearings.at_m", &mut b.at, text::AT), ("bearings.at_skewed_m", &mut b.at_skewed, text::AT_SKEWED)];
+    let mut change = None;
+    for (key, list, title) in lists {
+        let Some(list) = list.as_mut() else { continue };
+        ui.label(RichText::new(title).weak().small());
+        change = change.or(place_rows(ui, place, unit, key, list));
+    }
+    change
+}
+
+fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut Vec<[f64; 2]>) -> Option<Change> {
+    let free = f64::NEG_INFINITY;
+    let mut change = None;
+    let mut gone = None;
+    grid(ui, key, |ui| {
+        for (n, [x, y]) in list.iter_mut().enumerate() {
+            let (name_x, name_y) = (format!("{} {} x", text::BEARING, n + 1), format!("{} {} y", text::BEARING, n + 1));
+            change = change.or(number(ui, place, (key, &name_x), x, unit, free));
+            change = change.or(number(ui, place, (key, &name_y), y, unit, free));
+            ui.label("");
+            if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
+                gone = Some(n);
+            }
+            ui.end_row();
+        }
+    });
+    if let Some(n) = gone.filter(|_| list.len() > 1) {
+        list.remove(n);
+        change = CLICK;
+    }
+    if ui.small_button(text::BEARING_ADD).clicked() {
+        list.push([0.0, 0.0]);
+        change = CLICK;
+    }
+    change
+}
+
+/// Single bearings, each in a fold of its own.
+fn list(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, each: &mut Vec<Bearing>) -> Option<Change> {
+    let mut change = None;
+    let mut gone = None;
+    for (n, bearing) in each.iter_mut().enumerate() {
+        super::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
+            change = change.or(grid(ui, &format!("bearing {n}"), |ui| single(ui, place, kind, unit, n, bearing)));
+            if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
+                gone = Some(n);
+            }
+        });
+    }
+    if let Some(n) = gone {
+        each.remove(n);
+        change = CLICK;
+    }
+    if ui.small_button(text::BEARING_ADD).clicked() {
+        let like = each.last().copied();
+        each.extend(like.map(|b| Bearing { at: [0.0; 2], ..b }));
+        change = CLICK;
+    }
+    change
+}
+
+fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &mut Bearing) -> Option<Change> {
+    let free = f64::NEG_INFINITY;
+    let at = format!("bearings[{n}].at_m");
+    let [x, y] = &mut b.at;
+    let mut changes = vec![
+        number(ui, place, (&at, text::BEARING_X), x, unit, free),
+        number(ui, place, (&at, text::BEARING_Y), y, unit, free),
+    ];
+    let ways = if kind == Kind::Planar { 2 } else { 3 };
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(ways) {
+        let (k, c) = (&mut b.stiffness[axis], &mut b.damping[axis]);
+        let key = (format!("bearings[{n}].stiffness_n_per_m"), format!("bearings[{n}].damping_n_s_per_m"));
+        let (unit_k, unit_c) = (stiffness_unit(*k), damping_unit(*c));
+        changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k, 0.0));
+        changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c, 0.0));
+    }
+    changes.into_iter().flatten().next()
+}
+
+fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {
+    let ([mut fx, mut fy], [mut hx, mut hy]) = (b.frequency_hz.xy(), b.damping_ratio.xy());
+    let frequency = [
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X), &mut fx, HERTZ, 0.0),
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y), &mut fy, HERTZ, 0.0),
+    ];
+    let damping = [
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X), &mut hx, PURE, 0.0),
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y), &mut hy, PURE, 0.0),
+    ];
+    if frequency.iter().any(Option::is_some) {
+        b.frequency_hz = per_direction(b.frequency_hz, fx, fy);
+    }
+    if damping.iter().any(Option::is_some) {
+        b.damping_ratio = per_direction(b.damping_ratio, hx, hy);
+    }
+    let mut fz = b.vertical_frequency_hz.unwrap_or(0.0);
+    let key = ("bearings.vertical_frequency_hz", text::FREQUENCY_Z);
+    let vertical = if kind == Kind::Spatial { number(ui, place, key, &mut fz, HERTZ, 0.0) } else { None };
+    if vertical.is_some() {
+        b.vertical_frequency_hz = Some(fz);
+    }
+    frequency.into_iter().chain(damping).flatten().next().or(vertical)
+}
+
+/// One number stays one number as long as both directions agree.
+fn per_direction(old: PerDirection, x: f64, y: f64) -> PerDirection {
+    match old {
+        PerDirection::Both(_) if x == y => PerDirection::Both(x),
+        _ => PerDirection::Each([x, y]),
+    }
+}

@@ -1,0 +1,139 @@
+//! A girder: its shape, where it stands, how it starts, what pushes and holds it, its seats.
+
+use egui::Ui;
+
+use super::{bearings, grid, push, section};
+use crate::app::command::Command;
+use crate::app::field::{Change, DEGREES, MOMENTS, Place, SPEED, TURNING, force_unit, length_unit, mass_unit, number};
+use crate::app::{Workbench, computed, edits, name_field, text};
+use crate::geometry::End;
+use crate::scene::{Direction, Girder, Kind};
+
+/// Shows a girder; what is changed goes to every girder that is selected.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, out: &mut Vec<Command>) {
+    let mut new = girder.clone();
+    let kind = bench.scene().kind;
+    let table = format!("girder.{}", girder.name);
+    let place = Place { problems: bench.problems(), table: &table };
+    let first = grid(ui, "girder", |ui| {
+        name_field::show(ui, bench.selected(), &girder.name, out);
+        let shape = shape_rows(ui, place, &mut new);
+        shape.or(stance_rows(ui, place, kind, &mut new))
+    });
+    let stands = section(ui, text::BEARINGS, true, |ui| bearings::show(ui, place, kind, &mut new)).flatten();
+    let more = section(ui, text::START_SECTION, false, |ui| {
+        grid(ui, "start", |ui| {
+            let start = start_rows(ui, place, kind, &mut new);
+            start.or(push_rows(ui, place, kind, &mut new)).or(held_rows(ui, kind, &mut new))
+        })
+    });
+    let seat = section(ui, text::SEAT_SECTION, false, |ui| grid(ui, "seat", |ui| seat_rows(ui, place, &mut new)));
+    let change = first.or(stands).or(more.flatten()).or(seat.flatten());
+    push(change, out, || edits::girders_alike(bench.scene(), i, &new, bench.selection()));
+    computed::show_girder(ui, bench, i, girder);
+}
+
+fn shape_rows(ui: &mut Ui, place: Place<'_>, g: &mut Girder) -> Option<Change> {
+    let (unit, mass) = (length_unit(g.length), mass_unit(g.mass));
+    let changes = [
+        number(ui, place, ("length_m", text::LENGTH), &mut g.length, unit, 0.0),
+        number(ui, place, ("width_m", text::WIDTH), &mut g.width, unit, 0.0),
+        number(ui, place, ("thickness_m", text::THICKNESS), &mut g.thickness, unit, 0.0),
+        number(ui, place, ("skew_deg", text::SKEW), &mut g.skew_deg, DEGREES, 0.0),
+        number(ui, place, ("mass_kg", text::MASS), &mut g.mass, mass, 0.0),
+    ];
+    changes.into_iter().flatten().next()
+}
+
+fn stance_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+    let unit = length_unit(g.length);
+    let [x, y, z] = &mut g.position;
+    let free = f64::NEG_INFINITY;
+    let mut changes = vec![
+        number(ui, place, ("position_m", text::POSITION_X), x, unit, free),
+        number(ui, place, ("position_m", text::POSITION_Y), y, unit, free),
+    ];
+    if kind == Kind::Spatial {
+        changes.push(number(ui, place, ("position_m", text::POSITION_Z), z, unit, free));
+    }
+    changes.push(number(ui, place, ("heading_deg", text::HEADING), &mut g.heading_deg, DEGREES, free));
+    changes.into_iter().flatten().next()
+}
+
+fn start_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+    let free = f64::NEG_INFINITY;
+    let unit = length_unit(g.length);
+    let start = &mut g.initial;
+    let ([x, y, z], [vx, vy, vz]) = (&mut start.displacement, &mut start.velocity);
+    let mut changes = vec![
+        number(ui, place, ("initial.displacement_m", text::START_X), x, unit, free),
+        number(ui, place, ("initial.displacement_m", text::START_Y), y, unit, free),
+        number(ui, place, ("initial.rotation_deg", text::START_TURN), &mut start.rotation_deg, DEGREES, free),
+        number(ui, place, ("initial.velocity_m_s", text::START_VX), vx, SPEED, free),
+        number(ui, place, ("initial.velocity_m_s", text::START_VY), vy, SPEED, free),
+        number(ui, place, ("initial.spin_deg_s", text::START_SPIN), &mut start.spin_deg_s, TURNING, free),
+    ];
+    if kind == Kind::Spatial {
+        changes.push(number(ui, place, ("initial.displacement_m", text::START_Z), z, unit, free));
+        changes.push(number(ui, place, ("initial.velocity_m_s", text::START_VZ), vz, SPEED, free));
+    }
+    changes.into_iter().flatten().next()
+}
+
+fn push_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+    let (free, unit) = (f64::NEG_INFINITY, force_unit(g.mass));
+    let [fx, fy, fz] = &mut g.push.force;
+    let mut changes = vec![
+        number(ui, place, ("push.force_n", text::PUSH_X), fx, unit, free),
+        number(ui, place, ("push.force_n", text::PUSH_Y), fy, unit, free),
+        number(ui, place, ("push.moment_n_m", text::PUSH_MOMENT), &mut g.push.moment, MOMENTS, free),
+    ];
+    if kind == Kind::Spatial {
+        changes.push(number(ui, place, ("push.force_n", text::PUSH_Z), fz, unit, free));
+    }
+    changes.into_iter().flatten().next()
+}
+
+/// Which ways it is held.
+fn held_rows(ui: &mut Ui, kind: Kind, g: &mut Girder) -> Option<Change> {
+    let planar = [Direction::X, Direction::Y, Direction::Yaw];
+    let spatial = [Direction::X, Direction::Y, Direction::Z, Direction::Roll, Direction::Pitch, Direction::Yaw];
+    let ways: &[Direction] = if kind == Kind::Planar { &planar } else { &spatial };
+    let mut changed = false;
+    ui.label(text::HELD);
+    ui.vertical(|ui| {
+        for way in ways {
+            let mut held = g.held.contains(way);
+            if ui.checkbox(&mut held, text::direction(*way)).changed() {
+                g.held.retain(|h| h != way);
+                if held {
+                    g.held.push(*way);
+                }
+                changed = true;
+            }
+        }
+    });
+    ui.end_row();
+    changed.then_some(Change { gesture: None })
+}
+
+fn seat_rows(ui: &mut Ui, place: Place<'_>, g: &mut Girder) -> Option<Change> {
+    let unit = length_unit(g.length);
+    let mut change = None;
+    for end in End::BOTH {
+        let (seat, key, label) = match end {
+            End::Plus => (&mut g.seat.plus, "seat_m.+x", text::SEAT_PLUS),
+            End::Minus => (&mut g.seat.minus, "seat_m.-x", text::SEAT_MINUS),
+        };
+        let mut given = seat.is_some();
+        if ui.checkbox(&mut given, label).on_hover_text(text::SEAT_HINT).changed() {
+            *seat = given.then_some(g.length * 0.05);
+            change = Some(Change { gesture: None });
+        }
+        ui.end_row();
+        if let Some(seat) = seat {
+            change = number(ui, place, (key, text::SEAT_LENGTH), seat, unit, 0.0).or(change);
+        }
+    }
+    change
+}

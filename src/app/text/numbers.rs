@@ -1,0 +1,156 @@
+//! How numbers are written, with words around them.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{FontId, Ui};
+
+use crate::app::theme::Palette;
+
+/// A number with three significant digits and no needless zeros.
+pub(in crate::app) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return "–".into();
+    }
+    let magnitude = value.abs().log10().floor();
+    if !(-4.0..6.0).contains(&magnitude) {
+        return format!("{value:.2e}");
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 6")]
+    let decimals = (2.0 - magnitude).clamp(0.0, 6.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// What a button would do, and its keys.
+pub(in crate::app) fn keyed(what: Option<&str>, keys: &str) -> String {
+    what.map_or_else(|| keys.to_owned(), |what| format!("{what} ({keys})"))
+}
+
+/// What American texts call this skew.
+pub(in crate::app) fn us_skew(skew_deg: f64) -> String {
+    format!("β {}°, US skew {}°", short(skew_deg), short(90.0 - skew_deg))
+}
+
+/// A length in the unit that fits it.
+pub(in crate::app) fn length(metres: f64) -> String {
+    match metres.abs() {
+        m if m.is_nan() => "–".into(),
+        0.0 => "0 mm".into(),
+        m if m >= 1.0 => format!("{} m", short(metres)),
+        m if m >= 1e-4 => format!("{} mm", short(metres * 1e3)),
+        _ => format!("{} m", short(metres)),
+    }
+}
+
+/// A length as it is, to the micrometre, in the unit that fits it.
+pub(in crate::app) fn exact_length(metres: f64) -> String {
+    if metres.abs() >= 1.0 {
+        format!("{} m", crate::app::field::trimmed(metres))
+    } else {
+        format!("{} mm", crate::app::field::trimmed(crate::app::field::rounded(metres * 1e3, 1e-4)))
+    }
+}
+
+/// How many are selected, and what that means for what is typed.
+pub(in crate::app) fn several(count: usize) -> String {
+    format!("{count} selected: what is changed here goes to all girders among them")
+}
+
+/// How many are not shown.
+pub(in crate::app) fn more(count: usize) -> String {
+    format!("and {count} more")
+}
+
+/// A way in which a girder can be held.
+pub(in crate::app) fn direction(way: crate::scene::Direction) -> &'static str {
+    use crate::scene::Direction;
+    match way {
+        Direction::X => "held along x",
+        Direction::Y => "held along y",
+        Direction::Z => "held along z",
+        Direction::Roll => "held in roll",
+        Direction::Pitch => "held in pitch",
+        Direction::Yaw => "held in yaw",
+    }
+}
+
+/// A stiffness in the unit that fits it.
+pub(in crate::app) fn stiffness(k: f64) -> String {
+    let unit = crate::app::field::stiffness_unit(k);
+    format!("{}{}", short(k * unit.factor), unit.suffix)
+}
+
+/// A dashpot in the unit that fits it.
+pub(in crate::app) fn damping(c: f64) -> String {
+    let unit = crate::app::field::damping_unit(c);
+    format!("{}{}", short(c * unit.factor), unit.suffix)
+}
+
+/// A force in the unit that fits it.
+pub(in crate::app) fn force(newtons: f64) -> String {
+    match newtons.abs() {
+        f if f >= 1e6 => format!("{} MN", short(newtons / 1e6)),
+        f if f >= 1e4 => format!("{} kN", short(newtons / 1e3)),
+        _ => format!("{} N", short(newtons)),
+    }
+}
+
+/// The time of a tick, with as many digits as tell it from its neighbours.
+pub(in crate::app) fn tick(t: f64, step: f64) -> String {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 9")]
+    let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{t:.decimals$} s")
+}
+
+/// How long a run took, and how many times faster than the ground shakes.
+pub(in crate::app) fn run_time(seconds: f64, times: f64) -> String {
+    format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
+}
+
+/// A playing speed: `1/100`, `1`, `×5`.
+pub(in crate::app) fn speed(speed: f64) -> String {
+    if speed < 1.0 { format!("1/{}", short(1.0 / speed)) } else { format!("×{}", short(speed)) }
+}
+
+/// A chart's name with its symbols in the colours of their curves: `{x}x` is an x in the colour of x.
+pub(in crate::app) fn legend(template: &str, palette: &Palette, ui: &Ui) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let font = FontId::proportional(11.0);
+    for part in template.split('{').filter(|p| !p.is_empty()) {
+        let (which, words) = part.split_once('}').unwrap_or(("", part));
+        let color = match which {
+            "x" => palette.x,
+            "y" => palette.y,
+            "t" => palette.theta,
+            "f" => palette.force,
+            _ => palette.weak,
+        };
+        job.append(words, 0.0, TextFormat::simple(font.clone(), color));
+    }
+    job.wrap.max_width = ui.available_width().max(200.0);
+    job
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let cases =
+            [(0.0, "0"), (1.0, "1"), (0.4, "0.4"), (12.345, "12.3"), (1234.6, "1235"), (-0.001_234, "-0.00123")];
+        for (value, wanted) in cases {
+            assert_eq!(short(value), wanted, "{value}");
+        }
+        assert_eq!(short(1.55e-7), "1.55e-7", "very small");
+        assert_eq!(short(f64::NAN), "–", "no number");
+    }
+
+    #[test]
+    fn speeds_are_fractions_below_one() {
+        assert_eq!(speed(0.001), "1/1000", "slowest");
+        assert_eq!(speed(1.0), "×1", "true");
+    }
+}

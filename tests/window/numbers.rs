@@ -1,0 +1,147 @@
+//! Every number of a scene in the inspector: bearings one by one, pairs, seats, pushes, the scene's own.
+
+use super::harness::{open, press, settle};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{Command, Workbench};
+use girderbench::scene::{Bearings, Kind, presets};
+use girderbench::view::Target;
+
+type Window = Harness<'static, Workbench>;
+
+fn with(preset: &str, select: &[Target]) -> Window {
+    let mut harness = open(preset);
+    for target in select {
+        harness.state_mut().apply(Command::SelectAlso(*target));
+    }
+    settle(&mut harness);
+    harness
+}
+
+/// Scrolls to something and lets the panel come to rest.
+fn reach(harness: &mut Window, role: Role, label: &str) {
+    harness.get_by_role_and_label(role, label).scroll_to_me();
+    harness.run_steps(40);
+}
+
+fn button(harness: &mut Window, label: &str) {
+    reach(harness, Role::Button, label);
+    press(harness, label);
+}
+
+/// Opens a section that is folded away.
+fn unfold(harness: &mut Window, label: &str) {
+    harness.get_by_label(label).scroll_to_me();
+    harness.run_steps(40);
+    harness.get_by_label(label).click_accesskit();
+    harness.run_steps(40);
+}
+
+/// Types a number into a field.
+fn type_in(harness: &mut Window, label: &str, text: &str) {
+    reach(harness, Role::SpinButton, label);
+    harness.get_by_role_and_label(Role::SpinButton, label).click();
+    settle(harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text(text.into()));
+    settle(harness);
+    harness.key_press(Key::Enter);
+    settle(harness);
+}
+
+#[test]
+fn bearings_are_edited_one_by_one() {
+    let mut harness = with(presets::OPENING, &[Target::Girder(0)]);
+    let digest = harness.state().answer().expect("run").history.digest();
+    button(&mut harness, "Edit one by one");
+    let each = |h: &Window| match &h.state().scene().girders[0].bearings {
+        Some(Bearings::Each(each)) => each.clone(),
+        other => panic!("one by one, got {other:?}"),
+    };
+    let before = each(&harness);
+    let same = harness.state().answer().expect("run").history.summary().max_displacement;
+    assert!(same > 0.0, "it still runs");
+    type_in(&mut harness, "k x", "1.5 kN/m");
+    let after = each(&harness);
+    assert_eq!(after[0].stiffness[0], 1500.0, "as typed");
+    assert_eq!(after[1..], before[1..], "the others as they were");
+    assert_ne!(harness.state().answer().expect("run").history.digest(), digest, "and it matters");
+    button(&mut harness, "Add a bearing");
+    assert_eq!(each(&harness).len(), before.len() + 1, "one more");
+    button(&mut harness, "Remove no. 1");
+    assert_eq!(each(&harness).len(), before.len(), "one less");
+}
+
+#[test]
+fn a_girder_is_put_on_bearings_and_taken_off() {
+    let mut harness = with("flush-free-hit", &[Target::Girder(0)]);
+    button(&mut harness, "Put it on four bearings");
+    assert!(matches!(harness.state().scene().girders[0].bearings, Some(Bearings::Shared(_))), "four equal ones");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+    button(&mut harness, "Take the bearings away");
+    assert_eq!(harness.state().scene().girders[0].bearings, None, "none");
+}
+
+#[test]
+fn a_pair_says_where_its_numbers_come_from_and_takes_its_own() {
+    let mut harness = with(presets::OPENING, &[Target::Abutment(0)]);
+    assert!(harness.query_by_label("of this pair").is_none(), "all are the scene's");
+    type_in(&mut harness, "μ s of pair", "0.5");
+    let pair = &harness.state().answer().expect("run").history.model().pairs[0];
+    assert_eq!(pair.contact.mu_static, 0.5, "in force");
+    assert_eq!(harness.state().scene().contact.pairs.len(), 1, "as an entry of its own");
+    harness.run_steps(10);
+    assert!(harness.query_by_label("of this pair").is_some(), "said");
+    button(&mut harness, "Use the scene's numbers");
+    assert!(harness.state().scene().contact.pairs.is_empty(), "gone again");
+}
+
+#[test]
+fn what_is_typed_goes_to_all_that_are_selected() {
+    let all: Vec<Target> = (0..5).map(Target::Girder).collect();
+    let mut harness = with("row-of-5", &all);
+    let before = harness.state().scene().clone();
+    type_in(&mut harness, "Mass m", "500 t");
+    assert!(harness.state().scene().girders.iter().all(|g| g.mass == 5e5), "every one");
+    let places = |s: &girderbench::scene::Scene| s.girders.iter().map(|g| g.position).collect::<Vec<_>>();
+    assert_eq!(places(harness.state().scene()), places(&before), "and nothing else of them");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "one step of undo");
+}
+
+#[test]
+fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
+    let mut harness = with(presets::OPENING, &[]);
+    type_in(&mut harness, "Tolerance 1e-n, n", "8");
+    assert!((harness.state().scene().solver.tolerance - 1e-8).abs() < 1e-20, "10⁻⁸");
+    reach(&mut harness, Role::Button, "space");
+    press(&mut harness, "space");
+    assert_eq!(harness.state().scene().kind, Kind::Spatial, "in space");
+    assert!(harness.state().problems().is_some(), "its bearings have no vertical springs yet");
+    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    settle(&mut harness);
+    type_in(&mut harness, "Bearings f z", "20 Hz");
+    assert_eq!(harness.state().problems(), None, "now it runs");
+}
+
+#[test]
+fn starts_pushes_and_seats_have_their_fields() {
+    let mut harness = with(presets::OPENING, &[Target::Girder(0)]);
+    unfold(&mut harness, "Start, push, held");
+    type_in(&mut harness, "Push moment", "0.2 N m");
+    assert_eq!(harness.state().scene().girders[0].push.moment, 0.2, "as typed");
+    reach(&mut harness, Role::CheckBox, "held in yaw");
+    harness.get_by_role_and_label(Role::CheckBox, "held in yaw").click();
+    settle(&mut harness);
+    let turned = harness.state().answer().expect("run").summary.max_rotation;
+    assert_eq!(turned, 0.0, "held, it does not turn");
+    unfold(&mut harness, "Seats");
+    reach(&mut harness, Role::CheckBox, "seat at +x");
+    harness.get_by_role_and_label(Role::CheckBox, "seat at +x").click();
+    settle(&mut harness);
+    type_in(&mut harness, "Seat length", "8 mm");
+    assert_eq!(harness.state().scene().girders[0].seat.plus, Some(0.008), "as typed");
+}
