@@ -68,6 +68,7 @@ fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
         overlays: Overlays::default(),
         force_scale: None,
         selected: &[],
+        kept: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

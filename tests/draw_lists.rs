@@ -36,6 +36,7 @@ fn input<'a>(scene: &'a Scene, history: Option<&'a History>, t: f64, camera: &'a
         overlays: Overlays::default(),
         force_scale: None,
         selected: &[],
+        kept: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,
@@ -414,7 +415,13 @@ fn nonsense_in_a_view_is_no_panic() {
         for force_scale in [None, Some(f64::NAN), Some(0.0), Some(-1.0), Some(1e-300)] {
             for size in [[1, 1], [0, 0], [7, 3000]] {
                 let selected = Some(Target::Contact(usize::MAX));
-                let input = ViewInput { t, force_scale, size, selected, ..input(scene, Some(&history), t, &camera) };
+                let input = ViewInput {
+                    t,
+                    force_scale,
+                    size,
+                    selected: selected.as_slice(),
+                    ..input(scene, Some(&history), t, &camera)
+                };
                 let _ = draw_list(&input).to_string();
                 let _ = pick(&input, [f64::NAN, 2.0]);
             }

@@ -119,6 +119,7 @@ fn view<'a>(scene: &'a Scene, history: Option<&'a History>, camera: &'a Camera) 
         overlays: Overlays::default(),
         force_scale: None,
         selected: &[],
+        kept: &[],
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

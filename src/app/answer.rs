@@ -78,6 +78,20 @@ impl Answer {
         self.history.beside().map_or([0.0; 2], |beside| apart_at(&self.history, beside, t))
     }
 
+    /// How far this run and another are apart at the most: displacement \[m\], rotation \[rad\]. Girders are compared by
+    /// their number, as far as both have them.
+    pub fn apart_from(&self, other: &Self) -> [f64; 2] {
+        let end = self.history.end().min(other.history.end());
+        let at = |i: u32| apart_at(&self.history, &other.history, end * f64::from(i) / f64::from(COMPARED));
+        (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+    }
+
+    /// Energy lost in dashpots, friction and hits until the end \[J\].
+    pub fn lost(&self) -> f64 {
+        let ledger = self.history.ledger(self.history.end());
+        ledger.loss_bearing + ledger.loss_normal + ledger.loss_tangential + ledger.loss_friction + ledger.loss_hits
+    }
+
     /// Estimated error, once it is known; NaN when it could not be had \[m\].
     pub fn error(&self) -> Option<f64> {
         self.error.get().copied()
@@ -121,7 +135,8 @@ fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
         let (a, b) = (one.motion(i, t), other.motion(i, t));
         [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
     };
-    (0..one.model().bodies.len()).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+    let both = one.model().bodies.len().min(other.model().bodies.len());
+    (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
 }
 
 /// Turns events into stretches of one state.

@@ -35,7 +35,7 @@ impl Workbench {
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
-        let asked = (self.tool, self.row, self.help, self.closing, self.notice.clone());
+        let asked = (self.tool, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
         (self.revision(), self.clock.clone(), self.selection.clone(), self.time_window, self.is_stale(), view, asked)
     }
 
@@ -54,6 +54,10 @@ impl Workbench {
             Command::Select(target) => self.selection.only(target),
             Command::SelectAlso(target) => self.selection.toggle(target),
             Command::SelectAll => self.select_all(),
+            Command::Pin => self.pin(),
+            Command::Unpin(i) if i < self.pins.len() => drop(self.pins.remove(i)),
+            Command::Unpin(_) => {}
+            Command::UnpinAll => self.pins.clear(),
             Command::Tool(tool) => self.tool = tool,
             Command::AskRow(draft) => self.row = draft,
             Command::Place(_)

@@ -95,6 +95,12 @@ pub enum Command {
     Rename(Target, String),
     /// Play or pause.
     TogglePlay,
+    /// Keep the run that is shown, to compare with.
+    Pin,
+    /// Let a kept run go, by its number from 0.
+    Unpin(usize),
+    /// Let every kept run go.
+    UnpinAll,
     /// Move the playhead by so many steps.
     Step(f64),
     /// To the next event, or the one before.

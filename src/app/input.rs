@@ -84,6 +84,7 @@ fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
         Key::Period => Some(Command::StepSpeed(1)),
         Key::L => Some(Command::Loop(!bench.clock().looping)),
         Key::M => Some(Command::SlowAtHits(!bench.clock().slow_at_hits)),
+        Key::P => Some(Command::Pin),
         Key::F => Some(Command::Frame),
         Key::Num1 => Some(Command::View(ViewPreset::Iso)),
         Key::Num2 => Some(Command::View(ViewPreset::Top)),

@@ -128,6 +128,16 @@ impl Workbench {
         self.selection.all()
     }
 
+    /// How many runs are kept to compare with.
+    pub fn pinned(&self) -> usize {
+        self.pins.len()
+    }
+
+    /// Numbers of the kept runs' answers.
+    pub(super) fn pin_numbers(&self) -> Vec<u64> {
+        self.pins.iter().map(|p| p.answer.number).collect()
+    }
+
     /// The row that is being asked for.
     pub fn row_draft(&self) -> Option<RowDraft> {
         self.row
@@ -205,6 +215,8 @@ impl Workbench {
 
     /// Samples for the plots.
     pub(super) fn traces(&self, window: [f64; 2], points: usize) -> Arc<Traces> {
-        self.answer().map(|a| self.traces.borrow_mut().of(a, window, points)).unwrap_or_default()
+        let girder = self.shown_girder();
+        let name = self.scene().girders.get(girder).map_or("", |g| g.name.as_str());
+        self.answer().map(|a| self.traces.borrow_mut().of(a, window, points, (name, &self.pins))).unwrap_or_default()
     }
 }

@@ -28,6 +28,7 @@ mod name_field;
 mod notices;
 mod outliner;
 mod overlays;
+mod pins;
 mod placing;
 mod plots;
 mod row_dialog;

@@ -6,7 +6,7 @@ use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoin
 use super::Workbench;
 use super::command::Command;
 use super::text;
-use super::theme::Palette;
+use super::theme::{PINS, Palette};
 use super::time_axis::{TimeAxis, ticks};
 use super::traces::{Curve, Traces};
 
@@ -61,9 +61,15 @@ fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<C
     let dotted = LineStyle::Dotted { spacing: 4.0 };
     place.extend(pick(&traces.ghosts[0], palette.x, dotted));
     place.extend(pick(&traces.ghosts[1], palette.y, dotted));
+    for (curves, color) in &traces.pins {
+        place.push((&curves[0], PINS[*color], pin_style(*color), false));
+        place.push((&curves[1], PINS[*color], LineStyle::Dashed { length: 4.0 }, false));
+    }
     place.sort_by_key(|c| c.3);
     let mut theta = pick(&traces.theta, palette.theta, LineStyle::Solid);
     theta.extend(pick(&traces.ghosts[2], palette.theta, dotted));
+    theta.extend(traces.pins.iter().map(|(curves, color)| (&curves[2], PINS[*color], pin_style(*color), false)));
+    theta.sort_by_key(|c| c.3);
     let both = !traces.ghosts[0].is_empty();
     let force = traces.force.iter().map(|c| (c, palette.force, LineStyle::Solid, true)).collect();
     vec![
@@ -71,6 +77,16 @@ fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<C
         Chart { label: text::PLOT_THETA, curves: theta, words: text::short },
         Chart { label: text::PLOT_FORCE, curves: force, words: text::force },
     ]
+}
+
+/// Kept runs differ by their dashes too.
+fn pin_style(color: usize) -> LineStyle {
+    match color {
+        0 => LineStyle::Solid,
+        1 => LineStyle::Dashed { length: 10.0 },
+        2 => LineStyle::Dashed { length: 5.0 },
+        _ => LineStyle::Dotted { spacing: 5.0 },
+    }
 }
 
 fn draw(ui: &mut Ui, number: usize, chart: &Chart<'_>, place: Rect, axis: &TimeAxis, t: f64, palette: &Palette) {

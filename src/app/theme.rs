@@ -8,6 +8,14 @@ pub(super) const STICK: Color32 = Color32::from_rgb(0x00, 0x72, 0xB2);
 /// Slip, as in the pictures.
 pub(super) const SLIP: Color32 = Color32::from_rgb(0xD5, 0x5E, 0x00);
 
+/// Runs that are kept, in the order in which they are given out; a ghost's dashes and a curve's differ too.
+pub(super) const PINS: [Color32; 4] = [
+    Color32::from_rgb(0x56, 0xB4, 0xE9),
+    Color32::from_rgb(0xE6, 0x9F, 0x00),
+    Color32::from_rgb(0xCC, 0x79, 0xA7),
+    Color32::from_rgb(0x00, 0x9E, 0x73),
+];
+
 /// What the two themes disagree about beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Palette {

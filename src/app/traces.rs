@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::answer::Answer;
+use super::pins::Pin;
 use crate::sim::Touch;
 
 /// A curve: `[t, value]`.
@@ -23,16 +24,20 @@ pub(super) struct Traces {
     pub(super) theta: Vec<Curve>,
     /// x, y and θ by the other model, where there is one.
     pub(super) ghosts: [Vec<Curve>; 3],
+    /// x, y and θ of one girder in every run that is kept, with the run's colour.
+    pub(super) pins: Vec<([Curve; 3], usize)>,
     /// Largest `|R_k|` of a contact, hit by hit of every pair \[N\].
     pub(super) force: Vec<Curve>,
 }
 
 /// What a [`Traces`] was sampled for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Key {
     answer: u64,
     window: [f64; 2],
     points: usize,
+    girder: String,
+    pins: Vec<u64>,
 }
 
 /// Keeps the last samples until something else is to be seen.
@@ -43,15 +48,39 @@ pub(super) struct TraceCache {
 }
 
 impl TraceCache {
-    /// The curves of a window, about `points` samples long.
-    pub(super) fn of(&mut self, answer: &Answer, window: [f64; 2], points: usize) -> Arc<Traces> {
-        let key = Key { answer: answer.number, window, points };
-        if self.key != Some(key) {
-            self.traces = Arc::new(sample(answer, window, points.max(2)));
+    /// The curves of a window, about `points` samples long; of kept runs, those of the girder of this name.
+    pub(super) fn of(
+        &mut self,
+        answer: &Answer,
+        window: [f64; 2],
+        points: usize,
+        (girder, pins): (&str, &[Pin]),
+    ) -> Arc<Traces> {
+        let numbers = pins.iter().map(|p| p.answer.number).collect();
+        let key = Key { answer: answer.number, window, points, girder: girder.to_owned(), pins: numbers };
+        if self.key.as_ref() != Some(&key) {
+            let mut traces = sample(answer, window, points.max(2));
+            traces.pins = pins.iter().filter_map(|p| kept(p, girder, window, points.max(2))).collect();
+            self.traces = Arc::new(traces);
             self.key = Some(key);
         }
         self.traces.clone()
     }
+}
+
+/// Curves of the girder of this name in a kept run.
+fn kept(pin: &Pin, girder: &str, window: [f64; 2], points: usize) -> Option<([Curve; 3], usize)> {
+    let history = &pin.answer.history;
+    let number = history.scene().girders.iter().position(|g| g.name == girder)?;
+    let mut curves = [(); 3].map(|()| Vec::with_capacity(points));
+    for t in grid(window, points, history.end()) {
+        let motion = history.motion(number, t);
+        let values = [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()];
+        for (curve, value) in curves.iter_mut().zip(values) {
+            curve.push([t, value]);
+        }
+    }
+    Some((curves, pin.color))
 }
 
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
@@ -63,6 +92,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         y: vec![Vec::with_capacity(points); girders],
         theta: vec![Vec::with_capacity(points); girders],
         ghosts: [(); 3].map(|()| vec![Vec::new(); if history.beside().is_some() { girders } else { 0 }]),
+        pins: Vec::new(),
         force: Vec::new(),
     };
     for t in grid(window, points, history.end()) {

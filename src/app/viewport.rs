@@ -22,6 +22,7 @@ struct Key {
     overlays: Overlays,
     force_scale: Option<f64>,
     selected: Vec<Target>,
+    kept: Vec<u64>,
     size: [u32; 2],
     pixels_per_point: f32,
     background: Background,
@@ -169,12 +170,14 @@ fn paint(ui: &Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
         overlays: bench.overlays(),
         force_scale: bench.force_scale(),
         selected: bench.selection().to_vec(),
+        kept: bench.pin_numbers(),
         size: bench.viewport.size,
         pixels_per_point,
         background,
     };
     if bench.viewport.picture.as_ref().is_none_or(|(kept, _)| *kept != key) {
-        let list = draw_list(&input(bench, &camera, &key));
+        let kept: Vec<_> = bench.pins.iter().map(|p| (&p.answer.history, p.color)).collect();
+        let list = draw_list(&ViewInput { kept: &kept, ..input(bench, &camera, &key) });
         bench.viewport.picture = Some((key, Arc::new(list)));
         bench.viewport.number += 1;
     }
@@ -195,6 +198,7 @@ fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &Key) -> ViewInput<'
         overlays: key.overlays,
         force_scale: key.force_scale,
         selected: bench.selection(),
+        kept: &[],
         size: key.size,
         pixels_per_point: key.pixels_per_point,
         background: key.background,

@@ -12,6 +12,7 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::pins::Pin;
 use super::row_dialog::RowDraft;
 use super::runner::{Runner, Wake};
 use super::selection::Selection;
@@ -30,6 +31,8 @@ pub struct Workbench {
     pub(super) viewport: Viewport,
     pub(super) dialogs: Dialogs,
     pub(super) selection: Selection,
+    pub(super) pins: Vec<Pin>,
+    pub(super) pin_count: usize,
     pub(super) tool: Tool,
     pub(super) row: Option<RowDraft>,
     pub(super) overlays: Overlays,
@@ -70,6 +73,8 @@ impl Workbench {
             viewport: Viewport::new(scene.view.camera),
             dialogs: Dialogs::new(wake.clone()),
             selection: Selection::default(),
+            pins: Vec::new(),
+            pin_count: 0,
             tool: Tool::default(),
             row: None,
             overlays: scene.view.overlays,

@@ -101,6 +101,7 @@ impl Shot {
             overlays: self.overlays.unwrap_or(scene.view.overlays),
             force_scale: self.force_scale,
             selected: self.selected.as_slice(),
+            kept: &[],
             size: self.size,
             pixels_per_point: points(self.size),
             background: self.background,

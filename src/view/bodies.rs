@@ -6,9 +6,9 @@ use super::block::{Block, abutment_block, moved_girder_block};
 use super::hiding::solidity;
 use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
-use super::palette::{Palette, SELECTED};
+use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, Target, ViewInput};
+use super::{Bounds, MOST_KEPT, Target, ViewInput};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -19,6 +19,9 @@ const PAD_HEIGHT: f64 = 0.8;
 
 /// Dashes of a ghost's edge.
 const DASHES: u32 = 12;
+
+/// Share of each dash that is drawn, for every ghost of another run.
+const KEPT_DASHES: [f64; MOST_KEPT] = [0.8, 0.6, 0.4, 0.2];
 
 /// Bodies and the lines along their edges.
 #[derive(Debug, Default)]
@@ -85,19 +88,28 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
     }
     for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {
-        out.add_ghost(input, &moved_girder_block(girder, motion), palette.ghost);
+        out.add_ghost(input, &moved_girder_block(girder, motion), palette.ghost, 0.55);
+    }
+    for &(history, number) in input.kept {
+        let number = number % MOST_KEPT;
+        let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
+        for (i, girder) in history.scene().girders.iter().enumerate() {
+            let block = moved_girder_block(girder, &history.motion(i, t));
+            out.add_ghost(input, &block, KEPT[number], KEPT_DASHES[number]);
+        }
     }
     out
 }
 
 impl Bodies {
     /// A girder by the other model: dashed edges seen through everything. A fill would fight with the girder's own faces.
-    fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block, color: Rgba) {
+    /// `drawn` is the share of each dash that is drawn.
+    fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block, color: Rgba, drawn: f64) {
         let width = 1.8 * input.pixels_per_point;
         for [from, to] in block.edges() {
             for dash in 0..DASHES {
                 let at = |part: f64| from.lerp(to, (f64::from(dash) + part) / f64::from(DASHES)).as_vec3();
-                self.outline.push(Line { group: "ghost", from: at(0.0), to: at(0.55), width, color });
+                self.outline.push(Line { group: "ghost", from: at(0.0), to: at(drawn), width, color });
             }
         }
     }

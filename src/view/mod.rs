@@ -68,6 +68,8 @@ pub struct ViewInput<'a> {
     pub force_scale: Option<f64>,
     /// What is selected.
     pub selected: &'a [Target],
+    /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
+    pub kept: &'a [(&'a History, usize)],
     /// Width and height \[pixels\].
     pub size: [u32; 2],
     /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.
@@ -77,6 +79,9 @@ pub struct ViewInput<'a> {
     /// Title; the scene's name when absent.
     pub title: Option<&'a str>,
 }
+
+/// Ghosts of other runs that can be told apart.
+pub const MOST_KEPT: usize = 4;
 
 impl ViewInput<'_> {
     /// Width over height.

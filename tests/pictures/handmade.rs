@@ -72,6 +72,7 @@ pub(crate) fn list(
         overlays,
         force_scale: None,
         selected: &[],
+        kept: &[],
         size,
         pixels_per_point,
         background: Background::Studio,

@@ -55,6 +55,12 @@ pub(crate) fn press(harness: &mut Harness<'_, Workbench>, label: &str) {
     settle(harness);
 }
 
+/// Scrolls a button into sight and lets its panel come to rest.
+pub(crate) fn reach(harness: &mut Harness<'_, Workbench>, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).scroll_to_me();
+    harness.run_steps(40);
+}
+
 /// The 3D view on the screen.
 pub(crate) fn view(harness: &Harness<'_, Workbench>) -> Rect {
     harness.get_by_label("3D view").rect()

@@ -27,7 +27,7 @@ fn reach(harness: &mut Window, role: Role, label: &str) {
 }
 
 fn button(harness: &mut Window, label: &str) {
-    reach(harness, Role::Button, label);
+    super::harness::reach(harness, label);
     press(harness, label);
 }
 

@@ -194,6 +194,15 @@ pub(super) const APART_NOW: &str = "Models apart now:";
 pub(super) const APART_MOST: &str = "At the most:";
 pub(super) const FLUSH_NOTE: &str = "A whole face hits in this run. There the models differ by nature: an elastic face \
 spreads the push along itself for as long as the hit lasts, a rigid one takes it at once.";
+pub(super) const PINS_SECTION: &str = "Before and after";
+pub(super) const PIN: &str = "run";
+pub(super) const PIN_THIS: &str = "Pin this run";
+pub(super) const PIN_HINT: &str = "Keep it as a ghost and as thin lines to compare with (P)";
+pub(super) const UNPIN_ALL: &str = "Unpin all";
+pub(super) const PIN_THERE: &str = "This run is pinned already.";
+pub(super) const PINS_FULL: &str = "Four runs are pinned: unpin one first.";
+pub(super) const NO_PINS: &str = "Pin a run, change something, and see both.";
+pub(super) const NOW: &str = "now";
 pub(super) const NO_MOTION: &str = "The ground stands still.";
 pub(super) const SHAKE: &str = "Shake it";
 pub(super) const CONTACT_SECTION: &str = "Contact";
@@ -249,6 +258,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl Left Right", "previous, next contact event"),
     ("Home End", "to the start, to the end"),
     (", .", "slower, faster (down to 1/1000)"),
+    ("P", "pin this run to compare with"),
     ("L", "begin again at the end, or stop"),
     ("M", "slow motion around hits"),
     ("1 2 3 4", "view: iso, top, side, contact"),

@@ -76,6 +76,26 @@ pub(in crate::app) fn direction(way: crate::scene::Direction) -> &'static str {
     }
 }
 
+/// An energy in the unit that fits it.
+pub(in crate::app) fn energy(joules: f64) -> String {
+    match joules.abs() {
+        e if e >= 1e6 => format!("{} MJ", short(joules / 1e6)),
+        e if e >= 1e3 => format!("{} kJ", short(joules / 1e3)),
+        e if e >= 1.0 || e == 0.0 => format!("{} J", short(joules)),
+        _ => format!("{} mJ", short(joules * 1e3)),
+    }
+}
+
+/// A button that lets a pinned run go.
+pub(in crate::app) fn unpin(number: usize) -> String {
+    format!("unpin {number}")
+}
+
+/// How far the run that is shown and a pinned one are apart at the most.
+pub(in crate::app) fn apart_from(number: usize, place: f64, turn: f64) -> String {
+    format!("from {number}: at the most {} and {}° apart", length(place), short(turn.to_degrees()))
+}
+
 /// A stiffness in the unit that fits it.
 pub(in crate::app) fn stiffness(k: f64) -> String {
     let unit = crate::app::field::stiffness_unit(k);
