@@ -27,7 +27,9 @@ pub(super) fn label(edit: &Edit, scene: &Scene) -> String {
         Edit::Model(_) => "change model".into(),
         Edit::Impact(_) => "change impact numbers".into(),
         Edit::Scene(other) => format!("open {}", other.name),
-        Edit::General(_) | Edit::Solver(_) | Edit::View(_) | Edit::Set(_) => "change scene".into(),
+        Edit::Limits(_) => "change limits".into(),
+        Edit::View(_) => "change view".into(),
+        Edit::General(_) | Edit::Solver(_) | Edit::Set(_) => "change scene".into(),
         Edit::Batch(edits) => match &edits[..] {
             [] => "nothing".into(),
             [one] => label(one, scene),

@@ -8,6 +8,7 @@ mod abutment;
 mod bearing;
 mod contact;
 mod girder;
+mod limits;
 mod model;
 mod motion;
 mod settings;
@@ -24,9 +25,10 @@ pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, ResolvedBearing, SharedBearings};
 pub use contact::{ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
+pub use limits::Limits;
 pub use model::{Flush, ImpactSettings, ModelKind, ModelSettings};
 pub use motion::{Motion, RecordMotion, SineMotion};
-pub use settings::{Overlays, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use settings::{Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
 pub use validate::{SceneError, SceneErrors};
 
 use serde::{Deserialize, Serialize};
@@ -91,6 +93,9 @@ pub struct Scene {
     /// How exactly it is to be computed.
     #[serde(default, skip_serializing_if = "settings::is_default")]
     pub solver: SolverSettings,
+    /// What must not be passed.
+    #[serde(default, skip_serializing_if = "settings::is_default")]
+    pub limits: Limits,
     /// How it is first shown.
     #[serde(default, skip_serializing_if = "settings::is_default")]
     pub view: ViewSettings,

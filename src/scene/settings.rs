@@ -112,6 +112,17 @@ impl Default for Overlays {
     }
 }
 
+/// `[[view.plot]]`: a plot panel.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlotSettings {
+    /// Against what: the name of a quantity; against time when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub x: Option<String>,
+    /// Names of the quantities that are drawn, all of one unit.
+    pub y: Vec<String>,
+}
+
 /// `[view]`: how the scene is first shown.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -124,4 +135,7 @@ pub struct ViewSettings {
     /// Force scale of the arrows \[N per m\]; from the run's peak when absent.
     #[serde(rename = "force_scale_n_per_m", skip_serializing_if = "Option::is_none")]
     pub force_scale: Option<f64>,
+    /// Plot panels beside the standing ones.
+    #[serde(rename = "plot", skip_serializing_if = "Vec::is_empty")]
+    pub plots: Vec<PlotSettings>,
 }

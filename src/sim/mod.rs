@@ -8,11 +8,14 @@ mod history;
 mod impact;
 mod ledger;
 mod quadrature;
+pub mod quantity;
+pub mod readings;
 mod report;
 mod session;
 mod touches;
 
 pub use history::{History, Summary};
+pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
 pub use session::Session;
 

@@ -86,6 +86,13 @@ impl ContactNow {
     pub fn elastic_force(&self) -> DVec3 {
         self.normal * self.normal_force + self.tangential_force
     }
+
+    /// How much of the friction cone is used: `|F_t| / (μ |F_n|)`, with `μ_s` in stick and `μ_k` in slip; 1 at its rim.
+    pub fn cone_use(&self) -> f64 {
+        let mu = if self.state == ContactState::Stick { self.mu_static } else { self.mu_kinetic };
+        let limit = mu * self.normal_force;
+        if limit > 0.0 { self.tangential_force.length() / limit } else { 0.0 }
+    }
 }
 
 /// One touch of one contact, from closing to opening.

@@ -85,7 +85,7 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
 }
 
 /// Highest value of a function with one hump.
-fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+pub(super) fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     let (mut x, mut y) = (b - RATIO * (b - a), a + RATIO * (b - a));
     let (mut fx, mut fy) = (f(x), f(y));

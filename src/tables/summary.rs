@@ -1,13 +1,11 @@
 //! `summary.json`, and the same facts for whoever prints them: headline numbers, ledger, error, versions.
 
-use glam::DVec3;
 use serde::Serialize;
 
+use super::TableOptions;
 use super::events::law_of;
-use super::{TableOptions, sample_times};
-use crate::geometry::{End, Prism};
 use crate::scene::Kind;
-use crate::sim::{History, Ledger, Stop, Summary};
+use crate::sim::{History, Ledger, Stop, Summary, readings};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,6 +29,8 @@ pub struct Report {
     pub pairs: Vec<PairReport>,
     /// What remains of the seats that the scene gives.
     pub seats: Vec<SeatReport>,
+    /// Limits of the scene that were passed, the earliest first.
+    pub limits_passed: Vec<PassedReport>,
     /// Local error per step that was asked for.
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
@@ -69,12 +69,25 @@ pub struct SeatReport {
     pub end: &'static str,
     /// Length of the seat under it \[m\].
     pub length: f64,
-    /// The least that remained of it at a sample or an event; negative when the end came off \[m\].
+    /// The least that remained of it; negative when the end came off \[m\].
     pub least_remaining: f64,
     /// When \[s\].
     pub t: f64,
     /// When the end came off for the first time, to a part in a thousand million of the run; `None` where it stayed \[s\].
     pub left_at: Option<f64>,
+}
+
+/// A limit that was passed, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassedReport {
+    /// Its key in the scene's `[limits]`.
+    pub limit: &'static str,
+    /// The girder or pair.
+    pub whose: String,
+    /// When for the first time \[s\].
+    pub t: f64,
+    /// How far at the most, in the unit of the limit.
+    pub reached: f64,
 }
 
 /// Versions that an answer depends on.
@@ -99,7 +112,8 @@ impl Report {
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
             pairs: pairs(history),
-            seats: seats(history, options.sample_hz),
+            seats: seats(history),
+            limits_passed: passed(history),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
             ledger: history.ledger(history.end()),
@@ -133,63 +147,27 @@ fn pairs(history: &History) -> Vec<PairReport> {
     history.model().pairs.iter().enumerate().map(of_pair).collect()
 }
 
-fn seats(history: &History, sample_hz: f64) -> Vec<SeatReport> {
-    let girders = history.scene().girders.iter().enumerate();
-    girders
-        .flat_map(|(number, girder)| {
-            let ends = [(End::Plus, girder.seat.plus), (End::Minus, girder.seat.minus)];
-            ends.into_iter().filter_map(move |(end, length)| Some((number, girder, end, length?)))
-        })
-        .map(|(number, girder, end, length)| {
-            let (t, moved) = farthest_off(history, number, end, sample_hz);
-            let left_at = (moved > length).then(|| first_off(history, number, end, length, sample_hz)).flatten();
-            let least_remaining = length - moved;
-            SeatReport { girder: girder.name.clone(), end: end.label(), length, least_remaining, t, left_at }
-        })
-        .collect()
+fn seats(history: &History) -> Vec<SeatReport> {
+    let girders = history.scene().girders.iter().enumerate().filter(|(_, g)| g.seat != Default::default());
+    let of_girder = |(number, girder): (usize, &crate::scene::Girder)| {
+        readings::reading(history, number)
+            .seats
+            .into_iter()
+            .map(|seat| SeatReport {
+                girder: girder.name.clone(),
+                end: seat.end.label(),
+                length: seat.length,
+                least_remaining: seat.least.value,
+                t: seat.least.t,
+                left_at: seat.left_at,
+            })
+            .collect::<Vec<_>>()
+    };
+    girders.flat_map(of_girder).collect()
 }
 
-/// When an end has moved farthest off its seat, and by how much: the corner at the underside that moved most towards
-/// the girder's middle, along the axis as placed \[s, m\].
-fn farthest_off(history: &History, girder: usize, end: End, sample_hz: f64) -> (f64, f64) {
-    let mut farthest = (0.0, f64::NEG_INFINITY);
-    for t in looks(history, sample_hz) {
-        let moved = off_seat(history, girder, end, t);
-        if moved > farthest.1 {
-            farthest = (t, moved);
-        }
-    }
-    farthest
-}
-
-/// When an end first came off a seat of this length: between the two looks that see it on and off, by bisection \[s\].
-fn first_off(history: &History, girder: usize, end: End, length: f64, sample_hz: f64) -> Option<f64> {
-    let off = |t: f64| off_seat(history, girder, end, t) > length;
-    let mut looks: Vec<f64> = looks(history, sample_hz).collect();
-    looks.sort_by(f64::total_cmp);
-    let seen = looks.iter().position(|&t| off(t))?;
-    let (mut on, mut gone) = (looks[seen.saturating_sub(1)], looks[seen]);
-    while gone - on > 1e-9 * history.end() {
-        let middle = f64::midpoint(on, gone);
-        if off(middle) {
-            gone = middle;
-        } else {
-            on = middle;
-        }
-    }
-    Some(gone)
-}
-
-/// The instants at which seats are looked at: samples, then events \[s\].
-fn looks(history: &History, sample_hz: f64) -> impl Iterator<Item = f64> {
-    sample_times(history.end(), sample_hz).chain(history.events().iter().map(|event| event.t))
-}
-
-fn off_seat(history: &History, girder: usize, end: End, t: f64) -> f64 {
-    let body = &history.model().bodies[girder];
-    let motion = history.motion(girder, t);
-    let corners = body.prism.corners();
-    let inwards = -body.axes.x_axis * end.sign();
-    let moved = |corner: DVec3| (motion.place + motion.attitude * corner - body.home - body.axes * corner).dot(inwards);
-    Prism::end_corners(end).map(|number| moved(corners[number])).into_iter().fold(f64::NEG_INFINITY, f64::max)
+/// Limits of the scene that were passed.
+fn passed(history: &History) -> Vec<PassedReport> {
+    let passed = readings::passed(history).into_iter();
+    passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
 }

@@ -22,6 +22,7 @@ pub(super) fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::Model(model) => Ok(Edit::Model(replace(&mut scene.model, model))),
         Edit::Impact(impact) => Ok(Edit::Impact(replace(&mut scene.impact, impact))),
         Edit::Motion(motion) => Ok(Edit::Motion(Box::new(replace(&mut scene.motion, *motion)))),
+        Edit::Limits(limits) => Ok(Edit::Limits(replace(&mut scene.limits, limits))),
         Edit::Solver(solver) => Ok(Edit::Solver(replace(&mut scene.solver, solver))),
         Edit::View(view) => Ok(Edit::View(replace(&mut scene.view, view))),
         Edit::Set(setting) => whole(scene, |scene| {

@@ -11,8 +11,8 @@ mod undo;
 pub use undo::UndoStack;
 
 use super::{
-    Abutment, ContactSettings, Girder, ImpactSettings, Kind, ModelSettings, Motion, Scene, SceneErrors, SolverSettings,
-    ViewSettings,
+    Abutment, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, Scene, SceneErrors,
+    SolverSettings, ViewSettings,
 };
 
 /// The single values at the top of a scene.
@@ -59,6 +59,8 @@ pub enum Edit {
     Impact(ImpactSettings),
     /// Ground motion.
     Motion(Box<Motion>),
+    /// Limits that are watched.
+    Limits(Limits),
     /// Solver settings.
     Solver(SolverSettings),
     /// View settings.
@@ -141,6 +143,7 @@ impl Edit {
             | (Self::Model(_), Self::Model(_))
             | (Self::Impact(_), Self::Impact(_))
             | (Self::Motion(_), Self::Motion(_))
+            | (Self::Limits(_), Self::Limits(_))
             | (Self::Solver(_), Self::Solver(_))
             | (Self::View(_), Self::View(_)) => true,
             (Self::ReplaceGirder(a, _), Self::ReplaceGirder(b, _) | Self::MoveGirder(b, ..))

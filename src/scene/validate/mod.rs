@@ -30,6 +30,7 @@ pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
     numbers::contact(&scene.contact, &mut complaints);
     numbers::model(scene, &mut complaints);
     numbers::impact(&scene.impact, &mut complaints);
+    numbers::limits(&scene.limits, &mut complaints);
     numbers::motion(&scene.motion, &mut complaints.at("motion"));
     numbers::solver_and_view(scene, &mut complaints);
     if complaints.is_empty() {

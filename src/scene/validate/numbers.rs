@@ -3,7 +3,7 @@
 use super::complaints::number;
 use super::{At, Complaints};
 use crate::scene::{
-    ContactSettings, ImpactSettings, Kind, ModelKind, Motion, PairSettings, RecordMotion, Scene, SineMotion,
+    ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, PairSettings, RecordMotion, Scene, SineMotion,
 };
 
 /// Restitution in a contact: 0 would be critical damping, and a free contact would never open again (65).
@@ -56,6 +56,15 @@ pub(super) fn impact(impact: &ImpactSettings, complaints: &mut Complaints) {
         let remedy = format!("it must not exceed corner_mu_static = {mu_s:?}: lower it, or raise corner_mu_static");
         at.add("corner_mu_kinetic", number(mu_k), remedy);
     }
+}
+
+/// Limits are numbers; a seat may be asked to be longer than it is.
+pub(super) fn limits(limits: &Limits, complaints: &mut Complaints) {
+    let mut at = complaints.at("limits");
+    at.if_given("rotation_deg", limits.rotation_deg, At::not_negative);
+    at.if_given("drift_m", limits.drift, At::not_negative);
+    at.if_given("remaining_seat_m", limits.remaining_seat, At::not_negative);
+    at.if_given("force_n", limits.force, At::not_negative);
 }
 
 /// The impact model is planar.

@@ -39,6 +39,7 @@ pub(super) fn blank(kind: Kind) -> Scene {
         contact: ContactSettings::default(),
         model: ModelSettings::default(),
         impact: ImpactSettings::default(),
+        limits: crate::scene::Limits::default(),
         motion: Motion::None,
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

@@ -1,0 +1,294 @@
+//! Anything of a run that can be plotted: a number as a function of time, with its name and its unit.
+//!
+//! Names are made of the scene's own: `deck.x`, `deck.corner1.drift`, `deck+x.seat`, `deck+x|wall.force`,
+//! `deck.corner2|wall.penetration`, `energy.friction`, `ground.x`. They are kept in scene files, so they do not change.
+
+use glam::DVec3;
+
+use super::{ContactNow, ContactState, History, readings};
+use crate::dynamics::Model;
+use crate::geometry::End;
+
+/// Unit of a quantity's values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Metres.
+    Metre,
+    /// Radians.
+    Radian,
+    /// Metres a second.
+    MetrePerSecond,
+    /// Radians a second.
+    RadianPerSecond,
+    /// Metres a second squared.
+    MetrePerSecond2,
+    /// Newtons.
+    Newton,
+    /// Joules.
+    Joule,
+    /// None.
+    One,
+}
+
+/// What of a girder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfGirder {
+    /// Displacement of G along x.
+    X,
+    /// Displacement of G along y.
+    Y,
+    /// Displacement of G along z.
+    Z,
+    /// Rotation about the vertical since placed.
+    Theta,
+    /// Velocity of G along x.
+    Vx,
+    /// Velocity of G along y.
+    Vy,
+    /// Angular velocity about the vertical.
+    Omega,
+}
+
+/// What of a corner of a girder in plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfCorner {
+    /// Displacement along x.
+    X,
+    /// Displacement along y.
+    Y,
+    /// Distance from where it was placed, in plan.
+    Drift,
+}
+
+/// What of a facing pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfPair {
+    /// Largest `|R_k|` of its contacts.
+    Force,
+    /// Least gap of its nodes; negative in contact.
+    Gap,
+}
+
+/// What of a contact; 0 while it is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfContact {
+    /// `K δ`, without the dashpot.
+    Normal,
+    /// Tangential force without the dashpot, along the face's horizontal.
+    Tangential,
+    /// `|R_k|`.
+    Force,
+    /// `δ`.
+    Penetration,
+    /// Sliding speed.
+    Sliding,
+    /// `|F_t| / (μ |F_n|)`, with μ_s in stick and μ_k in slip.
+    Use,
+    /// 0 open, 1 stick, 2 slip.
+    State,
+}
+
+/// What of the energy ledger (physics section 9).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfEnergy {
+    /// Kinetic.
+    Kinetic,
+    /// Strain of the bearings.
+    Bearings,
+    /// Strain of the contacts.
+    Contacts,
+    /// Potential of gravity.
+    Gravity,
+    /// Work of the ground and of pushes.
+    Work,
+    /// Lost in the bearings' dashpots.
+    LostBearings,
+    /// Lost in the contacts' dashpots and hits.
+    LostContacts,
+    /// Lost in friction.
+    Friction,
+    /// What the balance leaves over.
+    Residual,
+}
+
+/// A number of a run as a function of time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Of a girder, by its number.
+    Girder(usize, OfGirder),
+    /// Of a girder's corner in plan, by both numbers.
+    Corner(usize, usize, OfCorner),
+    /// What remains of a seat under the end of a girder; of a seat without length, how far the end has moved off, negative.
+    Seat(usize, End),
+    /// Of a facing pair, by its number.
+    Pair(usize, OfPair),
+    /// Of a contact, by its number.
+    Contact(usize, OfContact),
+    /// Of the energy ledger.
+    Energy(OfEnergy),
+    /// Acceleration of the ground along x or y.
+    Ground(bool),
+}
+
+const OF_GIRDER: [(&str, OfGirder); 7] = [
+    ("x", OfGirder::X),
+    ("y", OfGirder::Y),
+    ("z", OfGirder::Z),
+    ("theta", OfGirder::Theta),
+    ("vx", OfGirder::Vx),
+    ("vy", OfGirder::Vy),
+    ("omega", OfGirder::Omega),
+];
+const OF_CORNER: [(&str, OfCorner); 3] = [("x", OfCorner::X), ("y", OfCorner::Y), ("drift", OfCorner::Drift)];
+const OF_PAIR: [(&str, OfPair); 2] = [("force", OfPair::Force), ("gap", OfPair::Gap)];
+const OF_CONTACT: [(&str, OfContact); 7] = [
+    ("normal", OfContact::Normal),
+    ("tangential", OfContact::Tangential),
+    ("force", OfContact::Force),
+    ("penetration", OfContact::Penetration),
+    ("sliding", OfContact::Sliding),
+    ("use", OfContact::Use),
+    ("state", OfContact::State),
+];
+const OF_ENERGY: [(&str, OfEnergy); 9] = [
+    ("kinetic", OfEnergy::Kinetic),
+    ("bearings", OfEnergy::Bearings),
+    ("contacts", OfEnergy::Contacts),
+    ("gravity", OfEnergy::Gravity),
+    ("work", OfEnergy::Work),
+    ("lost-bearings", OfEnergy::LostBearings),
+    ("lost-contacts", OfEnergy::LostContacts),
+    ("friction", OfEnergy::Friction),
+    ("residual", OfEnergy::Residual),
+];
+
+impl Quantity {
+    /// Every quantity of a model with its name, girders first.
+    pub fn all(model: &Model) -> Vec<(String, Self)> {
+        let mut all = Vec::new();
+        for (i, body) in model.bodies.iter().enumerate() {
+            let name = &body.name;
+            all.extend(OF_GIRDER.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
+            for corner in 0..4 {
+                let of_corner = OF_CORNER
+                    .map(|(of, what)| (format!("{name}.corner{}.{of}", corner + 1), Self::Corner(i, corner, what)));
+                all.extend(of_corner);
+            }
+            all.extend(End::BOTH.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
+        }
+        for (i, pair) in model.pairs.iter().enumerate() {
+            all.extend(OF_PAIR.map(|(of, what)| (format!("{}.{of}", pair.name), Self::Pair(i, what))));
+        }
+        for (i, site) in model.contacts.iter().enumerate() {
+            let name = format!("{}|{}", site.node, site.face_name);
+            all.extend(OF_CONTACT.map(|(of, what)| (format!("{name}.{of}"), Self::Contact(i, what))));
+        }
+        all.extend(OF_ENERGY.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
+        all.extend([("ground.x".to_owned(), Self::Ground(false)), ("ground.y".to_owned(), Self::Ground(true))]);
+        all
+    }
+
+    /// The quantity of this name, where the model has it.
+    pub fn find(model: &Model, name: &str) -> Option<Self> {
+        Self::all(model).into_iter().find(|(known, _)| known == name).map(|(_, quantity)| quantity)
+    }
+
+    /// Unit of its values.
+    pub fn unit(self) -> Unit {
+        match self {
+            Self::Girder(_, OfGirder::X | OfGirder::Y | OfGirder::Z) => Unit::Metre,
+            Self::Girder(_, OfGirder::Theta) => Unit::Radian,
+            Self::Girder(_, OfGirder::Vx | OfGirder::Vy) => Unit::MetrePerSecond,
+            Self::Girder(_, OfGirder::Omega) => Unit::RadianPerSecond,
+            Self::Corner(..) | Self::Seat(..) | Self::Pair(_, OfPair::Gap) => Unit::Metre,
+            Self::Contact(_, OfContact::Penetration) => Unit::Metre,
+            Self::Pair(_, OfPair::Force) => Unit::Newton,
+            Self::Contact(_, OfContact::Normal | OfContact::Tangential | OfContact::Force) => Unit::Newton,
+            Self::Contact(_, OfContact::Sliding) => Unit::MetrePerSecond,
+            Self::Contact(_, OfContact::Use | OfContact::State) => Unit::One,
+            Self::Energy(_) => Unit::Joule,
+            Self::Ground(_) => Unit::MetrePerSecond2,
+        }
+    }
+
+    /// Its value at `t`, SI; 0 for what the run does not have.
+    pub fn at(self, history: &History, t: f64) -> f64 {
+        let model = history.model();
+        match self {
+            Self::Girder(i, what) if i < model.bodies.len() => of_girder(history, i, what, t),
+            Self::Corner(i, corner, what) if i < model.bodies.len() && corner < 4 => {
+                let way = readings::corner_way(history, i, corner, t);
+                match what {
+                    OfCorner::X => way.x,
+                    OfCorner::Y => way.y,
+                    OfCorner::Drift => way.truncate().length(),
+                }
+            }
+            Self::Seat(i, end) if i < model.bodies.len() => {
+                readings::seat_length(history, i, end).unwrap_or(0.0) - readings::off_seat(history, i, end, t)
+            }
+            Self::Pair(i, what) if i < model.pairs.len() => match what {
+                OfPair::Gap => readings::gap(history, i, t),
+                OfPair::Force => model.pairs[i]
+                    .contacts
+                    .clone()
+                    .filter_map(|c| history.contact_at(c, t))
+                    .map(|c| c.force.length())
+                    .fold(0.0, f64::max),
+            },
+            Self::Contact(i, what) if i < model.contacts.len() => {
+                history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
+            }
+            Self::Energy(what) => of_energy(history, what, t),
+            Self::Ground(y) => {
+                let a = model.ground.acceleration(t);
+                if y { a.y } else { a.x }
+            }
+            _ => 0.0,
+        }
+    }
+}
+
+fn of_girder(history: &History, i: usize, what: OfGirder, t: f64) -> f64 {
+    let motion = history.motion(i, t);
+    match what {
+        OfGirder::X => motion.displacement.x,
+        OfGirder::Y => motion.displacement.y,
+        OfGirder::Z => motion.displacement.z,
+        OfGirder::Theta => motion.theta,
+        OfGirder::Vx => motion.velocity.x,
+        OfGirder::Vy => motion.velocity.y,
+        OfGirder::Omega => motion.spin.z,
+    }
+}
+
+fn of_contact(now: &ContactNow, what: OfContact) -> f64 {
+    match what {
+        OfContact::Normal => now.normal_force,
+        OfContact::Tangential => now.tangential_force.dot(DVec3::Z.cross(now.normal)),
+        OfContact::Force => now.force.length(),
+        OfContact::Penetration => now.penetration,
+        OfContact::Sliding => now.sliding.length(),
+        OfContact::Use => now.cone_use(),
+        OfContact::State => match now.state {
+            ContactState::Open => 0.0,
+            ContactState::Stick => 1.0,
+            ContactState::Slip => 2.0,
+        },
+    }
+}
+
+fn of_energy(history: &History, what: OfEnergy, t: f64) -> f64 {
+    let e = history.ledger(t);
+    match what {
+        OfEnergy::Kinetic => e.kinetic,
+        OfEnergy::Bearings => e.bearing,
+        OfEnergy::Contacts => e.contact,
+        OfEnergy::Gravity => e.gravity,
+        OfEnergy::Work => e.work_ground + e.work_push,
+        OfEnergy::LostBearings => e.loss_bearing,
+        OfEnergy::LostContacts => e.loss_normal + e.loss_tangential + e.loss_hits,
+        OfEnergy::Friction => e.loss_friction,
+        OfEnergy::Residual => e.residual,
+    }
+}

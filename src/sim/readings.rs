@@ -1,0 +1,232 @@
+//! What a designer reads off a run: rotation, drift of the corners, what remains of the seats and when an end comes
+//! off, the least gap, the largest force, and which of the scene's limits were passed, and when.
+//!
+//! Extremes are looked for at a rate that neither bearings nor ground can outrun, then refined; instants by bisection.
+
+use glam::DVec3;
+
+use super::History;
+use super::touches;
+use crate::contact::node_face::locate;
+use crate::geometry::{End, Prism};
+
+/// An extreme and when it was reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Its value, SI.
+    pub value: f64,
+    /// When \[s\].
+    pub t: f64,
+}
+
+/// What remains of a seat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seat {
+    /// Which end of the girder.
+    pub end: End,
+    /// Length of the seat \[m\].
+    pub length: f64,
+    /// The least that remained of it; negative when the end came off \[m\].
+    pub least: Extreme,
+    /// The least that remained at either corner of the end, in the order of [`Prism::end_corners`] \[m\].
+    pub at_corners: [f64; 2],
+    /// When the end came off for the first time \[s\].
+    pub left_at: Option<f64>,
+}
+
+/// A girder in numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// Largest rotation, with its sign \[rad\].
+    pub rotation: Extreme,
+    /// Largest distance of each corner in plan from where it was placed \[m\].
+    pub drift: [Extreme; 4],
+    /// Its seats, where it has any.
+    pub seats: Vec<Seat>,
+    /// Least gap of its pairs; nothing where it faces nobody \[m\].
+    pub gap: Option<Extreme>,
+    /// Largest `|R_k|` of its pairs; nothing where it touched nobody \[N\].
+    pub force: Option<Extreme>,
+}
+
+/// A limit that was passed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passed {
+    /// Which, as the scene's file calls it.
+    pub limit: &'static str,
+    /// By whom: a girder, or a pair.
+    pub whose: String,
+    /// When for the first time \[s\].
+    pub t: f64,
+    /// How far at the most, SI; degrees for the rotation.
+    pub reached: f64,
+}
+
+/// Displacement of a corner in plan, at mid-depth \[m\].
+pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64) -> DVec3 {
+    let body = &history.model().bodies[girder];
+    let motion = history.motion(girder, t);
+    let here = body.prism.plan_corners()[corner].extend(0.0);
+    // From the displacement, not from the place: far from the origin the difference would round away.
+    motion.displacement + (motion.attitude * here - body.axes * here)
+}
+
+/// Length of the seat under an end, where the scene gives one \[m\].
+pub(super) fn seat_length(history: &History, girder: usize, end: End) -> Option<f64> {
+    let seat = history.scene().girders.get(girder)?.seat;
+    match end {
+        End::Plus => seat.plus,
+        End::Minus => seat.minus,
+    }
+}
+
+/// How far an end has moved off its seat: the corner at the underside that moved most towards the girder's middle, along
+/// the axis as placed \[m\].
+pub fn off_seat(history: &History, girder: usize, end: End, t: f64) -> f64 {
+    Prism::end_corners(end)
+        .map(|corner| corner_off_seat(history, girder, end, corner, t))
+        .into_iter()
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn corner_off_seat(history: &History, girder: usize, end: End, corner: usize, t: f64) -> f64 {
+    let body = &history.model().bodies[girder];
+    let motion = history.motion(girder, t);
+    let inwards = -body.axes.x_axis * end.sign();
+    let here = body.prism.corners()[corner];
+    (motion.displacement + motion.attitude * here - body.axes * here).dot(inwards)
+}
+
+/// Least gap of a pair's nodes before the faces they are declared with \[m\].
+pub(super) fn gap(history: &History, pair: usize, t: f64) -> f64 {
+    let model = history.model();
+    let of = |contact: usize| {
+        let site = &model.contacts[contact];
+        let [node, face] = history.sides(contact, t);
+        let here = locate(site.point, &node, &site.face, &face);
+        (here.gap, site.face.inset_at(here.at) >= 0.0)
+    };
+    let all: Vec<(f64, bool)> = model.pairs[pair].contacts.clone().map(of).collect();
+    let before = all.iter().filter(|(_, over)| *over).map(|(gap, _)| *gap).reduce(f64::min);
+    // Faces that have slid past one another still have a distance along the normal.
+    before.or_else(|| all.iter().map(|(gap, _)| *gap).reduce(f64::min)).unwrap_or(f64::NAN)
+}
+
+/// The numbers of a girder.
+pub fn reading(history: &History, girder: usize) -> Reading {
+    let times = touches::looks(history, girder);
+    let rotation = largest(&times, |t| history.motion(girder, t).theta.abs());
+    let rotation = Extreme { value: history.motion(girder, rotation.t).theta, ..rotation };
+    let drift = |corner| largest(&times, |t| corner_way(history, girder, corner, t).truncate().length());
+    let pairs = history.model().pairs.iter().enumerate().filter(|(_, p)| p.bodies.contains(&Some(girder)));
+    let pairs: Vec<usize> = pairs.map(|(i, _)| i).collect();
+    let gaps = pairs.iter().map(|&pair| {
+        let closest = largest(&times, |t| -gap(history, pair, t));
+        Extreme { value: -closest.value, ..closest }
+    });
+    let touches = history.touches().iter().filter(|touch| pairs.contains(&touch.pair));
+    let hardest = touches.max_by(|a, b| a.peak_force.total_cmp(&b.peak_force));
+    Reading {
+        rotation,
+        drift: [0, 1, 2, 3].map(drift),
+        seats: End::BOTH.into_iter().filter_map(|end| seat(history, girder, end, &times)).collect(),
+        gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
+        force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
+    }
+}
+
+fn seat(history: &History, girder: usize, end: End, times: &[f64]) -> Option<Seat> {
+    let length = seat_length(history, girder, end)?;
+    let farthest = largest(times, |t| off_seat(history, girder, end, t));
+    let corner = |corner| length - largest(times, |t| corner_off_seat(history, girder, end, corner, t)).value;
+    Some(Seat {
+        end,
+        length,
+        least: Extreme { value: length - farthest.value, t: farthest.t },
+        at_corners: Prism::end_corners(end).map(corner),
+        left_at: first(times, history.end(), |t| off_seat(history, girder, end, t) - length),
+    })
+}
+
+/// The largest value over ordered times, refined between the neighbours of the best one.
+fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
+    let seen = times.iter().enumerate().map(|(i, &t)| (i, Extreme { value: value(t), t }));
+    let best = seen.filter(|(_, e)| !e.value.is_nan()).reduce(|a, b| if b.1.value > a.1.value { b } else { a });
+    let Some((i, best)) = best else { return Extreme { value: f64::NAN, t: 0.0 } };
+    let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
+    let (t, refined) = touches::golden(&value, around[0], around[1]);
+    if refined > best.value { Extreme { value: refined, t } } else { best }
+}
+
+/// When a function first rises above 0, to a part in a thousand million of the run \[s\].
+fn first(times: &[f64], end: f64, value: impl Fn(f64) -> f64) -> Option<f64> {
+    let seen = times.iter().position(|&t| value(t) > 0.0)?;
+    let (mut below, mut above) = (times[seen.saturating_sub(1)], times[seen]);
+    while above - below > 1e-9 * end {
+        let middle = f64::midpoint(below, above);
+        if value(middle) > 0.0 {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+    Some(above)
+}
+
+/// Every limit of the scene that was passed, the earliest first.
+pub fn passed(history: &History) -> Vec<Passed> {
+    let limits = history.scene().limits;
+    let mut all = Vec::new();
+    for (girder, body) in history.model().bodies.iter().enumerate() {
+        let watched = [limits.rotation_deg.is_some(), limits.drift.is_some(), limits.remaining_seat.is_some()];
+        if watched.contains(&true) {
+            of_girder(history, girder, &body.name, &mut all);
+        }
+    }
+    if let Some(limit) = limits.force {
+        all.extend(of_forces(history, limit));
+    }
+    all.sort_by(|a, b| a.t.total_cmp(&b.t));
+    all
+}
+
+fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>) {
+    let limits = history.scene().limits;
+    let times = touches::looks(history, girder);
+    let mut watch = |limit: &'static str, most: f64, sign: f64, value: &dyn Fn(f64) -> f64| {
+        if let Some(t) = first(&times, history.end(), |t| sign * (value(t) - most)) {
+            let reached = sign * largest(&times, |t| sign * value(t)).value;
+            all.push(Passed { limit, whose: name.to_owned(), t, reached });
+        }
+    };
+    if let Some(most) = limits.rotation_deg {
+        watch("rotation_deg", most, 1.0, &|t| history.motion(girder, t).theta.abs().to_degrees());
+    }
+    if let Some(most) = limits.drift {
+        let farthest = |t| {
+            let way = |corner| corner_way(history, girder, corner, t).truncate().length();
+            (0..4).map(way).fold(0.0, f64::max)
+        };
+        watch("drift_m", most, 1.0, &farthest);
+    }
+    for end in End::BOTH {
+        if let Some((least, length)) = limits.remaining_seat.zip(seat_length(history, girder, end)) {
+            watch("remaining_seat_m", least, -1.0, &|t| length - off_seat(history, girder, end, t));
+        }
+    }
+}
+
+/// The first touch of each pair whose force passes a limit, when its force does so.
+fn of_forces(history: &History, limit: f64) -> Vec<Passed> {
+    let mut all: Vec<Passed> = Vec::new();
+    for (number, pair) in history.model().pairs.iter().enumerate() {
+        let touches = history.touches().iter().filter(|touch| touch.pair == number);
+        let over: Vec<_> = touches.filter(|touch| touch.peak_force > limit).collect();
+        let Some(touch) = over.first() else { continue };
+        let force = |t: f64| history.contact_at(touch.contact, t).map_or(0.0, |c| c.force.length()) - limit;
+        let t = first(&[touch.start, touch.peak_time], history.end(), force).unwrap_or(touch.peak_time);
+        let reached = over.iter().map(|touch| touch.peak_force).fold(0.0, f64::max);
+        all.push(Passed { limit: "force_n", whose: pair.name.clone(), t, reached });
+    }
+    all
+}

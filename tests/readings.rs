@@ -1,0 +1,147 @@
+//! What a designer reads off a run, against closed forms: extremes, seats, limits and when they are passed; quantities
+//! by name.
+
+use girderbench::scene::{Limits, Motion, PlotSettings, Scene, Seat, format, presets};
+use girderbench::sim::quantity::{OfContact, Quantity, Unit};
+use girderbench::sim::{ContactState, History, readings};
+
+/// Start speed \[m/s\], angular frequency of the bearings \[rad/s\].
+const V: f64 = 0.02;
+
+/// The straight girder on undamped bearings, set going along x over a still ground; it never touches its wall.
+fn swinging() -> (Scene, f64) {
+    let mut scene = presets::load("straight-abutment").expect("ships");
+    scene.motion = Motion::None;
+    scene.duration = 2.0;
+    let girder = &mut scene.girders[0];
+    girder.initial.velocity = [V, 0.0, 0.0];
+    let Some(girderbench::scene::Bearings::Shared(shared)) = &mut girder.bearings else { panic!("equal bearings") };
+    shared.damping_ratio = girderbench::scene::PerDirection::Both(0.0);
+    let omega = std::f64::consts::TAU * shared.frequency_hz.xy()[0];
+    scene.abutments[0].gap = Some(2.0 * V / omega);
+    (scene, omega)
+}
+
+fn near(got: f64, wanted: f64, within: f64, what: &str) {
+    assert!((got - wanted).abs() <= within, "{what}: {wanted}, got {got} (off by {:e})", got - wanted);
+}
+
+#[test]
+fn extremes_of_a_free_swing_are_the_closed_form_s() {
+    let (scene, omega) = swinging();
+    let history = History::of(&scene).expect("runs");
+    let reading = readings::reading(&history, 0);
+    for corner in reading.drift {
+        near(corner.value, V / omega, 1e-12, "amplitude v/ω");
+    }
+    let gap = reading.gap.expect("it faces a wall");
+    near(gap.value, V / omega, 1e-12, "twice the amplitude less once");
+    // Flat at the top: the instant is as sharp as the square root of the height.
+    let peaks = gap.t * omega / std::f64::consts::TAU - 0.25;
+    near(peaks, peaks.round(), 1e-6, "a quarter of a period after a whole one");
+    assert_eq!((reading.force, reading.rotation.value), (None, 0.0), "it touches nobody and does not turn");
+}
+
+#[test]
+fn a_limit_is_passed_when_the_closed_form_says() {
+    let (mut scene, omega) = swinging();
+    let limit = 0.6 * V / omega;
+    scene.limits = Limits { drift: Some(limit), rotation_deg: Some(0.1), ..Limits::default() };
+    let history = History::of(&scene).expect("runs");
+    let passed = readings::passed(&history);
+    let [drift] = &passed[..] else { panic!("the drift alone: {passed:?}") };
+    assert_eq!((drift.limit, drift.whose.as_str()), ("drift_m", scene.girders[0].name.as_str()), "names it");
+    near(drift.t, (0.6f64).asin() / omega, 4e-9, "v/ω sin ωt = limit");
+    near(drift.reached, V / omega, 1e-12, "as far as it goes");
+}
+
+#[test]
+fn a_seat_is_left_when_the_end_has_moved_its_length() {
+    let (mut scene, omega) = swinging();
+    let length = 0.8 * V / omega;
+    scene.girders[0].seat = Seat { plus: None, minus: Some(length) };
+    scene.limits.remaining_seat = Some(0.5 * length);
+    let history = History::of(&scene).expect("runs");
+    let seat = readings::reading(&history, 0).seats[0];
+    // The -x end leaves its seat by moving along +x, towards the middle of the girder.
+    near(seat.left_at.expect("it falls"), 0.8f64.asin() / omega, 4e-9, "v/ω sin ωt = length");
+    near(seat.least.value, length - V / omega, 1e-12, "less than nothing");
+    for corner in seat.at_corners {
+        near(corner, length - V / omega, 1e-12, "without turning both corners alike");
+    }
+    let passed = readings::passed(&history);
+    near(passed[0].t, 0.4f64.asin() / omega, 4e-9, "half of it left");
+}
+
+#[test]
+fn a_force_limit_is_passed_in_the_touch_that_reaches_it() {
+    let mut scene = presets::load(presets::OPENING).expect("ships");
+    let history = History::of(&scene).expect("runs");
+    let peak = history.summary().peak_force;
+    assert!(readings::passed(&history).is_empty(), "no limit, nothing to pass");
+    scene.limits.force = Some(0.7 * peak);
+    let history = History::of(&scene).expect("runs");
+    let passed = readings::passed(&history);
+    let [force] = &passed[..] else { panic!("one pair: {passed:?}") };
+    near(force.reached, peak, 1e-9 * peak, "the peak");
+    let first = history.touches().iter().find(|t| t.peak_force > 0.7 * peak).expect("one does");
+    assert!((first.start..=first.peak_time).contains(&force.t), "between its closing and its peak: {}", force.t);
+    scene.limits.force = Some(1.01 * peak);
+    assert!(readings::passed(&History::of(&scene).expect("runs")).is_empty(), "just above the peak");
+}
+
+#[test]
+fn every_quantity_has_a_name_of_its_own_and_a_finite_value() {
+    for preset in ["row-of-5", "deck-30m", presets::OPENING] {
+        let mut scene = presets::load(preset).expect("ships");
+        scene.duration = scene.duration.min(2.0);
+        let history = History::of(&scene).expect("runs");
+        let all = Quantity::all(history.model());
+        let mut names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), all.len(), "{preset}: no name twice");
+        let t = history.summary().peak_time.unwrap_or(0.5);
+        for (name, quantity) in &all {
+            assert_eq!(Quantity::find(history.model(), name), Some(*quantity), "{name} is found");
+            assert!(quantity.at(&history, t).is_finite(), "{preset}: {name} at the peak");
+        }
+    }
+}
+
+#[test]
+fn quantities_are_what_the_history_says() {
+    let scene = presets::load(presets::OPENING).expect("ships");
+    let history = History::of(&scene).expect("runs");
+    let t = history.summary().peak_time.expect("a hit");
+    let value = |name: &str| Quantity::find(history.model(), name).expect(name).at(&history, t);
+    let motion = history.motion(0, t);
+    assert_eq!(value("deck.theta"), motion.theta, "the same bits");
+    let energy: f64 = ["kinetic", "bearings", "contacts", "lost-bearings", "lost-contacts", "friction"]
+        .iter()
+        .map(|of| value(&format!("energy.{of}")))
+        .sum();
+    let ledger = history.ledger(t);
+    let jumps = ledger.jump_slip + ledger.jump_open + ledger.jump_edge + ledger.jump_entry;
+    near(energy + jumps, value("energy.work"), 1e-9 * ledger.scale, "what is stored and lost was worked");
+    assert_eq!(Quantity::find(history.model(), "deck.theta").map(Quantity::unit), Some(Unit::Radian), "its unit");
+    for now in history.contacts(t).iter().filter(|c| c.state == ContactState::Slip) {
+        near(Quantity::Contact(now.contact, OfContact::Use).at(&history, t), 1.0, 1e-9, "on the rim while it slips");
+    }
+    assert_eq!(Quantity::find(history.model(), "nobody.x"), None, "nobody");
+}
+
+#[test]
+fn limits_and_plots_are_kept_in_the_file() {
+    let mut scene = presets::load(presets::OPENING).expect("ships");
+    scene.limits = Limits { rotation_deg: Some(1.0), drift: Some(0.01), remaining_seat: Some(0.002), force: Some(50.0) };
+    scene.view.plots = vec![
+        PlotSettings { x: None, y: vec!["energy.kinetic".into()] },
+        PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] },
+    ];
+    let again = format::parse(&format::write(&scene), "again").expect("reads");
+    assert_eq!(again, scene, "as written");
+    let bad = format::write(&scene).replace("drift_m = 0.01", "drift_m = -0.01");
+    let complaint = format::parse(&bad, "bad").map(|s| girderbench::scene::validate::validate(&s)).expect("reads");
+    assert!(complaint.expect_err("negative").to_string().contains("limits.drift_m"), "names the key");
+}
