@@ -134,7 +134,8 @@ fn quantities_are_what_the_history_says() {
 #[test]
 fn limits_and_plots_are_kept_in_the_file() {
     let mut scene = presets::load(presets::OPENING).expect("ships");
-    scene.limits = Limits { rotation_deg: Some(1.0), drift: Some(0.01), remaining_seat: Some(0.002), force: Some(50.0) };
+    scene.limits =
+        Limits { rotation_deg: Some(1.0), drift: Some(0.01), remaining_seat: Some(0.002), force: Some(50.0) };
     scene.view.plots = vec![
         PlotSettings { x: None, y: vec!["energy.kinetic".into()] },
         PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] },

@@ -13,6 +13,8 @@ mod layout;
 mod numbers;
 #[path = "window/placing.rs"]
 mod placing;
+#[path = "window/readings.rs"]
+mod readings;
 #[path = "window/scene.rs"]
 mod scene;
 #[path = "pictures/studio.rs"]

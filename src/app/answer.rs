@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use super::clock::merged;
+use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::{ContactState, EventKind, History, Hit, Summary};
 
 /// A stretch of time that a contact of a pair spends in one state.
@@ -54,6 +55,8 @@ pub struct Answer {
     /// How far the models are apart, where there are two.
     pub apart: Option<Apart>,
     error: OnceLock<f64>,
+    passed: OnceLock<Vec<Passed>>,
+    readings: OnceLock<Vec<OnceLock<Reading>>>,
 }
 
 impl Answer {
@@ -70,7 +73,20 @@ impl Answer {
         let record = runs.into_iter().flatten().find_map(History::impact);
         let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
         let apart = history.beside().map(|beside| apart(&history, beside));
-        Self { history, number, took, summary, touches, event_times, spans, hits, apart, error: OnceLock::new() }
+        Self {
+            history,
+            number,
+            took,
+            summary,
+            touches,
+            event_times,
+            spans,
+            hits,
+            apart,
+            error: OnceLock::new(),
+            passed: OnceLock::new(),
+            readings: OnceLock::new(),
+        }
     }
 
     /// How far the models are apart at `t`: displacement \[m\], rotation \[rad\]; 0 where there is one.
@@ -90,6 +106,17 @@ impl Answer {
     pub fn lost(&self) -> f64 {
         let ledger = self.history.ledger(self.history.end());
         ledger.loss_bearing + ledger.loss_normal + ledger.loss_tangential + ledger.loss_friction + ledger.loss_hits
+    }
+
+    /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.
+    pub fn passed(&self) -> &[Passed] {
+        self.passed.get_or_init(|| readings::passed(&self.history))
+    }
+
+    /// What is read off a girder; reckoned when first asked for.
+    pub fn reading(&self, girder: usize) -> Option<&Reading> {
+        let all = self.readings.get_or_init(|| self.history.model().bodies.iter().map(|_| OnceLock::new()).collect());
+        Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
     }
 
     /// Estimated error, once it is known; NaN when it could not be had \[m\].

@@ -193,6 +193,8 @@ impl Workbench {
             Command::SaveFile(path) => self.save(&path),
             Command::Export(what) => self.dialogs.export(what, &self.scene().name),
             Command::ExportTo(what, path) => self.export(what, path),
+            Command::AskPlots(format) => self.dialogs.plots(format, &self.scene().name),
+            Command::Plots(path) => self.write_plots(path),
             _ => {}
         }
     }

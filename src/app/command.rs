@@ -145,6 +145,10 @@ pub enum Command {
     SaveFile(PathBuf),
     /// Ask where to, and export.
     Export(Export),
+    /// Ask where to, and write the plots as `svg`, `png` or `csv`.
+    AskPlots(&'static str),
+    /// Write the plots into a file, in the format that its name ends in.
+    Plots(PathBuf),
     /// Export to a file (picture) or folder (tables).
     ExportTo(Export, PathBuf),
     /// Stop computing.

@@ -4,7 +4,9 @@ use egui::{Grid, RichText, Ui};
 
 use super::{Workbench, field, text};
 use crate::dynamics::bearing::Quantities;
+use crate::geometry::End;
 use crate::scene::Girder;
+use crate::sim::readings::{Extreme, Reading};
 
 /// A list of names and values.
 fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
@@ -32,6 +34,36 @@ pub(super) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Gir
     }
     rows.push(("condition (6)", format!("{} {turns}", text::short(number))));
     table(ui, "computed", rows);
+    let answer = bench.answer().filter(|_| !bench.is_stale());
+    if let Some(reading) = answer.and_then(|a| a.reading(i)) {
+        show_reading(ui, reading);
+    }
+}
+
+/// What a designer reads off the run for one girder.
+fn show_reading(ui: &mut Ui, reading: &Reading) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::READINGS).strong());
+    let at = |words: String, e: &Extreme| format!("{words} at {:.3} s", e.t);
+    let length = |e: &Extreme| at(text::length(e.value), e);
+    let mut rows: Vec<(&'static str, String)> =
+        vec![("turns", at(format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
+    let corners = ["drift 1", "drift 2", "drift 3", "drift 4"];
+    rows.extend(corners.into_iter().zip(reading.drift.iter().map(length)));
+    for seat in &reading.seats {
+        let name = if seat.end == End::Plus { "seat +x" } else { "seat -x" };
+        let corners = seat.at_corners.map(text::length).join(", ");
+        rows.push((
+            name,
+            format!("{} left of {}; at the corners {corners}", length(&seat.least), text::length(seat.length)),
+        ));
+        if let Some(t) = seat.left_at {
+            rows.push(("unseats", format!("at {t:.4} s")));
+        }
+    }
+    rows.extend(reading.gap.as_ref().map(|gap| ("least gap", length(gap))));
+    rows.extend(reading.force.as_ref().map(|force| ("peak force", at(text::force(force.value), force))));
+    table(ui, "readings", rows);
 }
 
 /// (3), (4) in words.

@@ -58,6 +58,12 @@ impl Dialogs {
         }
     }
 
+    /// Where to write the plots.
+    pub(super) fn plots(&self, format: &'static str, name: &str) {
+        let dialog = AsyncFileDialog::new().add_filter(format, &[format]).set_file_name(format!("{name}.{format}"));
+        self.wait(dialog.save_file(), move |path| Command::Plots(with_extension(path, format)));
+    }
+
     fn wait(
         &self,
         dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,

@@ -6,6 +6,7 @@ use wgpu::TextureFormat;
 
 use super::answer::Answer;
 use super::clock::Clock;
+use super::panels::Sampled;
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
 use super::traces::Traces;
@@ -211,6 +212,19 @@ impl Workbench {
 
     pub(super) fn target_format(&self) -> TextureFormat {
         self.target_format
+    }
+
+    /// Samples for the panels of the user's own.
+    pub(super) fn own_panels(&self, window: [f64; 2], points: usize) -> Arc<Vec<Sampled>> {
+        let plots = &self.scene().view.plots;
+        let sampled = |a: &Arc<Answer>| self.panels.borrow_mut().of((&a.history, a.number), plots, window, points);
+        self.answer().filter(|_| !plots.is_empty()).map(sampled).unwrap_or_default()
+    }
+
+    /// Where the curves of an own panel are at the time shown.
+    pub(super) fn own_at(&self, panel: usize) -> Vec<[f64; 2]> {
+        let (Some(answer), Some(plot)) = (self.answer(), self.scene().view.plots.get(panel)) else { return Vec::new() };
+        super::panels::at(&answer.history, plot, self.clock.t)
     }
 
     /// Samples for the plots.

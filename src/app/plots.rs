@@ -1,12 +1,14 @@
 //! Curves of x, y, θ and contact force against time, under the timeline and on its axis.
 
-use egui::{Color32, Id, Rect, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2};
-use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Color32, FontId, Id, Rect, RichText, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, Window, pos2, vec2};
+use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, Points, VLine};
 
 use super::Workbench;
 use super::command::Command;
+use super::panels::Sampled;
 use super::text;
-use super::theme::{PINS, Palette};
+use super::theme::{OWN, PINS, Palette};
 use super::time_axis::{TimeAxis, ticks};
 use super::traces::{Curve, Traces};
 
@@ -15,9 +17,11 @@ pub(super) const AXIS_WIDTH: f32 = 62.0;
 
 /// A set of curves in one frame.
 struct Chart<'a> {
-    label: &'a str,
+    label: LayoutJob,
     curves: Vec<(&'a Curve, Color32, LineStyle, bool)>,
     words: fn(f64) -> String,
+    /// Filled down to 0, the highest first.
+    filled: bool,
 }
 
 /// Shows the plots over the rest of the room.
@@ -30,13 +34,80 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     axis.interact(ui, &response, out);
     let traces = bench.traces(axis.window, samples(strip.width()));
     let palette = Palette::of(ui);
-    let charts = charts(bench, &traces, &palette);
+    let own = bench.own_panels(axis.window, samples(strip.width()));
+    let stacks: Vec<Vec<Curve>> = own.iter().map(stack).collect();
+    let mut charts = charts(ui, bench, &traces, &palette);
+    charts.extend(own.iter().zip(&stacks).filter(|(p, _)| p.x.is_none()).map(|(p, s)| own_chart(p, s, &palette)));
     let height = (rect.height() + 4.0) / charts.len() as f32 - 4.0;
     for (i, chart) in charts.iter().enumerate() {
         let top = rect.top() + i as f32 * (height + 4.0);
         let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
         draw(ui, i, chart, place, &axis, bench.clock().t, &palette);
     }
+    for (i, panel) in own.iter().enumerate().filter(|(_, p)| p.x.is_some()) {
+        orbit(ui, bench, i, panel, &palette);
+    }
+}
+
+/// Curves one upon the other.
+fn stack(panel: &Sampled) -> Vec<Curve> {
+    if !panel.stacked {
+        return Vec::new();
+    }
+    let mut under: Curve = Vec::new();
+    let mut all = Vec::with_capacity(panel.curves.len());
+    for (_, curve) in &panel.curves {
+        let sum = |(i, p): (usize, &[f64; 2])| [p[0], p[1] + under.get(i).map_or(0.0, |u| u[1])];
+        under = curve.iter().enumerate().map(sum).collect();
+        all.push(under.clone());
+    }
+    all
+}
+
+/// A panel of the user's own, against time.
+fn own_chart<'a>(panel: &'a Sampled, stack: &'a [Curve], palette: &Palette) -> Chart<'a> {
+    let color = |i: usize| OWN[i % OWN.len()];
+    let style = |i: usize| if i < OWN.len() { LineStyle::Solid } else { LineStyle::Dashed { length: 6.0 } };
+    let plain = panel.curves.iter().map(|(_, curve)| curve);
+    let curves: Vec<_> = if panel.stacked { stack.iter().collect() } else { plain.collect() };
+    let mut curves: Vec<_> = curves.into_iter().enumerate().map(|(i, c)| (c, color(i), style(i), true)).collect();
+    if panel.stacked {
+        // The highest is filled first, so that the lower ones lie on it.
+        curves.reverse();
+    }
+    Chart { label: names(panel, palette), curves, words: text::short, filled: panel.stacked }
+}
+
+/// The curves' names in their colours.
+fn names(panel: &Sampled, palette: &Palette) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let font = FontId::proportional(11.0);
+    for (i, (name, _)) in panel.curves.iter().enumerate() {
+        job.append(&format!("{name}  "), 0.0, TextFormat::simple(font.clone(), OWN[i % OWN.len()]));
+    }
+    job.append(&panel.y, 0.0, TextFormat::simple(font, palette.weak));
+    job
+}
+
+/// A panel against another quantity: a small window of its own over the view, with a dot at the time shown.
+fn orbit(ui: &Ui, bench: &Workbench, number: usize, panel: &Sampled, palette: &Palette) {
+    let title = text::panel(number + 1);
+    let id = Id::unique(("orbit", number));
+    let at = ui.content_rect().left_top() + vec2(280.0 + 30.0 * number as f32, 150.0 + 24.0 * number as f32);
+    Window::new(title).id(id).default_pos(at).default_size([250.0, 210.0]).show(ui, |ui| {
+        ui.label(names(panel, palette));
+        let here = bench.own_at(number);
+        let plot =
+            Plot::new(id.with("plot")).height((ui.available_height() - 20.0).max(80.0)).show_x(false).show_y(false);
+        plot.allow_scroll(false).grid_color(palette.line).show(ui, |plot: &mut PlotUi<'_>| {
+            for (i, (_, curve)) in panel.curves.iter().enumerate() {
+                let points = PlotPoints::new(curve.clone());
+                plot.line(Line::new("", points).stroke(Stroke::new(1.2, OWN[i % OWN.len()])).allow_hover(false));
+            }
+            plot.points(Points::new("", PlotPoints::new(here)).radius(4.0).color(palette.playhead).allow_hover(false));
+        });
+        ui.vertical_centered(|ui| ui.label(RichText::new(panel.x.as_deref().unwrap_or_default()).small()));
+    });
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a width in points, clamped")]
@@ -44,7 +115,7 @@ fn samples(width: f32) -> usize {
     (width * 1.5).clamp(16.0, 8000.0) as usize
 }
 
-fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<Chart<'a>> {
+fn charts<'a>(ui: &Ui, bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<Chart<'a>> {
     let shown = bench.shown_girder();
     let pick = |curves: &'a [Curve], color: Color32, style: LineStyle| -> Vec<_> {
         let curve = move |(i, c): (usize, &'a Curve)| {
@@ -71,11 +142,12 @@ fn charts<'a>(bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<C
     theta.extend(traces.pins.iter().map(|(curves, color)| (&curves[2], PINS[*color], pin_style(*color), false)));
     theta.sort_by_key(|c| c.3);
     let both = !traces.ghosts[0].is_empty();
+    let chart = |label, curves, words| Chart { label: text::legend(label, palette, ui), curves, words, filled: false };
     let force = traces.force.iter().map(|c| (c, palette.force, LineStyle::Solid, true)).collect();
     vec![
-        Chart { label: if both { text::PLOT_PLACE_BOTH } else { text::PLOT_PLACE }, curves: place, words: text::short },
-        Chart { label: text::PLOT_THETA, curves: theta, words: text::short },
-        Chart { label: text::PLOT_FORCE, curves: force, words: text::force },
+        chart(if both { text::PLOT_PLACE_BOTH } else { text::PLOT_PLACE }, place, text::short),
+        chart(text::PLOT_THETA, theta, text::short),
+        chart(text::PLOT_FORCE, force, text::force),
     ]
 }
 
@@ -117,7 +189,8 @@ fn draw(ui: &mut Ui, number: usize, chart: &Chart<'_>, place: Rect, axis: &TimeA
             for (curve, color, style, chosen) in &chart.curves {
                 let width = if *chosen { 1.4 } else { 1.0 };
                 let points = PlotPoints::new((*curve).clone());
-                plot.line(Line::new("", points).stroke(Stroke::new(width, *color)).style(*style).allow_hover(false));
+                let line = Line::new("", points).stroke(Stroke::new(width, *color)).style(*style).allow_hover(false);
+                plot.line(if chart.filled { line.fill(0.0).fill_alpha(1.0) } else { line });
             }
             plot.vline(VLine::new("", t).stroke(Stroke::new(1.2, palette.playhead)).allow_hover(false));
         });
@@ -145,7 +218,7 @@ fn inside(mut marks: Vec<GridMark>, (low, high): (f64, f64), height: f32) -> Vec
 
 /// The name of the chart in its corner, with a plate behind it so that curves do not cross the letters.
 fn legend(ui: &Ui, chart: &Chart<'_>, place: Rect, palette: &Palette) {
-    let galley = ui.painter().layout_job(text::legend(chart.label, palette, ui));
+    let galley = ui.painter().layout_job(chart.label.clone());
     let at = pos2(place.left() + AXIS_WIDTH + 6.0, place.top() + 3.0);
     let plate = Rect::from_min_size(at, galley.size()).expand2(vec2(3.0, 1.0));
     ui.painter().rect_filled(plate, 2.0, palette.track.gamma_multiply(0.8));

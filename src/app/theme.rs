@@ -16,6 +16,16 @@ pub(super) const PINS: [Color32; 4] = [
     Color32::from_rgb(0x00, 0x9E, 0x73),
 ];
 
+/// Curves of the user's own panels, in their order; from the seventh on they begin again.
+pub(super) const OWN: [Color32; 6] = [
+    Color32::from_rgb(0x35, 0x8F, 0xC9),
+    Color32::from_rgb(0xD5, 0x5E, 0x00),
+    Color32::from_rgb(0x00, 0x9E, 0x73),
+    Color32::from_rgb(0xE6, 0x9F, 0x00),
+    Color32::from_rgb(0xCC, 0x79, 0xA7),
+    Color32::from_rgb(0x8C, 0x96, 0xA3),
+];
+
 /// What the two themes disagree about beyond egui's own visuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Palette {

@@ -5,7 +5,7 @@ use egui::{ComboBox, RichText, Ui};
 use super::Workbench;
 use super::command::Command;
 use super::field::{Change, DEGREES, GRAVITIES, HERTZ, PURE, Place, SECONDS, length_unit, slider};
-use super::{edits, models, overlays, pins, text};
+use super::{edits, limits, models, overlays, panels, pins, text};
 use crate::scene::edit::Edit;
 use crate::scene::{FrictionLaw, Motion, STANDARD_GRAVITY, Scene, SineMotion};
 use crate::view::Target;
@@ -17,6 +17,8 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     section(ui, text::MOTION_SECTION, |ui| motion(ui, bench, out));
     section(ui, text::CONTACT_SECTION, |ui| contact(ui, bench, out));
     section(ui, text::MODEL_SECTION, |ui| models::show(ui, bench, out));
+    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, bench, out));
+    section(ui, text::PLOTS_SECTION, |ui| panels::show(ui, bench, out));
     section(ui, text::PINS_SECTION, |ui| pins::show(ui, bench, out));
     section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
 }

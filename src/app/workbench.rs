@@ -12,6 +12,7 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::panels::PanelCache;
 use super::pins::Pin;
 use super::row_dialog::RowDraft;
 use super::runner::{Runner, Wake};
@@ -43,6 +44,7 @@ pub struct Workbench {
     pub(super) notice: Option<String>,
     pub(super) notices: (Sender<String>, Receiver<String>),
     pub(super) traces: RefCell<TraceCache>,
+    pub(super) panels: RefCell<PanelCache>,
     pub(super) automatic_scale: (u64, f64),
     pub(super) target_format: TextureFormat,
     pub(super) adapter: String,
@@ -85,6 +87,7 @@ impl Workbench {
             notice: None,
             notices: channel(),
             traces: RefCell::default(),
+            panels: RefCell::default(),
             automatic_scale: (0, 1.0),
             target_format: TextureFormat::Rgba8Unorm,
             adapter: String::new(),

@@ -3,6 +3,7 @@
 //! Lines are named at their right end, in a margin of their own: a label never lies on a line. Colours are Okabe and
 //! Ito's, told apart by every kind of colour vision; every series has its own marker as well.
 
+pub mod chart;
 mod draw;
 #[cfg(feature = "study")]
 mod raster;

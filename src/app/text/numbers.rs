@@ -96,6 +96,16 @@ pub(in crate::app) fn apart_from(number: usize, place: f64, turn: f64) -> String
     format!("from {number}: at the most {} and {}° apart", length(place), short(turn.to_degrees()))
 }
 
+/// A plot panel's name.
+pub(in crate::app) fn panel(number: usize) -> String {
+    format!("Plot {number}")
+}
+
+/// A button that takes a plot panel away.
+pub(in crate::app) fn remove_panel(number: usize) -> String {
+    format!("remove plot {number}")
+}
+
 /// A stiffness in the unit that fits it.
 pub(in crate::app) fn stiffness(k: f64) -> String {
     let unit = crate::app::field::stiffness_unit(k);

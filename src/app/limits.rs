@@ -1,0 +1,97 @@
+//! Limits that the user sets, which of them the run passes, and when.
+
+use egui::{Button, RichText, Ui};
+
+use super::command::Command;
+use super::field::{Change, DEGREES, Place, Unit, force_unit, length_unit, number};
+use super::theme::Palette;
+use super::{Workbench, text};
+use crate::scene::Limits;
+use crate::scene::edit::Edit;
+use crate::sim::readings::Passed;
+
+/// Shows the limits and the flags.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let mut new = scene.limits;
+    let place = Place { problems: bench.problems(), table: "limits" };
+    let (length, mass) = scene.girders.first().map_or((1.0, 1.0), |g| (g.length, g.mass));
+    let summary = bench.answer().map(|a| &a.summary);
+    let peak = summary.map_or(1.0, |s| s.peak_force.max(1.0));
+    let turned = summary.map_or(1.0, |s| s.max_rotation.to_degrees());
+    let mut changes = Vec::new();
+    egui::Grid::new("limits").num_columns(2).show(ui, |ui| {
+        changes = vec![
+            row(
+                ui,
+                place,
+                ("rotation_deg", text::LIMIT_ROTATION),
+                (&mut new.rotation_deg, two_digits(turned)),
+                DEGREES,
+            ),
+            row(ui, place, ("drift_m", text::LIMIT_DRIFT), (&mut new.drift, length * 0.05), length_unit(length)),
+            row(
+                ui,
+                place,
+                ("remaining_seat_m", text::LIMIT_SEAT),
+                (&mut new.remaining_seat, length * 0.01),
+                length_unit(length),
+            ),
+            row(ui, place, ("force_n", text::LIMIT_FORCE), (&mut new.force, two_digits(peak)), force_unit(mass)),
+        ];
+    });
+    if let Some(change) = changes.into_iter().flatten().next() {
+        out.push(Command::Edit { edit: Edit::Limits(new), gesture: change.gesture });
+    }
+    flags(ui, bench, out);
+}
+
+/// To two digits, downwards: a limit that the run passes is the one worth looking at first.
+fn two_digits(value: f64) -> f64 {
+    let step = 10f64.powf(value.abs().max(1e-6).log10().floor() - 1.0);
+    (value / step).floor() * step
+}
+
+fn row(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (key, label): (&str, &str),
+    (limit, first): (&mut Option<f64>, f64),
+    unit: Unit,
+) -> Option<Change> {
+    let mut on = limit.is_some();
+    let switched = ui.checkbox(&mut on, label).changed();
+    if switched {
+        *limit = on.then_some(first);
+    }
+    ui.end_row();
+    let moved = limit.as_mut().and_then(|value| number(ui, place, (key, &format!("{label} at")), value, unit, 0.0));
+    moved.or(switched.then_some(Change { gesture: None }))
+}
+
+/// Every limit that was passed, with a button that goes there.
+fn flags(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let watched = bench.scene().limits != Limits::default();
+    let Some(answer) = bench.answer().filter(|_| watched && !bench.is_stale()) else { return };
+    let passed = answer.passed();
+    if passed.is_empty() {
+        ui.label(RichText::new(text::LIMITS_KEPT).weak());
+    }
+    for flag in passed {
+        let words = RichText::new(in_words(flag)).color(Palette::of(ui).problem);
+        if ui.add(Button::new(words).wrap()).clicked() {
+            out.push(Command::Seek(flag.t));
+        }
+    }
+}
+
+/// What was passed, by whom, when and how far.
+pub(super) fn in_words(flag: &Passed) -> String {
+    let reached = match flag.limit {
+        "rotation_deg" => format!("turns by {}°", text::short(flag.reached)),
+        "drift_m" => format!("drifts by {}", text::length(flag.reached)),
+        "remaining_seat_m" => format!("keeps {} of its seat", text::length(flag.reached)),
+        _ => format!("reaches {}", text::force(flag.reached)),
+    };
+    format!("{} {reached}; limit passed at {:.4} s", flag.whose, flag.t)
+}

@@ -1,0 +1,116 @@
+//! Panels of any quantity, plots as files, limits and their flags, readings at the girder.
+
+use super::harness::{open, reach, settle};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{Command, Workbench};
+use girderbench::scene::edit::Edit;
+use girderbench::scene::{Limits, PlotSettings, presets};
+use girderbench::view::Target;
+
+type Window = Harness<'static, Workbench>;
+
+fn offer(harness: &mut Window, words: &str) {
+    reach(harness, "Add plot");
+    harness.get_by_label("Add plot").click();
+    harness.run_steps(10);
+    harness.get_by_label(words).click();
+    harness.run_steps(10);
+    settle(harness);
+}
+
+#[test]
+fn panels_of_any_quantity_are_added_changed_and_taken_away() {
+    let mut harness = open(presets::OPENING);
+    let before = harness.state().scene().clone();
+    for words in ["Energy ledger, stacked", "Orbit of a corner", "Use of the friction cone"] {
+        offer(&mut harness, words);
+    }
+    let plots = harness.state().scene().view.plots.clone();
+    assert_eq!(plots.len(), 3, "three panels");
+    assert!(plots[0].y.len() >= 6 && plots[0].x.is_none(), "the ledger: {:?}", plots[0]);
+    assert_eq!(plots[1].x.as_deref(), Some("deck.corner2.x"), "the orbit has an axis of its own");
+    assert!(harness.query_all_by_label_contains("deck.corner2.x").count() >= 1, "and says so");
+    reach(&mut harness, "remove plot 2");
+    harness.get_by_label("remove plot 2").click();
+    settle(&mut harness);
+    assert_eq!(harness.state().scene().view.plots.len(), 2, "one less");
+    for _ in 0..4 {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        settle(&mut harness);
+    }
+    assert_eq!(*harness.state().scene(), before, "each was a step of undo");
+}
+
+#[test]
+fn plots_are_written_as_svg_png_and_csv() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = open(presets::OPENING);
+    let mut view = harness.state().scene().view.clone();
+    view.plots = vec![PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] }];
+    harness.state_mut().apply(Command::Edit { edit: Edit::View(view), gesture: None });
+    settle(&mut harness);
+    for name in ["run.svg", "run.png", "run.csv"] {
+        harness.state_mut().apply(Command::Dismiss);
+        harness.state_mut().apply(Command::Plots(folder.path().join(name)));
+        for _ in 0..1000 {
+            harness.run();
+            if harness.state().notice().is_some() {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(10));
+        }
+        assert!(harness.state().notice().is_some_and(|n| n.contains(name)), "{:?}", harness.state().notice());
+    }
+    let read = |name: &str| std::fs::read(folder.path().join(name)).expect(name);
+    let svg = String::from_utf8(read("run.svg")).expect("text");
+    assert!(svg.contains("deck.theta") && svg.matches("<polyline").count() >= 4, "three panels of curves");
+    assert!(String::from_utf8(read("run-2.svg")).expect("text").contains("deck.x [mm]"), "the orbit beside it");
+    assert!(read("run.png").starts_with(b"\x89PNG") && read("run-2.png").starts_with(b"\x89PNG"), "as pictures");
+    let table = String::from_utf8(read("run.csv")).expect("text");
+    let mut rows = table.lines();
+    assert_eq!(rows.next(), Some("t [s],deck.x [mm],deck.y [mm]"), "heads with units");
+    let history = &harness.state().answer().expect("run").history;
+    for row in rows.step_by(97) {
+        let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();
+        let way = history.motion(0, values[0]).displacement * 1e3;
+        assert!((values[1] - way.x).abs() < 1e-9 && (values[2] - way.y).abs() < 1e-9, "as the run says: {row}");
+    }
+}
+
+#[test]
+fn a_limit_is_switched_on_and_flagged() {
+    let mut harness = open(presets::OPENING);
+    harness.get_by_role_and_label(Role::CheckBox, "Rotation limit").scroll_to_me();
+    harness.run_steps(40);
+    harness.get_by_role_and_label(Role::CheckBox, "Rotation limit").click();
+    settle(&mut harness);
+    assert!(harness.state().scene().limits.rotation_deg.is_some(), "set");
+    let limits = Limits { rotation_deg: Some(1.0), ..Limits::default() };
+    harness.state_mut().apply(Command::Edit { edit: Edit::Limits(limits), gesture: None });
+    settle(&mut harness);
+    let passed = harness.state().answer().expect("run").passed().to_vec();
+    assert_eq!(passed.len(), 1, "one girder turns by more than a degree");
+    harness.get_by_label_contains("limit passed at").scroll_to_me();
+    harness.run_steps(40);
+    harness.get_by_label_contains("limit passed at").click();
+    settle(&mut harness);
+    let t = harness.state().clock().t;
+    assert_eq!(t, passed[0].t, "goes there");
+    let turned = harness.state().answer().expect("run").history.motion(0, t).theta.to_degrees().abs();
+    assert!((turned - 1.0).abs() < 1e-6, "where it turns by the limit: {turned}");
+}
+
+#[test]
+fn a_girder_says_what_was_read_off_the_run() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    settle(&mut harness);
+    harness.run_steps(5);
+    assert!(harness.query_by_label("Readings of the run").is_some(), "there");
+    let peak = harness.state().answer().expect("run").reading(0).expect("a girder").force.expect("it hits");
+    assert_eq!(peak.value, harness.state().answer().expect("run").summary.peak_force, "the one pair's");
+    assert!(harness.query_by_label("peak force").is_some() && harness.query_by_label("drift 3").is_some(), "named");
+}
