@@ -69,6 +69,7 @@ fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
         force_scale: None,
         selected: &[],
         kept: &[],
+        exaggeration: 1.0,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

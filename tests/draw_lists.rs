@@ -37,6 +37,7 @@ fn input<'a>(scene: &'a Scene, history: Option<&'a History>, t: f64, camera: &'a
         force_scale: None,
         selected: &[],
         kept: &[],
+        exaggeration: 1.0,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

@@ -120,6 +120,7 @@ fn view<'a>(scene: &'a Scene, history: Option<&'a History>, camera: &'a Camera) 
         force_scale: None,
         selected: &[],
         kept: &[],
+        exaggeration: 1.0,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

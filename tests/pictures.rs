@@ -250,6 +250,7 @@ fn extreme_cameras_and_numbers_draw_without_a_complaint() {
             force_scale: Some(f64::NAN),
             selected: &[],
             kept: &[],
+            exaggeration: 1.0,
             size: [64, 64],
             pixels_per_point: 1.0,
             background: Background::Studio,

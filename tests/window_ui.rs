@@ -21,3 +21,5 @@ mod scene;
 mod studio;
 #[path = "window/time.rs"]
 mod time;
+#[path = "window/views.rs"]
+mod views;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::Ui;
 
 use super::command::{Command, Export, Way};
+use super::views::{self, Sight};
 use super::workbench::Closing;
 use super::{Workbench, edits, export, text, viewport};
 use crate::files::{load_scene, save_scene};
@@ -24,6 +25,13 @@ impl Workbench {
             if let Command::Theme(theme) = command {
                 ui.set_theme(theme);
             }
+            match command {
+                Command::Scale(scale) => ui.set_zoom_factor(scale.clamp(0.5, 4.0)),
+                Command::Sight(sight) if sight.lecture != self.sight.lecture => {
+                    ui.set_zoom_factor(if sight.lecture { views::LECTURE } else { 1.0 });
+                }
+                _ => {}
+            }
             self.apply(command);
         }
         self.rescale();
@@ -35,7 +43,7 @@ impl Workbench {
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
-        let asked = (self.tool, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
+        let asked = (self.tool, self.sight, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
         (self.revision(), self.clock.clone(), self.selection.clone(), self.time_window, self.is_stale(), view, asked)
     }
 
@@ -58,6 +66,9 @@ impl Workbench {
             Command::Unpin(i) if i < self.pins.len() => drop(self.pins.remove(i)),
             Command::Unpin(_) => {}
             Command::UnpinAll => self.pins.clear(),
+            Command::Sight(sight) => self.look_with(sight),
+            // The context keeps the size.
+            Command::Scale(_) => {}
             Command::Tool(tool) => self.tool = tool,
             Command::AskRow(draft) => self.row = draft,
             Command::Place(_)
@@ -94,6 +105,9 @@ impl Workbench {
             | Command::StepSpeed(_)
             | Command::Loop(_)
             | Command::SlowAtHits(_)
+            | Command::PlaySpan(_)
+            | Command::SpanFrom
+            | Command::SpanTo
             | Command::TimeWindow(_)) => self.apply_time(&time),
             file => self.apply_file(file),
         }
@@ -119,6 +133,12 @@ impl Workbench {
         self.run();
         self.clock.t = self.clock.t.min(self.end());
         self.keep_window_inside();
+    }
+
+    /// Looks otherwise; what is followed is taken from where it is now.
+    fn look_with(&mut self, sight: Sight) {
+        self.sight = sight;
+        self.viewport.followed = None;
     }
 
     fn select_all(&mut self) {
@@ -148,9 +168,22 @@ impl Workbench {
             Command::StepSpeed(by) => self.clock.step_speed(by),
             Command::Loop(on) => self.clock.looping = on,
             Command::SlowAtHits(on) => self.clock.slow_at_hits = on,
+            Command::PlaySpan(span) => self.clock.span = span.filter(|s| s[0] < s[1]),
+            Command::SpanFrom => self.play_span([self.clock.t, self.clock.span.map_or(end, |s| s[1])], end),
+            Command::SpanTo => self.play_span([self.clock.span.map_or(0.0, |s| s[0]), self.clock.t], end),
             Command::TimeWindow(window) => self.time_window = window,
             _ => {}
         }
+    }
+
+    /// A stretch whose ends have passed one another begins or ends with the run.
+    fn play_span(&mut self, [from, to]: [f64; 2], end: f64) {
+        let span = match from < to {
+            true => [from, to],
+            false if from == self.clock.t => [from, end],
+            false => [0.0, to],
+        };
+        self.clock.span = Some(span).filter(|s| s[0] < s[1]);
     }
 
     fn seek(&mut self, t: f64) {

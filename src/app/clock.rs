@@ -36,11 +36,13 @@ pub struct Clock {
     pub looping: bool,
     /// Slow down by itself around hits.
     pub slow_at_hits: bool,
+    /// The stretch that is played, instead of everything \[s\].
+    pub span: Option<[f64; 2]>,
 }
 
 impl Default for Clock {
     fn default() -> Self {
-        Self { t: 0.0, playing: false, speed: 0.1, looping: true, slow_at_hits: false }
+        Self { t: 0.0, playing: false, speed: 0.1, looping: true, slow_at_hits: false, span: None }
     }
 }
 
@@ -50,6 +52,7 @@ impl Clock {
         if !self.playing {
             return;
         }
+        let before = self.t;
         let mut left = dt.clamp(0.0, LONGEST_FRAME);
         // A frame may enter and leave a touch: each stretch at its own speed.
         for _ in 0..8 {
@@ -62,14 +65,17 @@ impl Clock {
             left -= (until - self.t) / speed;
             self.t = until;
         }
+        // A playhead put behind the stretch plays on to the end of everything.
+        let span = self.span.filter(|s| before < s[1]);
+        let [start, end] = span.map_or([0.0, end], |s| [s[0].min(end), s[1].min(end)]);
         if self.t >= end {
-            self.wrap(end);
+            self.wrap(start, end);
         }
     }
 
-    fn wrap(&mut self, end: f64) {
-        if self.looping && end > 0.0 {
-            self.t %= end;
+    fn wrap(&mut self, start: f64, end: f64) {
+        if self.looping && end > start {
+            self.t = start + (self.t - start) % (end - start);
         } else {
             self.t = end;
             self.playing = false;
@@ -137,6 +143,16 @@ mod tests {
         let mut once = Clock { t: 9.99, looping: false, ..playing(1.0) };
         once.advance(0.02, 10.0, &[]);
         assert!(once.t == 10.0 && !once.playing, "stops at the end, got {}", once.t);
+    }
+
+    #[test]
+    fn a_stretch_is_played_again_and_again() {
+        let mut clock = Clock { t: 2.9, span: Some([2.0, 3.0]), ..playing(1.0) };
+        clock.advance(0.2, 10.0, &[]);
+        assert!((clock.t - 2.1).abs() < 1e-9, "back to its start, got {}", clock.t);
+        let mut beyond = Clock { t: 5.0, ..clock };
+        beyond.advance(0.2, 10.0, &[]);
+        assert!((beyond.t - 5.2).abs() < 1e-9, "who stands behind it is left alone, got {}", beyond.t);
     }
 
     #[test]

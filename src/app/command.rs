@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
+use super::views::Sight;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::{Camera, Target};
@@ -113,6 +114,12 @@ pub enum Command {
     StepSpeed(i32),
     /// Begin again at the end, or not.
     Loop(bool),
+    /// Play only a stretch, or everything \[s\].
+    PlaySpan(Option<[f64; 2]>),
+    /// Begin the stretch that is played at the time shown.
+    SpanFrom,
+    /// End it there.
+    SpanTo,
     /// Slow down around hits, or not.
     SlowAtHits(bool),
     /// Show a stretch of time in the timeline and the plots \[s\].
@@ -127,6 +134,10 @@ pub enum Command {
     Overlays(Overlays),
     /// Force scale \[N per m\]; from the run's peak when none.
     ForceScale(Option<f64>),
+    /// How the view is looked at.
+    Sight(Sight),
+    /// Size of everything, as a share of the usual one.
+    Scale(f32),
     /// Light or dark.
     Theme(egui::Theme),
     /// Show the help, or not.

@@ -2,11 +2,15 @@
 
 use egui::{Grid, RichText, Ui};
 
+use super::answer::Answer;
+use super::command::Command;
 use super::{Workbench, field, text};
 use crate::dynamics::bearing::Quantities;
 use crate::geometry::End;
 use crate::scene::Girder;
+use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
+use crate::sim::{ContactNow, Touch};
 
 /// A list of names and values.
 fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
@@ -81,27 +85,57 @@ fn quantities(q: &Quantities) -> [(&'static str, String); 6] {
     ]
 }
 
-/// A contact at the time shown.
-pub(super) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize) {
+/// A contact at the time shown, and its touches.
+pub(super) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize, out: &mut Vec<Command>) {
     let Some(answer) = bench.answer() else { return };
     let Some(site) = answer.history.model().contacts.get(contact) else { return };
     ui.label(format!("{} | {}", site.node, site.face_name));
-    let now = answer.history.contacts(bench.clock().t);
-    let Some(c) = now.iter().find(|c| c.contact == contact) else {
-        ui.label(RichText::new(text::CONTACT_OPEN).weak());
-        return;
-    };
+    match answer.history.contact_at(contact, bench.clock().t) {
+        Some(now) => table(ui, "contact", rows(&now)),
+        None => {
+            ui.label(RichText::new(text::CONTACT_OPEN).weak());
+            let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
+            table(ui, "contact", [("gap of pair", text::length(gap))]);
+        }
+    }
+    touches(ui, answer, contact, bench.clock().t, out);
+}
+
+fn rows(c: &ContactNow) -> [(&'static str, String); 11] {
     let newtons = text::force;
     let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
-    let rows = [
+    let stretch = c.point + c.normal * c.penetration - c.anchor;
+    [
         ("state", c.state.label().to_owned()),
         ("normal K δ", newtons(c.normal_force)),
         ("tangential", newtons(c.tangential_force.length())),
         ("T / N", format!("{} of {}", text::short(used), text::short(c.mu_static))),
+        ("cone used", format!("{} %", text::short(100.0 * c.cone_use()))),
         ("dashpots", newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
         ("all of it |R|", newtons(c.force.length())),
         ("overlap δ", format!("{} µm", text::short(c.penetration * 1e6))),
+        ("anchor off", format!("{} µm", text::short(stretch.length() * 1e6))),
+        ("closing", format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
         ("sliding", format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
-    ];
-    table(ui, "contact", rows);
+    ]
+}
+
+/// Most touches listed.
+const MOST_TOUCHES: usize = 200;
+
+/// Every touch of a contact; a click goes to its peak.
+fn touches(ui: &mut Ui, answer: &Answer, contact: usize, t: f64, out: &mut Vec<Command>) {
+    let all: Vec<&Touch> = answer.history.touches().iter().filter(|touch| touch.contact == contact).collect();
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::touches(all.len())).strong());
+    for touch in all.iter().take(MOST_TOUCHES) {
+        let words = text::touch(touch.start, touch.end, touch.peak_force, touch.impulse);
+        let here = (touch.start..=touch.end).contains(&t);
+        if ui.add(egui::Button::selectable(here, words)).on_hover_text(text::GO_TO_PEAK).clicked() {
+            out.push(Command::Seek(touch.peak_time));
+        }
+    }
+    if all.len() > MOST_TOUCHES {
+        ui.label(RichText::new(text::more(all.len() - MOST_TOUCHES)).weak());
+    }
 }

@@ -10,6 +10,7 @@ use super::panels::Sampled;
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
 use super::traces::Traces;
+use super::views::Sight;
 use super::workbench::Closing;
 use super::{Workbench, text};
 use crate::scene::{Overlays, Scene, SceneErrors};
@@ -142,6 +143,11 @@ impl Workbench {
     /// The row that is being asked for.
     pub fn row_draft(&self) -> Option<RowDraft> {
         self.row
+    }
+
+    /// How the view is looked at.
+    pub fn sight(&self) -> Sight {
+        self.sight
     }
 
     /// What a click in the view does.

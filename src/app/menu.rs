@@ -24,6 +24,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         button(ui, some, text::REMOVE, "Delete", Command::Remove, out);
         ui.separator();
         views(ui, out);
+        ui.menu_button(text::VIEWS, |ui| super::views::menu(ui, bench, out));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             button(ui, true, text::HELP, "F1", Command::Help(true), out);
             theme(ui, out);

@@ -50,6 +50,7 @@ mod traces;
 mod transport;
 mod units;
 mod viewport;
+mod views;
 mod whatif;
 mod workbench;
 
@@ -60,4 +61,5 @@ pub use row_dialog::RowDraft;
 pub use runner::Wake;
 pub use shell::{AppError, run};
 pub use tool::Tool;
+pub use views::{Follow, Sight};
 pub use workbench::Workbench;

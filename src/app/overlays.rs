@@ -43,6 +43,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         out.push(Command::Overlays(overlays));
     }
     force_scale(ui, bench, out);
+    super::views::exaggeration(ui, bench, out);
 }
 
 fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {

@@ -20,14 +20,21 @@ pub(super) struct Screen {
     pub(super) size: [u32; 2],
     /// Format of egui's own target.
     pub(super) format: TextureFormat,
+    /// Which of the views it is in.
+    pub(super) place: usize,
 }
 
 /// What a window keeps between frames.
 struct Kept {
     gpu: Gpu,
-    renderer: Renderer,
     blit: Blit,
     format: TextureFormat,
+    places: Vec<Place>,
+}
+
+/// What a view of the window keeps.
+struct Place {
+    renderer: Renderer,
     shown: Option<(u64, [u32; 2])>,
     picture: Option<BindGroup>,
 }
@@ -35,19 +42,23 @@ struct Kept {
 impl Kept {
     fn new(device: &Device, queue: &Queue, format: TextureFormat) -> Self {
         let gpu = Gpu::from_parts(device.adapter_info(), device.clone(), queue.clone());
-        let renderer = Renderer::new(&gpu, Quality::for_adapter(&gpu.adapter));
-        let blit = Blit::new(device, format);
-        Self { gpu, renderer, blit, format, shown: None, picture: None }
+        Self { blit: Blit::new(device, format), gpu, format, places: Vec::new() }
     }
 
     fn draw(&mut self, encoder: &mut CommandEncoder, screen: &Screen) {
+        // A second view has its pipelines and targets from the first time that it is asked for.
+        while self.places.len() <= screen.place {
+            let renderer = Renderer::new(&self.gpu, Quality::for_adapter(&self.gpu.adapter));
+            self.places.push(Place { renderer, shown: None, picture: None });
+        }
+        let Some(place) = self.places.get_mut(screen.place) else { return };
         let wanted = (screen.number, screen.size);
-        if self.shown == Some(wanted) {
+        if place.shown == Some(wanted) {
             return;
         }
-        let target = self.renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
-        self.picture = Some(self.blit.bind(&self.gpu.device, target));
-        self.shown = Some(wanted);
+        let target = place.renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
+        place.picture = Some(self.blit.bind(&self.gpu.device, target));
+        place.shown = Some(wanted);
     }
 }
 
@@ -71,7 +82,7 @@ impl CallbackTrait for Screen {
 
     fn paint(&self, _info: egui::PaintCallbackInfo, pass: &mut RenderPass<'static>, resources: &CallbackResources) {
         if let Some(kept) = resources.get::<Kept>()
-            && let Some(picture) = &kept.picture
+            && let Some(picture) = kept.places.get(self.place).and_then(|p| p.picture.as_ref())
         {
             kept.blit.paint(pass, picture);
         }

@@ -15,11 +15,24 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench) {
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = bench.answer() {
             numbers(ui, answer);
+            flag(ui, bench, answer);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.add(egui::Label::new(RichText::new(bench.adapter()).weak().small()).truncate());
         });
     });
+}
+
+/// The first limit that is passed, and how many more.
+fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
+    if bench.scene().limits == crate::scene::Limits::default() || bench.is_stale() {
+        return;
+    }
+    if let [first, more @ ..] = answer.passed() {
+        let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
+        let words = format!("{}{more}", super::limits::in_words(first));
+        ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).truncate());
+    }
 }
 
 fn numbers(ui: &mut Ui, answer: &Answer) {

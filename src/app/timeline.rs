@@ -48,7 +48,38 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut Vec<Comm
     if let Some(answer) = bench.answer() {
         draw_lanes(&painter, answer, &axis, lanes, &palette);
     }
+    if let Some(span) = bench.clock().span {
+        bracket(&painter, &axis, strip, span, &palette);
+    }
+    flags(&painter, bench, &axis, strip, &palette);
     playhead(&painter, &axis, strip, t, &palette);
+}
+
+/// The stretch that is played: a bar over the ruler; what is not played is dimmed.
+fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], palette: &Palette) {
+    let [from, to] = span.map(|t| axis.x(t).clamp(strip.left(), strip.right()));
+    let bar = Rect::from_min_max(pos2(from, strip.top()), pos2(to, strip.top() + 3.0));
+    painter.rect_filled(bar, 1.0, palette.theta);
+    for (a, b) in [(strip.left(), from), (to, strip.right())] {
+        let dim = Rect::from_min_max(pos2(a, strip.top()), pos2(b, strip.bottom()));
+        painter.rect_filled(dim, 0.0, palette.track.gamma_multiply(0.55));
+    }
+}
+
+/// A little flag where a limit is passed for the first time.
+fn flags(painter: &Painter, bench: &Workbench, axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    let watched = bench.scene().limits != crate::scene::Limits::default();
+    let Some(answer) = bench.answer().filter(|_| watched && !bench.is_stale()) else { return };
+    for flag in answer.passed() {
+        let x = axis.x(flag.t);
+        if !strip.x_range().contains(x) {
+            continue;
+        }
+        painter.vline(x, strip.y_range(), Stroke::new(1.2, palette.problem));
+        let top = strip.top();
+        let cloth = vec![pos2(x, top), pos2(x + 8.0, top + 3.5), pos2(x, top + 7.0)];
+        painter.add(egui::Shape::convex_polygon(cloth, palette.problem, Stroke::NONE));
+    }
 }
 
 fn caption(ui: &Ui, rect: Rect, lanes: Rect) {

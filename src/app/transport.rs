@@ -26,6 +26,10 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         time(ui, bench);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let all = ui.add_enabled(bench.time_window().is_some(), Button::new(text::ALL_TIME));
+            let span = bench.clock().span.is_some();
+            if span && ui.button(text::ALL_SPAN).on_hover_text(text::ALL_SPAN_HINT).clicked() {
+                out.push(Command::PlaySpan(None));
+            }
             if all.on_hover_text(text::ALL_TIME_HINT).clicked() {
                 out.push(Command::TimeWindow(None));
             }

@@ -23,6 +23,7 @@ struct Key {
     force_scale: Option<f64>,
     selected: Vec<Target>,
     kept: Vec<u64>,
+    exaggeration: f64,
     size: [u32; 2],
     pixels_per_point: f32,
     background: Background,
@@ -36,12 +37,25 @@ pub(super) struct Viewport {
     number: u64,
     size: [u32; 2],
     pub(super) hand: Hand,
+    /// Where what is followed was at the last look \[m\].
+    pub(super) followed: Option<DVec3>,
+    /// The plan beside the view: its picture, and how many there have been.
+    plan: (Option<(Key, Arc<DrawList>)>, u64),
 }
 
 impl Viewport {
     /// A view that will stand where a scene wants it.
     pub(super) fn new(preset: ViewPreset) -> Self {
-        Self { camera: None, wanted: Some(preset), picture: None, number: 0, size: [1280, 720], hand: Hand::default() }
+        Self {
+            camera: None,
+            wanted: Some(preset),
+            picture: None,
+            number: 0,
+            size: [1280, 720],
+            hand: Hand::default(),
+            followed: None,
+            plan: (None, 0),
+        }
     }
 
     /// How many different pictures have been made.
@@ -133,7 +147,13 @@ fn corners_of(bench: &Workbench, target: Target) -> Vec<DVec3> {
 /// Shows the view over the rest of the window.
 pub(super) fn show(ui: &mut Ui, bench: &mut Workbench) {
     let pixels_per_point = ui.pixels_per_point();
-    let rect = snapped(ui.available_rect_before_wrap(), pixels_per_point);
+    let mut rect = snapped(ui.available_rect_before_wrap(), pixels_per_point);
+    if bench.sight().plan && rect.width() > 200.0 {
+        let share = rect.left() + 0.4 * rect.width();
+        let plan = snapped(Rect::from_min_max(rect.min, egui::pos2(share, rect.bottom())), pixels_per_point);
+        show_plan(ui, plan, bench, pixels_per_point);
+        rect.min.x = plan.max.x;
+    }
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::VIEW));
     let Some(size) = pixels(rect, pixels_per_point) else { return };
@@ -148,6 +168,7 @@ pub(super) fn show(ui: &mut Ui, bench: &mut Workbench) {
     // Over the picture, which is painted by now.
     super::gizmo::show(ui, rect, bench, &mut out);
     super::tool::show(ui, &response, bench, &mut out);
+    super::views::section(ui, rect, bench);
     notices::over_view(ui, rect, bench, &mut out);
     bench.apply_all(ui, out);
 }
@@ -157,12 +178,56 @@ fn aim(bench: &mut Workbench) {
     let answer = bench.answer().cloned();
     let scene = answer.as_ref().filter(|_| bench.is_stale()).map_or(bench.scene(), |a| a.history.scene()).clone();
     bench.viewport.go_where_wanted(&scene, answer.as_ref().map(|a| &a.history), t);
+    follow(bench, answer.as_ref().map(|a| &a.history), t);
 }
 
-fn paint(ui: &Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
-    let Some(camera) = bench.viewport.camera else { return };
-    let background = if ui.visuals().dark_mode { Background::Dark } else { Background::Studio };
-    let key = Key {
+/// Takes the camera along with what it follows.
+fn follow(bench: &mut Workbench, history: Option<&History>, t: f64) {
+    let here = bench.sight().follow.zip(history).and_then(|(f, h)| super::views::followed(h, f, t));
+    let view = &mut bench.viewport;
+    if let (Some(here), Some(before), Some(camera)) = (here, view.followed, &mut view.camera) {
+        camera.target += here - before;
+    }
+    view.followed = here;
+}
+
+/// The plan of everything, in a view of its own; a click selects.
+fn show_plan(ui: &mut Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
+    let response = ui.allocate_rect(rect, Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::PLAN));
+    let Some(size) = pixels(rect, pixels_per_point) else { return };
+    let aspect = f64::from(size[0]) / f64::from(size[1].max(1));
+    let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(bench.shown().0), aspect);
+    let overlays = Overlays { title: false, legend: false, ..bench.overlays() };
+    // The friction circle stands in the view already.
+    let selected = bench.selection.bodies().collect();
+    let key = Key { camera, overlays, size, selected, ..key(ui, bench, camera, pixels_per_point) };
+    if response.clicked()
+        && let Some(at) = response.interact_pointer_pos()
+    {
+        let target = crate::view::pick(&input(bench, &camera, &key), ndc(rect, at));
+        bench.apply_all(ui, vec![super::command::Command::Select(target)]);
+    }
+    if bench.viewport.plan.0.as_ref().is_none_or(|(kept, _)| *kept != key) {
+        let list = Arc::new(listed(bench, &camera, &key));
+        bench.viewport.plan = (Some((key, list)), bench.viewport.plan.1 + 1);
+    }
+    if let (Some((_, list)), number) = &bench.viewport.plan {
+        let screen = Screen { list: list.clone(), number: *number, size, format: bench.target_format(), place: 1 };
+        ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
+    }
+    let line = egui::Stroke::new(1.0, super::theme::Palette::of(ui).line);
+    ui.painter().vline(rect.right(), rect.y_range(), line);
+}
+
+/// The draw list of a view, with the kept runs in it.
+fn listed(bench: &Workbench, camera: &Camera, key: &Key) -> DrawList {
+    let kept: Vec<_> = bench.pins.iter().map(|p| (&p.answer.history, p.color)).collect();
+    draw_list(&ViewInput { kept: &kept, ..input(bench, camera, key) })
+}
+
+fn key(ui: &Ui, bench: &Workbench, camera: Camera, pixels_per_point: f32) -> Key {
+    Key {
         scene: bench.revision(),
         answer: bench.answer().map(|a| a.number),
         t: bench.clock().t,
@@ -171,24 +236,29 @@ fn paint(ui: &Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
         force_scale: bench.force_scale(),
         selected: bench.selection().to_vec(),
         kept: bench.pin_numbers(),
+        exaggeration: bench.sight().exaggeration,
         size: bench.viewport.size,
         pixels_per_point,
-        background,
-    };
+        background: if ui.visuals().dark_mode { Background::Dark } else { Background::Studio },
+    }
+}
+
+fn paint(ui: &Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f32) {
+    let Some(camera) = bench.viewport.camera else { return };
+    let key = key(ui, bench, camera, pixels_per_point);
     if bench.viewport.picture.as_ref().is_none_or(|(kept, _)| *kept != key) {
-        let kept: Vec<_> = bench.pins.iter().map(|p| (&p.answer.history, p.color)).collect();
-        let list = draw_list(&ViewInput { kept: &kept, ..input(bench, &camera, &key) });
+        let list = listed(bench, &camera, &key);
         bench.viewport.picture = Some((key, Arc::new(list)));
         bench.viewport.number += 1;
     }
     if let Some((_, list)) = &bench.viewport.picture {
         let (number, size, format) = (bench.viewport.number, bench.viewport.size, bench.target_format());
-        let screen = Screen { list: list.clone(), number, size, format };
+        let screen = Screen { list: list.clone(), number, size, format, place: 0 };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
     }
 }
 
-fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &Key) -> ViewInput<'a> {
+fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &'a Key) -> ViewInput<'a> {
     let (scene, history) = bench.shown();
     ViewInput {
         scene,
@@ -197,8 +267,9 @@ fn input<'a>(bench: &'a Workbench, camera: &'a Camera, key: &Key) -> ViewInput<'
         camera,
         overlays: key.overlays,
         force_scale: key.force_scale,
-        selected: bench.selection(),
+        selected: &key.selected,
         kept: &[],
+        exaggeration: key.exaggeration,
         size: key.size,
         pixels_per_point: key.pixels_per_point,
         background: key.background,

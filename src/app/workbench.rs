@@ -21,7 +21,10 @@ use super::theme::{self, Palette};
 use super::tool::Tool;
 use super::traces::TraceCache;
 use super::viewport::{self, Viewport};
-use super::{help, input, inspector, menu, notices, outliner, plots, row_dialog, status, timeline, transport, whatif};
+use super::views::{self, Sight};
+use super::{
+    help, input, inspector, menu, notices, outliner, plots, row_dialog, status, text, timeline, transport, whatif,
+};
 use crate::scene::{Overlays, Scene};
 
 /// The workbench: a scene, its answer, and how both are looked at.
@@ -35,6 +38,7 @@ pub struct Workbench {
     pub(super) pins: Vec<Pin>,
     pub(super) pin_count: usize,
     pub(super) tool: Tool,
+    pub(super) sight: Sight,
     pub(super) row: Option<RowDraft>,
     pub(super) overlays: Overlays,
     pub(super) force_scale: Option<f64>,
@@ -78,6 +82,7 @@ impl Workbench {
             pins: Vec::new(),
             pin_count: 0,
             tool: Tool::default(),
+            sight: Sight::default(),
             row: None,
             overlays: scene.view.overlays,
             force_scale: scene.view.force_scale,
@@ -153,6 +158,10 @@ impl Workbench {
     }
 
     fn panels(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        if self.sight.lecture {
+            self.lecture_panels(ui, out);
+            return;
+        }
         Panel::top("bar").resizable(false).show(ui, |ui| menu::show(ui, self, out));
         Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, self));
         let room = ui.available_height();
@@ -175,6 +184,17 @@ impl Workbench {
         });
         Panel::right("what if").frame(side).default_size(264.0).size_range(240.0..=440.0).show(ui, |ui| {
             ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, self, out));
+        });
+    }
+
+    /// The view and the time, and the way back.
+    fn lecture_panels(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        Panel::top("bar").resizable(false).show(ui, |ui| {
+            ui.menu_button(text::VIEWS, |ui| views::menu(ui, self, out));
+        });
+        Panel::bottom("lecture time").resizable(false).show(ui, |ui| {
+            transport::show(ui, self, out);
+            timeline::show(ui, self, plots::AXIS_WIDTH, out);
         });
     }
 

@@ -102,6 +102,7 @@ impl Shot {
             force_scale: self.force_scale,
             selected: self.selected.as_slice(),
             kept: &[],
+            exaggeration: 1.0,
             size: self.size,
             pixels_per_point: points(self.size),
             background: self.background,

@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, is_exaggerated};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -94,7 +94,11 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         let number = number % MOST_KEPT;
         let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
         for (i, girder) in history.scene().girders.iter().enumerate() {
-            let block = moved_girder_block(girder, &history.motion(i, t));
+            let motion = match is_exaggerated(input) {
+                true => exaggerated::motion(&history.model().bodies[i], &history.motion(i, t), input.exaggeration),
+                false => history.motion(i, t),
+            };
+            let block = moved_girder_block(girder, &motion);
             out.add_ghost(input, &block, KEPT[number], KEPT_DASHES[number]);
         }
     }

@@ -16,6 +16,9 @@ use crate::sim::ContactNow;
 /// Radius of the `μ_s` circle \[points\].
 const RADIUS: f32 = 44.0;
 
+/// Most points of the path that the tip has taken.
+const PATH: u32 = 120;
+
 /// The circle at the top right, where a closed contact is selected.
 pub(super) fn friction_circle(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Option<(Vec<Mark>, Area)> {
     let Some(&Target::Contact(number)) = input.selected.last() else { return None };
@@ -31,6 +34,7 @@ pub(super) fn friction_circle(input: &ViewInput<'_>, moment: &Moment, palette: &
     let rim = palette.faint_ink.with_alpha(0x50);
     let mut marks = vec![Mark::Panel { min: area.min, max: area.max, color: palette.plate, rim }];
     marks.extend(circles(contact, middle, ppp, palette));
+    marks.extend(path(input, number, middle, palette));
     marks.extend(arrow(tangential(contact) / limit as f32, contact, middle, ppp));
     marks.push(caption(contact, middle, ppp, palette));
     Some((marks, area))
@@ -42,6 +46,27 @@ fn tangential(contact: &ContactNow) -> Vec2 {
     let up = contact.normal.cross(right);
     let force = contact.tangential_force;
     Vec2::new(force.dot(right) as f32, -force.dot(up) as f32)
+}
+
+/// Where the tip has been since the touch began, at most [`PATH`] points of it.
+fn path(input: &ViewInput<'_>, number: usize, middle: Vec2, palette: &Palette) -> Vec<Mark> {
+    let Some(history) = input.history else { return Vec::new() };
+    let mut touches = history.touches().iter();
+    let Some(touch) = touches.find(|t| t.contact == number && (t.start..=t.end).contains(&input.t)) else {
+        return Vec::new();
+    };
+    let ppp = input.pixels_per_point;
+    let at = |i: u32| touch.start + (input.t - touch.start) * f64::from(i) / f64::from(PATH);
+    let tip = |i: u32| {
+        let now = history.contact_at(number, at(i))?;
+        let limit = now.mu_static * now.normal_force;
+        // At the very ends of a touch both forces vanish and their ratio says nothing.
+        let share = tangential(&now) / limit as f32;
+        (limit > 0.0 && share.is_finite()).then(|| middle + share.clamp_length_max(1.25) * RADIUS * ppp)
+    };
+    let points: Vec<Vec2> = (0..=PATH).filter_map(tip).collect();
+    let color = palette.faint_ink.with_alpha(0xb0);
+    if points.len() > 1 { vec![Mark::Stroke { points, width: 1.2 * ppp, color }] } else { Vec::new() }
 }
 
 fn circles(contact: &ContactNow, middle: Vec2, ppp: f32, palette: &Palette) -> [Mark; 2] {

@@ -10,6 +10,7 @@ mod bodies;
 mod bounds;
 mod camera;
 mod crowd;
+mod exaggerated;
 mod forces;
 mod friction_circle;
 pub mod gap;
@@ -68,6 +69,8 @@ pub struct ViewInput<'a> {
     pub force_scale: Option<f64>,
     /// What is selected.
     pub selected: &'a [Target],
+    /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
+    pub exaggeration: f64,
     /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
     pub kept: &'a [(&'a History, usize)],
     /// Width and height \[pixels\].
@@ -92,7 +95,11 @@ impl ViewInput<'_> {
 
 /// Everything that the picture shows.
 pub fn draw_list(input: &ViewInput<'_>) -> DrawList {
-    draw_moment(input, &Moment::of(input))
+    let moment = Moment::of(input);
+    match input.history.filter(|_| is_exaggerated(input)) {
+        Some(history) => draw_moment(input, &moment.exaggerated(history, input.exaggeration)),
+        None => draw_moment(input, &moment),
+    }
 }
 
 /// Everything that the picture shows of one instant that is already gathered.
@@ -102,6 +109,9 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let bodies = bodies::bodies(input, moment, &palette);
     let forces = forces::forces(input, moment, &palette);
     let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
+    let real = |i: usize, g: &gap::GapNow| moment.true_gaps.get(i).copied().flatten().unwrap_or(g.gap);
+    let gaps = gaps.into_iter().enumerate();
+    let gaps: Vec<_> = gaps.map(|(i, g)| g.map(|g| gap::GapNow { gap: real(i, &g), ..g })).collect();
     let gaps: Vec<_> = gaps.iter().flatten().map(|g| gap::dimension(input, g, &palette)).collect();
     let marks = marks(input, moment, &palette, &forces, &gaps);
     let gap_lines = gaps.into_iter().flat_map(|g| g.lines);
@@ -118,6 +128,11 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
         arrows: forces.arrows,
         marks,
     }
+}
+
+/// Whether displacements are shown larger or smaller than they are.
+fn is_exaggerated(input: &ViewInput<'_>) -> bool {
+    input.exaggeration.is_finite() && input.exaggeration > 0.0 && input.exaggeration != 1.0
 }
 
 fn frame(input: &ViewInput<'_>, bounds: Bounds, palette: &Palette) -> list::Frame {

@@ -65,6 +65,8 @@ pub struct Moment {
     pub impulses: Vec<Impulse>,
     /// Scale of the impulses' arrows, where there are any in the run \[N·s/m\].
     pub impulse_scale: Option<f64>,
+    /// Gaps as they are, where motions are shown larger than they are; empty where they are not \[m\].
+    pub true_gaps: Vec<Option<f64>>,
     /// Scale of the arrows, where there can be any \[N/m\].
     pub force_scale: Option<f64>,
 }
@@ -106,6 +108,7 @@ impl Moment {
                 Some(_) => Vec::new(),
                 None => law_names(model.pairs.iter().map(|p| p.contact.law)),
             },
+            true_gaps: Vec::new(),
             force_scale: Some(auto_force_scale(history)),
         }
     }
@@ -124,6 +127,7 @@ impl Moment {
             states: Vec::new(),
             impulses: Vec::new(),
             impulse_scale: None,
+            true_gaps: Vec::new(),
             force_scale: None,
         }
     }

@@ -41,11 +41,17 @@ pub(super) fn keep_clear(input: &ViewInput<'_>, moment: &Moment, forces: &Forces
 pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let left = Vec2::new(18.0, 14.0) * ppp;
+    let factor = if input.exaggeration == 1.0 || !input.exaggeration.is_finite() {
+        String::new()
+    } else {
+        format!("motion shown × {}", (input.exaggeration * 10.0).round() / 10.0)
+    };
     let title = one_line(input.title.unwrap_or(&input.scene.name));
     let rows = [
         (title, TITLE, palette.ink, 0.0),
         (time_stamp(input, moment), 15.0, palette.ink, 29.0),
         (shaking(input), TEXT, palette.faint_ink, 51.0),
+        (factor, TEXT, palette.ink, 70.0),
     ];
     rows.into_iter()
         .filter(|(text, ..)| !text.is_empty())

@@ -73,6 +73,7 @@ pub(crate) fn list(
         force_scale: None,
         selected: &[],
         kept: &[],
+        exaggeration: 1.0,
         size,
         pixels_per_point,
         background: Background::Studio,

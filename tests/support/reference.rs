@@ -98,6 +98,7 @@ fn scene(case: &Value) -> Scene {
         contact: if case["K"].is_null() { ContactSettings::default() } else { contact(case, pairs) },
         model: model(case),
         impact: impact(case),
+        limits: Default::default(),
         motion: motion(&case["excitation"]),
         solver: SolverSettings { tolerance: 1e-12, ..SolverSettings::default() },
         view: ViewSettings::default(),

@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
                 pairs::show(ui, bench, Some(&abutment.name), out);
             }
         }
-        Some(Target::Contact(contact)) => computed::show_contact(ui, bench, contact),
+        Some(Target::Contact(contact)) => computed::show_contact(ui, bench, contact, out),
         None => {
             ui.add(egui::Label::new(RichText::new(text::NOTHING_SELECTED).weak()).wrap());
             scene::show(ui, bench, out);

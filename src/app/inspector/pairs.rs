@@ -9,6 +9,7 @@ use crate::app::field::{Change, MODULUS, PURE, Place, number, stiffness_unit};
 use crate::app::{Workbench, text};
 use crate::scene::facing::{self, Facing};
 use crate::scene::{ContactSettings, PairSettings, Scene};
+use crate::view::Target;
 
 /// Most pairs shown at once: beyond that one girder is selected to see its own.
 const MOST: usize = 40;
@@ -36,6 +37,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, of: Option<&str>, out: &mut V
 fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
     let scene = bench.scene();
     in_force(ui, bench, pair);
+    contacts(ui, bench, pair, out);
     let entry = edits::pair_entry(scene, pair);
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(String::new, |n| format!("contact.pair[{n}]"));
@@ -51,6 +53,21 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
         contact.pairs.remove(n);
         out.push(Command::Edit { edit: edits::contact(contact), gesture: None });
     }
+}
+
+/// The pair's contacts, to be selected without having to hit them in the view.
+fn contacts(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
+    let Some(answer) = bench.answer().filter(|_| !bench.is_stale()) else { return };
+    let model = answer.history.model();
+    let Some(run) = model.pairs.iter().find(|p| p.name == pair.name) else { return };
+    ui.horizontal_wrapped(|ui| {
+        for contact in run.contacts.clone().take(MOST) {
+            let name = format!("{} | {}", model.contacts[contact].node, model.contacts[contact].face_name);
+            if ui.small_button(name).on_hover_text(text::CONTACTS_OF_PAIR).clicked() {
+                out.push(Command::Select(Some(Target::Contact(contact))));
+            }
+        }
+    });
 }
 
 fn with_pair(scene: &Scene, entry: Option<usize>, own: PairSettings) -> ContactSettings {

@@ -73,6 +73,8 @@ pub(super) const LOOP: &str = "Loop";
 pub(super) const LOOP_HINT: &str = "Begin again at the end (L)";
 pub(super) const SLOW_AT_HITS: &str = "Slow at hits";
 pub(super) const SLOW_HINT: &str = "Play at 1/100 while anything touches (M)";
+pub(super) const ALL_SPAN: &str = "Play everything";
+pub(super) const ALL_SPAN_HINT: &str = "Forget the stretch that is played (X); I and O set one";
 pub(super) const ALL_TIME: &str = "Whole run";
 pub(super) const ALL_TIME_HINT: &str = "Show the whole run (double click)";
 pub(super) const PLOT_PLACE: &str = "{x}x  {y}y  {}[mm]";
@@ -228,6 +230,17 @@ pub(super) const LIMIT_SEAT: &str = "Seat to remain";
 pub(super) const LIMIT_FORCE: &str = "Force limit";
 pub(super) const LIMITS_KEPT: &str = "No limit is passed.";
 pub(super) const READINGS: &str = "Readings of the run";
+pub(super) const GO_TO_PEAK: &str = "Go to its peak";
+pub(super) const CONTACTS_OF_PAIR: &str = "Contacts, each with its forces and its history";
+pub(super) const VIEWS: &str = "View";
+pub(super) const PLAN_BESIDE: &str = "Plan beside the view";
+pub(super) const GAP_SECTION: &str = "Section of the gap";
+pub(super) const LECTURE: &str = "Lecture hall: view and time only, large";
+pub(super) const FOLLOW: &str = "The view goes with";
+pub(super) const FOLLOW_NOTHING: &str = "nothing";
+pub(super) const SIZE: &str = "Size of everything";
+pub(super) const EXAGGERATION: &str = "Motion shown";
+pub(super) const PLAN: &str = "Plan";
 pub(super) const NO_MOTION: &str = "The ground stands still.";
 pub(super) const SHAKE: &str = "Shake it";
 pub(super) const CONTACT_SECTION: &str = "Contact";
@@ -284,6 +297,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Home End", "to the start, to the end"),
     (", .", "slower, faster (down to 1/1000)"),
     ("P", "pin this run to compare with"),
+    ("I  O  X", "play from here, play up to here, play everything"),
     ("L", "begin again at the end, or stop"),
     ("M", "slow motion around hits"),
     ("1 2 3 4", "view: iso, top, side, contact"),

@@ -106,6 +106,33 @@ pub(in crate::app) fn remove_panel(number: usize) -> String {
     format!("remove plot {number}")
 }
 
+/// How often a contact touches.
+pub(in crate::app) fn touches(count: usize) -> String {
+    match count {
+        0 => "It never touches".to_owned(),
+        1 => "One touch".to_owned(),
+        n => format!("{n} touches"),
+    }
+}
+
+/// A touch in a line.
+pub(in crate::app) fn touch(start: f64, end: f64, peak: f64, impulse: f64) -> String {
+    if impulse > 0.0 {
+        return format!("{start:.4} s  hit of {} N s", short(impulse));
+    }
+    format!("{start:.4} s  {} ms  {}", short((end - start) * 1e3), force(peak))
+}
+
+/// What the view goes with.
+pub(in crate::app) fn follow(name: &str, corner: Option<usize>) -> String {
+    corner.map_or_else(|| name.to_owned(), |c| format!("{name} corner {}", c + 1))
+}
+
+/// What the section of a gap shows, and how much larger the gap is drawn than the face is long.
+pub(in crate::app) fn section(pair: &str, least: f64, factor: f64) -> String {
+    format!("{pair}: {} apart, drawn × {}", length(least), short(factor))
+}
+
 /// A stiffness in the unit that fits it.
 pub(in crate::app) fn stiffness(k: f64) -> String {
     let unit = crate::app::field::stiffness_unit(k);

@@ -1,0 +1,55 @@
+//! Displacements and rotations shown larger than they are; numbers stay what they are.
+//!
+//! Contacts go with the body that owns their node. A gap is no displacement: it is shown as it is placed, so bodies that
+//! are shown moved too far reach into one another.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::gap;
+use super::moment::Moment;
+use crate::dynamics::Body;
+use crate::sim::{History, Motion};
+
+/// A body's motion, `factor` times as far from where it was placed.
+pub(super) fn motion(body: &Body, motion: &Motion, factor: f64) -> Motion {
+    let home = DQuat::from_mat3(&DMat3::from_cols(body.axes.x_axis, body.axes.y_axis, body.axes.z_axis));
+    let turn = (motion.attitude * home.inverse()).to_scaled_axis();
+    // The rotation vector knows no turns beyond a half; θ counts them all.
+    let turn = if turn.truncate().length() < 1e-12 { DVec3::Z * motion.theta } else { turn };
+    let displacement = motion.displacement * factor;
+    Motion {
+        place: body.home + displacement,
+        displacement,
+        theta: motion.theta * factor,
+        attitude: DQuat::from_scaled_axis(turn * factor) * home,
+        ..*motion
+    }
+}
+
+impl Moment {
+    /// The moment with everything moved `factor` times as far.
+    pub(super) fn exaggerated(mut self, history: &History, factor: f64) -> Self {
+        let model = history.model();
+        self.true_gaps = gap::gaps(history.scene(), &self).into_iter().map(|g| g.map(|g| g.gap)).collect();
+        for motions in [&mut self.motions, &mut self.ghosts] {
+            for (own, body) in motions.iter_mut().zip(&model.bodies) {
+                *own = motion(body, own, factor);
+            }
+        }
+        let moved = &self.motions;
+        let place = |contact: usize, point: DVec3| {
+            let site = &model.contacts[contact];
+            site.node_body.and_then(|b| moved.get(b)).map_or(point, |m| m.place + m.attitude * site.point)
+        };
+        for contact in &mut self.contacts {
+            contact.point = place(contact.contact, contact.point);
+        }
+        for opened in &mut self.opened {
+            opened.point = place(opened.contact, opened.point);
+        }
+        for impulse in &mut self.impulses {
+            impulse.point = place(impulse.contact, impulse.point);
+        }
+        self
+    }
+}
