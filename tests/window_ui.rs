@@ -1,6 +1,8 @@
 //! The whole window, driven headless by its labels: time, scene, layout.
 #![cfg(feature = "ui-tests")]
 
+#[path = "window/files.rs"]
+mod files;
 #[path = "pictures/golden.rs"]
 mod golden;
 #[path = "window/harness.rs"]

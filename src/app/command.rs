@@ -5,6 +5,7 @@
 
 use std::path::PathBuf;
 
+use super::keeping::Keep;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::{Camera, Target};
@@ -97,6 +98,10 @@ pub enum Command {
     Help(bool),
     /// Open a preset.
     OpenPreset(String),
+    /// Begin an empty scene.
+    New,
+    /// Recent files, unsaved work, a file changed by others.
+    Keep(Keep),
     /// Ask which file to open.
     OpenDialog,
     /// Open a file.

@@ -5,7 +5,10 @@ use glam::DVec3;
 use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
 use crate::scene::facing::{self, Side};
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Push, Scene, Seat, placed};
+use crate::scene::{
+    Abutment, ContactSettings, Girder, ImpactSettings, Initial, Kind, ModelSettings, Motion, Push, STANDARD_GRAVITY,
+    Scene, Seat, SolverSettings, ViewSettings, placed,
+};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -157,6 +160,26 @@ pub(super) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
 fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
     let block = abutment_block(scene, abutment)?;
     block.corners().iter().map(|c| c.dot(along)).reduce(f64::max)
+}
+
+/// A scene with nothing in it.
+pub(super) fn empty() -> Scene {
+    Scene {
+        format: crate::scene::format::VERSION,
+        name: super::text::UNTITLED.into(),
+        description: String::new(),
+        kind: Kind::default(),
+        duration: 5.0,
+        gravity: STANDARD_GRAVITY,
+        model: ModelSettings::default(),
+        girders: Vec::new(),
+        abutments: Vec::new(),
+        contact: ContactSettings::default(),
+        impact: ImpactSettings::default(),
+        motion: Motion::default(),
+        solver: SolverSettings::default(),
+        view: ViewSettings::default(),
+    }
 }
 
 /// The paper's straight girder, where nothing is placed that could be copied.

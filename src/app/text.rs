@@ -12,7 +12,15 @@ pub(super) const UNSAVED: &str = "● ";
 
 // The bar at the top.
 pub(super) const FILE: &str = "File";
+pub(super) const NEW: &str = "New";
+pub(super) const UNTITLED: &str = "untitled";
 pub(super) const OPEN: &str = "Open…";
+pub(super) const OPEN_RECENT: &str = "Open recent";
+pub(super) const NO_RECENT: &str = "No files yet";
+pub(super) const FORGET: &str = "Forget";
+pub(super) const FORGET_HINT: &str = "Take it from this list; the file stays where it is";
+pub(super) const FORGET_ALL: &str = "Forget all";
+pub(super) const MISSING: &str = "missing";
 pub(super) const SAVE: &str = "Save";
 pub(super) const SAVE_AS: &str = "Save as…";
 pub(super) const EXPORT_PICTURE: &str = "Export picture…";
@@ -185,6 +193,18 @@ pub(super) const SAVE_FIRST: &str = "Save first";
 pub(super) const KEEP_OPEN: &str = "Keep working";
 pub(super) const DISMISS: &str = "Dismiss";
 pub(super) const CLOSE: &str = "Close";
+pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended";
+pub(super) const WITHOUT_FILE: &str = "a scene without a file";
+pub(super) const WORK_IS_OLDER: &str = " The file has been written since then.";
+pub(super) const RECOVER: &str = "Recover";
+pub(super) const DISCARD: &str = "Discard";
+pub(super) const LATER: &str = "Keep for later";
+pub(super) const FILE_CHANGED: &str = "was changed by another program.";
+pub(super) const RELOAD_REPLACES: &str = " Reloading replaces what you have changed here; undo brings it back.";
+pub(super) const RELOAD: &str = "Reload";
+pub(super) const KEEP_MINE: &str = "Keep mine";
+pub(super) const FILE_GONE: &str = "the file is no longer there; save to write it again";
+pub(super) const NOT_KEPT: &str = "Unsaved work cannot be kept:";
 
 /// Every key, for the help.
 pub(super) const KEYS: &[(&str, &str)] = &[
@@ -205,7 +225,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl D  Delete", "duplicate, remove what is selected"),
     ("Ctrl Z", "undo"),
     ("Ctrl Shift Z, Ctrl Y", "redo"),
-    ("Ctrl O  Ctrl S", "open, save"),
+    ("Ctrl N  Ctrl O  Ctrl S", "new, open, save"),
     ("Ctrl Shift S", "save as"),
     ("Esc", "select nothing, close this"),
     ("F1", "this help"),
@@ -269,6 +289,17 @@ pub(super) fn tick(t: f64, step: f64) -> String {
 /// How long a run took, and how many times faster than the ground shakes.
 pub(super) fn run_time(seconds: f64, times: f64) -> String {
     format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
+}
+
+/// How long ago, roughly.
+pub(super) fn ago(time: std::time::Duration) -> String {
+    let (count, unit) = match time.as_secs() {
+        s if s < 60 => return "from less than a minute ago".into(),
+        s if s < 3600 => (s / 60, "minute"),
+        s if s < 86_400 => (s / 3600, "hour"),
+        s => (s / 86_400, "day"),
+    };
+    format!("from {count} {unit}{} ago", if count == 1 { "" } else { "s" })
 }
 
 /// A playing speed: `1/100`, `1`, `×5`.

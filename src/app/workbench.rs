@@ -12,11 +12,12 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::keeping::Keeping;
 use super::runner::{Runner, Wake};
 use super::theme::{self, Palette};
 use super::traces::TraceCache;
 use super::viewport::{self, Viewport};
-use super::{help, input, inspector, menu, notices, outliner, plots, status, timeline, transport, whatif};
+use super::{ask, help, input, inspector, menu, notices, outliner, plots, status, timeline, transport, whatif};
 use crate::scene::{Overlays, Scene};
 use crate::view::Target;
 
@@ -39,7 +40,8 @@ pub struct Workbench {
     pub(super) automatic_scale: (u64, f64),
     pub(super) target_format: TextureFormat,
     pub(super) adapter: String,
-    wake: Wake,
+    pub(super) keeping: Keeping,
+    pub(super) wake: Wake,
     dressed: bool,
 }
 
@@ -77,6 +79,7 @@ impl Workbench {
             automatic_scale: (0, 1.0),
             target_format: TextureFormat::Rgba8Unorm,
             adapter: String::new(),
+            keeping: Keeping::default(),
             wake,
             dressed: false,
             document: Document::new(scene, file),
@@ -110,11 +113,13 @@ impl Workbench {
             self.dressed = true;
         }
         self.listen(ui);
+        self.look_at_disk(ui);
         let mut out = Vec::new();
         input::keys(ui, self, &mut out);
         self.panels(ui, &mut out);
         help::show(ui, self, &mut out);
         notices::over_all(ui, self, &mut out);
+        ask::show(ui, self, &mut out);
         self.apply_all(ui, out);
         let view = Frame::new().fill(Palette::of(ui).view);
         CentralPanel::no_frame().frame(view).show(ui, |ui| viewport::show(ui, self));
@@ -168,6 +173,9 @@ impl Workbench {
         if self.clock.playing {
             ui.request_repaint();
         } else if let Some(wait) = self.runner.when_idle() {
+            ui.request_repaint_after(wait);
+        }
+        if let Some(wait) = self.keep_work() {
             ui.request_repaint_after(wait);
         }
         if self.runner.progress().is_some() {

@@ -14,7 +14,7 @@ pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// What the system said.
-    source: std::io::Error,
+    pub(super) source: std::io::Error,
 }
 
 /// Saves a scene as TOML.
@@ -25,6 +25,19 @@ pub struct WriteError {
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
 pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
+    persist(stage_scene(scene, path)?, path)
+}
+
+/// Puts a scene on the disk beside `path`, down to the medium: a power cut after the renaming must not leave a name
+/// without its contents.
+pub(super) fn stage_scene(scene: &Scene, path: &Path) -> Result<NamedTempFile, WriteError> {
+    let file = stage(path, scene_text(scene, path).as_bytes())?;
+    file.as_file().sync_all().map_err(|source| WriteError { path: path.to_owned(), source })?;
+    Ok(file)
+}
+
+/// The text of a scene that will stand at `path`.
+fn scene_text(scene: &Scene, path: &Path) -> String {
     let mut scene = scene.clone();
     if let Motion::Record(record) = &mut scene.motion
         && let (Some(file), Some((dt, samples))) = (&record.file, &record.loaded)
@@ -32,7 +45,7 @@ pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
     {
         (record.dt, record.samples, record.file) = (Some(*dt), Some(samples.clone()), None);
     }
-    write_atomic(path, format::write(&scene).as_bytes())
+    format::write(&scene)
 }
 
 /// Writes one file: readers see what stood there before or all of `bytes`.
@@ -122,7 +135,7 @@ fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     NamedTempFile::new_in(folder)
 }
 
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
