@@ -12,5 +12,5 @@ mod stamp;
 pub use load::{ReadError, load_scene, load_unsaved, read};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
-pub use save::{FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
+pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
 pub use stamp::Stamp;

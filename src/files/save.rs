@@ -70,6 +70,7 @@ pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]
 #[derive(Debug, Default)]
 pub struct FileSet {
     staged: Vec<(TempPath, PathBuf)>,
+    made: Folders,
 }
 
 impl FileSet {
@@ -79,7 +80,7 @@ impl FileSet {
     /// When the folder or the file cannot be written.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
         let folder = folder_of(path);
-        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })?;
+        self.made.make(folder)?;
         // Closed here: there may be more files than a process may hold open.
         self.staged.push((stage(path, bytes)?.into_temp_path(), path.to_owned()));
         Ok(())
@@ -89,11 +90,73 @@ impl FileSet {
     ///
     /// # Errors
     /// When something that is no file stands in the way of one.
-    pub fn finish(self) -> Result<(), WriteError> {
+    pub fn finish(mut self) -> Result<(), WriteError> {
         let name = |(file, path): (TempPath, PathBuf)| {
             file.persist(&path).map_err(|error| WriteError { path, source: error.error })
         };
-        self.staged.into_iter().try_for_each(name)
+        std::mem::take(&mut self.staged).into_iter().try_for_each(name)
+    }
+}
+
+/// Folders that were made, the inner ones last. Dropped, those go again that have nothing in them.
+#[derive(Debug, Default)]
+struct Folders(Vec<PathBuf>);
+
+impl Folders {
+    fn make(&mut self, folder: &Path) -> Result<(), WriteError> {
+        let missing = folder.ancestors().take_while(|f| *f != Path::new("") && !f.exists()).map(Path::to_owned);
+        self.0.extend(missing.collect::<Vec<_>>().into_iter().rev());
+        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })
+    }
+}
+
+impl Drop for Folders {
+    fn drop(&mut self) {
+        self.0.iter().rev().take_while(|folder| std::fs::remove_dir(folder).is_ok()).for_each(drop);
+    }
+}
+
+/// One file that grows as it is written to and gets its name at the end; dropped before that, nothing of it stays.
+#[derive(Debug)]
+pub struct Draft {
+    file: std::io::BufWriter<NamedTempFile>,
+    path: PathBuf,
+    /// Dropped after the file, so that its folder is empty by then.
+    _made: Folders,
+}
+
+impl Draft {
+    /// Begins beside where it will be, making the folder if it is missing.
+    ///
+    /// # Errors
+    /// When nothing can be written there.
+    pub fn create(path: &Path) -> Result<Self, WriteError> {
+        let mut made = Folders::default();
+        made.make(folder_of(path))?;
+        let file = temporary_in(folder_of(path)).map_err(|source| WriteError { path: path.to_owned(), source })?;
+        Ok(Self { file: std::io::BufWriter::new(file), path: path.to_owned(), _made: made })
+    }
+
+    /// Gives it its name.
+    ///
+    /// # Errors
+    /// When the rest cannot be written, or something that is no file stands in the way.
+    pub fn finish(self) -> Result<(), WriteError> {
+        let file = self
+            .file
+            .into_inner()
+            .map_err(|error| WriteError { path: self.path.clone(), source: error.into_error() })?;
+        persist(file, &self.path)
+    }
+}
+
+impl std::io::Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
     }
 }
 
