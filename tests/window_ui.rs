@@ -3,12 +3,16 @@
 
 #[path = "window/files.rs"]
 mod files;
+#[path = "window/film.rs"]
+mod film;
 #[path = "pictures/golden.rs"]
 mod golden;
 #[path = "window/harness.rs"]
 mod harness;
 #[path = "window/layout.rs"]
 mod layout;
+#[path = "window/lessons.rs"]
+mod lessons;
 #[path = "window/scene.rs"]
 mod scene;
 #[path = "pictures/studio.rs"]

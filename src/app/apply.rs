@@ -35,7 +35,7 @@ impl Workbench {
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
-        let asked = (self.help, self.closing, self.notice.clone(), self.keeping.asked());
+        let asked = (self.help, self.closing, self.notice.clone(), self.keeping.asked(), self.films.plan, self.lesson);
         (self.revision(), self.clock.clone(), self.selected, self.time_window, self.is_stale(), view, asked)
     }
 
@@ -196,6 +196,8 @@ impl Workbench {
             Command::OpenPreset(name) => self.open(&name, None),
             Command::OpenFile(path) => self.open(&path.to_string_lossy(), Some(path.clone())),
             Command::New => self.take_up(edits::empty(), None),
+            Command::Learn(wish) => self.apply_learn(wish),
+            Command::Film(wish) => self.apply_film(wish),
             Command::Keep(wish) => self.apply_keep(wish),
             Command::OpenDialog => self.dialogs.open(),
             Command::Save => match self.document.file() {
@@ -223,6 +225,7 @@ impl Workbench {
     /// Goes on with another scene; undo brings the one before back.
     pub(super) fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) {
         self.keep_work_now();
+        self.lesson = None;
         self.look_as(&scene);
         let opened = self.document.open(scene, file.clone());
         self.after(opened.map(|()| true));

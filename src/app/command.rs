@@ -5,7 +5,9 @@
 
 use std::path::PathBuf;
 
+use super::film::Filming;
 use super::keeping::Keep;
+use super::lessons::Learn;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::{Camera, Target};
@@ -102,6 +104,10 @@ pub enum Command {
     New,
     /// Recent files, unsaved work, a file changed by others.
     Keep(Keep),
+    /// Guided scenes.
+    Learn(Learn),
+    /// A film of the run.
+    Film(Filming),
     /// Ask which file to open.
     OpenDialog,
     /// Open a file.

@@ -10,7 +10,7 @@ use crate::scene::ViewPreset;
 
 /// Commands for the keys pressed in this frame.
 pub(super) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.asks_before_closing() || bench.asks_about_files() {
+    if bench.asks_before_closing() || bench.asks_about_files() || bench.film_plan().is_some() {
         return;
     }
     let typing = ui.text_edit_focused();

@@ -3,7 +3,8 @@
 use egui::{Button, MenuBar, Theme, Ui};
 
 use super::command::{Command, Export};
-use super::{Workbench, recent, text};
+use super::film::Filming;
+use super::{Workbench, lesson_panel, recent, text};
 use crate::scene::{ViewPreset, presets};
 
 /// Shows the bar.
@@ -11,6 +12,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button(text::FILE, |ui| file(ui, bench, out));
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
+        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench, out));
         ui.separator();
         let (undo, redo) = (bench.undo_label(), bench.redo_label());
         button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Undo, out);
@@ -42,6 +44,7 @@ fn file(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         (text::SAVE, "Ctrl S", Command::Save),
         (text::SAVE_AS, "Ctrl Shift S", Command::SaveAs),
         (text::EXPORT_PICTURE, "", Command::Export(Export::Picture)),
+        (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
         (text::EXPORT_TABLES, "", Command::Export(Export::Tables)),
         (text::QUIT, "Ctrl Q", Command::Close),
     ];

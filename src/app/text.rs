@@ -24,6 +24,7 @@ pub(super) const MISSING: &str = "missing";
 pub(super) const SAVE: &str = "Save";
 pub(super) const SAVE_AS: &str = "Save as…";
 pub(super) const EXPORT_PICTURE: &str = "Export picture…";
+pub(super) const EXPORT_FILM: &str = "Export film…";
 pub(super) const EXPORT_TABLES: &str = "Export tables…";
 pub(super) const QUIT: &str = "Quit";
 pub(super) const PRESETS: &str = "Presets";
@@ -186,6 +187,30 @@ pub(super) const PICTURE_WRITTEN: &str = "Picture written";
 pub(super) const TABLES_WRITTEN: &str = "Tables written into";
 pub(super) const BEFORE: &str = "before";
 
+// Guided scenes; their own words are in `assets/lessons`.
+pub(super) const LEARN: &str = "Learn";
+pub(super) const TRY: &str = "Try this";
+pub(super) const RESET: &str = "Reset";
+pub(super) const RESET_HINT: &str = "Put the scene back as it was; undo takes that back";
+pub(super) const CLOSE_LESSON: &str = "Close the lesson";
+
+// Films.
+pub(super) const FILM: &str = "Film";
+pub(super) const FILM_FORMAT: &str = "Format";
+pub(super) const FILM_GIF: &str = "GIF";
+pub(super) const FILM_PNG: &str = "PNG pictures";
+pub(super) const FILM_FROM: &str = "From";
+pub(super) const FILM_TO: &str = "To";
+pub(super) const FILM_FPS: &str = "Frames a second";
+pub(super) const FILM_SIZE: &str = "Size";
+pub(super) const FILM_AS_VIEW: &str = "as the view";
+pub(super) const FILM_WHERE: &str = "Choose where…";
+pub(super) const FILM_IMPOSSIBLE: &str = "No film: it must end after it begins and have at most 20,000 frames.";
+pub(super) const FILMING: &str = "Film:";
+pub(super) const CANCEL_FILM: &str = "Cancel film";
+pub(super) const FILM_CANCELLED: &str = "The film was cancelled; nothing of it was kept.";
+pub(super) const FILM_WRITTEN: &str = "Film written, frames in";
+
 // Questions and notices.
 pub(super) const UNSAVED_QUESTION: &str = "The scene has changes that are not saved.";
 pub(super) const CLOSE_ANYWAY: &str = "Close without saving";
@@ -289,6 +314,11 @@ pub(super) fn tick(t: f64, step: f64) -> String {
 /// How long a run took, and how many times faster than the ground shakes.
 pub(super) fn run_time(seconds: f64, times: f64) -> String {
     format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
+}
+
+/// How many frames a film has, and how long it plays.
+pub(super) fn film_length(frames: u32, seconds: f64) -> String {
+    format!("{frames} frames, plays for {} s", short(seconds))
 }
 
 /// How long ago, roughly.

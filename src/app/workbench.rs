@@ -12,12 +12,16 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::film::Films;
 use super::keeping::Keeping;
 use super::runner::{Runner, Wake};
 use super::theme::{self, Palette};
 use super::traces::TraceCache;
 use super::viewport::{self, Viewport};
-use super::{ask, help, input, inspector, menu, notices, outliner, plots, status, timeline, transport, whatif};
+use super::{
+    ask, film_dialog, help, input, inspector, lesson_panel, menu, notices, outliner, plots, status, timeline,
+    transport, whatif,
+};
 use crate::scene::{Overlays, Scene};
 use crate::view::Target;
 
@@ -40,6 +44,8 @@ pub struct Workbench {
     pub(super) automatic_scale: (u64, f64),
     pub(super) target_format: TextureFormat,
     pub(super) adapter: String,
+    pub(super) lesson: Option<usize>,
+    pub(super) films: Films,
     pub(super) keeping: Keeping,
     pub(super) wake: Wake,
     dressed: bool,
@@ -79,6 +85,8 @@ impl Workbench {
             automatic_scale: (0, 1.0),
             target_format: TextureFormat::Rgba8Unorm,
             adapter: String::new(),
+            lesson: None,
+            films: Films::default(),
             keeping: Keeping::default(),
             wake,
             dressed: false,
@@ -119,6 +127,7 @@ impl Workbench {
         self.panels(ui, &mut out);
         help::show(ui, self, &mut out);
         notices::over_all(ui, self, &mut out);
+        film_dialog::show(ui, self, &mut out);
         ask::show(ui, self, &mut out);
         self.apply_all(ui, out);
         let view = Frame::new().fill(Palette::of(ui).view);
@@ -130,6 +139,9 @@ impl Workbench {
     fn listen(&mut self, ui: &Ui) {
         self.runner.poll();
         if let Ok(words) = self.notices.1.try_recv() {
+            self.notice = Some(words);
+        }
+        if let Some(words) = self.films.poll() {
             self.notice = Some(words);
         }
         let mut brought = self.dialogs.take();
@@ -166,6 +178,7 @@ impl Workbench {
         Panel::right("what if").frame(side).default_size(264.0).size_range(240.0..=440.0).show(ui, |ui| {
             ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, self, out));
         });
+        lesson_panel::show(ui, self, out);
     }
 
     /// Asks for another frame only when there is a reason.
@@ -178,7 +191,7 @@ impl Workbench {
         if let Some(wait) = self.keep_work() {
             ui.request_repaint_after(wait);
         }
-        if self.runner.progress().is_some() {
+        if self.runner.progress().is_some() || self.filming().is_some() {
             ui.request_repaint_after(std::time::Duration::from_millis(50));
         }
     }

@@ -79,7 +79,9 @@ fn learned(counts: &BTreeMap<[u8; 3], u32>) -> Vec<[u8; 3]> {
         let cost = |&&(_, weight, off): &&([u8; 3], usize, u32)| weight as u64 * u64::from(off);
         let Some(&(worst, ..)) = served.iter().max_by_key(cost) else { break };
         colours.push(worst);
-        served.iter_mut().for_each(|(colour, _, off)| *off = (*off).min(apart(*colour, worst)));
+        for (colour, _, off) in &mut served {
+            *off = (*off).min(apart(*colour, worst));
+        }
     }
     colours
 }
@@ -116,12 +118,8 @@ mod tests {
     #[test]
     fn a_rare_colour_survives_a_large_background() {
         // A grey ramp with a blue spot of a thousandth of its pixels.
-        let mut rgba: Vec<u8> = (0..200_000_u32)
-            .flat_map(|i| {
-                let g = (i % 256) as u8;
-                [g, g.wrapping_add((i / 7 % 3) as u8), g, 255]
-            })
-            .collect();
+        let ramp = (0..=255_u8).flat_map(|g| [0, 1, 2].map(|more| [g, g.saturating_add(more), g, 255]));
+        let mut rgba: Vec<u8> = ramp.flatten().collect::<Vec<_>>().repeat(260);
         rgba[400..1200].copy_from_slice(&[0, 114, 178, 255].repeat(200));
         let picture = image(rgba);
         let palette = Palette::of(std::slice::from_ref(&picture));
