@@ -35,7 +35,15 @@ impl Workbench {
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
-        let asked = (self.help, self.closing, self.notice.clone(), self.keeping.asked(), self.films.plan, self.lesson);
+        let asked = (
+            self.help,
+            self.closing,
+            self.notice.clone(),
+            self.keeping.asked(),
+            self.films.plan,
+            self.lesson,
+            self.aim_next,
+        );
         (self.revision(), self.clock.clone(), self.selected, self.time_window, self.is_stale(), view, asked)
     }
 

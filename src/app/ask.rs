@@ -50,5 +50,5 @@ fn found_words(found: &Found, now: SystemTime) -> String {
     let file = found.file.as_deref().and_then(crate::files::Stamp::of);
     let older = file.is_some_and(|stamp| stamp.modified() > found.written);
     let age = if older { text::WORK_IS_OLDER } else { "" };
-    format!("{}: {whose}, {}.{age}", text::WORK_FOUND, text::ago(ago))
+    format!("{}: {whose}, {}.{age} {}", text::WORK_FOUND, text::ago(ago), text::BRING_BACK)
 }

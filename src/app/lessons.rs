@@ -135,6 +135,7 @@ impl Workbench {
         let Some(lesson) = lessons().get(number) else { return };
         match lesson.scene() {
             Ok(scene) => {
+                self.aim_next = Some(scene.view.camera);
                 self.take_up(scene, None);
                 self.lesson = Some(number);
                 self.clock.t = lesson.at.min(self.end());

@@ -221,6 +221,7 @@ pub(super) const CLOSE: &str = "Close";
 pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended";
 pub(super) const WITHOUT_FILE: &str = "a scene without a file";
 pub(super) const WORK_IS_OLDER: &str = " The file has been written since then.";
+pub(super) const BRING_BACK: &str = "Bring it back?";
 pub(super) const RECOVER: &str = "Recover";
 pub(super) const DISCARD: &str = "Discard";
 pub(super) const LATER: &str = "Keep for later";

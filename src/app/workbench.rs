@@ -22,7 +22,7 @@ use super::{
     ask, film_dialog, help, input, inspector, lesson_panel, menu, notices, outliner, plots, status, timeline,
     transport, whatif,
 };
-use crate::scene::{Overlays, Scene};
+use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::view::Target;
 
 /// The workbench: a scene, its answer, and how both are looked at.
@@ -45,6 +45,8 @@ pub struct Workbench {
     pub(super) target_format: TextureFormat,
     pub(super) adapter: String,
     pub(super) lesson: Option<usize>,
+    /// Where to look from once the panels have taken their room.
+    pub(super) aim_next: Option<ViewPreset>,
     pub(super) films: Films,
     pub(super) keeping: Keeping,
     pub(super) wake: Wake,
@@ -86,6 +88,7 @@ impl Workbench {
             target_format: TextureFormat::Rgba8Unorm,
             adapter: String::new(),
             lesson: None,
+            aim_next: None,
             films: Films::default(),
             keeping: Keeping::default(),
             wake,
@@ -138,6 +141,9 @@ impl Workbench {
     /// Takes in what threads, dialogs and dropped files have brought, and lets the clock run.
     fn listen(&mut self, ui: &Ui) {
         self.runner.poll();
+        if let Some(preset) = self.aim_next.take() {
+            self.viewport.want(preset);
+        }
         if let Ok(words) = self.notices.1.try_recv() {
             self.notice = Some(words);
         }

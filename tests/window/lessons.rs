@@ -1,11 +1,12 @@
 //! Guided scenes: opened, tried and put back by their labels.
 
-use super::harness::{open, press, settle, view};
+use super::harness::{on_screen, open, press, settle, view};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::{Command, Learn, Workbench, lessons};
-use girderbench::scene::presets;
+use girderbench::scene::{ViewPreset, presets};
+use glam::DVec3;
 
 /// Opens a guided scene through the menu.
 fn learn(harness: &mut Harness<'_, Workbench>, title: &str) {
@@ -21,6 +22,18 @@ fn press_there(harness: &mut Harness<'_, Workbench>, label: &str) {
     press(harness, label);
 }
 
+/// The whole deck is in the view, unless the view looks at one contact.
+fn sees_the_deck(harness: &Harness<'_, Workbench>) {
+    let scene = harness.state().scene();
+    if scene.view.camera != ViewPreset::Contact {
+        let half = scene.girders[0].length / 2.0;
+        for end in [-half, half] {
+            let at = on_screen(harness, DVec3::new(end, 0.0, 0.0));
+            assert!(view(harness).contains(at), "{}: the end at {end} m is seen, at {at}", scene.name);
+        }
+    }
+}
+
 #[test]
 fn every_thing_to_try_is_a_press_away_and_reset_brings_the_scene_back() {
     for lesson in lessons() {
@@ -30,6 +43,7 @@ fn every_thing_to_try_is_a_press_away_and_reset_brings_the_scene_back() {
         assert_eq!(*harness.state().scene(), scene, "the lesson's own scene");
         assert!(harness.query_by_label(&lesson.text[0]).is_some(), "its words stand beside it");
         assert!(view(&harness).width() > 400.0, "and leave the view its room");
+        sees_the_deck(&harness);
         let first = harness.state().answer().expect("run").history.digest();
         for (number, set) in lesson.tries.iter().enumerate() {
             press_there(&mut harness, &format!("{}  {}", number + 1, set.words));
