@@ -82,7 +82,7 @@ const FILES: [(&str, &str, &str); 5] = [
 
 static LESSONS: LazyLock<Vec<Lesson>> = LazyLock::new(|| {
     // They are part of the program: a test reads them all.
-    FILES.iter().filter_map(|&(name, words, toml)| Some(Lesson { name, toml, ..toml::from_str(words).ok()? })).collect()
+    FILES.iter().filter_map(|&(name, words, toml)| Some(Lesson { toml, name, ..toml::from_str(words).ok()? })).collect()
 });
 
 /// Every guided scene.
