@@ -19,7 +19,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("render", &["view"]),
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
-    ("app", &["geometry", "scene", "dynamics", "sim", "study", "tables", "view", "render", "files"]),
+    ("app", &["geometry", "scene", "dynamics", "sim", "study", "tables", "view", "render", "snapshot", "files"]),
     ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app", "study"]),
 ];
 

@@ -105,3 +105,71 @@ fn one_file_holds_one_picture() {
     let said = call(&["render", "skew45-abutment", "--until", "3.6e6", "--frames", "2", "--out", out]);
     assert_eq!(said.status, Some(2), "exit status 2, said {}", said.err);
 }
+
+/// Every picture of a GIF as a player shows it, with how long it stands \[hundredths of a second\].
+fn played(path: &Path) -> (Vec<Image>, Vec<u16>) {
+    let file = std::fs::File::open(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let mut decoder = gif::DecodeOptions::new();
+    decoder.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = decoder.read_info(file).expect("a GIF");
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite, "it begins again");
+    let (width, height) = (decoder.width().into(), decoder.height().into());
+    let mut screen = Image { width, height, rgba: vec![0; (width * height * 4) as usize] };
+    let (mut images, mut delays) = (Vec::new(), Vec::new());
+    while let Some(frame) = decoder.read_next_frame().expect("a whole GIF") {
+        let row = usize::from(frame.width) * 4;
+        for (y, pixels) in frame.buffer.chunks_exact(row).enumerate() {
+            let start = ((y + usize::from(frame.top)) * width as usize + usize::from(frame.left)) * 4;
+            for (old, new) in screen.rgba[start..start + row].chunks_exact_mut(4).zip(pixels.chunks_exact(4)) {
+                if new[3] > 0 {
+                    old.copy_from_slice(new);
+                }
+            }
+        }
+        delays.push(frame.delay);
+        images.push(screen.clone());
+    }
+    (images, delays)
+}
+
+#[test]
+fn a_gif_shows_the_frames_of_the_film() {
+    let folder = folder();
+    let (film, pictures) = (folder.path().join("made/film.gif"), folder.path().join("pictures"));
+    let cut = ["--frames", "5", "--from", "0.25", "--to", "0.75", "--view", "top"];
+    let Some(said) = render(&film, &[&cut[..], &["--fps", "30"]].concat()) else { return };
+    assert_eq!(said.status, Some(0), "filmed: {}", said.err);
+    assert!(said.out.contains("film.gif: 5 frames, 5 different"), "says what: {}", said.out);
+    assert_eq!(names_in(&folder.path().join("made")), ["film.gif"], "one file, nothing beside it");
+    let (images, delays) = played(&film);
+    assert_eq!(delays, [3, 4, 3, 3, 4], "thirtieths of a second in hundredths, none lost");
+    render(&pictures, &cut).expect("it has drawn before");
+    for (i, shown) in images.iter().enumerate() {
+        let drawn = image(&pictures, &format!("skew45-abutment-top-{:04}.png", i + 1));
+        assert_eq!((shown.width, shown.height), (160, 90), "as large as asked");
+        let apart = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b));
+        let mean = shown.rgba.iter().zip(&drawn.rgba).map(apart).sum::<f64>() / drawn.rgba.len() as f64;
+        // 255 colours for a shaded picture: two steps of 256 on average is what the eye does not see.
+        assert!(mean < 2.0, "picture {i} is the frame but for its colours: {mean:.3} apart");
+        assert!(i == 0 || images[i - 1] != *shown, "picture {i} is another one");
+    }
+}
+
+#[test]
+fn a_gif_is_a_film_or_nothing() {
+    let folder = folder();
+    let film = folder.path().join("inner/film.gif");
+    for (args, word) in [
+        (&["--at", "0.5"][..], "--frames"),
+        (&["--frames", "3", "--background", "transparent"], "--background"),
+        (&["--frames", "3", "--fps", "0"], "--fps"),
+        (&["--frames", "3", "--fps", "60"], "--fps"),
+        (&["--fps", "20"], "--frames"),
+        (&["--frames", "3", "--to", "2"], "--to 2"),
+    ] {
+        let Some(said) = render(&film, args) else { return };
+        assert_eq!(said.status, Some(2), "{args:?}: exit status 2, said {}", said.err);
+        assert!(said.err.contains(word), "{args:?} names {word}: {}", said.err);
+        assert!(names_in(folder.path()).is_empty(), "{args:?}: not even the folder");
+    }
+}

@@ -4,8 +4,8 @@ mod support;
 
 use girderbench::dynamics::impact2d::State;
 use girderbench::scene::{
-    Abutment, ContactSettings, Direction, Flush, Girder, ImpactSettings, Initial, Kind, ModelKind, ModelSettings,
-    Motion, Push, Scene, Seat, SolverSettings, ViewSettings,
+    Abutment, ContactSettings, Direction, Flush, Girder, ImpactSettings, Initial, Kind, Limits, ModelKind,
+    ModelSettings, Motion, Push, Scene, Seat, SolverSettings, ViewSettings,
 };
 use girderbench::sim::History;
 use support::within;
@@ -52,6 +52,7 @@ fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Sce
         abutments: vec![wall],
         contact: ContactSettings::default(),
         impact,
+        limits: Limits::default(),
         motion: Motion::None,
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

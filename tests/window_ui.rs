@@ -3,12 +3,18 @@
 
 #[path = "window/compare.rs"]
 mod compare;
+#[path = "window/files.rs"]
+mod files;
+#[path = "window/film.rs"]
+mod film;
 #[path = "pictures/golden.rs"]
 mod golden;
 #[path = "window/harness.rs"]
 mod harness;
 #[path = "window/layout.rs"]
 mod layout;
+#[path = "window/lessons.rs"]
+mod lessons;
 #[path = "window/numbers.rs"]
 mod numbers;
 #[path = "window/placing.rs"]

@@ -44,7 +44,9 @@ impl Workbench {
     fn seen(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
         let asked = (self.tool, self.sight, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
-        (self.revision(), self.clock.clone(), self.selection.clone(), self.time_window, self.is_stale(), view, asked)
+        let files = (self.keeping.asked(), self.films.plan, self.lesson, self.aim_next);
+        let time = (self.clock.clone(), self.time_window);
+        (self.revision(), time, self.selection.clone(), self.is_stale(), view, asked, files)
     }
 
     /// Does one thing.
@@ -119,7 +121,7 @@ impl Workbench {
     }
 
     /// Runs the scene when something was done to it; an edit that does not fit says so.
-    fn after(&mut self, done: Result<bool, EditError>) {
+    pub(super) fn after(&mut self, done: Result<bool, EditError>) {
         match done {
             Ok(true) => self.changed(),
             Ok(false) => {}
@@ -214,6 +216,10 @@ impl Workbench {
         match command {
             Command::OpenPreset(name) => self.open(&name, None),
             Command::OpenFile(path) => self.open(&path.to_string_lossy(), Some(path.clone())),
+            Command::New => self.take_up(edits::empty(), None),
+            Command::Learn(wish) => self.apply_learn(wish),
+            Command::Film(wish) => self.apply_film(wish),
+            Command::Keep(wish) => self.apply_keep(wish),
             Command::OpenDialog => self.dialogs.open(),
             Command::Save => match self.document.file() {
                 Some(file) => {
@@ -232,21 +238,34 @@ impl Workbench {
         }
     }
 
-    fn open(&mut self, name: &str, file: Option<PathBuf>) {
+    pub(super) fn open(&mut self, name: &str, file: Option<PathBuf>) {
         match load_scene(name, &[]) {
-            Ok(scene) => {
-                self.overlays = scene.view.overlays;
-                self.force_scale = scene.view.force_scale;
-                self.viewport.want(scene.view.camera);
-                self.selection.only(None);
-                self.time_window = None;
-                self.clock.t = 0.0;
-                self.clock.playing = false;
-                let opened = self.document.open(scene, file);
-                self.after(opened.map(|()| true));
-            }
+            Ok(scene) => self.take_up(scene, file),
             Err(errors) => self.notice = Some(errors.to_string()),
         }
+    }
+
+    /// Goes on with another scene; undo brings the one before back.
+    pub(super) fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) {
+        self.keep_work_now();
+        self.lesson = None;
+        self.look_as(&scene);
+        let opened = self.document.open(scene, file.clone());
+        self.after(opened.map(|()| true));
+        if let Some(file) = file {
+            self.opened(&file);
+        }
+    }
+
+    /// Looks at a scene as it wants to be looked at, from its start.
+    pub(super) fn look_as(&mut self, scene: &Scene) {
+        self.overlays = scene.view.overlays;
+        self.force_scale = scene.view.force_scale;
+        self.viewport.want(scene.view.camera);
+        self.selection.only(None);
+        self.time_window = None;
+        self.clock.t = 0.0;
+        self.clock.playing = false;
     }
 
     fn ask_where_to_save(&mut self) {
@@ -258,12 +277,16 @@ impl Workbench {
 
     /// Saves the scene with the view as it is seen.
     fn save(&mut self, path: &Path) {
-        let mut scene: Scene = self.scene().clone();
-        scene.view.overlays = self.overlays;
-        scene.view.force_scale = self.force_scale;
-        match save_scene(&scene, path) {
+        if self.document.file() == Some(path) && self.is_kept() && !self.compare_with_disk() {
+            // First the question what to do about the other program's changes.
+            self.closing = Closing::Open;
+            return;
+        }
+        match save_scene(&self.scene_as_seen(), path) {
             Ok(()) => {
+                self.forget_work();
                 self.document.saved_as(path.to_owned());
+                self.opened(path);
                 self.notice = Some(format!("{}: {}", text::SAVED, path.display()));
                 if matches!(self.closing, Closing::Asking | Closing::Saving) {
                     self.closing = Closing::Now;
@@ -291,7 +314,10 @@ impl Workbench {
         self.closing = match command {
             Command::Close if self.is_dirty() => Closing::Asking,
             Command::KeepOpen => Closing::Open,
-            _ => Closing::Now,
+            _ => {
+                self.forget_work();
+                Closing::Now
+            }
         };
     }
 }

@@ -5,6 +5,9 @@
 
 use std::path::PathBuf;
 
+use super::film::Filming;
+use super::keeping::Keep;
+use super::lessons::Learn;
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
 use super::views::Sight;
@@ -144,6 +147,14 @@ pub enum Command {
     Help(bool),
     /// Open a preset.
     OpenPreset(String),
+    /// Begin an empty scene.
+    New,
+    /// Recent files, unsaved work, a file changed by others.
+    Keep(Keep),
+    /// Guided scenes.
+    Learn(Learn),
+    /// A film of the run.
+    Film(Filming),
     /// Ask which file to open.
     OpenDialog,
     /// Open a file.

@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use rfd::{AsyncFileDialog, FileHandle};
 
 use super::command::{Command, Export};
+use super::film::{FilmFormat, Filming};
 use super::runner::Wake;
 
 /// Dialogs that are open, and what was chosen in them.
@@ -62,6 +63,18 @@ impl Dialogs {
     pub(super) fn plots(&self, format: &'static str, name: &str) {
         let dialog = AsyncFileDialog::new().add_filter(format, &[format]).set_file_name(format!("{name}.{format}"));
         self.wait(dialog.save_file(), move |path| Command::Plots(with_extension(path, format)));
+    }
+
+    /// Where a film is to go.
+    pub(super) fn film(&self, format: FilmFormat, name: &str) {
+        let then = |path| Command::Film(Filming::Shoot(path));
+        match format {
+            FilmFormat::Gif => {
+                let dialog = AsyncFileDialog::new().add_filter("GIF", &["gif"]).set_file_name(format!("{name}.gif"));
+                self.wait(dialog.save_file(), move |path| then(with_extension(path, "gif")));
+            }
+            FilmFormat::Png => self.wait(AsyncFileDialog::new().pick_folder(), then),
+        }
     }
 
     fn wait(

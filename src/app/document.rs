@@ -8,10 +8,13 @@ use crate::scene::edit::{Edit, EditError, UndoStack};
 
 /// What a stretch of the past was read from or saved to.
 struct Origin {
+    /// Tells it from every other one.
+    id: u64,
     /// Steps done when it began: opening a scene is a step that can be undone, and then the older file is meant again.
     depth: usize,
     file: Option<PathBuf>,
-    saved: Scene,
+    /// What is on the disk, unless something else is by now.
+    saved: Option<Scene>,
 }
 
 /// A scene with its past.
@@ -19,14 +22,16 @@ pub(super) struct Document {
     scene: Scene,
     steps: UndoStack,
     origins: Vec<Origin>,
+    /// How many origins there have been.
+    begun: u64,
     revision: u64,
 }
 
 impl Document {
     /// A scene as it was read.
     pub(super) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
-        let origins = vec![Origin { depth: 0, file, saved: scene.clone() }];
-        Self { scene, steps: UndoStack::default(), origins, revision: 0 }
+        let origins = vec![Origin { id: 0, depth: 0, file, saved: Some(scene.clone()) }];
+        Self { scene, steps: UndoStack::default(), origins, begun: 1, revision: 0 }
     }
 
     pub(super) fn scene(&self) -> &Scene {
@@ -48,7 +53,25 @@ impl Document {
 
     /// Whether something would be lost by closing.
     pub(super) fn is_dirty(&self) -> bool {
-        self.origin().is_none_or(|o| o.saved != self.scene)
+        self.origin().is_none_or(|o| o.saved.as_ref() != Some(&self.scene))
+    }
+
+    /// What is on the disk, as far as it is known.
+    pub(super) fn saved(&self) -> Option<&Scene> {
+        self.origin()?.saved.as_ref()
+    }
+
+    /// What is on the disk is not this scene any more, whatever the scene is.
+    pub(super) fn unsave(&mut self) {
+        let depth = self.steps.depth();
+        if let Some(origin) = self.origins.iter_mut().rev().find(|o| o.depth <= depth) {
+            origin.saved = None;
+        }
+    }
+
+    /// Tells what this stretch of the past was opened from or saved to from every other.
+    pub(super) fn origin_id(&self) -> u64 {
+        self.origin().map_or(0, |o| o.id)
     }
 
     /// What undo would take back.
@@ -121,6 +144,7 @@ impl Document {
     fn begin(&mut self, file: Option<PathBuf>, saved: Scene) {
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth < depth);
-        self.origins.push(Origin { depth, file, saved });
+        self.origins.push(Origin { id: self.begun, depth, file, saved: Some(saved) });
+        self.begun += 1;
     }
 }

@@ -12,7 +12,8 @@ use crate::scene::ViewPreset;
 
 /// Commands for the keys pressed in this frame.
 pub(super) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.asks_before_closing() || bench.row_draft().is_some() {
+    let asked = bench.asks_before_closing() || bench.asks_about_files();
+    if asked || bench.film_plan().is_some() || bench.row_draft().is_some() {
         return;
     }
     let typing = ui.text_edit_focused();
@@ -56,6 +57,7 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
     match (key, modifiers.shift) {
         (Key::S, true) => Some(Command::SaveAs),
         (Key::S, false) => Some(Command::Save),
+        (Key::N, _) => Some(Command::New),
         (Key::O, _) => Some(Command::OpenDialog),
         (Key::Q, _) => Some(Command::Close),
         _ => None,

@@ -21,9 +21,13 @@ impl Workbench {
     /// What stands on the window's frame.
     pub fn title(&self) -> String {
         let mark = if self.document.is_dirty() { text::UNSAVED } else { "" };
+        format!("{mark}{} – {}", self.file_name(), text::PROGRAM)
+    }
+
+    /// The name of the file, or of a scene without one.
+    pub fn file_name(&self) -> String {
         let file = self.document.file().and_then(|f| f.file_name()).map(|f| f.to_string_lossy().into_owned());
-        let name = file.unwrap_or_else(|| self.document.scene().name.clone());
-        format!("{mark}{name} – {}", text::PROGRAM)
+        file.unwrap_or_else(|| self.document.scene().name.clone())
     }
 
     /// Whether the window is to close now.

@@ -3,17 +3,19 @@
 use egui::{Button, MenuBar, Theme, Ui};
 
 use super::command::{Command, Export};
+use super::film::Filming;
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
-use super::{Workbench, text};
+use super::{Workbench, lesson_panel, recent, text};
 use crate::scene::{ViewPreset, presets};
 
 /// Shows the bar.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button(text::FILE, |ui| file(ui, out));
+        ui.menu_button(text::FILE, |ui| file(ui, bench, out));
         ui.menu_button(text::EDIT, |ui| edit(ui, bench, out));
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
+        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench, out));
         ui.separator();
         let (undo, redo) = (bench.undo_label(), bench.redo_label());
         button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Undo, out);
@@ -38,20 +40,27 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
     }
 }
 
-fn file(ui: &mut Ui, out: &mut Vec<Command>) {
+fn file(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    item(ui, text::NEW, "Ctrl N", Command::New, out);
+    item(ui, text::OPEN, "Ctrl O", Command::OpenDialog, out);
+    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, bench, out));
     let items = [
-        (text::OPEN, "Ctrl O", Command::OpenDialog),
         (text::SAVE, "Ctrl S", Command::Save),
         (text::SAVE_AS, "Ctrl Shift S", Command::SaveAs),
         (text::EXPORT_PICTURE, "", Command::Export(Export::Picture)),
+        (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
         (text::EXPORT_TABLES, "", Command::Export(Export::Tables)),
         (text::QUIT, "Ctrl Q", Command::Close),
     ];
     for (words, keys, command) in items {
-        if ui.add(Button::new(words).shortcut_text(keys)).clicked() {
-            out.push(command);
-            ui.close();
-        }
+        item(ui, words, keys, command, out);
+    }
+}
+
+fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {
+    if ui.add(Button::new(words).shortcut_text(keys)).clicked() {
+        out.push(command);
+        ui.close();
     }
 }
 

@@ -17,6 +17,7 @@ use winit::window::{Window, WindowId};
 
 use super::clock::now;
 use super::command::Command;
+use super::keeping;
 use super::surface::Surface;
 use super::workbench::Workbench;
 use crate::scene::Scene;
@@ -94,6 +95,9 @@ impl Open {
             // The event loop has ended: nobody to wake.
             let _ = wake.send_event(News::Wake);
         }));
+        if let Some(folder) = keeping::users_folder() {
+            bench.keep_in(&folder);
+        }
         window.set_visible(true);
         Ok(Self { window, egui, surface, title })
     }

@@ -68,6 +68,11 @@ impl Viewport {
         self.picture.as_ref().map(|(_, list)| list)
     }
 
+    /// What stands behind the bodies.
+    pub(super) fn background(&self) -> Background {
+        self.picture.as_ref().map_or(Background::Studio, |(key, _)| key.background)
+    }
+
     /// Width over height.
     pub(super) fn aspect(&self) -> f64 {
         f64::from(self.size[0]) / f64::from(self.size[1].max(1))

@@ -12,6 +12,8 @@ use super::clock::Clock;
 use super::command::Command;
 use super::dialogs::Dialogs;
 use super::document::Document;
+use super::film::Films;
+use super::keeping::Keeping;
 use super::panels::PanelCache;
 use super::pins::Pin;
 use super::row_dialog::RowDraft;
@@ -23,9 +25,10 @@ use super::traces::TraceCache;
 use super::viewport::{self, Viewport};
 use super::views::{self, Sight};
 use super::{
-    help, input, inspector, menu, notices, outliner, plots, row_dialog, status, text, timeline, transport, whatif,
+    ask, film_dialog, help, input, inspector, lesson_panel, menu, notices, outliner, plots, row_dialog, status, text,
+    timeline, transport, whatif,
 };
-use crate::scene::{Overlays, Scene};
+use crate::scene::{Overlays, Scene, ViewPreset};
 
 /// The workbench: a scene, its answer, and how both are looked at.
 pub struct Workbench {
@@ -52,7 +55,12 @@ pub struct Workbench {
     pub(super) automatic_scale: (u64, f64),
     pub(super) target_format: TextureFormat,
     pub(super) adapter: String,
-    wake: Wake,
+    pub(super) lesson: Option<usize>,
+    /// Where to look from once the panels have taken their room.
+    pub(super) aim_next: Option<ViewPreset>,
+    pub(super) films: Films,
+    pub(super) keeping: Keeping,
+    pub(super) wake: Wake,
     dressed: bool,
 }
 
@@ -96,6 +104,10 @@ impl Workbench {
             automatic_scale: (0, 1.0),
             target_format: TextureFormat::Rgba8Unorm,
             adapter: String::new(),
+            lesson: None,
+            aim_next: None,
+            films: Films::default(),
+            keeping: Keeping::default(),
             wake,
             dressed: false,
             document: Document::new(scene, file),
@@ -129,12 +141,15 @@ impl Workbench {
             self.dressed = true;
         }
         self.listen(ui);
+        self.look_at_disk(ui);
         let mut out = Vec::new();
         input::keys(ui, self, &mut out);
         self.panels(ui, &mut out);
         help::show(ui, self, &mut out);
         row_dialog::show(ui, self, &mut out);
         notices::over_all(ui, self, &mut out);
+        film_dialog::show(ui, self, &mut out);
+        ask::show(ui, self, &mut out);
         self.apply_all(ui, out);
         let view = Frame::new().fill(Palette::of(ui).view);
         CentralPanel::no_frame().frame(view).show(ui, |ui| viewport::show(ui, self));
@@ -144,7 +159,13 @@ impl Workbench {
     /// Takes in what threads, dialogs and dropped files have brought, and lets the clock run.
     fn listen(&mut self, ui: &Ui) {
         self.runner.poll();
+        if let Some(preset) = self.aim_next.take() {
+            self.viewport.want(preset);
+        }
         if let Ok(words) = self.notices.1.try_recv() {
+            self.notice = Some(words);
+        }
+        if let Some(words) = self.films.poll() {
             self.notice = Some(words);
         }
         let mut brought = self.dialogs.take();
@@ -185,6 +206,7 @@ impl Workbench {
         Panel::right("what if").frame(side).default_size(264.0).size_range(240.0..=440.0).show(ui, |ui| {
             ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, self, out));
         });
+        lesson_panel::show(ui, self, out);
     }
 
     /// The view and the time, and the way back.
@@ -205,7 +227,10 @@ impl Workbench {
         } else if let Some(wait) = self.runner.when_idle() {
             ui.request_repaint_after(wait);
         }
-        if self.runner.progress().is_some() {
+        if let Some(wait) = self.keep_work() {
+            ui.request_repaint_after(wait);
+        }
+        if self.runner.progress().is_some() || self.filming().is_some() {
             ui.request_repaint_after(std::time::Duration::from_millis(50));
         }
     }

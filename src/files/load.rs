@@ -45,6 +45,18 @@ pub fn load_scene(name_or_path: &str, sets: &[String]) -> Result<Scene, SceneErr
     Ok(scene)
 }
 
+/// Reads the unsaved work in a side file, with the record it names; whether it makes sense is for the window to say, as
+/// it was while it was edited.
+///
+/// # Errors
+/// What cannot be read, in words.
+pub fn load_unsaved(path: &Path) -> Result<Scene, SceneErrors> {
+    let name = path.to_string_lossy();
+    let mut scene = format::parse(&read_text(path)?, &name)?;
+    load_record(&mut scene, path.parent().unwrap_or(Path::new("")), &name)?;
+    Ok(scene)
+}
+
 /// Reads the record that `motion.file` names into [`RecordMotion::loaded`](crate::scene::RecordMotion::loaded).
 fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(), SceneErrors> {
     let Motion::Record(record) = &mut scene.motion else { return Ok(()) };

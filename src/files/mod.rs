@@ -4,7 +4,13 @@
 //! see plain data and never a path. Writing is atomic: a reader sees the old file or the new one, never half of one.
 
 mod load;
+mod recent;
+mod recovery;
 mod save;
+mod stamp;
 
-pub use load::{ReadError, load_scene, read};
-pub use save::{FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
+pub use load::{ReadError, load_scene, load_unsaved, read};
+pub use recent::Recent;
+pub use recovery::{Found, SideFile, find_beside, find_in};
+pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
+pub use stamp::Stamp;

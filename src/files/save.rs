@@ -14,7 +14,7 @@ pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// What the system said.
-    source: std::io::Error,
+    pub(super) source: std::io::Error,
 }
 
 /// Saves a scene as TOML.
@@ -25,6 +25,19 @@ pub struct WriteError {
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
 pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
+    persist(stage_scene(scene, path)?, path)
+}
+
+/// Puts a scene on the disk beside `path`, down to the medium: a power cut after the renaming must not leave a name
+/// without its contents.
+pub(super) fn stage_scene(scene: &Scene, path: &Path) -> Result<NamedTempFile, WriteError> {
+    let file = stage(path, scene_text(scene, path).as_bytes())?;
+    file.as_file().sync_all().map_err(|source| WriteError { path: path.to_owned(), source })?;
+    Ok(file)
+}
+
+/// The text of a scene that will stand at `path`.
+fn scene_text(scene: &Scene, path: &Path) -> String {
     let mut scene = scene.clone();
     if let Motion::Record(record) = &mut scene.motion
         && let (Some(file), Some((dt, samples))) = (&record.file, &record.loaded)
@@ -32,7 +45,7 @@ pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
     {
         (record.dt, record.samples, record.file) = (Some(*dt), Some(samples.clone()), None);
     }
-    write_atomic(path, format::write(&scene).as_bytes())
+    format::write(&scene)
 }
 
 /// Writes one file: readers see what stood there before or all of `bytes`.
@@ -57,6 +70,7 @@ pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]
 #[derive(Debug, Default)]
 pub struct FileSet {
     staged: Vec<(TempPath, PathBuf)>,
+    made: Folders,
 }
 
 impl FileSet {
@@ -66,7 +80,7 @@ impl FileSet {
     /// When the folder or the file cannot be written.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
         let folder = folder_of(path);
-        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })?;
+        self.made.make(folder)?;
         // Closed here: there may be more files than a process may hold open.
         self.staged.push((stage(path, bytes)?.into_temp_path(), path.to_owned()));
         Ok(())
@@ -76,11 +90,73 @@ impl FileSet {
     ///
     /// # Errors
     /// When something that is no file stands in the way of one.
-    pub fn finish(self) -> Result<(), WriteError> {
+    pub fn finish(mut self) -> Result<(), WriteError> {
         let name = |(file, path): (TempPath, PathBuf)| {
             file.persist(&path).map_err(|error| WriteError { path, source: error.error })
         };
-        self.staged.into_iter().try_for_each(name)
+        std::mem::take(&mut self.staged).into_iter().try_for_each(name)
+    }
+}
+
+/// Folders that were made, the inner ones last. Dropped, those go again that have nothing in them.
+#[derive(Debug, Default)]
+struct Folders(Vec<PathBuf>);
+
+impl Folders {
+    fn make(&mut self, folder: &Path) -> Result<(), WriteError> {
+        let missing = folder.ancestors().take_while(|f| *f != Path::new("") && !f.exists()).map(Path::to_owned);
+        self.0.extend(missing.collect::<Vec<_>>().into_iter().rev());
+        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })
+    }
+}
+
+impl Drop for Folders {
+    fn drop(&mut self) {
+        self.0.iter().rev().take_while(|folder| std::fs::remove_dir(folder).is_ok()).for_each(drop);
+    }
+}
+
+/// One file that grows as it is written to and gets its name at the end; dropped before that, nothing of it stays.
+#[derive(Debug)]
+pub struct Draft {
+    file: std::io::BufWriter<NamedTempFile>,
+    path: PathBuf,
+    /// Dropped after the file, so that its folder is empty by then.
+    _made: Folders,
+}
+
+impl Draft {
+    /// Begins beside where it will be, making the folder if it is missing.
+    ///
+    /// # Errors
+    /// When nothing can be written there.
+    pub fn create(path: &Path) -> Result<Self, WriteError> {
+        let mut made = Folders::default();
+        made.make(folder_of(path))?;
+        let file = temporary_in(folder_of(path)).map_err(|source| WriteError { path: path.to_owned(), source })?;
+        Ok(Self { file: std::io::BufWriter::new(file), path: path.to_owned(), _made: made })
+    }
+
+    /// Gives it its name.
+    ///
+    /// # Errors
+    /// When the rest cannot be written, or something that is no file stands in the way.
+    pub fn finish(self) -> Result<(), WriteError> {
+        let file = self
+            .file
+            .into_inner()
+            .map_err(|error| WriteError { path: self.path.clone(), source: error.into_error() })?;
+        persist(file, &self.path)
+    }
+}
+
+impl std::io::Write for Draft {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
     }
 }
 
@@ -122,7 +198,7 @@ fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
     NamedTempFile::new_in(folder)
 }
 
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),

@@ -1,4 +1,4 @@
-//! Many pictures of one run: one device draws them while other threads make PNG files of those before.
+//! Many pictures of one run: one device draws them while other threads make of those before what is written.
 
 use std::num::NonZero;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
@@ -22,11 +22,20 @@ pub struct Frame {
     pub png: Vec<u8>,
 }
 
+/// What a picture's file says about its making.
+type Texts = [(&'static str, String); 4];
+
 /// A picture on its way to its file.
 struct Job {
     number: usize,
     image: Arc<Image>,
-    texts: [(&'static str, String); 4],
+    texts: Texts,
+}
+
+/// `count` instants at even intervals, both ends among them \[s\].
+pub fn instants(from: f64, to: f64, count: u32) -> impl Iterator<Item = f64> {
+    let last = f64::from(count.saturating_sub(1).max(1));
+    (0..count).map(move |i| from + (to - from) * (f64::from(i) / last))
 }
 
 /// Takes the shots one after another; `each` gets the finished frames, in whatever order they are ready.
@@ -42,19 +51,36 @@ pub fn film<E: From<GpuError>>(
     packing: Packing,
     each: &mut dyn FnMut(Frame) -> Result<(), E>,
 ) -> Result<usize, E> {
+    let png = |image: &Image, texts: &Texts| image.to_png(texts, packing);
+    reel(studio, history, shots, &png, &mut |number, png| each(Frame { number, png }))
+}
+
+/// Takes the shots one after another; threads `develop` each, and `each` gets what comes of it, in whatever order.
+///
+/// # Errors
+/// As [`film`].
+pub(super) fn reel<T: Send, E: From<GpuError>>(
+    studio: &mut Studio,
+    history: &History,
+    shots: &[Shot],
+    develop: &(dyn Fn(&Image, &Texts) -> T + Sync),
+    each: &mut dyn FnMut(usize, T) -> Result<(), E>,
+) -> Result<usize, E> {
     let threads = available_parallelism().map_or(1, NonZero::get).saturating_sub(1).clamp(1, MOST_THREADS);
     let (to_pack, jobs) = sync_channel(threads);
     let (done, frames) = channel();
     let jobs = Mutex::new(jobs);
     scope(|scope| {
-        (0..threads).for_each(|_| pack(scope, &jobs, done.clone(), packing));
+        (0..threads).for_each(|_| pack(scope, &jobs, done.clone(), develop));
         // The last sender's end is the packers' own.
         drop(done);
-        let drawn = draw(studio, history, shots, &to_pack, &mut || frames.try_iter().try_for_each(&mut *each));
+        let drawn = draw(studio, history, shots, &to_pack, &mut || {
+            frames.try_iter().try_for_each(|(number, made)| each(number, made))
+        });
         // No more jobs: the packers end, and with them what is received.
         drop(to_pack);
         let drawn = drawn?;
-        frames.iter().try_for_each(&mut *each)?;
+        frames.iter().try_for_each(|(number, made)| each(number, made))?;
         Ok(drawn)
     })
 }
@@ -86,14 +112,18 @@ fn draw<E: From<GpuError>>(
     Ok(drawn)
 }
 
-/// A thread that makes files of pictures until there are no more.
-fn pack<'s>(scope: &'s Scope<'s, '_>, jobs: &'s Mutex<Receiver<Job>>, done: Sender<Frame>, packing: Packing) {
+/// A thread that develops pictures until there are no more.
+fn pack<'s, T: Send + 's>(
+    scope: &'s Scope<'s, '_>,
+    jobs: &'s Mutex<Receiver<Job>>,
+    done: Sender<(usize, T)>,
+    develop: &'s (dyn Fn(&Image, &Texts) -> T + Sync),
+) {
     scope.spawn(move || {
         loop {
             let job = jobs.lock().unwrap_or_else(PoisonError::into_inner).recv();
             let Ok(Job { number, image, texts }) = job else { break };
-            let png = image.to_png(&texts, packing);
-            if done.send(Frame { number, png }).is_err() {
+            if done.send((number, develop(&image, &texts))).is_err() {
                 break;
             }
         }

@@ -10,8 +10,11 @@
 //! ```
 
 mod film;
+mod gif;
+mod palette;
 
-pub use film::{Frame, film};
+pub use film::{Frame, film, instants};
+pub use gif::{GifError, MOST_FPS, gif};
 
 use crate::render::{Gpu, GpuError, Image, Quality, Renderer};
 use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};

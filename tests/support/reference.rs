@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use girderbench::geometry::End;
 use girderbench::scene::{
-    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelKind,
-    ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings, Sharing,
-    SineMotion, SolverSettings, Tension, ViewSettings,
+    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, Limits,
+    ModelKind, ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings,
+    Sharing, SineMotion, SolverSettings, Tension, ViewSettings,
 };
 use serde_json::Value;
 
@@ -98,7 +98,7 @@ fn scene(case: &Value) -> Scene {
         contact: if case["K"].is_null() { ContactSettings::default() } else { contact(case, pairs) },
         model: model(case),
         impact: impact(case),
-        limits: Default::default(),
+        limits: Limits::default(),
         motion: motion(&case["excitation"]),
         solver: SolverSettings { tolerance: 1e-12, ..SolverSettings::default() },
         view: ViewSettings::default(),

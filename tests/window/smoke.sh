@@ -27,8 +27,12 @@ number=70
 while [ -e "/tmp/.X11-unix/X$number" ] || [ -e "/tmp/.X$number-lock" ]; do number=$((number + 1)); done
 export DISPLAY=":$number"
 unset WAYLAND_DISPLAY
+# Unsaved work and recent files go where nobody else's are.
+XDG_STATE_HOME=$(mktemp -d)
+export XDG_STATE_HOME
 server='' program=''
 finish() {
+  rm -rf "$XDG_STATE_HOME"
   [ -z "$program" ] || kill "$program" 2>/dev/null || true
   [ -z "$server" ] || kill "$server" 2>/dev/null || true
 }

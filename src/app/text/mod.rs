@@ -11,10 +11,19 @@ pub(super) const UNSAVED: &str = "● ";
 
 // The bar at the top.
 pub(super) const FILE: &str = "File";
+pub(super) const NEW: &str = "New";
+pub(super) const UNTITLED: &str = "untitled";
 pub(super) const OPEN: &str = "Open…";
+pub(super) const OPEN_RECENT: &str = "Open recent";
+pub(super) const NO_RECENT: &str = "No files yet";
+pub(super) const FORGET: &str = "Forget";
+pub(super) const FORGET_HINT: &str = "Take it from this list; the file stays where it is";
+pub(super) const FORGET_ALL: &str = "Forget all";
+pub(super) const MISSING: &str = "missing";
 pub(super) const SAVE: &str = "Save";
 pub(super) const SAVE_AS: &str = "Save as…";
 pub(super) const EXPORT_PICTURE: &str = "Export picture…";
+pub(super) const EXPORT_FILM: &str = "Export film…";
 pub(super) const EXPORT_TABLES: &str = "Export tables…";
 pub(super) const QUIT: &str = "Quit";
 pub(super) const PRESETS: &str = "Presets";
@@ -205,7 +214,7 @@ pub(super) const PIN_THERE: &str = "This run is pinned already.";
 pub(super) const PINS_FULL: &str = "Four runs are pinned: unpin one first.";
 pub(super) const NO_PINS: &str = "Pin a run, change something, and see both.";
 pub(super) const NOW: &str = "now";
-pub(super) const PLOTS_SECTION: &str = "Plots";
+pub(super) const PLOTS_SECTION: &str = "Plot panels";
 pub(super) const ADD_PANEL: &str = "Add plot";
 pub(super) const EXPORT_PLOTS: &str = "Export plots";
 pub(super) const PLOTS_WRITTEN: &str = "Plots written";
@@ -281,6 +290,30 @@ pub(super) const PICTURE_WRITTEN: &str = "Picture written";
 pub(super) const TABLES_WRITTEN: &str = "Tables written into";
 pub(super) const BEFORE: &str = "before";
 
+// Guided scenes; their own words are in `assets/lessons`.
+pub(super) const LEARN: &str = "Learn";
+pub(super) const TRY: &str = "Try this";
+pub(super) const RESET: &str = "Reset";
+pub(super) const RESET_HINT: &str = "Put the scene back as it was; undo takes that back";
+pub(super) const CLOSE_LESSON: &str = "Close the lesson";
+
+// Films.
+pub(super) const FILM: &str = "Film";
+pub(super) const FILM_FORMAT: &str = "Format";
+pub(super) const FILM_GIF: &str = "GIF";
+pub(super) const FILM_PNG: &str = "PNG pictures";
+pub(super) const FILM_FROM: &str = "From";
+pub(super) const FILM_TO: &str = "To";
+pub(super) const FILM_FPS: &str = "Frames a second";
+pub(super) const FILM_SIZE: &str = "Size";
+pub(super) const FILM_AS_VIEW: &str = "as the view";
+pub(super) const FILM_WHERE: &str = "Choose where…";
+pub(super) const FILM_IMPOSSIBLE: &str = "No film: it must end after it begins and have at most 20,000 frames.";
+pub(super) const FILMING: &str = "Film:";
+pub(super) const CANCEL_FILM: &str = "Cancel film";
+pub(super) const FILM_CANCELLED: &str = "The film was cancelled; nothing of it was kept.";
+pub(super) const FILM_WRITTEN: &str = "Film written, frames in";
+
 // Questions and notices.
 pub(super) const UNSAVED_QUESTION: &str = "The scene has changes that are not saved.";
 pub(super) const CLOSE_ANYWAY: &str = "Close without saving";
@@ -288,6 +321,19 @@ pub(super) const SAVE_FIRST: &str = "Save first";
 pub(super) const KEEP_OPEN: &str = "Keep working";
 pub(super) const DISMISS: &str = "Dismiss";
 pub(super) const CLOSE: &str = "Close";
+pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended";
+pub(super) const WITHOUT_FILE: &str = "a scene without a file";
+pub(super) const WORK_IS_OLDER: &str = " The file has been written since then.";
+pub(super) const BRING_BACK: &str = "Bring it back?";
+pub(super) const RECOVER: &str = "Recover";
+pub(super) const DISCARD: &str = "Discard";
+pub(super) const LATER: &str = "Keep for later";
+pub(super) const FILE_CHANGED: &str = "was changed by another program.";
+pub(super) const RELOAD_REPLACES: &str = " Reloading replaces what you have changed here; undo brings it back.";
+pub(super) const RELOAD: &str = "Reload";
+pub(super) const KEEP_MINE: &str = "Keep mine";
+pub(super) const FILE_GONE: &str = "the file is no longer there; save to write it again";
+pub(super) const NOT_KEPT: &str = "Unsaved work cannot be kept:";
 
 /// Every key, for the help.
 pub(super) const KEYS: &[(&str, &str)] = &[
@@ -318,7 +364,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl D  Delete", "duplicate, remove what is selected"),
     ("Ctrl Z", "undo"),
     ("Ctrl Shift Z, Ctrl Y", "redo"),
-    ("Ctrl O  Ctrl S", "open, save"),
+    ("Ctrl N  Ctrl O  Ctrl S", "new, open, save"),
     ("Ctrl Shift S", "save as"),
     ("Esc", "select nothing, close this"),
     ("F1", "this help"),

@@ -166,6 +166,22 @@ pub(in crate::app) fn run_time(seconds: f64, times: f64) -> String {
     format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
 }
 
+/// How many frames a film has, and how long it plays.
+pub(in crate::app) fn film_length(frames: u32, seconds: f64) -> String {
+    format!("{frames} frames, plays for {} s", short(seconds))
+}
+
+/// How long ago, roughly.
+pub(in crate::app) fn ago(time: std::time::Duration) -> String {
+    let (count, unit) = match time.as_secs() {
+        s if s < 60 => return "from less than a minute ago".into(),
+        s if s < 3600 => (s / 60, "minute"),
+        s if s < 86_400 => (s / 3600, "hour"),
+        s => (s / 86_400, "day"),
+    };
+    format!("from {count} {unit}{} ago", if count == 1 { "" } else { "s" })
+}
+
 /// A playing speed: `1/100`, `1`, `×5`.
 pub(in crate::app) fn speed(speed: f64) -> String {
     if speed < 1.0 { format!("1/{}", short(1.0 / speed)) } else { format!("×{}", short(speed)) }

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 
 use crate::render::Quality;
 use crate::scene::{Overlays, ViewPreset};
-use crate::snapshot::Instant;
+use crate::snapshot::{Instant, MOST_FPS};
 use crate::view::Background;
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -114,5 +114,12 @@ pub(super) fn instant(text: &str) -> Result<Instant, String> {
         Ok(t) if t.is_finite() && t >= 0.0 => Ok(Instant::At(t)),
         _ if text == "peak" => Ok(Instant::Peak),
         _ => Err("give a time of 0 s or later, or `peak`".to_owned()),
+    }
+}
+
+pub(super) fn frame_rate(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(fps) if (0.1..=MOST_FPS).contains(&fps) => Ok(fps),
+        _ => Err(format!("give frames a second from 0.1 to {MOST_FPS}")),
     }
 }

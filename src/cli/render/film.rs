@@ -2,10 +2,10 @@
 
 use super::{Failure, RenderArgs, Wanted, reaches};
 use crate::cli::progress::Progress;
-use crate::files::FileSet;
+use crate::files::{Draft, FileSet};
 use crate::render::Packing;
 use crate::sim::History;
-use crate::snapshot::{Frame, Instant, Shot, Studio, film};
+use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
 
 /// `count` pictures at even intervals, both ends among them.
 ///
@@ -20,13 +20,12 @@ pub(super) fn frames(args: &RenderArgs, history: &History, count: u32) -> Result
     }
     let still = args.shot(Instant::Peak, history.scene());
     let camera = Some(still.camera(history));
-    let last = f64::from(count.saturating_sub(1).max(1));
     let digits = count.to_string().len().max(4);
-    let frame = |i: u32| Wanted {
+    let frame = |(i, t): (usize, f64)| Wanted {
         path: args.path(history, &format!("{:0digits$}", i + 1)),
-        shot: Shot { at: Instant::At(from + (to - from) * (f64::from(i) / last)), camera, ..still.clone() },
+        shot: Shot { at: Instant::At(t), camera, ..still.clone() },
     };
-    Ok((0..count).map(frame).collect())
+    Ok(instants(from, to, count).enumerate().map(frame).collect())
 }
 
 /// Takes the pictures and writes them, all or none; says where they are.
@@ -39,28 +38,70 @@ pub(super) fn take(
     history: &History,
     wanted: &[Wanted],
 ) -> Result<String, Failure> {
-    let packing = if args.frames.is_some() { Packing::Quick } else { Packing::Small };
     let shots: Vec<Shot> = wanted.iter().map(|w| w.shot.clone()).collect();
-    let (mut set, mut written) = (FileSet::default(), 0_u32);
     let mut progress = Progress::over(shots.len() as f64, "pictures");
-    let drawn = film::<Failure>(studio, history, &shots, packing, &mut |Frame { number, png }| {
+    let drawn = if args.gif_file().is_some() {
+        take_gif(args, studio, history, &shots, &mut progress)
+    } else {
+        take_files(args, studio, history, (&shots, wanted), &mut progress)
+    };
+    progress.done();
+    Ok(said(args, wanted, drawn?))
+}
+
+fn take_files(
+    args: &RenderArgs,
+    studio: &mut Studio,
+    history: &History,
+    (shots, wanted): (&[Shot], &[Wanted]),
+    progress: &mut Progress,
+) -> Result<usize, Failure> {
+    let packing = if args.frames.is_some() { Packing::Quick } else { Packing::Small };
+    let (mut set, mut written) = (FileSet::default(), 0_u32);
+    let drawn = film::<Failure>(studio, history, shots, packing, &mut |Frame { number, png }| {
         set.add(&wanted[number].path, &png)?;
         written += 1;
         progress.show(f64::from(written));
         Ok(())
-    });
-    progress.done();
-    let drawn = drawn?;
+    })?;
     set.finish()?;
-    Ok(said(args, wanted, drawn))
+    Ok(drawn)
+}
+
+fn take_gif(
+    args: &RenderArgs,
+    studio: &mut Studio,
+    history: &History,
+    shots: &[Shot],
+    progress: &mut Progress,
+) -> Result<usize, Failure> {
+    let mut draft = Draft::create(&args.out)?;
+    let drawn = gif::<Failure>(studio, history, shots, args.fps, &mut draft, &mut |written| {
+        progress.show(written as f64);
+        Ok(())
+    })?;
+    draft.finish()?;
+    Ok(drawn)
 }
 
 fn said(args: &RenderArgs, wanted: &[Wanted], drawn: usize) -> String {
     let path = |w: &Wanted| w.path.display().to_string();
     match (args.frames, wanted) {
+        (Some(count), _) if args.gif_file().is_some() => {
+            format!("{}: {count} frames, {drawn} different\n", args.out.display())
+        }
         (Some(count), [first, .., last]) => {
             format!("{} … {}: {count} frames, {drawn} different\n", path(first), path(last))
         }
         _ => wanted.iter().flat_map(|w| [path(w), "\n".to_owned()]).collect(),
+    }
+}
+
+impl From<GifError> for Failure {
+    fn from(error: GifError) -> Self {
+        match error {
+            GifError::Size(..) => Self::Input(format!("--size: {error}")),
+            GifError::Write(_) => Self::Input(format!("--out: {error}")),
+        }
     }
 }

@@ -5,7 +5,7 @@ mod film;
 
 use std::path::{Path, PathBuf};
 
-use choices::{Behind, Layer, Size, View, Work, instant, size};
+use choices::{Behind, Layer, Size, View, Work, frame_rate, instant, size};
 
 use super::compute::compute_as_asked;
 use super::{Console, Failure, SceneArgs};
@@ -32,13 +32,16 @@ pub(super) struct RenderArgs {
     /// When the film ends [s]; the end of the run when left out
     #[arg(long, value_name = "S", value_parser = super::args::not_negative, requires = "frames", allow_negative_numbers = true)]
     to: Option<f64>,
+    /// Frames a second of a GIF, at most 50: how fast it is played
+    #[arg(long, value_name = "HZ", value_parser = frame_rate, requires = "frames", default_value_t = 25.0, allow_negative_numbers = true)]
+    fps: f64,
     /// Where the camera stands; the scene's own view when left out. `contact` frames the hardest hit
     #[arg(long, value_enum, value_name = "VIEW")]
     view: Option<View>,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x720")]
     size: Size,
-    /// A folder, or a file ending in .png for a single picture
+    /// A folder, a file ending in .png for a single picture, or one ending in .gif for a film
     #[arg(long, value_name = "DIR|FILE", default_value = "out")]
     out: PathBuf,
     /// Layers to draw beside the scene's own, separated by commas
@@ -88,6 +91,9 @@ impl RenderArgs {
     /// Refuses a file for more pictures than one, and a folder that cannot be written to, before anything is computed.
     fn check_out(&self) -> Result<(), Failure> {
         let count = self.frames.map_or(self.at.len(), |frames| frames as usize);
+        if let Some(gif) = self.gif_file() {
+            return self.check_gif(gif);
+        }
         match self.out_file() {
             Some(file) if count > 1 => {
                 let out = file.display();
@@ -98,9 +104,30 @@ impl RenderArgs {
         }
     }
 
-    /// The one file that is asked for, if `--out` names a file.
+    fn check_gif(&self, gif: &Path) -> Result<(), Failure> {
+        let out = gif.display();
+        match (self.frames, self.background) {
+            (None, _) => Err(Failure::Input(format!("--out {out}: a GIF is a film: say how many --frames"))),
+            (Some(_), Behind::Transparent) => {
+                let remedy = "choose another, or a folder of PNG pictures";
+                Err(Failure::Input(format!("--background transparent: a GIF film has none: {remedy}")))
+            }
+            _ => Ok(files::check_folder(gif.parent().unwrap_or(Path::new("")))?),
+        }
+    }
+
+    /// The one picture that is asked for, if `--out` names one.
     fn out_file(&self) -> Option<&Path> {
-        let is_file = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
+        self.out_with("png")
+    }
+
+    /// The one film that is asked for, if `--out` names one.
+    fn gif_file(&self) -> Option<&Path> {
+        self.out_with("gif")
+    }
+
+    fn out_with(&self, extension: &str) -> Option<&Path> {
+        let is_file = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
         is_file.then_some(self.out.as_path())
     }
 

@@ -1,16 +1,23 @@
 //! From what a hand does to the edits of [`scene::edit`](crate::scene::edit) that do it.
 
+mod fresh;
+mod pairs;
+
+pub(in crate::app) use fresh::empty;
+pub(in crate::app) use pairs::{names_of, new_pair, pair_entry};
+
+use fresh::first_girder;
 use glam::DVec3;
 
 use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
-use crate::scene::facing::{self, Facing, Side};
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, PairSettings, Push, Scene, Seat, placed};
+use crate::scene::facing::{self, Side};
+use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Scene, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
 /// What undo calls an edit.
-pub(super) fn label(edit: &Edit, scene: &Scene) -> String {
+pub(in crate::app) fn label(edit: &Edit, scene: &Scene) -> String {
     let girder = |i: &usize| scene.girders.get(*i).map_or("girder", |g| g.name.as_str());
     let abutment = |i: &usize| scene.abutments.get(*i).map_or("abutment", |a| a.name.as_str());
     match edit {
@@ -42,23 +49,23 @@ pub(super) fn label(edit: &Edit, scene: &Scene) -> String {
 }
 
 /// Gives a girder other numbers.
-pub(super) fn girder(i: usize, girder: Girder) -> Edit {
+pub(in crate::app) fn girder(i: usize, girder: Girder) -> Edit {
     Edit::ReplaceGirder(i, Box::new(girder))
 }
 
 /// Gives an abutment other numbers.
-pub(super) fn abutment(i: usize, abutment: Abutment) -> Edit {
+pub(in crate::app) fn abutment(i: usize, abutment: Abutment) -> Edit {
     Edit::ReplaceAbutment(i, Box::new(abutment))
 }
 
 /// Turns the ends of one girder, or of all.
-pub(super) fn skew(scene: &Scene, one: Option<usize>, skew_deg: f64) -> Edit {
+pub(in crate::app) fn skew(scene: &Scene, one: Option<usize>, skew_deg: f64) -> Edit {
     let turned = scene.girders.iter().enumerate().filter(|(i, _)| one.is_none_or(|one| one == *i));
     Edit::Batch(turned.map(|(i, g)| girder(i, Girder { skew_deg, ..g.clone() })).collect())
 }
 
 /// A girder with other numbers; each number that was changed goes to the other selected girders too.
-pub(super) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selected: &[Target]) -> Edit {
+pub(in crate::app) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selected: &[Target]) -> Edit {
     let Some(old) = scene.girders.get(i) else { return girder(i, new.clone()) };
     let mut edits = vec![girder(i, new.clone())];
     for target in selected {
@@ -95,72 +102,28 @@ fn carried(old: &Girder, new: &Girder, other: &Girder) -> Girder {
     out
 }
 
-/// Names of the two bodies of a facing pair.
-pub(super) fn names_of<'a>(scene: &'a Scene, pair: &Facing) -> [&'a str; 2] {
-    [pair.first, pair.second].map(|side| match side {
-        Side::Girder(i, _) => scene.girders.get(i).map_or("", |g| g.name.as_str()),
-        Side::Abutment(i) => scene.abutments.get(i).map_or("", |a| a.name.as_str()),
-    })
-}
-
-fn ends_of(pair: &Facing) -> Option<[End; 2]> {
-    match (pair.first, pair.second) {
-        (Side::Girder(_, a), Side::Girder(_, b)) => Some([a, b]),
-        _ => None,
-    }
-}
-
-/// The last entry of `[[contact.pair]]` that is about this pair alone.
-pub(super) fn pair_entry(scene: &Scene, pair: &Facing) -> Option<usize> {
-    let [a, b] = names_of(scene, pair);
-    scene.contact.pairs.iter().rposition(|entry| {
-        let [x, y] = &entry.between;
-        let straight = (x == a && y == b) && entry.ends.is_none_or(|e| Some(e) == ends_of(pair));
-        let turned = (x == b && y == a) && entry.ends.is_none_or(|[e, f]| Some([f, e]) == ends_of(pair));
-        straight || turned
-    })
-}
-
-/// An entry of `[[contact.pair]]` for this pair that says nothing yet.
-pub(super) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
-    PairSettings {
-        between: names_of(scene, pair).map(str::to_owned),
-        ends: ends_of(pair),
-        stiffness: None,
-        young_modulus: None,
-        area: None,
-        restitution_normal: None,
-        restitution_tangential: None,
-        mu_static: None,
-        mu_kinetic: None,
-        law: None,
-        sharing: None,
-        tension: None,
-    }
-}
-
 /// Gives the contact other numbers.
-pub(super) fn contact(contact: ContactSettings) -> Edit {
+pub(in crate::app) fn contact(contact: ContactSettings) -> Edit {
     Edit::Contact(Box::new(contact))
 }
 
 /// Moves the ground otherwise.
-pub(super) fn motion(motion: Motion) -> Edit {
+pub(in crate::app) fn motion(motion: Motion) -> Edit {
     Edit::Motion(Box::new(motion))
 }
 
 /// Runs longer or shorter \[s\].
-pub(super) fn duration(scene: &Scene, duration: f64) -> Edit {
+pub(in crate::app) fn duration(scene: &Scene, duration: f64) -> Edit {
     Edit::General(Box::new(General { duration, ..General::of(scene) }))
 }
 
 /// The gap of the first facing pair, which the slider shows \[m\].
-pub(super) fn gap_of(scene: &Scene) -> Option<f64> {
+pub(in crate::app) fn gap_of(scene: &Scene) -> Option<f64> {
     facing::find(scene).ok()?.first().map(|f| f.gap)
 }
 
 /// Opens every facing pair to the same gap: abutments by their own number, girders by standing farther apart \[m\].
-pub(super) fn gap(scene: &Scene, gap: f64) -> Edit {
+pub(in crate::app) fn gap(scene: &Scene, gap: f64) -> Edit {
     let mut edits = Vec::new();
     let mut shift = vec![None; scene.girders.len()];
     for pair in facing::find(scene).unwrap_or_default() {
@@ -185,17 +148,17 @@ pub(super) fn gap(scene: &Scene, gap: f64) -> Edit {
 }
 
 /// A place in whole micrometres: it will be read in a file.
-pub(super) fn tidy(place: DVec3) -> [f64; 3] {
+pub(in crate::app) fn tidy(place: DVec3) -> [f64; 3] {
     place.to_array().map(micrometres)
 }
 
 /// To a whole micrometre \[m\].
-pub(super) fn micrometres(v: f64) -> f64 {
+pub(in crate::app) fn micrometres(v: f64) -> f64 {
     (v * 1e6).round() / 1e6
 }
 
 /// Moves a girder and every girder that stands in a row with it, up to `from`, by a way \[m\]: gaps beyond stay.
-pub(super) fn row_shifted(scene: &Scene, from: usize, second: usize, way: DVec3) -> Edit {
+pub(in crate::app) fn row_shifted(scene: &Scene, from: usize, second: usize, way: DVec3) -> Edit {
     let pairs = facing::find(scene).unwrap_or_default();
     let mut row = vec![second];
     let mut next = 0;
@@ -229,7 +192,7 @@ fn push_apart(shift: &mut [Option<DVec3>], first: usize, second: usize, way: DVe
 }
 
 /// Gives something another name.
-pub(super) fn rename(scene: &Scene, target: Target, name: String) -> Option<Edit> {
+pub(in crate::app) fn rename(scene: &Scene, target: Target, name: String) -> Option<Edit> {
     let old = match target {
         Target::Girder(i) => scene.girders.get(i).map(|g| g.name.clone()),
         Target::Abutment(i) => scene.abutments.get(i).map(|a| a.name.clone()),
@@ -239,7 +202,7 @@ pub(super) fn rename(scene: &Scene, target: Target, name: String) -> Option<Edit
 }
 
 /// Removes something.
-pub(super) fn remove(target: Target) -> Option<Edit> {
+pub(in crate::app) fn remove(target: Target) -> Option<Edit> {
     match target {
         Target::Girder(i) => Some(Edit::RemoveGirder(i)),
         Target::Abutment(i) => Some(Edit::RemoveAbutment(i)),
@@ -254,7 +217,7 @@ fn stem(name: &str) -> &str {
 }
 
 /// A copy of a girder beyond the `+x` end of the row, one gap away.
-pub(super) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
+pub(in crate::app) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
     let model = like.and_then(|i| scene.girders.get(i)).or(scene.girders.last());
     let mut new = model.cloned().unwrap_or_else(first_girder);
     new.name = free_name(scene, stem(&new.name));
@@ -273,7 +236,7 @@ pub(super) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
 
 /// Copies of a girder in a row beyond its `+x` end: so many spans, the first of them itself, `gap` apart \[m\]. The
 /// abutment that stood before that end stands before the row's end then.
-pub(super) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
+pub(in crate::app) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
     let mut scene = scene.clone();
     let mut edits = Vec::with_capacity(spans);
     for span in 1..spans {
@@ -294,7 +257,7 @@ pub(super) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit
 
 /// A body moved over the ground \[m\] and turned \[degrees\]; an abutment that follows a girder goes with its gap and
 /// offset, and does not turn.
-pub(super) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
+pub(in crate::app) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
     match target {
         Target::Girder(i) => {
             let girder = scene.girders.get(i)?;
@@ -336,34 +299,15 @@ fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
     block.corners().iter().map(|c| c.dot(along)).reduce(f64::max)
 }
 
-/// The paper's straight girder, where nothing is placed that could be copied.
-fn first_girder() -> Girder {
-    Girder {
-        name: "girder".into(),
-        length: 0.190,
-        width: 0.070,
-        thickness: 0.020,
-        skew_deg: 90.0,
-        mass: 2.0,
-        position: [0.0; 3],
-        heading_deg: 0.0,
-        bearings: None,
-        initial: Initial::default(),
-        push: Push::default(),
-        held: Vec::new(),
-        seat: Seat::default(),
-    }
-}
-
 /// An abutment before the first end, of the chosen girder or of any, that faces nobody yet.
-pub(super) fn add_abutment(scene: &Scene, before: Option<usize>) -> Option<Edit> {
+pub(in crate::app) fn add_abutment(scene: &Scene, before: Option<usize>) -> Option<Edit> {
     let free = free_ends(scene);
     let (i, end) = free.iter().find(|(i, _)| Some(*i) == before).or(free.first()).copied()?;
     Some(Edit::AddAbutment(scene.abutments.len(), Box::new(abutment_before(scene, i, end))))
 }
 
 /// Ends of girders that face nobody.
-pub(super) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
+pub(in crate::app) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
     let pairs = facing::find(scene).unwrap_or_default();
     let taken = |side: Side| pairs.iter().any(|p| p.first == side || p.second == side);
     let ends = (0..scene.girders.len()).flat_map(|i| End::BOTH.into_iter().map(move |end| (i, end)));
@@ -371,7 +315,7 @@ pub(super) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
 }
 
 /// An abutment before an end of a girder, at the scene's own gap.
-pub(super) fn abutment_before(scene: &Scene, girder: usize, end: End) -> Abutment {
+pub(in crate::app) fn abutment_before(scene: &Scene, girder: usize, end: End) -> Abutment {
     Abutment {
         name: free_name(scene, "abutment"),
         faces: scene.girders[girder].name.clone(),

@@ -1,0 +1,49 @@
+//! A facing pair's own entry of `[[contact.pair]]`.
+
+use crate::geometry::End;
+use crate::scene::facing::{Facing, Side};
+use crate::scene::{PairSettings, Scene};
+
+/// Names of the two bodies of a facing pair.
+pub(in crate::app) fn names_of<'a>(scene: &'a Scene, pair: &Facing) -> [&'a str; 2] {
+    [pair.first, pair.second].map(|side| match side {
+        Side::Girder(i, _) => scene.girders.get(i).map_or("", |g| g.name.as_str()),
+        Side::Abutment(i) => scene.abutments.get(i).map_or("", |a| a.name.as_str()),
+    })
+}
+
+fn ends_of(pair: &Facing) -> Option<[End; 2]> {
+    match (pair.first, pair.second) {
+        (Side::Girder(_, a), Side::Girder(_, b)) => Some([a, b]),
+        _ => None,
+    }
+}
+
+/// The last entry of `[[contact.pair]]` that is about this pair alone.
+pub(in crate::app) fn pair_entry(scene: &Scene, pair: &Facing) -> Option<usize> {
+    let [a, b] = names_of(scene, pair);
+    scene.contact.pairs.iter().rposition(|entry| {
+        let [x, y] = &entry.between;
+        let straight = (x == a && y == b) && entry.ends.is_none_or(|e| Some(e) == ends_of(pair));
+        let turned = (x == b && y == a) && entry.ends.is_none_or(|[e, f]| Some([f, e]) == ends_of(pair));
+        straight || turned
+    })
+}
+
+/// An entry of `[[contact.pair]]` for this pair that says nothing yet.
+pub(in crate::app) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
+    PairSettings {
+        between: names_of(scene, pair).map(str::to_owned),
+        ends: ends_of(pair),
+        stiffness: None,
+        young_modulus: None,
+        area: None,
+        restitution_normal: None,
+        restitution_tangential: None,
+        mu_static: None,
+        mu_kinetic: None,
+        law: None,
+        sharing: None,
+        tension: None,
+    }
+}

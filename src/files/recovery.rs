@@ -1,0 +1,190 @@
+//! Unsaved work in side files: `NAME.toml.unsaved` beside the scene.
+//!
+//! A side file is always one whole scene: it is written beside its name and renamed. The process that writes it holds a
+//! lock on it, which the system lets go of however the process ends; so a side file that nobody holds is work that was
+//! lost with its window, and one that is held is another window's business.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use super::save::{WriteError, folder_of, stage_scene};
+use crate::scene::Scene;
+
+/// What a side file's name ends in; the second one of a scene ends in `.unsaved2`.
+const ENDING: &str = ".unsaved";
+
+/// More side files of one scene than this are a fault somewhere.
+const MOST: u32 = 99;
+
+/// A side file of this process.
+#[derive(Debug)]
+pub struct SideFile {
+    path: PathBuf,
+    /// Open for as long as it is ours.
+    held: Option<File>,
+}
+
+/// A side file that nobody holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Found {
+    /// The side file.
+    pub path: PathBuf,
+    /// The scene's own file, if it has one.
+    pub file: Option<PathBuf>,
+    /// When it was written.
+    pub written: SystemTime,
+}
+
+impl SideFile {
+    /// Writes a scene into a new side file of `file`, under the first name that is free.
+    ///
+    /// # Errors
+    /// When the folder cannot be written to.
+    pub fn create(scene: &Scene, file: &Path) -> Result<Self, WriteError> {
+        let folder = folder_of(file);
+        let fail = |source| WriteError { path: numbered(file, 1), source };
+        std::fs::create_dir_all(folder).map_err(fail)?;
+        let mut staged = stage_scene(scene, &numbered(file, 1))?;
+        hold(staged.as_file());
+        for number in 1..=MOST {
+            let path = numbered(file, number);
+            match staged.persist_noclobber(&path) {
+                Ok(held) => return Ok(Self { path, held: Some(held) }),
+                Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => staged = error.file,
+                Err(error) => return Err(fail(error.error)),
+            }
+        }
+        Err(fail(std::io::ErrorKind::AlreadyExists.into()))
+    }
+
+    /// Takes over a side file that was found, to write and remove it from now on.
+    pub fn adopt(path: PathBuf) -> Self {
+        let held = File::open(&path).ok();
+        held.iter().for_each(hold);
+        Self { path, held }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the scene as it is now in place of what stood there.
+    ///
+    /// # Errors
+    /// When it cannot be written; what stood there still does.
+    pub fn write(&mut self, scene: &Scene) -> Result<(), WriteError> {
+        let staged = stage_scene(scene, &self.path)?;
+        hold(staged.as_file());
+        // Not every system puts a file in the place of one that is open.
+        self.held = None;
+        let fail = |error: tempfile::PersistError| WriteError { path: self.path.clone(), source: error.error };
+        self.held = Some(staged.persist(&self.path).map_err(fail)?);
+        Ok(())
+    }
+
+    /// Removes it: the work is saved, or given up.
+    pub fn remove(self) {
+        drop(self.held);
+        // Gone already is as good.
+        let _ = std::fs::remove_file(&self.path);
+    }
+}
+
+/// Locks a file for as long as it is open; where a file system knows no locks, nothing is held.
+fn hold(file: &File) {
+    let _ = file.try_lock();
+}
+
+/// Whether a window that still runs holds a side file.
+fn is_held(path: &Path) -> bool {
+    File::open(path).is_ok_and(|file| matches!(file.try_lock_shared(), Err(std::fs::TryLockError::WouldBlock)))
+}
+
+/// `NAME.toml.unsaved`, `NAME.toml.unsaved2` …
+fn numbered(file: &Path, number: u32) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(ENDING);
+    if number > 1 {
+        name.push(number.to_string());
+    }
+    name.into()
+}
+
+/// Side files beside a scene's file that nobody holds, the newest first.
+pub fn find_beside(file: &Path) -> Vec<Found> {
+    let all = (1..=MOST).map(|number| numbered(file, number));
+    newest_first(all.filter_map(|path| found(path, Some(file.to_owned()))).collect())
+}
+
+/// Side files of scenes without a file that nobody holds, the newest first.
+pub fn find_in(folder: &Path) -> Vec<Found> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let is_side = |path: &PathBuf| {
+        let end = path.extension().map(|end| format!(".{}", end.to_string_lossy())).unwrap_or_default();
+        end.strip_prefix(ENDING).is_some_and(|number| number.chars().all(|c| c.is_ascii_digit()))
+    };
+    newest_first(entries.filter(is_side).filter_map(|path| found(path, None)).collect())
+}
+
+fn found(path: PathBuf, file: Option<PathBuf>) -> Option<Found> {
+    let about = std::fs::metadata(&path).ok().filter(std::fs::Metadata::is_file)?;
+    let written = about.modified().unwrap_or(SystemTime::UNIX_EPOCH);
+    (!is_held(&path)).then_some(Found { path, file, written })
+}
+
+fn newest_first(mut found: Vec<Found>) -> Vec<Found> {
+    found.sort_by(|a, b| b.written.cmp(&a.written).then_with(|| a.path.cmp(&b.path)));
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::load_unsaved;
+    use crate::scene::presets;
+
+    fn scene() -> Scene {
+        presets::load(presets::OPENING).expect("ships")
+    }
+
+    #[test]
+    fn a_side_file_is_found_once_its_window_is_gone() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("mine.toml");
+        let mut side = SideFile::create(&scene(), &file).expect("written");
+        assert!(find_beside(&file).is_empty(), "held while its window lives");
+        side.write(&scene()).expect("written again");
+        assert!(find_beside(&file).is_empty(), "and after another writing");
+        let path = side.path().to_owned();
+        assert_eq!(path, folder.path().join("mine.toml.unsaved"), "beside its scene");
+        drop(side);
+        let found = find_beside(&file);
+        assert_eq!(found.iter().map(|f| &f.path).collect::<Vec<_>>(), [&path], "found now");
+        assert_eq!(load_unsaved(&path).expect("a scene"), scene(), "whole");
+        SideFile::adopt(path).remove();
+        assert!(find_beside(&file).is_empty(), "and gone when it is given up");
+    }
+
+    #[test]
+    fn nobody_writes_over_another_windows_work() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("mine.toml");
+        let one = SideFile::create(&scene(), &file).expect("written");
+        let other = SideFile::create(&Scene { duration: 3.0, ..scene() }, &file).expect("written");
+        assert_ne!(one.path(), other.path(), "two names");
+        drop((one, other));
+        assert_eq!(find_beside(&file).len(), 2, "both are found");
+        assert_eq!(find_in(folder.path()).len(), 2, "by looking through the folder too");
+    }
+
+    #[test]
+    fn work_in_an_impossible_state_is_kept_too() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut wrong = scene();
+        wrong.girders[0].mass = -1.0;
+        let side = SideFile::create(&wrong, &folder.path().join("mine.toml")).expect("written");
+        assert_eq!(load_unsaved(side.path()).expect("read"), wrong, "as it was being edited");
+    }
+}

@@ -1,0 +1,267 @@
+//! New, recent files, unsaved work and its recovery, a file that another program changes.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::harness::{open, press, settle, slide};
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{Command, Workbench};
+use girderbench::files::{find_in, load_scene, save_scene};
+use girderbench::scene::{Scene, presets};
+
+/// A window on the opening scene that keeps its lists and unsaved work in a folder, without waiting.
+fn kept(folder: &Path) -> Harness<'static, Workbench> {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().keep_in(&folder.join("state"));
+    harness.state_mut().set_autosave_delay(Duration::ZERO);
+    settle(&mut harness);
+    harness
+}
+
+/// A scene file of one's own.
+fn file(folder: &Path, name: &str) -> PathBuf {
+    let path = folder.join(name);
+    save_scene(&presets::load("skew60-abutment").expect("ships"), &path).expect("written");
+    path
+}
+
+fn open_file(harness: &mut Harness<'_, Workbench>, path: &Path) {
+    harness.state_mut().apply(Command::OpenFile(path.to_owned()));
+    settle(harness);
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<_> = entries.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Ends a window as a crash would: nobody is asked, nothing is cleaned up.
+fn crash(harness: Harness<'_, Workbench>) {
+    harness.state().wait_for_disk();
+    drop(harness);
+}
+
+#[test]
+fn new_is_empty_and_undo_brings_the_old_scene_back() {
+    let mut harness = open(presets::OPENING);
+    let before = harness.state().scene().clone();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    settle(&mut harness);
+    let scene = harness.state().scene();
+    assert!(scene.girders.is_empty() && scene.abutments.is_empty(), "nothing is placed");
+    assert!(harness.query_by_label_contains("Nothing is placed").is_some(), "and what to do is said");
+    assert!(!harness.state().is_dirty(), "nothing would be lost");
+    press(&mut harness, "Add girder");
+    assert_eq!(harness.state().scene().girders.len(), 1, "a beginning");
+    press(&mut harness, "Undo");
+    press(&mut harness, "Undo");
+    assert_eq!(*harness.state().scene(), before, "the old one, exactly");
+}
+
+/// Opens the list of recent files in the file menu.
+fn open_recent(harness: &mut Harness<'_, Workbench>) {
+    press(harness, "File");
+    harness.get_by_label_contains("Open recent").click();
+    harness.run_steps(5);
+}
+
+#[test]
+fn recent_files_are_listed_opened_and_forgotten() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (one, other) = (file(folder.path(), "one.toml"), file(folder.path(), "other.toml"));
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &one);
+    open_file(&mut harness, &other);
+    drop(harness);
+    std::fs::remove_file(&other).expect("gone");
+    let mut harness = kept(folder.path());
+    assert_eq!(harness.state().recent(), [other, one.clone()], "the next window knows them");
+    open_recent(&mut harness);
+    assert!(harness.query_by_label_contains("other.toml (missing)").is_some(), "what has gone is said to be missing");
+    press(&mut harness, "Forget");
+    assert_eq!(harness.state().recent(), [one], "forgotten");
+    open_recent(&mut harness);
+    harness.get_by_label_contains("/one.toml").click();
+    settle(&mut harness);
+    assert_eq!(harness.state().file_name(), "one.toml", "opened");
+}
+
+#[test]
+fn a_recent_list_of_nonsense_does_not_keep_the_window_from_opening() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir_all(folder.path().join("state/recent.toml")).expect("a folder where a file should be");
+    let mut harness = kept(folder.path());
+    assert!(harness.state().recent().is_empty(), "nothing to list");
+    let mine = file(folder.path(), "mine.toml");
+    open_file(&mut harness, &mine);
+    assert_eq!(harness.state().file_name(), "mine.toml", "and everything else goes on");
+}
+
+#[test]
+fn unsaved_work_outlives_its_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mine = file(folder.path(), "mine.toml");
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    slide(&mut harness, "Skew β", 75.0);
+    let edited = harness.state().scene().clone();
+    crash(harness);
+    let left = ["mine.toml", "mine.toml.unsaved", "state"];
+    assert_eq!(names(folder.path()), left, "the scene and the unsaved work beside it");
+
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    assert_ne!(*harness.state().scene(), edited, "the file, to begin with");
+    assert!(harness.query_by_label_contains("mine.toml, from less than a minute ago").is_some(), "asked, in words");
+    press(&mut harness, "Keep for later");
+    assert!(harness.state().found_work().is_none(), "asked once");
+    open_file(&mut harness, &mine);
+    press(&mut harness, "Recover");
+    assert_eq!(*harness.state().scene(), edited, "all of it is back");
+    assert!(harness.state().is_dirty(), "and still to be saved");
+    press(&mut harness, "Undo");
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 60.0, "the file's scene is one step back");
+    press(&mut harness, "Redo");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    settle(&mut harness);
+    harness.state().wait_for_disk();
+    assert_eq!(load_scene(&mine.to_string_lossy(), &[]).expect("good"), edited, "saved");
+    assert_eq!(names(folder.path()), ["mine.toml", "state"], "nothing unsaved is left");
+}
+
+#[test]
+fn work_without_a_file_is_asked_about_at_the_next_start() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let state = folder.path().join("state");
+    let mut harness = kept(folder.path());
+    slide(&mut harness, "Skew β", 75.0);
+    let edited = harness.state().scene().clone();
+    harness.state().wait_for_disk();
+    assert!(find_in(&state.join("unsaved")).is_empty(), "another window does not take it from a living one");
+    crash(harness);
+    let mut harness = kept(folder.path());
+    press(&mut harness, "Recover");
+    assert_eq!(*harness.state().scene(), edited, "back");
+    assert!(harness.state().is_dirty(), "to be saved somewhere");
+    crash(harness);
+    let mut harness = kept(folder.path());
+    press(&mut harness, "Discard");
+    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("ships"), "not wanted");
+    assert!(names(&state.join("unsaved")).is_empty(), "and gone");
+}
+
+#[test]
+fn closing_and_undoing_leave_no_unsaved_work() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let unsaved = folder.path().join("state/unsaved");
+    let mut harness = kept(folder.path());
+    slide(&mut harness, "Skew β", 75.0);
+    harness.state().wait_for_disk();
+    assert_eq!(names(&unsaved).len(), 1, "kept");
+    press(&mut harness, "Undo");
+    harness.state().wait_for_disk();
+    assert!(names(&unsaved).is_empty(), "nothing to lose any more");
+    slide(&mut harness, "Skew β", 75.0);
+    harness.state_mut().apply(Command::Close);
+    settle(&mut harness);
+    press(&mut harness, "Close without saving");
+    crash(harness);
+    assert!(names(&unsaved).is_empty(), "given up");
+}
+
+#[test]
+fn work_left_behind_by_opening_another_scene_is_not_lost() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mine = file(folder.path(), "mine.toml");
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    harness.state_mut().set_autosave_delay(Duration::from_hours(1));
+    slide(&mut harness, "Skew β", 75.0);
+    let edited = harness.state().scene().clone();
+    harness.state_mut().apply(Command::OpenPreset("straight-straight".into()));
+    settle(&mut harness);
+    harness.state_mut().apply(Command::Close);
+    assert!(harness.state().wants_to_close(), "what is shown is saved");
+    crash(harness);
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    press(&mut harness, "Recover");
+    assert_eq!(*harness.state().scene(), edited, "what was left behind");
+}
+
+/// Changes the file as an editor would.
+fn change(path: &Path) -> Scene {
+    let mut scene = load_scene(&path.to_string_lossy(), &[]).expect("good");
+    scene.girders[0].skew_deg = 52.25;
+    scene.description.push_str(" Changed.");
+    save_scene(&scene, path).expect("written");
+    scene
+}
+
+#[test]
+fn a_file_changed_by_another_program_is_read_again_or_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mine = file(folder.path(), "mine.toml");
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    let theirs = change(&mine);
+    harness.event(Event::WindowFocused(true));
+    settle(&mut harness);
+    assert!(harness.query_by_label_contains("mine.toml was changed by another program").is_some(), "asked");
+    press(&mut harness, "Reload");
+    assert_eq!(*harness.state().scene(), theirs, "read again");
+    assert!(!harness.state().is_dirty(), "as it is on the disk");
+    press(&mut harness, "Undo");
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 60.0, "and what was here is one step back");
+    assert!(harness.state().is_dirty(), "which is not what is on the disk");
+
+    slide(&mut harness, "Skew β", 75.0);
+    std::fs::write(&mine, "half a sce").expect("written");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    settle(&mut harness);
+    assert!(harness.state().file_has_changed(), "nobody's work is written over without a question");
+    press(&mut harness, "Keep mine");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    settle(&mut harness);
+    let saved = load_scene(&mine.to_string_lossy(), &[]).expect("a scene again");
+    assert_eq!(saved.girders[0].skew_deg, 75.0, "mine");
+}
+
+#[test]
+fn a_file_that_is_only_touched_or_gone_raises_no_question() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mine = file(folder.path(), "mine.toml");
+    let mut harness = kept(folder.path());
+    open_file(&mut harness, &mine);
+    let text = std::fs::read(&mine).expect("there");
+    std::thread::sleep(Duration::from_millis(20));
+    std::fs::write(&mine, &text).expect("written again, the same");
+    harness.event(Event::WindowFocused(true));
+    settle(&mut harness);
+    assert!(!harness.state().file_has_changed() && !harness.state().is_dirty(), "nothing is different");
+    std::fs::remove_file(&mine).expect("gone");
+    harness.event(Event::WindowFocused(true));
+    settle(&mut harness);
+    assert!(harness.state().notice().is_some_and(|n| n.contains("no longer there")), "said");
+    assert!(harness.state().is_dirty(), "what is here is nowhere else");
+}
+
+#[test]
+fn an_idle_window_with_unsaved_work_falls_asleep() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = kept(folder.path());
+    harness.state_mut().set_autosave_delay(Duration::from_millis(50));
+    harness.get_by_role_and_label(Role::Slider, "Skew β").set_value_accesskit(75.0);
+    settle(&mut harness);
+    std::thread::sleep(Duration::from_millis(60));
+    harness.run_steps(5);
+    let delay = harness.output().viewport_output.values().next().expect("one window").repaint_delay;
+    assert_eq!(delay, Duration::MAX, "written once, then nothing is to come");
+    harness.state().wait_for_disk();
+    assert_eq!(names(&folder.path().join("state/unsaved")).len(), 1, "and written it is");
+}
