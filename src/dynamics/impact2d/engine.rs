@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::grip::{Ending, Grip};
 use super::record::{Record, Stay};
 use super::search;
+use super::side::Aim;
 use super::track::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::contact::Frame;
 use crate::dynamics::Model;
@@ -107,6 +108,7 @@ impl Engine {
                     sides: [side(contact.node_body), side(contact.face_body)],
                     sink: SINK * spot.size,
                     spot,
+                    aim: Aim::of(&model, site),
                     kept: false,
                     armed: true,
                     lifted: false,

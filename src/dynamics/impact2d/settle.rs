@@ -33,6 +33,12 @@ impl Engine {
         for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
             state[3..].copy_from_slice(&v.to_array());
         }
+        if self.all_part(moment) {
+            let (lost, strain) = (energy - kinetic(moment), self.strain(moment));
+            let shifted = self.tidy(moment, &[]);
+            self.go_on(moment, to, Vec::new(), if shifted { lost + strain - self.strain(moment) } else { lost });
+            return Ok(());
+        }
         let bodies = moment.scenery.bodies.clone();
         let piece = self.model.ground.piece(self.model.ground.piece_number(moment.t));
         let shaking = shaking(&self.model.ground, &piece, moment.t);
@@ -69,11 +75,24 @@ impl Engine {
         Ok(())
     }
 
+    /// Whether every point that touches goes away.
+    fn all_part(&self, moment: &Moment) -> bool {
+        moment.edges.iter().all(|edge| {
+            let loose = self.looseness(edge) * moment.hush;
+            edge.points.iter().all(|point| moment.scenery.cluster.speed(point, point.n) > loose)
+        })
+    }
+
+    /// Speeds along the normal that count as none, in parts of the hush.
+    fn looseness(&self, edge: &Edge) -> f64 {
+        if self.is_kept(edge) { DRIFT / 1e-12 } else { 4.0 }
+    }
+
     /// Pairs of a moment with points that neither come nor go.
     fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
         let mut all = Vec::new();
         for edge in self.edges(moment) {
-            let loose = if self.is_kept(&edge) { DRIFT / 1e-12 } else { 4.0 };
+            let loose = self.looseness(&edge);
             let stays = |point: &Point| moment.scenery.cluster.speed(point, point.n).abs() <= loose * moment.hush;
             let kept: Vec<(usize, Point)> =
                 edge.sites.iter().copied().zip(edge.points.iter().copied()).filter(|(_, p)| stays(p)).collect();
@@ -103,8 +122,9 @@ impl Engine {
         all
     }
 
-    /// Takes out of places and velocities what the integrator's error has left between what is kept.
-    fn tidy(&self, moment: &mut Moment, seats: &[Seat]) {
+    /// Takes out of places and velocities what the integrator's error has left between what is kept; returns whether
+    /// there was anything.
+    fn tidy(&self, moment: &mut Moment, seats: &[Seat]) -> bool {
         let points: Vec<Vec<Point>> = seats.iter().map(|seat| moment.scenery.points(&self.model, seat)).collect();
         let mut rows: Vec<(Point, DVec2, f64)> = Vec::new();
         for (seat, points) in seats.iter().zip(&points) {
@@ -116,10 +136,13 @@ impl Engine {
         }
         let kept = rows.len();
         // Who leaves leaves from the face, not from a little behind it: else every small hop would end a little deeper.
-        for edge in self.edges(moment) {
+        for edge in &moment.edges {
             let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
             let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < 0.0);
             rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
+        }
+        if rows.is_empty() {
+            return false;
         }
         let cluster = &moment.scenery.cluster;
         let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
@@ -147,6 +170,7 @@ impl Engine {
                 }
             }
         }
+        true
     }
 
     /// Energy in the bearings of a moment \[J\].
