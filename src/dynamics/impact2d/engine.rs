@@ -16,7 +16,6 @@ use crate::dynamics::body_state;
 use crate::dynamics::engine::Effort;
 use crate::dynamics::event::Stop;
 use crate::dynamics::flight::{Planar, System};
-use crate::dynamics::piece::Piece;
 use crate::dynamics::track::{Path, Segment};
 
 /// Hits, searches and steps per body after which a run gives up.
@@ -327,8 +326,8 @@ impl Engine {
                 Path::Flight(Box::new(flight.clone()))
             }
             Going::Grip(grip, place) => {
-                let Some(dense) = self.grips[*grip].as_ref().and_then(Grip::dense) else { return };
-                Path::Step(Piece::of(dense, *place * body_state::PLANAR..(*place + 1) * body_state::PLANAR))
+                let Some(path) = self.grips[*grip].as_ref().and_then(|grip| grip.path(*place)) else { return };
+                path
             }
         };
         track.segments.push(Segment { from: track.since, until: t, path });
