@@ -108,7 +108,7 @@ fn a_second_impulse_is_35_37_39_or_43_as_printed() {
         let v_s = cluster.speeds(&point)[1];
         let energy = |c: &Cluster| 0.5 * (c.velocity[0].truncate().length_squared() + g.i2 * c.velocity[0].z.powi(2));
         let before = energy(&cluster);
-        let Ok(again) = second(&mut cluster, &point, &numbers) else { continue };
+        let again = second(&mut cluster, &point, &numbers);
         assert!(energy(&cluster) <= before * (1.0 + 1e-14), "no energy is added");
         let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
         let after = cluster.velocity[0];
@@ -190,10 +190,10 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         let rules = Rules { numbers: &numbers, hush, dead: false };
         let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.clone() };
         let mut after = cluster.clone();
-        let Ok(blow) = strike(&mut after, &edge, State::FreeTurning, &rules) else {
-            jammed += 1;
-            continue;
-        };
+        let blow = strike(&mut after, &edge, State::FreeTurning, &rules);
+        // Past the Painlevé bound a point is held by more than friction.
+        let beyond = |p: [f64; 2]| p[1].abs() > mu_s * p[0] * (1.0 + 1e-9);
+        jammed += usize::from(blow.second.is_some_and(|(_, again)| again.held && beyond(again.impulse)));
         faces += usize::from(blow.landing.flush);
         let energy = |c: &Cluster| {
             let body = |(v, i): (&DVec3, &DVec3)| (0..3).map(|k| 0.5 * v[k] * v[k] / i[k]).sum::<f64>();
@@ -208,5 +208,5 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         }
     }
     assert!(faces > 1000, "{faces} hits along a face");
-    assert!(jammed < 4000, "{jammed} past the Painlevé bound");
+    assert!((10..4000).contains(&jammed), "{jammed} past the Painlevé bound");
 }

@@ -22,6 +22,10 @@ use crate::dynamics::track::{Path, Segment};
 const WORK: usize = 3_000_000;
 /// Changes at one instant after which a run gives up.
 const SAME_INSTANT: usize = 200;
+/// Changes at one instant after which lasting contact lasts for a moment: pushes that are rounding may change sides for ever.
+const RESTLESS: usize = 50;
+/// That moment, in parts of the run.
+const MOMENT: f64 = 1e-3;
 /// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
 /// rounding.
 pub(super) const SINK: f64 = 1e-12;
@@ -216,6 +220,10 @@ impl Engine {
             self.meet(t, &slots, Some(ending));
             return;
         }
+        if grip.is_makeshift() {
+            self.meet(t, &slots, None);
+            return;
+        }
         for &slot in &slots {
             self.close_segment(slot, t);
         }
@@ -242,7 +250,9 @@ impl Engine {
         let numbers = self.model.impact;
         // Where the run ends the last step may end, too; one that begins there has no length.
         let cap = if grip.until < duration { duration } else { duration + 1.0 };
-        match grip.plan(&self.model, &numbers, allowed, cap) {
+        let restless = self.same.0 == grip.until && self.same.1 > RESTLESS;
+        let least = if restless { MOMENT * duration } else { 0.0 };
+        match grip.plan(&self.model, &numbers, allowed, [least, cap]) {
             Ok(()) => {
                 self.agenda.set(Item::Island(number), grip.until);
                 self.grips[number] = Some(grip);

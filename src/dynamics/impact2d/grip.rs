@@ -133,7 +133,13 @@ impl Grip {
             && self.y.chunks_exact(WIDTH).all(|c| c[3..] == [0.0; 3])
     }
 
-    /// Plans the next step from `until`, at most to `cap`; `allowed` is what the tolerance allows of places and speeds.
+    /// Whether friction is left out of it for want of a motion that agrees with it: it is decided anew at every step.
+    pub(super) fn is_makeshift(&self) -> bool {
+        self.seats.iter().any(|seat| seat.way == Way::Slides(0.0))
+    }
+
+    /// Plans the next step from `until`, at most to `cap`, that nothing ends within `least`; `allowed` is what the tolerance
+    /// allows of places and speeds.
     ///
     /// # Errors
     /// When no step is short enough.
@@ -142,7 +148,7 @@ impl Grip {
         model: &Model,
         numbers: &ImpactSettings,
         allowed: [f64; 2],
-        cap: f64,
+        [least, cap]: [f64; 2],
     ) -> Result<(), String> {
         let t = self.until;
         self.from = t;
@@ -157,7 +163,7 @@ impl Grip {
             self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
             self.course = Some(Course::Step(dense));
         }
-        self.look_for_an_end(model, numbers, piece);
+        self.look_for_an_end(model, numbers, piece, least);
         Ok(())
     }
 
@@ -256,9 +262,9 @@ impl Grip {
     }
 
     /// Ends the planned step where the first gauge falls through 0.
-    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece) {
+    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece, least: f64) {
         self.ending = None;
-        let (from, until) = (self.from, self.until);
+        let (from, until) = ((self.from + least).min(self.until), self.until);
         let gauges = |t: f64| self.gauges(model, numbers, piece, t);
         let times: Vec<f64> = (0..=LOOKS)
             .map(|look| if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 })

@@ -10,6 +10,7 @@
 //!
 //! Left out: the spread of a push along an elastic face, waves, and everything that takes time in a hit.
 
+mod agree;
 pub mod blow;
 pub mod decide;
 mod dense;

@@ -7,7 +7,7 @@ use super::blow::Edge;
 use super::decide::{Candidate, RuledOut, decide};
 use super::engine::{Engine, SINK};
 use super::grip::{Ending, Grip};
-use super::meet::{Moment, TOUCH, kinetic, painleve};
+use super::meet::{Moment, TOUCH, kinetic};
 use super::point::Point;
 use super::reaction::{Scenery, Seat, Way, middle, shaking};
 use super::record::Transition;
@@ -21,13 +21,7 @@ pub(super) const DRIFT: f64 = 1e-8;
 
 impl Engine {
     /// Decides who stays in contact, and sends everybody on; `energy` is the kinetic energy that the hits have left.
-    pub(super) fn settle(
-        &mut self,
-        moment: &mut Moment,
-        to: &[State],
-        energy: f64,
-        ending: Option<Ending>,
-    ) -> Result<(), (String, String)> {
+    pub(super) fn settle(&mut self, moment: &mut Moment, to: &[State], energy: f64, ending: Option<Ending>) {
         let numbers = self.model.impact;
         // The velocities are those after the hits.
         for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
@@ -37,24 +31,13 @@ impl Engine {
             let (lost, strain) = (energy - kinetic(moment), self.strain(moment));
             let shifted = self.tidy(moment, &[]);
             self.go_on(moment, to, Vec::new(), if shifted { lost + strain - self.strain(moment) } else { lost });
-            return Ok(());
+            return;
         }
         let bodies = moment.scenery.bodies.clone();
         let piece = self.model.ground.piece(self.model.ground.piece_number(moment.t));
         let shaking = shaking(&self.model.ground, &piece, moment.t);
         moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
-        let mut candidates = self.candidates(moment, ending);
-        let decided = decide(&self.model, &moment.scenery, &candidates, &numbers).or_else(|| {
-            // Who slides slower than the stop speed and cannot go on may stay put.
-            for candidate in candidates.iter_mut().filter(|c| along(moment, c).abs() <= numbers.stop_speed) {
-                candidate.stays_or_leaves = true;
-            }
-            decide(&self.model, &moment.scenery, &candidates, &numbers)
-        });
-        let Some(mut seats) = decided else {
-            let place = (0..to.len()).find(|&place| to[place].touches()).unwrap_or(0);
-            return Err((self.names(&bodies), painleve(to[place])));
-        };
+        let (mut candidates, mut seats) = self.agree(moment, ending, shaking);
         // A face that was to rest below the stop speed but cannot goes on as it goes.
         let mut again = false;
         for candidate in &mut candidates {
@@ -72,7 +55,6 @@ impl Engine {
         moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
         let lost = energy - kinetic(moment) + strain - self.strain(moment);
         self.go_on(moment, to, seats, lost);
-        Ok(())
     }
 
     /// Whether every point that touches goes away.
@@ -89,7 +71,7 @@ impl Engine {
     }
 
     /// Pairs of a moment with points that neither come nor go.
-    fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
+    pub(super) fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
         let mut all = Vec::new();
         for edge in self.edges(moment) {
             let loose = self.looseness(&edge);
@@ -305,7 +287,7 @@ fn turns_by_itself(body: &Body) -> bool {
 }
 
 /// Speed along the face of what a candidate keeps \[m/s\].
-fn along(moment: &Moment, candidate: &Candidate) -> f64 {
+pub(super) fn along(moment: &Moment, candidate: &Candidate) -> f64 {
     let middle = middle(&candidate.points);
     moment.scenery.cluster.speed(&middle, middle.s)
 }
