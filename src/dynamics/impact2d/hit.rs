@@ -34,7 +34,7 @@ impl Coefficients {
 pub struct Second {
     /// `[P_n, P_s]` \[N·s\].
     pub impulse: [f64; 2],
-    /// Whether the point stays put: `|P_s| ≤ μ_s P_n` (40), or friction would drive it in if it slid.
+    /// Whether the point stays put: `|P_s| ≤ μ_s P_n` (40).
     pub held: bool,
     /// Energy that it adds; negative \[J\].
     pub work: f64,
@@ -51,8 +51,8 @@ pub fn first(cluster: &mut Cluster, point: &Point, numbers: &Coefficients) -> ([
     ([p_n, p_s], work)
 }
 
-/// The second impulse, (34)–(43). Past the Painlevé bound, `w_n − μ_k σ w_ns ≤ 0`, friction drives a point in the harder the
-/// more it is pushed, until it stops: it is held, whatever friction that takes.
+/// The second impulse, (34)–(43). Past the Painlevé bound, `w_n − μ_k σ w_ns ≤ 0`, no slide ends: but there staying put takes
+/// `w_n/|w_ns| ≤ μ_k` of the push at most, so the point is held.
 pub fn second(cluster: &mut Cluster, point: &Point, numbers: &Coefficients) -> Second {
     let stay = staying(cluster, point);
     if stay[1].abs() <= numbers.mu_s * stay[0] {
