@@ -1,16 +1,21 @@
 //! Random planar scenes by the impact model: they end, nothing is driven in, energy is accounted for and never made.
 
 use girderbench::contact::{Frame, locate};
+use girderbench::dynamics::impact2d::{State, Transition};
 use girderbench::scene::{Flush, Kind, ModelKind, Scene};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
 
-/// Random scenes.
-const SEEDS: u64 = 192;
+/// Random scenes with moderate friction, and with friction far past the Painlevé bound.
+const SEEDS: [u64; 2] = [214, 160];
+/// The most friction in each.
+const FRICTION: [f64; 2] = [0.4, 2.0];
 /// Deepest that a point may be found behind a face which it has come to through its polygon, in parts of the face.
 const DEEP: f64 = 1e-8;
+/// Energy that is none, in girders of kilograms to tonnes \[J\].
+const LITTLE: f64 = 1e-9;
 
-fn scene(seed: u64) -> Option<Scene> {
+fn scene(seed: u64, most: f64) -> Option<Scene> {
     let (_, mut scene) = family::scene(seed);
     if scene.kind == Kind::Spatial || scene.duration > 30.0 {
         return None;
@@ -19,44 +24,50 @@ fn scene(seed: u64) -> Option<Scene> {
     scene.solver.tolerance = 1e-10;
     scene.impact.restitution_normal = [0.0, 1.0, 0.01, 0.4, 0.8][usize::try_from(seed % 5).ok()?];
     scene.impact.restitution_tangential = [-1.0, 1.0, 0.0, -0.9][usize::try_from(seed % 4).ok()?];
-    // Past the Painlevé bound there is no answer; that has a test of its own.
-    scene.impact.mu_static = scene.contact.mu_static.min(0.4);
-    scene.impact.mu_kinetic = scene.contact.mu_kinetic.min(0.4);
+    scene.impact.mu_static = scene.contact.mu_static.min(most);
+    scene.impact.mu_kinetic = scene.contact.mu_kinetic.min(most);
     scene.impact.flush = if seed.is_multiple_of(3) { Flush::TwoCorner } else { Flush::Paper };
     Some(scene)
 }
 
 #[test]
 fn random_scenes_end_and_account_for_their_energy() {
-    let (mut run, mut hits, mut stays, mut stopped, mut unbalanced) = (0, 0, 0, Vec::new(), Vec::new());
-    for seed in 0..SEEDS {
-        let Some(scene) = scene(seed) else { continue };
+    let [run, hits, stays] = examine(SEEDS[0], FRICTION[0]);
+    assert!(run > 100 && hits > 5000 && stays > 300, "{run} scenes, {hits} hits, {stays} lasting contacts");
+}
+
+#[test]
+fn random_scenes_with_any_friction_end_and_account_for_their_energy() {
+    let [run, hits, stays] = examine(SEEDS[1], FRICTION[1]);
+    assert!(run > 70 && hits > 3000 && stays > 200, "{run} scenes, {hits} hits, {stays} lasting contacts");
+}
+
+/// Runs that many scenes; scenes, hits and lasting contacts.
+fn examine(seeds: u64, most: f64) -> [usize; 3] {
+    let (mut counts, mut unbalanced) = ([0; 3], Vec::new());
+    for seed in 0..seeds {
+        let Some(scene) = scene(seed, most) else { continue };
         let history = History::of(&scene).expect("families make sound scenes");
         let ledger = history.ledger(history.end());
         let record = history.impact().expect("the impact model");
         let scale = ledger.scale.max(f64::MIN_POSITIVE);
         // Pre-loaded scenes keep hardly any energy: a push times the rounding of a place counts in them.
-        if ledger.residual.abs() > 1e-5 * scale {
-            unbalanced.push((seed, ledger.residual / scale));
+        if ledger.residual.abs() > (1e-5 * scale).max(LITTLE) {
+            unbalanced.push((seed, ledger.residual, scale));
         }
         let made = record.hits.iter().map(|hit| -hit.lost).fold(0.0, f64::max);
         assert!(made <= 1e-12 * scale, "seed {seed}: a hit made {made} J");
         let deep = driven_in(&history);
         assert!(deep <= DEEP, "seed {seed}: {deep:e} of a face deep");
-        if let Some(stop) = history.stop() {
-            stopped.push((seed, stop.clone()));
+        // Who starts inside another cannot be computed; everybody else comes to the end.
+        let early = history.stop().filter(|stop| !stop.reason.contains("it starts"));
+        assert!(early.is_none(), "seed {seed}: {early:?}");
+        for (count, more) in counts.iter_mut().zip([1, record.hits.len(), record.stays.len()]) {
+            *count += more;
         }
-        run += 1;
-        hits += record.hits.len();
-        stays += record.stays.len();
     }
-    assert!(run > 80 && hits > 5000 && stays > 300, "{run} scenes, {hits} hits, {stays} lasting contacts");
     assert!(unbalanced.is_empty(), "ledgers: {unbalanced:?}");
-    // Several contacts with friction at once may have no consistent motion, which ends the run with a word.
-    let allowed = |reason: &str| reason.contains("it starts") || reason.contains("several contacts together");
-    let early: Vec<_> = stopped.iter().filter(|(_, stop)| !allowed(&stop.reason)).collect();
-    assert!(early.is_empty(), "all run to their end: {early:?}");
-    assert!(stopped.len() <= 8, "{} stop: {stopped:?}", stopped.len());
+    counts
 }
 
 /// The deepest that a node is behind a face right after a hit there, in parts of the face.
@@ -82,7 +93,7 @@ fn driven_in(history: &History) -> f64 {
 }
 
 #[test]
-fn a_corner_that_friction_drives_in_ends_the_run_with_a_word() {
+fn a_corner_that_friction_drives_in_is_stopped_at_once() {
     let (_, mut scene) = family::scene(248);
     scene.model.kind = ModelKind::Impact;
     scene.impact.mu_static = scene.contact.mu_static;
@@ -90,6 +101,15 @@ fn a_corner_that_friction_drives_in_ends_the_run_with_a_word() {
     scene.impact.restitution_normal = 0.4;
     scene.impact.restitution_tangential = -1.0;
     let history = History::of(&scene).expect("a sound scene");
-    let stop = history.stop().expect("past the Painlevé bound");
-    assert!(stop.reason.contains("Painlevé") && stop.reason.contains("state c"), "{stop:?}");
+    assert!(history.stop().is_none(), "it goes on: {:?}", history.stop());
+    let record = history.impact().expect("the impact model");
+    let scale = history.ledger(history.end()).scale;
+    // The second impulse of a hit leaves the corner sliding; nothing agrees with that, and friction stops it.
+    let stops = |change: &&Transition| change.from == State::SlidingTurning && change.lost > 1e-6 * scale;
+    let turns = |change: &Transition| change.to == State::Turning;
+    let stopped: Vec<&Transition> = record.transitions.iter().filter(stops).collect();
+    assert!(stopped.into_iter().any(turns), "a slide is stopped, and that takes energy");
+    // No energy is added, and the ledger knows what was lost.
+    assert!(record.transitions.iter().all(|change| change.lost >= -1e-9 * scale), "never gained");
+    assert!(history.ledger(history.end()).residual.abs() <= 1e-8 * scale, "accounted for");
 }

@@ -307,3 +307,61 @@ fn a_slow_face_is_met_smoothly_and_lasting_contact_reaches_the_end() {
     assert!(!history.contacts(end).is_empty(), "and pushed at the last instant");
     assert!(history.events().iter().all(|event| event.t < end), "nothing opens because the run ends");
 }
+
+/// Pressed against the wall by `push` \[N\] and sliding along it.
+fn sliding(push: f64, v_y: f64, skew_deg: f64) -> Scene {
+    let a = (90.0 - skew_deg).to_radians();
+    let mut scene = scene(girder(0.19, 0.07, skew_deg), 0.0, 1.0, ImpactSettings::default());
+    // Square to the face, so that it lies on it; along the face.
+    scene.girders[0].push.force = [push * a.cos(), -push * a.sin(), 0.0];
+    scene.girders[0].initial.velocity = [v_y * a.sin(), v_y * a.cos(), 0.0];
+    scene
+}
+
+#[test]
+fn a_face_that_friction_alone_stops_does_so_where_and_when_the_parabola_says() {
+    for skew_deg in [90.0, 80.0] {
+        let scene = sliding(10.0, 0.3, skew_deg);
+        let history = run(&scene);
+        let record = history.impact().expect("the impact model");
+        let slowing = scene.impact.mu_kinetic * 10.0 / 2.0;
+        let stops = 0.3 / slowing;
+        let rests = record.transitions.iter().find(|change| change.to == State::Resting).expect("it stops").t;
+        within(&format!("{skew_deg}° stops"), (rests - stops).abs(), 1e-15);
+        for i in 0..=20 {
+            let t = 0.05 * f64::from(i);
+            let held = t.min(stops);
+            let along = 0.3 * held - 0.5 * slowing * held * held;
+            let here = history.motion(0, t);
+            within(&format!("{skew_deg}° at {t}"), (here.displacement.truncate().length() - along).abs(), 1e-16);
+            assert_eq!((here.theta, here.spin.z), (0.0, 0.0), "a face that slides does not turn");
+        }
+    }
+}
+
+#[test]
+fn a_face_that_slides_on_its_bearings_is_the_damped_oscillator_about_where_friction_would_hold_it() {
+    let mut scene = sliding(10.0, 0.5, 90.0);
+    scene.girders[0].bearings =
+        girderbench::scene::presets::load("straight-abutment").expect("a preset").girders[0].bearings.clone();
+    let history = run(&scene);
+    let record = history.impact().expect("the impact model");
+    let (omega, h) = (std::f64::consts::TAU * 2.4, 0.29);
+    let rest = -scene.impact.mu_kinetic * 10.0 / (2.0 * omega * omega);
+    let (decay, swing) = (h * omega, omega * (1.0f64 - h * h).sqrt());
+    // u − rest = e^{−γt} (A cos + B sin).
+    let (a, b) = (-rest, (0.5 - decay * rest) / swing);
+    let place = |t: f64| rest + (-decay * t).exp() * (a * (swing * t).cos() + b * (swing * t).sin());
+    let stops = (b * swing - a * decay).atan2(a * swing + b * decay) / swing;
+    within("turns round", history.motion(0, stops).velocity.y.abs(), 1e-14);
+    assert!(history.motion(0, stops + 1e-6).velocity.y < 0.0, "the bearings break what friction would hold");
+    assert_eq!(record.state(0, 1.0), State::Resting, "until it comes to rest");
+    for i in 0..=40 {
+        let t = stops * f64::from(i) / 40.0;
+        let here = history.motion(0, t);
+        within(&format!("at {t}"), (here.displacement.y - place(t)).abs(), 1e-16);
+        assert_eq!(here.displacement.x, 0.0, "it stays on the wall to the last bit");
+    }
+    let ledger = history.ledger(history.end());
+    within("ledger", ledger.residual.abs() / ledger.scale, 1e-13);
+}

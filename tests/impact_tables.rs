@@ -201,7 +201,7 @@ impl Struck {
         let (mut cluster, points) = (self.cluster(), self.points());
         let rules = Rules { numbers: &numbers, hush: cluster.rounding(&points), dead: false };
         let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points };
-        let blow = strike(&mut cluster, &edge, from, &rules).expect("before the Painlevé bound");
+        let blow = strike(&mut cluster, &edge, from, &rules);
         Row::landing(&blow.landing)
     }
 

@@ -92,8 +92,14 @@ impl Hunt {
 
     /// How far the next look may be \[s\].
     pub(super) fn leap(&mut self) -> f64 {
+        self.leap_past(0.0)
+    }
+
+    /// The same, where the gap is known to stay open for `open` \[s\].
+    pub(super) fn leap_past(&mut self, open: f64) -> f64 {
         let here = &self.here;
         let leap = if self.out_of_reach() { here.window } else { leap(here, self.armed, self.finest) };
+        let leap = if self.armed { leap.max(open) } else { leap };
         // Only leaps at the finest count: those that get on need no help.
         self.floored = if leap <= floor_of(here, self.finest) { self.floored + 1 } else { 0 };
         leap.min(here.window)

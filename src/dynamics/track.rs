@@ -1,6 +1,7 @@
 //! What a run keeps: the path of every body and the states of every contact, exact at any time.
 
 use super::flight::Flight;
+use super::impact2d::slide::Slide;
 use super::piece::Piece;
 use crate::contact::{Forces, Law, Local, Mode};
 
@@ -20,6 +21,8 @@ pub struct Segment {
 pub enum Path {
     /// Closed form.
     Flight(Box<Flight>),
+    /// Closed form of a face that slides along a wall (impact model).
+    Slide(Box<Slide>),
     /// Continuous answer of an integrator's step.
     Step(Piece),
 }

@@ -16,6 +16,7 @@ pub(super) fn of(history: &History) -> u64 {
         add(segment.until);
         match &segment.path {
             Path::Flight(flight) => flight.numbers().for_each(&mut add),
+            Path::Slide(slide) => slide.numbers().for_each(&mut add),
             Path::Step(piece) => piece.numbers().for_each(&mut add),
         }
     }

@@ -154,6 +154,7 @@ impl History {
                     state[..6].copy_from_slice(&system.state(flight, t));
                 }
             }
+            Some(Path::Slide(slide)) => state[..6].copy_from_slice(&slide.state(t)),
             Some(Path::Step(piece)) => {
                 let width = body_state::width(self.model.kind);
                 piece.read(t, &mut state[..width]);

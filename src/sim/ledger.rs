@@ -162,7 +162,7 @@ fn body_account(history: &History, body: usize) -> Account<3> {
     for segment in &history.paths[body] {
         let until = segment.until.min(history.end());
         let cells = match segment.path {
-            Path::Flight(_) => (until - segment.from) * rate,
+            Path::Flight(_) | Path::Slide(_) => (until - segment.from) * rate,
             Path::Step(_) => 1.0,
         };
         for (a, b) in cut(&history.model().ground, segment.from, until, cells) {

@@ -137,7 +137,7 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
         let (from, until) = (segment.from, segment.until.min(history.end()));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
         let count = match segment.path {
-            Path::Flight(_) => ((until - from) * rate).clamp(4.0, 2e5) as usize,
+            Path::Flight(_) | Path::Slide(_) => ((until - from) * rate).clamp(4.0, 2e5) as usize,
             Path::Step(_) => 4,
         };
         times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::flush::{Ends, centroid, two_corner};
-use super::hit::{Coefficients, Jammed, Second, first, second};
+use super::hit::{Coefficients, Second, first, second};
 use super::point::{Cluster, Point};
 use super::reaction::middle;
 use super::state::{After, Landing, State};
@@ -73,10 +73,7 @@ impl Rules<'_> {
 }
 
 /// Hits an edge that is driven in, coming from a state.
-///
-/// # Errors
-/// When friction would drive a sliding point in (Painlevé).
-pub fn strike(cluster: &mut Cluster, edge: &Edge, from: State, rules: &Rules<'_>) -> Result<Blow, Jammed> {
+pub fn strike(cluster: &mut Cluster, edge: &Edge, from: State, rules: &Rules<'_>) -> Blow {
     match edge.points[..] {
         [first, second] => {
             let ends = [first, second];
@@ -98,14 +95,14 @@ fn driven_in(cluster: &Cluster, ends: &Ends) -> usize {
     usize::from(v1 < v0)
 }
 
-fn corner(cluster: &mut Cluster, point: &Point, end: usize, from: State, rules: &Rules<'_>) -> Result<Blow, Jammed> {
+fn corner(cluster: &mut Cluster, point: &Point, end: usize, from: State, rules: &Rules<'_>) -> Blow {
     let approach = cluster.speeds(point);
     let numbers = rules.at(rules.corner(), -approach[0]);
     let (impulse, mut work) = first(cluster, point, &numbers);
-    let (again, after) = outcome(cluster, point, &numbers, rules.hush)?;
+    let (again, after) = outcome(cluster, point, &numbers, rules.hush);
     work += again.map_or(0.0, |s| s.work);
     let landing = Landing { from, flush: false, turns: true, slides: true, e_n: numbers.e_n, e_t: numbers.e_t, after };
-    Ok(Blow {
+    Blow {
         arm: point.arms[0],
         normal: point.n,
         approach,
@@ -115,31 +112,26 @@ fn corner(cluster: &mut Cluster, point: &Point, end: usize, from: State, rules: 
         last: None,
         lost: -work,
         landing,
-    })
+    }
 }
 
 /// What the first impulse has made of a point, with the second where it takes one.
-fn outcome(
-    cluster: &mut Cluster,
-    point: &Point,
-    numbers: &Coefficients,
-    hush: f64,
-) -> Result<(Option<Second>, After), Jammed> {
+fn outcome(cluster: &mut Cluster, point: &Point, numbers: &Coefficients, hush: f64) -> (Option<Second>, After) {
     let [v_n, v_s] = cluster.speeds(point);
     if v_n > hush {
-        return Ok((None, After::Free));
+        return (None, After::Free);
     }
     if v_n >= -hush {
-        return Ok((None, After::Contact { still: v_s.abs() <= hush }));
+        return (None, After::Contact { still: v_s.abs() <= hush });
     }
-    let again = second(cluster, point, numbers)?;
-    Ok((Some(again), After::Again { held: again.held }))
+    let again = second(cluster, point, numbers);
+    (Some(again), After::Again { held: again.held })
 }
 
-fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> Result<Blow, Jammed> {
+fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> Blow {
     let speeds = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     if speeds.iter().all(|v| v.abs() < rules.numbers.stop_speed) {
-        return Ok(lie_down(cluster, ends, from));
+        return lie_down(cluster, ends, from);
     }
     if rules.dead || rules.numbers.flush == Flush::TwoCorner {
         return spread(cluster, ends, from, rules, rules.dead);
@@ -151,18 +143,18 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> R
     let (impulse, mut work) = first(cluster, &point, &numbers);
     let (turns, slides) = goes_on(cluster, ends, rules.hush);
     let end = driven_in(cluster, ends);
-    let (again, after) = outcome(cluster, &ends[end], &rules.corner(), rules.hush)?;
+    let (again, after) = outcome(cluster, &ends[end], &rules.corner(), rules.hush);
     work += again.map_or(0.0, |s| s.work);
     let mut last = None;
     let other = &ends[1 - end];
     if cluster.speed(other, other.n) < -rules.hush {
         // The second impulse has turned it the other way: both ends are in.
-        let both = two_corner(cluster, ends, &numbers.dead())?;
+        let both = two_corner(cluster, ends, &numbers.dead());
         work += both.work;
         last = Some([both.normal[0] + both.normal[1], both.tangential]);
     }
     let landing = Landing { from, flush: true, turns, slides, e_n: numbers.e_n, e_t: numbers.e_t, after };
-    Ok(Blow {
+    Blow {
         arm: point.arms[0],
         normal: point.n,
         approach,
@@ -172,7 +164,7 @@ fn face(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>) -> R
         last,
         lost: -work,
         landing,
-    })
+    }
 }
 
 /// A face slower than the stop speed at both ends lies down: no bounce, `e_t` = −1, no rocking on.
@@ -202,11 +194,11 @@ fn lie_down(cluster: &mut Cluster, ends: &Ends, from: State) -> Blow {
 }
 
 /// A hit along the face with unilateral conditions at both ends.
-fn spread(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>, dead: bool) -> Result<Blow, Jammed> {
+fn spread(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>, dead: bool) -> Blow {
     let numbers = if dead { rules.face().dead() } else { rules.face() };
     let middle = ends[0].towards(&ends[1], 0.5);
     let approach = cluster.speeds(&middle);
-    let spread = two_corner(cluster, ends, &numbers)?;
+    let spread = two_corner(cluster, ends, &numbers);
     let (turns, slides) = goes_on(cluster, ends, rules.hush);
     let worst = ends[driven_in(cluster, ends)];
     let free = cluster.speed(&worst, worst.n) > rules.hush;
@@ -214,7 +206,7 @@ fn spread(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>, de
     let total = spread.normal[0] + spread.normal[1];
     let part = if total > 0.0 { spread.normal[1] / total } else { 0.5 };
     let landing = Landing { from, flush: true, turns, slides, e_n: numbers.e_n, e_t: -1.0, after };
-    Ok(Blow {
+    Blow {
         arm: ends[0].towards(&ends[1], part).arms[0],
         normal: middle.n,
         approach,
@@ -224,7 +216,7 @@ fn spread(cluster: &mut Cluster, ends: &Ends, from: State, rules: &Rules<'_>, de
         last: None,
         lost: -spread.work,
         landing,
-    })
+    }
 }
 
 /// Whether the face turns, and whether its middle goes along the other.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::grip::{Ending, Grip};
 use super::record::{Record, Stay};
 use super::search;
+use super::side::Aim;
 use super::track::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::contact::Frame;
 use crate::dynamics::Model;
@@ -15,13 +16,16 @@ use crate::dynamics::body_state;
 use crate::dynamics::engine::Effort;
 use crate::dynamics::event::Stop;
 use crate::dynamics::flight::{Planar, System};
-use crate::dynamics::piece::Piece;
 use crate::dynamics::track::{Path, Segment};
 
 /// Hits, searches and steps per body after which a run gives up.
 const WORK: usize = 3_000_000;
 /// Changes at one instant after which a run gives up.
 const SAME_INSTANT: usize = 200;
+/// Changes at one instant after which lasting contact lasts for a moment: pushes that are rounding may change sides for ever.
+const RESTLESS: usize = 50;
+/// That moment, in parts of the run.
+const MOMENT: f64 = 1e-3;
 /// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
 /// rounding.
 pub(super) const SINK: f64 = 1e-12;
@@ -107,6 +111,7 @@ impl Engine {
                     sides: [side(contact.node_body), side(contact.face_body)],
                     sink: SINK * spot.size,
                     spot,
+                    aim: Aim::of(&model, site),
                     kept: false,
                     armed: true,
                     lifted: false,
@@ -215,6 +220,10 @@ impl Engine {
             self.meet(t, &slots, Some(ending));
             return;
         }
+        if grip.is_makeshift() {
+            self.meet(t, &slots, None);
+            return;
+        }
         for &slot in &slots {
             self.close_segment(slot, t);
         }
@@ -241,7 +250,9 @@ impl Engine {
         let numbers = self.model.impact;
         // Where the run ends the last step may end, too; one that begins there has no length.
         let cap = if grip.until < duration { duration } else { duration + 1.0 };
-        match grip.plan(&self.model, &numbers, allowed, cap) {
+        let restless = self.same.0 == grip.until && self.same.1 > RESTLESS;
+        let least = if restless { MOMENT * duration } else { 0.0 };
+        match grip.plan(&self.model, &numbers, allowed, [least, cap]) {
             Ok(()) => {
                 self.agenda.set(Item::Island(number), grip.until);
                 self.grips[number] = Some(grip);
@@ -325,8 +336,8 @@ impl Engine {
                 Path::Flight(Box::new(flight.clone()))
             }
             Going::Grip(grip, place) => {
-                let Some(dense) = self.grips[*grip].as_ref().and_then(Grip::dense) else { return };
-                Path::Step(Piece::of(dense, *place * body_state::PLANAR..(*place + 1) * body_state::PLANAR))
+                let Some(path) = self.grips[*grip].as_ref().and_then(|grip| grip.path(*place)) else { return };
+                path
             }
         };
         track.segments.push(Segment { from: track.since, until: t, path });

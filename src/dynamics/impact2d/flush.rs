@@ -7,9 +7,10 @@
 //! approaches leaves with at least `−e_n v_n`, exactly so where it is pushed; friction is Coulomb's with the sum of both,
 //! the edge at rest with `|P_s| ≤ μ_s ΣP_n`, or sliding with `μ_k ΣP_n`. A parallelogram that comes along its axis turns only if
 //! `(L/W) cos a (sin a − μ cos a) > 1`, a = 90° − β, which is (6) for μ = 0. Where slip and restitution together would add
-//! energy, the restitution is lowered until they do not.
+//! energy, the restitution is lowered until they do not. Where friction would drive the face in whichever way it slid, the
+//! edge is held, whatever friction that takes: the least pushes that stop it, which add no energy.
 
-use super::hit::{Coefficients, Jammed};
+use super::hit::Coefficients;
 use super::point::{Cluster, Point};
 
 /// Two ends of a face, the one further back along `s` first.
@@ -38,20 +39,17 @@ pub struct Spread {
 }
 
 /// An impulse with unilateral conditions at both ends.
-///
-/// # Errors
-/// When no distribution of pushes fits: friction would drive the face in.
-pub fn two_corner(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients) -> Result<Spread, Jammed> {
+pub fn two_corner(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients) -> Spread {
     let mut tried = cluster.clone();
-    let spread = apply(&mut tried, ends, numbers, numbers.e_n)?;
+    let spread = apply(&mut tried, ends, numbers, numbers.e_n);
     if spread.work <= rounding(cluster, ends, &spread) {
         *cluster = tried;
-        return Ok(spread);
+        return spread;
     }
     let (mut low, mut high) = (0.0, numbers.e_n);
     for _ in 0..BISECTIONS {
         let e = f64::midpoint(low, high);
-        let spread = apply(&mut cluster.clone(), ends, numbers, e)?;
+        let spread = apply(&mut cluster.clone(), ends, numbers, e);
         if spread.work <= rounding(cluster, ends, &spread) {
             low = e;
         } else {
@@ -74,22 +72,26 @@ fn rounding(cluster: &Cluster, ends: &Ends, spread: &Spread) -> f64 {
 enum Way {
     Held,
     Slides(f64),
+    /// Held by more than friction.
+    Jams,
 }
 
-fn apply(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients, e: f64) -> Result<Spread, Jammed> {
+fn apply(cluster: &mut Cluster, ends: &Ends, numbers: &Coefficients, e: f64) -> Spread {
     let asked: [f64; 2] = [0, 1].map(|i| (-e * cluster.speed(&ends[i], ends[i].n)).max(0.0));
     let middle = ends[0].towards(&ends[1], 0.5);
     let v_s = cluster.speed(&middle, middle.s);
     let slip = if v_s < 0.0 { -1.0 } else { 1.0 };
-    for pushed in [&[0, 1][..], &[0], &[1]] {
-        for way in [Way::Held, Way::Slides(slip), Way::Slides(-slip)] {
-            if let Some((tried, spread)) = attempt(cluster, ends, &middle, numbers, pushed, way, asked) {
-                *cluster = tried;
-                return Ok(spread);
-            }
+    let ways = [Way::Held, Way::Slides(slip), Way::Slides(-slip)];
+    let guesses = [&[0, 1][..], &[0], &[1]].into_iter().flat_map(|pushed| ways.map(|way| (pushed, way)));
+    let jams = [&[0, 1][..], &[0], &[1], &[]].into_iter().map(|pushed| (pushed, Way::Jams));
+    for (pushed, way) in guesses.chain(jams) {
+        if let Some((tried, spread)) = attempt(cluster, ends, &middle, numbers, pushed, way, asked) {
+            *cluster = tried;
+            return spread;
         }
     }
-    Err(Jammed)
+    // Rounding alone has ruled out every guess: nothing to speak of comes in.
+    Spread { normal: [0.0; 2], tangential: 0.0, held: false, work: 0.0 }
 }
 
 /// One guess of who is pushed and how the edge goes; nothing where it contradicts itself.
@@ -104,7 +106,7 @@ fn attempt(
 ) -> Option<(Cluster, Spread)> {
     let hush = cluster.rounding(ends);
     let friction = if let Way::Slides(sign) = way { -numbers.mu_k * sign } else { 0.0 };
-    let held = way == Way::Held;
+    let held = matches!(way, Way::Held | Way::Jams);
     // Unknown: the pushes, and what holds the edge.
     let size = pushed.len() + usize::from(held);
     let row = |r: usize| pushed.get(r).map_or((middle, middle.s), |&i| (&ends[i], ends[i].n));
@@ -128,7 +130,8 @@ fn attempt(
     }
     let total = normal[0] + normal[1];
     let tangential = if held { solution[pushed.len()] } else { friction * total };
-    if normal.iter().any(|p| *p < 0.0) || (held && tangential.abs() > numbers.mu_s * total * (1.0 + 1e-12)) {
+    if normal.iter().any(|p| *p < 0.0) || (way == Way::Held && tangential.abs() > numbers.mu_s * total * (1.0 + 1e-12))
+    {
         return None;
     }
     let mut tried = cluster.clone();
@@ -146,7 +149,7 @@ fn attempt(
     let open = |i: usize| pushed.contains(&i) || after[i] >= asked[i] - hush;
     let slides = match way {
         Way::Slides(sign) => sign * after[2] >= -hush,
-        Way::Held => true,
+        Way::Held | Way::Jams => true,
     };
     (open(0) && open(1) && slides).then_some((tried, Spread { normal, tangential, held, work }))
 }

@@ -1,15 +1,19 @@
 //! Bodies in lasting contact, integrated together between two changes.
 //!
-//! Everything at rest on its faces stands still: closed form. Else Dormand–Prince 8(5,3) with the reactions solved for at
-//! every stage. What can end it is looked for in the continuous answer of each step: a push that falls to 0, a hold that
+//! Everything at rest on its faces stands still, and a face slides along a wall as an oscillator ([`Slide`]): closed forms.
+//! Else, where a girder turns about what holds it, or moves with another, Dormand–Prince 8(5,3) with the reactions solved
+//! for at every stage. What can end it is looked for in the continuous answer of each step: a push that falls to 0, a hold that
 //! friction cannot give, a slide that stops, a point that comes to the edge of the face.
 
 use glam::DVec3;
 
 use super::reaction::{Answer, Scenery, Seat, Way, middle, react, shaking};
+use super::slide::Slide;
 use crate::dynamics::dop853::{DENSE, Dense, Dop853, System, next_factor};
 use crate::dynamics::flight::Planar;
+use crate::dynamics::piece::Piece;
 use crate::dynamics::search::root;
+use crate::dynamics::track::Path;
 use crate::dynamics::{Model, body_state};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;
@@ -36,6 +40,13 @@ pub(super) enum Ending {
     Stops(usize),
 }
 
+/// The answer of a step.
+#[derive(Clone, Debug)]
+enum Course {
+    Slide(Box<Slide>),
+    Step(Dense),
+}
+
 /// Bodies in lasting contact, with the step that is planned but not yet committed.
 #[derive(Clone, Debug)]
 pub(super) struct Grip {
@@ -51,7 +62,7 @@ pub(super) struct Grip {
     pub until: f64,
     /// What ends the contact at `until`.
     pub ending: Option<Ending>,
-    dense: Option<Dense>,
+    course: Option<Course>,
     y: Vec<f64>,
     step: f64,
 }
@@ -113,7 +124,7 @@ impl Grip {
     /// Bodies in lasting contact from `t` on.
     pub(super) fn new(bodies: Vec<usize>, seats: Vec<Seat>, states: &[Planar], t: f64) -> Self {
         let y = states.iter().flatten().copied().collect();
-        Self { bodies, seats, since: t, from: t, until: t, ending: None, dense: None, y, step: 0.0 }
+        Self { bodies, seats, since: t, from: t, until: t, ending: None, course: None, y, step: 0.0 }
     }
 
     /// Whether nobody moves: every seat is a face that stays put, and so are all bodies.
@@ -122,7 +133,13 @@ impl Grip {
             && self.y.chunks_exact(WIDTH).all(|c| c[3..] == [0.0; 3])
     }
 
-    /// Plans the next step from `until`, at most to `cap`; `allowed` is what the tolerance allows of places and speeds.
+    /// Whether friction is left out of it for want of a motion that agrees with it: it is decided anew at every step.
+    pub(super) fn is_makeshift(&self) -> bool {
+        self.seats.iter().any(|seat| seat.way == Way::Slides(0.0))
+    }
+
+    /// Plans the next step from `until`, at most to `cap`, that nothing ends within `least`; `allowed` is what the tolerance
+    /// allows of places and speeds.
     ///
     /// # Errors
     /// When no step is short enough.
@@ -131,23 +148,36 @@ impl Grip {
         model: &Model,
         numbers: &ImpactSettings,
         allowed: [f64; 2],
-        cap: f64,
+        [least, cap]: [f64; 2],
     ) -> Result<(), String> {
         let t = self.until;
         self.from = t;
         let piece = model.ground.piece(model.ground.piece_number(t));
         let cap = cap.min(piece.until).min(t + quarter(&model.ground));
-        let dense = if self.rests() {
-            let constant =
-                self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE]>>();
-            Dense::new(t, cap - t, constant)
+        if let Some(slide) = self.slides(model, numbers, &piece, cap) {
+            self.until = cap.min(t + slide.sight);
+            self.course = Some(Course::Slide(Box::new(slide)));
         } else {
-            self.integrate(model, numbers, piece, allowed, cap)?
-        };
-        self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
-        self.dense = Some(dense);
-        self.look_for_an_end(model, numbers, piece);
+            let dense =
+                if self.rests() { self.rest(cap) } else { self.integrate(model, numbers, piece, allowed, cap)? };
+            self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
+            self.course = Some(Course::Step(dense));
+        }
+        self.look_for_an_end(model, numbers, piece, least);
         Ok(())
+    }
+
+    /// Everybody stays where they are.
+    fn rest(&self, cap: f64) -> Dense {
+        let constant = self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE]>>();
+        Dense::new(self.from, cap - self.from, constant)
+    }
+
+    /// A face alone on a wall, sliding.
+    fn slides(&self, model: &Model, numbers: &ImpactSettings, piece: &LinearPiece, cap: f64) -> Option<Slide> {
+        let ([body], [state]) = (&self.bodies[..], &states(&self.y)[..]) else { return None };
+        let longest = (cap - self.from).min(model.duration);
+        Slide::begin(model, (*body, &self.seats), numbers, piece, (self.from, state), longest)
     }
 
     fn integrate(
@@ -180,23 +210,27 @@ impl Grip {
     /// State of a body, by its place here.
     pub(super) fn state(&self, place: usize, t: f64) -> Planar {
         let mut state = [0.0; WIDTH];
-        match &self.dense {
-            Some(dense) => dense.read(place * WIDTH..(place + 1) * WIDTH, t, &mut state),
+        match &self.course {
+            Some(Course::Slide(slide)) => state = slide.state(t),
+            Some(Course::Step(dense)) => dense.read(place * WIDTH..(place + 1) * WIDTH, t, &mut state),
             None => state.copy_from_slice(&self.y[place * WIDTH..(place + 1) * WIDTH]),
         }
         state
     }
 
-    /// The continuous answer of the planned step.
-    pub(super) fn dense(&self) -> Option<&Dense> {
-        self.dense.as_ref()
+    /// What a history keeps of a body in the planned step.
+    pub(super) fn path(&self, place: usize) -> Option<Path> {
+        self.course.as_ref().map(|course| match course {
+            Course::Slide(slide) => Path::Slide(slide.clone()),
+            Course::Step(dense) => Path::Step(Piece::of(dense, place * WIDTH..(place + 1) * WIDTH)),
+        })
     }
 
     /// Commits the planned step: its end becomes the next start.
     pub(super) fn commit(&mut self) {
         let t = self.until;
         self.y = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
-        self.dense = None;
+        self.course = None;
     }
 
     /// What can end the contact, as numbers that are positive while it lasts.
@@ -228,9 +262,9 @@ impl Grip {
     }
 
     /// Ends the planned step where the first gauge falls through 0.
-    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece) {
+    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece, least: f64) {
         self.ending = None;
-        let (from, until) = (self.from, self.until);
+        let (from, until) = ((self.from + least).min(self.until), self.until);
         let gauges = |t: f64| self.gauges(model, numbers, piece, t);
         let times: Vec<f64> = (0..=LOOKS)
             .map(|look| if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 })
@@ -288,3 +322,6 @@ fn quarter(ground: &Ground) -> f64 {
         _ => f64::INFINITY,
     }
 }
+
+#[cfg(test)]
+mod tests;

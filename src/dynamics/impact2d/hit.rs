@@ -29,16 +29,12 @@ impl Coefficients {
     }
 }
 
-/// A sliding impulse with `w_n − μ w_ns ≤ 0`: friction would drive the point in (Painlevé).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jammed;
-
 /// The second impulse, which holds a point that was pushed in again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Second {
     /// `[P_n, P_s]` \[N·s\].
     pub impulse: [f64; 2],
-    /// Whether the point stays put, `|P_s| ≤ μ_s P_n` (40).
+    /// Whether the point stays put: `|P_s| ≤ μ_s P_n` (40).
     pub held: bool,
     /// Energy that it adds; negative \[J\].
     pub work: f64,
@@ -55,25 +51,26 @@ pub fn first(cluster: &mut Cluster, point: &Point, numbers: &Coefficients) -> ([
     ([p_n, p_s], work)
 }
 
-/// The second impulse, (34)–(43).
-///
-/// # Errors
-/// When friction along the slide would drive the point in.
-pub fn second(cluster: &mut Cluster, point: &Point, numbers: &Coefficients) -> Result<Second, Jammed> {
+/// The second impulse, (34)–(43). Past the Painlevé bound, `w_n − μ_k σ w_ns ≤ 0`, no slide ends: but there staying put takes
+/// `w_n/|w_ns| ≤ μ_k` of the push at most, so the point is held.
+pub fn second(cluster: &mut Cluster, point: &Point, numbers: &Coefficients) -> Second {
     let stay = staying(cluster, point);
     if stay[1].abs() <= numbers.mu_s * stay[0] {
         let work = cluster.push(point, stay);
-        return Ok(Second { impulse: stay, held: true, work });
+        return Second { impulse: stay, held: true, work };
     }
     let v_s = cluster.speeds(point)[1];
     // Without a slip to go by, against the way that holding it would push.
     let sign = if v_s == 0.0 { -stay[1].signum() } else { v_s.signum() };
-    let impulse = sliding(cluster, point, numbers.mu_k, sign)?;
+    let Some(impulse) = sliding(cluster, point, numbers.mu_k, sign) else {
+        let work = cluster.push(point, stay);
+        return Second { impulse: stay, held: true, work };
+    };
     let mut tried = cluster.clone();
     let work = tried.push(point, impulse);
     if work <= 0.0 {
         *cluster = tried;
-        return Ok(Second { impulse, held: false, work });
+        return Second { impulse, held: false, work };
     }
     in_two(cluster, point, numbers, sign)
 }
@@ -90,26 +87,25 @@ fn staying(cluster: &Cluster, point: &Point) -> [f64; 2] {
     [(w_ns * v_s - w_s * v_n) / determinant, (w_ns * v_n - w_n * v_s) / determinant]
 }
 
-/// The impulse after which the point slides along the face: `v_n'' = 0`, `P_s = −μ_k σ P_n`.
-fn sliding(cluster: &Cluster, point: &Point, mu_k: f64, sign: f64) -> Result<[f64; 2], Jammed> {
+/// The impulse after which the point slides along the face: `v_n'' = 0`, `P_s = −μ_k σ P_n`; nothing where friction would
+/// drive it in.
+fn sliding(cluster: &Cluster, point: &Point, mu_k: f64, sign: f64) -> Option<[f64; 2]> {
     let [w_n, _, w_ns] = cluster.mobilities(point);
     let give = w_n - mu_k * sign * w_ns;
-    if give <= 0.0 {
-        return Err(Jammed);
-    }
     let p_n = -cluster.speeds(point)[0] / give;
-    Ok([p_n, -mu_k * sign * p_n])
+    (give > 0.0).then_some([p_n, -mu_k * sign * p_n])
 }
 
 /// The slide ends where the point stops; from there it is held, or slides the other way.
-fn in_two(cluster: &mut Cluster, point: &Point, numbers: &Coefficients, sign: f64) -> Result<Second, Jammed> {
+fn in_two(cluster: &mut Cluster, point: &Point, numbers: &Coefficients, sign: f64) -> Second {
     let [_, w_s, w_ns] = cluster.mobilities(point);
     let p_n = cluster.speeds(point)[1] / (numbers.mu_k * sign * w_s - w_ns);
     let first = [p_n, -numbers.mu_k * sign * p_n];
     let mut work = cluster.push(point, first);
     let stay = staying(cluster, point);
-    let held = stay[1].abs() <= numbers.mu_s * stay[0];
-    let rest = if held { stay } else { sliding(cluster, point, numbers.mu_k, -sign)? };
+    let back =
+        if stay[1].abs() <= numbers.mu_s * stay[0] { None } else { sliding(cluster, point, numbers.mu_k, -sign) };
+    let rest = back.unwrap_or(stay);
     work += cluster.push(point, rest);
-    Ok(Second { impulse: [first[0] + rest[0], first[1] + rest[1]], held, work })
+    Second { impulse: [first[0] + rest[0], first[1] + rest[1]], held: back.is_none(), work }
 }

@@ -87,17 +87,8 @@ impl Engine {
         moment.hush = moment.hush.max(RUN * self.largest[0]);
         let energy = kinetic(&moment);
         let mut to = moment.before.clone();
-        let known = (self.record.hits.len(), self.record.transitions.len());
-        let done = match self.hits(&mut moment, &mut to) {
-            Ok(lost) => self.settle(&mut moment, &to, energy - lost, ending),
-            Err((pair, why)) => Err((self.model.pairs[pair].name.clone(), why)),
-        };
-        if let Err((place, why)) = done {
-            // The answer ends before this instant, and so does the record.
-            self.record.hits.truncate(known.0);
-            self.record.transitions.truncate(known.1);
-            self.give_up(t, place, why);
-        }
+        let lost = self.hits(&mut moment, &mut to);
+        self.settle(&mut moment, &to, energy - lost, ending);
         slots
     }
 
@@ -215,7 +206,7 @@ impl Engine {
     }
 
     /// Hits everybody who is driven in until nobody is; the energy lost, and in `to` the states that the hits lead to.
-    fn hits(&mut self, moment: &mut Moment, to: &mut [State]) -> Result<f64, (usize, String)> {
+    fn hits(&mut self, moment: &mut Moment, to: &mut [State]) -> f64 {
         let mut lost = 0.0;
         for count in 0.. {
             let cluster = &moment.scenery.cluster;
@@ -233,12 +224,12 @@ impl Engine {
                 break;
             }
             if count > MOST {
-                super::wedge::stop(&mut moment.scenery.cluster, &moment.edges);
+                super::wedge::stop(&mut moment.scenery.cluster, &moment.edges, &[]);
                 break;
             }
-            lost += self.hit(moment, &edge, to, count > LIVELY)?;
+            lost += self.hit(moment, &edge, to, count > LIVELY);
         }
-        Ok(lost)
+        lost
     }
 
     /// Whether all points of an edge are in lasting contact already.
@@ -256,13 +247,13 @@ impl Engine {
             .any(|edge| edge.points.iter().any(|p| cluster.speed(p, p.n) < -moment.hush))
     }
 
-    fn hit(&mut self, moment: &mut Moment, edge: &Edge, to: &mut [State], dead: bool) -> Result<f64, (usize, String)> {
+    fn hit(&mut self, moment: &mut Moment, edge: &Edge, to: &mut [State], dead: bool) -> f64 {
         let numbers = self.model.impact;
         let places = moment.scenery.places(&self.model, edge.pair);
         let place = places.into_iter().flatten().next().unwrap_or(0);
         let from = to[place];
         let rules = Rules { numbers: &numbers, hush: moment.hush, dead };
-        let blow = strike(&mut moment.scenery.cluster, edge, from, &rules).map_err(|_| (edge.pair, painleve(from)))?;
+        let blow = strike(&mut moment.scenery.cluster, edge, from, &rules);
         let to_wall = self.model.pairs[edge.pair].bodies.contains(&None);
         let row = if to_wall { Row::landing(&blow.landing) } else { None };
         let after = landed(&blow, to_wall);
@@ -293,7 +284,7 @@ impl Engine {
             to: after,
             row,
         });
-        Ok(lost)
+        lost
     }
 }
 
@@ -320,14 +311,4 @@ pub(super) fn kinetic(moment: &Moment) -> f64 {
     let part = |v: f64, inverse: f64| if inverse > 0.0 { 0.5 * v * v / inverse } else { 0.0 };
     let body = |(v, inverse): (&DVec3, &DVec3)| (0..3).map(|i| part(v[i], inverse[i])).sum::<f64>();
     cluster.velocity.iter().zip(&cluster.inverse).map(body).sum()
-}
-
-pub(super) fn painleve(state: State) -> String {
-    format!(
-        "in state {} ({}) neither staying put, sliding nor leaving agrees with the equations: past the Painlevé bound \
-         w_n − μ |w_ns| ≤ 0, or several contacts together, friction drives a corner in; lower mu_kinetic, or take the \
-         contact model",
-        state.letter(),
-        state.label()
-    )
 }

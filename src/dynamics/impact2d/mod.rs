@@ -1,8 +1,8 @@
 //! The 2D rigid-body impact model (paper section 3, physics section 5).
 //!
 //! Girders are rigid and so are their faces: a hit is an impulse, lasting contact a constraint. Planar scenes; a wall at
-//! any end, and girder against girder by the same impulses with both bodies' levers. Flights and rest are closed forms, hits
-//! are found to rounding.
+//! any end, and girder against girder by the same impulses with both bodies' levers. Flights, rest and
+//! a face that slides along a wall are closed forms, hits are found to rounding.
 //!
 //! - [`hit`]: the two impulses of a corner (26)–(43); [`flush`]: of a whole face (44)–(48), or at both of its ends.
 //! - [`reaction`]: the constrained motion of states c–f (7)–(25); [`decide`]: who stays in contact (Tables 4–7).
@@ -10,6 +10,7 @@
 //!
 //! Left out: the spread of a push along an elastic face, waves, and everything that takes time in a hit.
 
+mod agree;
 pub mod blow;
 pub mod decide;
 mod dense;
@@ -17,12 +18,15 @@ pub mod engine;
 pub mod flush;
 mod grip;
 pub mod hit;
+mod leap;
 mod meet;
 pub mod point;
 pub mod reaction;
 pub mod record;
 mod search;
 mod settle;
+mod side;
+pub mod slide;
 pub mod state;
 mod track;
 mod wedge;

@@ -21,7 +21,7 @@ use crate::scene::ImpactSettings;
 pub enum Way {
     /// It stays put.
     Held,
-    /// It slides along `s` with this sign.
+    /// It slides along `s` with this sign; 0 is without friction, where none agrees with any motion.
     Slides(f64),
 }
 

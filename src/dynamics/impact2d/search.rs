@@ -4,12 +4,11 @@
 //! looks at gap and rate.
 
 use super::engine::Engine;
+use super::leap::{Cubic, crossing};
+use super::side::{View, gap, poses};
 use super::track::Going;
-use crate::contact::{Frame, Local, locate};
-use crate::dynamics::bound::Bound;
 use crate::dynamics::predict::{RESOLUTION, in_front};
-use crate::dynamics::relative::{Apart, Flyer};
-use crate::dynamics::search::{Hunt, MOST, Outlook, Sight, polish, root};
+use crate::dynamics::search::{Hunt, MOST, Outlook, Sight, root};
 use crate::motion::Ground;
 
 /// Samples of a record that one search covers.
@@ -26,38 +25,6 @@ pub(super) struct Found {
     pub meets: bool,
 }
 
-/// Both sides of a pair at an instant.
-#[derive(Clone, Copy)]
-struct View {
-    frames: [Frame; 2],
-    bounds: [Bound; 2],
-    between: Apart,
-}
-
-impl View {
-    fn of(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
-        let horizon = (until - t).max(f64::MIN_POSITIVE);
-        let slots = engine.pairs[pair].slots;
-        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(engine, slot, t, horizon)));
-        let frame = |side: usize| match (slots[side], &flyers[side]) {
-            (Some(slot), Some(flyer)) => engine.model.bodies[engine.bodies[slot].body].planar_frame(&flyer.state),
-            (Some(slot), None) => engine.frame(slot, t),
-            _ => Frame::fixed(glam::DVec3::ZERO),
-        };
-        let frames = [frame(0), frame(1)];
-        let bound = |side: usize| flyers[side].as_ref().map_or(Bound::still(horizon), |flyer| flyer.bound);
-        Self { frames, bounds: [bound(0), bound(1)], between: Apart::of(&flyers, horizon) }
-    }
-}
-
-fn flyer(engine: &Engine, slot: usize, t: f64, horizon: f64) -> Option<Flyer<'_>> {
-    let track = &engine.bodies[slot];
-    let Going::Flight(flight) = &track.now else { return None };
-    let (state, free) = track.system.parts(flight, t);
-    let bound = track.system.bound_from(t, &state, free.as_ref(), horizon);
-    Some(Flyer { system: &track.system, state, free, bound })
-}
-
 /// An open point under search.
 struct Quarry {
     site: usize,
@@ -65,20 +32,22 @@ struct Quarry {
     depth: f64,
     resolution: f64,
     hunt: Hunt,
+    /// How it goes on at least from the last look, where its third derivative is bounded.
+    least: Option<Cubic>,
+    /// When a point that has lifted off was first seen in front \[s\].
+    out: Option<f64>,
 }
 
-fn look(engine: &Engine, site: usize, view: &View) -> Local {
+fn outlook(engine: &Engine, site: usize, depth: f64, view: &View) -> (Outlook, Option<Cubic>) {
     let track = &engine.sites[site];
-    let contact = &engine.model.contacts[track.number];
-    let frame = |which: usize| track.sides[which].map_or(Frame::fixed(contact.fixed), |side| view.frames[side]);
-    locate(contact.point, &frame(0), &contact.face, &frame(1))
+    view.outlook(&track.aim, &track.spot, track.sides, depth)
 }
 
-fn outlook(engine: &Engine, site: usize, depth: f64, view: &View) -> Outlook {
+/// `[g, ġ]` of a site at `t`, with this depth.
+fn gap_at(engine: &Engine, pair: usize, site: usize, depth: f64, t: f64) -> [f64; 2] {
     let track = &engine.sites[site];
-    let bound = |which: usize| track.sides[which].map_or(Bound::still(view.between.window), |s| view.bounds[s]);
-    let seen = track.spot.outlook(&look(engine, site, view), &bound(0), &bound(1), &view.between);
-    Outlook { gap: seen.gap + depth, ..seen }
+    let [gap, rate] = gap(&track.aim, track.sides, &poses(engine, engine.pairs[pair].slots, t));
+    [gap + depth, rate]
 }
 
 /// Searches a pair from `t` on.
@@ -122,30 +91,32 @@ fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
 
 /// The open points of a pair; one that has come out in front counts again.
 fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry> {
-    let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
-    let mut all = Vec::new();
+    let moved = view.moved();
+    let mut all = Vec::with_capacity(engine.pairs[pair].sites.len());
     for site in engine.pairs[pair].sites.clone() {
         if engine.sites[site].kept {
             continue;
         }
         let resolution = RESOLUTION * (engine.sites[site].spot.size + moved);
-        let here = outlook(engine, site, 0.0, view);
+        let (mut here, mut least) = outlook(engine, site, 0.0, view);
         let track = &mut engine.sites[site];
         if !track.armed && in_front(here.gap, here.rate, t, resolution) {
             track.arm();
         }
-        let depth = if track.lifted { track.sink } else { 0.0 };
-        let here = Outlook { gap: here.gap + depth, ..here };
-        all.push(Quarry { site, depth, resolution, hunt: Hunt::begin(here, track.armed || track.lifted, resolution) });
+        let (depth, armed) = (if track.lifted { track.sink } else { 0.0 }, track.armed || track.lifted);
+        if depth > 0.0 {
+            (here, least) = outlook(engine, site, depth, view);
+        }
+        all.push(Quarry { site, depth, resolution, hunt: Hunt::begin(here, armed, resolution), least, out: None });
     }
     all
 }
 
 fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
-    let duration = engine.model.duration;
-    let first = View::of(engine, pair, t, duration);
+    let (duration, slots) = (engine.model.duration, engine.pairs[pair].slots);
+    let first = View::of(engine, slots, t, duration);
     let mut quarries = open(engine, pair, t, &first);
-    let reachable = |q: &Quarry| !(q.hunt.out_of_reach() && first.between.window >= duration - t);
+    let reachable = |q: &Quarry| !(q.hunt.out_of_reach() && first.window >= duration - t);
     if !quarries.iter().any(reachable) {
         return Found { due: f64::INFINITY, meets: false };
     }
@@ -155,20 +126,22 @@ fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
         if at >= until || found.is_some() {
             break;
         }
-        let leap = quarries.iter_mut().map(|q| q.hunt.leap()).fold(f64::INFINITY, f64::min);
+        let leap = leap(&mut quarries);
         let next = (at + leap).min(until);
         if next <= at {
             found = Some(at);
             break;
         }
-        let there = View::of(engine, pair, next, until);
+        let there = View::of(engine, slots, next, until);
         looks += 1;
-        found = quarries.iter_mut().filter_map(|q| arrive(engine, pair, q, &there, [at, next], until)).reduce(f64::min);
+        for quarry in &mut quarries {
+            found = arrive(engine, pair, quarry, &there, [at, next], found).or(found);
+        }
         at = next;
     }
     engine.effort.looks += looks;
     for quarry in &quarries {
-        engine.sites[quarry.site].out = quarry.hunt.out();
+        engine.sites[quarry.site].out = quarry.out.or(quarry.hunt.out());
     }
     match found {
         Some(due) => Found { due, meets: true },
@@ -176,44 +149,87 @@ fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
     }
 }
 
-/// When a point meets the face, if the look at `next` shows that it does.
+/// How far the next look may be \[s\].
+fn leap(quarries: &mut [Quarry]) -> f64 {
+    let mut shortest = f64::INFINITY;
+    let mut worst: Option<(Cubic, f64)> = None;
+    for quarry in quarries {
+        let open = match (quarry.least.filter(|_| quarry.hunt.armed()), worst) {
+            (None, _) => 0.0,
+            (Some(cubic), Some((other, leap))) if cubic.is_above(&other) => leap,
+            (Some(cubic), _) => cubic.leap(),
+        };
+        worst = quarry.least.map(|cubic| (cubic, open)).or(worst);
+        shortest = shortest.min(quarry.hunt.leap_past(open));
+    }
+    shortest
+}
+
+/// When a point meets the face before `sooner`, if the look at `next` shows that it does.
 fn arrive(
     engine: &Engine,
     pair: usize,
     quarry: &mut Quarry,
     there: &View,
     [t, next]: [f64; 2],
-    until: f64,
+    sooner: Option<f64>,
 ) -> Option<f64> {
-    let here = outlook(engine, quarry.site, quarry.depth, there);
-    let sight = quarry.hunt.arrive(here, next);
-    let (site, depth) = (quarry.site, quarry.depth);
-    let mut ask = |at: f64| outlook(engine, site, depth, &View::of(engine, pair, at, until));
-    if sight != Sight::Open && depth > 0.0 {
-        // One leap may go over the whole hop: who was clearly out on the way comes back in at the face itself.
-        let true_gap = |at: f64| outlook(engine, site, 0.0, &View::of(engine, pair, at, until));
-        let middle = f64::midpoint(t, next);
-        let way = true_gap(middle);
-        if in_front(way.gap, way.rate, middle, quarry.resolution) {
-            return Some(root(|at| -true_gap(at).gap, middle, next));
+    let site = quarry.site;
+    let mut from = t;
+    if quarry.depth > 0.0
+        && let Some(out) = comes_out(engine, pair, quarry, there, [t, next])
+    {
+        // Out in front it is met at the face itself.
+        (quarry.depth, quarry.out, from) = (0.0, Some(out), out.min(next));
+    }
+    let depth = quarry.depth;
+    let (here, least) = outlook(engine, site, depth, there);
+    quarry.least = least;
+    let mut ask = |at: f64| gap_at(engine, pair, site, depth, at);
+    match quarry.hunt.arrive(here, next) {
+        Sight::Open => None,
+        Sight::Closed if sooner.is_some_and(|at| ask(at)[0] > -quarry.resolution) => None,
+        Sight::Closed => Some(crossing(&mut ask, from, next)),
+        Sight::Closing => {
+            let at = polish(&mut ask, next, &here);
+            sooner.is_none_or(|sooner| at < sooner).then_some(at)
         }
     }
-    match sight {
-        Sight::Open => {
-            // Out in front it is met at the face itself.
-            if quarry.depth > 0.0 && in_front(here.gap - quarry.depth, here.rate, next, quarry.resolution) {
-                quarry.depth = 0.0;
-            }
-            None
-        }
-        Sight::Closed => Some(root(|at| -ask(at).gap, t, next)),
-        Sight::Closing => Some(polish(&mut ask, next, &here, until)),
+}
+
+/// When a point that has lifted off is in front of the face, by the look at `next` or, where one leap may have gone over
+/// the whole hop, one on the way.
+fn comes_out(engine: &Engine, pair: usize, quarry: &Quarry, there: &View, [t, next]: [f64; 2]) -> Option<f64> {
+    let track = &engine.sites[quarry.site];
+    let [clear, rate] = gap(&track.aim, track.sides, &there.poses);
+    if in_front(clear, rate, next, quarry.resolution) {
+        return Some(next);
     }
+    let middle = f64::midpoint(t, next);
+    let [clear, on_the_way] = gap_at(engine, pair, quarry.site, 0.0, middle);
+    (rate < 0.0 && in_front(clear, on_the_way, middle, quarry.resolution)).then_some(middle)
+}
+
+/// Newton's method from inside the resolution.
+fn polish(ask: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &Outlook) -> f64 {
+    let (mut t, mut gap, mut rate) = (t, here.gap, here.rate);
+    for _ in 0..3 {
+        let next = t - gap / rate;
+        if next == t || !next.is_finite() {
+            break;
+        }
+        t = next;
+        [gap, rate] = ask(t);
+        if rate >= 0.0 {
+            break;
+        }
+    }
+    t
 }
 
 /// A side is in a planned step: looks at gap and rate, and where the gap turns round between two of them.
 fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64, planned: f64) -> Found {
-    let first = View::of(engine, pair, t, until);
+    let first = View::of(engine, engine.pairs[pair].slots, t, until);
     let quarries = open(engine, pair, t, &first);
     let first = quarries.iter().filter_map(|quarry| in_step(engine, pair, quarry, t, until)).reduce(f64::min);
     // The step's own end calls for the next search.
@@ -222,24 +238,24 @@ fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64, planned: f64) 
 }
 
 fn in_step(engine: &Engine, pair: usize, quarry: &Quarry, t: f64, until: f64) -> Option<f64> {
-    let ask = |at: f64| outlook(engine, quarry.site, quarry.depth, &View::of(engine, pair, at, until));
+    let ask = |at: f64| gap_at(engine, pair, quarry.site, quarry.depth, at);
     let mut armed = quarry.hunt.armed();
     let resolution = RESOLUTION * engine.sites[quarry.site].spot.size;
     let (mut from, mut before) = (t, ask(t));
-    if armed && before.gap <= resolution && before.rate < 0.0 {
+    if armed && before[0] <= resolution && before[1] < 0.0 {
         return Some(t);
     }
     for i in 1..=LOOKS {
         let to = if i == LOOKS { until } else { t + (until - t) * i as f64 / LOOKS as f64 };
         let here = ask(to);
-        let turns = before.rate * here.rate < 0.0;
-        let way = if before.rate < 0.0 { 1.0 } else { -1.0 };
-        let turn = turns.then(|| root(|at| way * ask(at).rate, from, to)).map(|at| (at, ask(at)));
-        for (at, there) in turn.into_iter().chain([(to, here)]) {
-            if armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -resolution) {
-                return Some(root(|at| -ask(at).gap, from, at));
+        let turns = before[1] * here[1] < 0.0;
+        let way = if before[1] < 0.0 { 1.0 } else { -1.0 };
+        let turn = turns.then(|| root(|at| way * ask(at)[1], from, to)).map(|at| (at, ask(at)));
+        for (at, [gap, rate]) in turn.into_iter().chain([(to, here)]) {
+            if armed && gap < 0.0 && (rate < 0.0 || gap < -resolution) {
+                return Some(crossing(ask, from, at));
             }
-            armed = armed || in_front(there.gap, there.rate, at, resolution);
+            armed = armed || in_front(gap, rate, at, resolution);
             from = at;
         }
         before = here;

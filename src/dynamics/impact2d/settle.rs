@@ -7,7 +7,7 @@ use super::blow::Edge;
 use super::decide::{Candidate, RuledOut, decide};
 use super::engine::{Engine, SINK};
 use super::grip::{Ending, Grip};
-use super::meet::{Moment, TOUCH, kinetic, painleve};
+use super::meet::{Moment, TOUCH, kinetic};
 use super::point::Point;
 use super::reaction::{Scenery, Seat, Way, middle, shaking};
 use super::record::Transition;
@@ -21,34 +21,23 @@ pub(super) const DRIFT: f64 = 1e-8;
 
 impl Engine {
     /// Decides who stays in contact, and sends everybody on; `energy` is the kinetic energy that the hits have left.
-    pub(super) fn settle(
-        &mut self,
-        moment: &mut Moment,
-        to: &[State],
-        energy: f64,
-        ending: Option<Ending>,
-    ) -> Result<(), (String, String)> {
+    pub(super) fn settle(&mut self, moment: &mut Moment, to: &[State], energy: f64, ending: Option<Ending>) {
         let numbers = self.model.impact;
         // The velocities are those after the hits.
         for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
             state[3..].copy_from_slice(&v.to_array());
         }
+        if self.all_part(moment) {
+            let (lost, strain) = (energy - kinetic(moment), self.strain(moment));
+            let shifted = self.tidy(moment, &[]);
+            self.go_on(moment, to, Vec::new(), if shifted { lost + strain - self.strain(moment) } else { lost });
+            return;
+        }
         let bodies = moment.scenery.bodies.clone();
         let piece = self.model.ground.piece(self.model.ground.piece_number(moment.t));
         let shaking = shaking(&self.model.ground, &piece, moment.t);
         moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
-        let mut candidates = self.candidates(moment, ending);
-        let decided = decide(&self.model, &moment.scenery, &candidates, &numbers).or_else(|| {
-            // Who slides slower than the stop speed and cannot go on may stay put.
-            for candidate in candidates.iter_mut().filter(|c| along(moment, c).abs() <= numbers.stop_speed) {
-                candidate.stays_or_leaves = true;
-            }
-            decide(&self.model, &moment.scenery, &candidates, &numbers)
-        });
-        let Some(mut seats) = decided else {
-            let place = (0..to.len()).find(|&place| to[place].touches()).unwrap_or(0);
-            return Err((self.names(&bodies), painleve(to[place])));
-        };
+        let (mut candidates, mut seats) = self.agree(moment, ending, shaking);
         // A face that was to rest below the stop speed but cannot goes on as it goes.
         let mut again = false;
         for candidate in &mut candidates {
@@ -66,14 +55,26 @@ impl Engine {
         moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
         let lost = energy - kinetic(moment) + strain - self.strain(moment);
         self.go_on(moment, to, seats, lost);
-        Ok(())
+    }
+
+    /// Whether every point that touches goes away.
+    fn all_part(&self, moment: &Moment) -> bool {
+        moment.edges.iter().all(|edge| {
+            let loose = self.looseness(edge) * moment.hush;
+            edge.points.iter().all(|point| moment.scenery.cluster.speed(point, point.n) > loose)
+        })
+    }
+
+    /// Speeds along the normal that count as none, in parts of the hush.
+    fn looseness(&self, edge: &Edge) -> f64 {
+        if self.is_kept(edge) { DRIFT / 1e-12 } else { 4.0 }
     }
 
     /// Pairs of a moment with points that neither come nor go.
-    fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
+    pub(super) fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
         let mut all = Vec::new();
         for edge in self.edges(moment) {
-            let loose = if self.is_kept(&edge) { DRIFT / 1e-12 } else { 4.0 };
+            let loose = self.looseness(&edge);
             let stays = |point: &Point| moment.scenery.cluster.speed(point, point.n).abs() <= loose * moment.hush;
             let kept: Vec<(usize, Point)> =
                 edge.sites.iter().copied().zip(edge.points.iter().copied()).filter(|(_, p)| stays(p)).collect();
@@ -103,8 +104,9 @@ impl Engine {
         all
     }
 
-    /// Takes out of places and velocities what the integrator's error has left between what is kept.
-    fn tidy(&self, moment: &mut Moment, seats: &[Seat]) {
+    /// Takes out of places and velocities what the integrator's error has left between what is kept; returns whether
+    /// there was anything.
+    fn tidy(&self, moment: &mut Moment, seats: &[Seat]) -> bool {
         let points: Vec<Vec<Point>> = seats.iter().map(|seat| moment.scenery.points(&self.model, seat)).collect();
         let mut rows: Vec<(Point, DVec2, f64)> = Vec::new();
         for (seat, points) in seats.iter().zip(&points) {
@@ -116,10 +118,13 @@ impl Engine {
         }
         let kept = rows.len();
         // Who leaves leaves from the face, not from a little behind it: else every small hop would end a little deeper.
-        for edge in self.edges(moment) {
+        for edge in &moment.edges {
             let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
             let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < 0.0);
             rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
+        }
+        if rows.is_empty() {
+            return false;
         }
         let cluster = &moment.scenery.cluster;
         let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
@@ -147,6 +152,7 @@ impl Engine {
                 }
             }
         }
+        true
     }
 
     /// Energy in the bearings of a moment \[J\].
@@ -281,7 +287,7 @@ fn turns_by_itself(body: &Body) -> bool {
 }
 
 /// Speed along the face of what a candidate keeps \[m/s\].
-fn along(moment: &Moment, candidate: &Candidate) -> f64 {
+pub(super) fn along(moment: &Moment, candidate: &Candidate) -> f64 {
     let middle = middle(&candidate.points);
     moment.scenery.cluster.speed(&middle, middle.s)
 }

@@ -1,6 +1,7 @@
 //! What the event loop knows of each body, pair and declared contact.
 
 use super::State;
+use super::side::Aim;
 use crate::dynamics::approach::Spot;
 use crate::dynamics::flight::{Flight, System};
 use crate::dynamics::track::Segment;
@@ -56,6 +57,8 @@ pub(super) struct SiteTrack {
     pub sides: [Option<usize>; 2],
     /// Where its two sides stand as placed.
     pub spot: Spot,
+    /// The same in plan.
+    pub aim: Aim,
     /// Whether it is in lasting contact.
     pub kept: bool,
     /// Whether its next crossing counts.

@@ -1,0 +1,98 @@
+//! The closed form of a sliding face against the integrator.
+
+use glam::{DMat3, DVec2};
+
+use super::*;
+
+/// A preset's girder, its face on the wall and sliding.
+fn sliding(preset: &str, change: impl FnOnce(&mut Model), way: f64) -> (Model, Grip) {
+    let mut scene = crate::scene::presets::load(preset).expect("a preset");
+    scene.abutments[0].gap = Some(0.0);
+    scene.girders[0].push.force = [40.0, 3.0, 0.0];
+    let mut model = Model::compile(&scene).expect("a sound scene");
+    change(&mut model);
+    let home = Scenery::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
+    let gap = |site: &usize| home.point(&model, *site).gap.abs() < 1e-12;
+    let mut sites: Vec<usize> = model.pairs[0].contacts.clone().filter(gap).collect();
+    sites.sort_by(|a, b| home.point(&model, *a).along.total_cmp(&home.point(&model, *b).along));
+    let sites = vec![sites[0], sites[sites.len() - 1]];
+    let s: DVec2 = home.point(&model, sites[0]).s;
+    let v = s * (0.3 * way);
+    let seat = Seat { pair: 0, sites, way: Way::Slides(way) };
+    let grip = Grip::new(vec![0], vec![seat], &[[0.0, 0.0, 0.0, v.x, v.y, 0.0]], 0.0);
+    (model, grip)
+}
+
+/// The same by Dormand–Prince as finely as it goes, up to `end`.
+fn integrated(model: &Model, grip: &Grip, end: f64) -> Vec<f64> {
+    let mut grip = grip.clone();
+    while grip.from < end {
+        let piece = model.ground.piece(model.ground.piece_number(grip.from));
+        let cap = end.min(piece.until);
+        let dense = grip.integrate(model, &model.impact, piece, [1e-15; 2], cap).expect("a step");
+        let to = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
+        let mut y = vec![0.0; WIDTH];
+        dense.read(0..WIDTH, to, &mut y);
+        (grip.y, grip.from) = (y, to);
+    }
+    grip.y
+}
+
+/// In closed form, piece by piece.
+fn closed(model: &Model, grip: &Grip, end: f64) -> Vec<f64> {
+    let mut grip = grip.clone();
+    while grip.from < end {
+        let piece = model.ground.piece(model.ground.piece_number(grip.from));
+        let to = end.min(piece.until);
+        let slide = grip.slides(model, &model.impact, &piece, to).expect("a face on a wall");
+        (grip.y, grip.from) = (slide.state(to).to_vec(), to);
+    }
+    grip.y
+}
+
+fn agree(name: &str, (model, grip): &(Model, Grip), end: f64) {
+    let (ours, theirs) = (closed(model, grip, end), integrated(model, grip, end));
+    let moved = theirs[0].hypot(theirs[1]);
+    assert!(moved > 1e-4, "{name}: it slides, by {moved}");
+    for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
+        let scale = if i < 3 { moved.max(0.03) } else { 0.5 };
+        assert!((a - b).abs() < 2e-13 * scale, "{name}: component {i} is {a} against {b}, apart {:e}", a - b);
+    }
+}
+
+/// Other bearings, without dashpots \[N/m\].
+fn bear(model: &mut Model, along_x: f64, along_y: f64) {
+    model.bodies[0].planar.stiffness = DMat3::from_diagonal(DVec3::new(along_x, along_y, 4.0));
+    model.bodies[0].planar.damping = DMat3::ZERO;
+}
+
+#[test]
+fn a_sliding_face_goes_as_the_integrator_does() {
+    let still = |model: &mut Model| model.ground = Ground::Still;
+    // Friction makes a negative stiffness of these at 60°, one way.
+    let unlike = |model: &mut Model| {
+        bear(model, 12_000.0, 400.0);
+        (model.ground, model.impact.mu_kinetic) = (Ground::Still, 0.9);
+    };
+    for way in [1.0, -1.0] {
+        for preset in ["straight-abutment", "skew60-abutment", "skew45-abutment"] {
+            agree(preset, &sliding(preset, |_| (), way), 0.2);
+            agree(&format!("{preset}, still"), &sliding(preset, still, way), 0.2);
+            agree(&format!("{preset}, stiff along x"), &sliding(preset, unlike, way), 0.1);
+        }
+    }
+}
+
+#[test]
+fn a_sliding_face_follows_a_record_and_resonates_as_the_integrator_does() {
+    let samples = [0.0, 1.3, -2.0, 0.4, 3.0, -1.0, 0.2, 0.9, -0.7, 0.1];
+    let axis = DVec3::new(0.6, 0.8, 0.0);
+    let record = |model: &mut Model| model.ground = Ground::record(axis, 0.02, samples);
+    agree("record", &sliding("skew60-abutment", record, 1.0), 0.25);
+    // Without dashpots, and shaken at what friction makes of the frequency: there is no steady response.
+    let resonance = |model: &mut Model| {
+        bear(model, 400.0, 400.0);
+        model.ground = Ground::Sine { amplitude: DVec3::Y, omega: 200f64.sqrt(), phase: 0.3 };
+    };
+    agree("resonance", &sliding("straight-abutment", resonance, 1.0), 0.3);
+}
