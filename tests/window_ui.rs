@@ -15,6 +15,8 @@ mod harness;
 mod layout;
 #[path = "window/lessons.rs"]
 mod lessons;
+#[path = "window/monkey.rs"]
+mod monkey;
 #[path = "window/numbers.rs"]
 mod numbers;
 #[path = "window/placing.rs"]

@@ -65,12 +65,9 @@ impl Workbench {
             Command::SelectAlso(target) => self.selection.toggle(target),
             Command::SelectAll => self.select_all(),
             Command::Pin => self.pin(),
-            Command::Unpin(i) if i < self.pins.len() => drop(self.pins.remove(i)),
-            Command::Unpin(_) => {}
+            Command::Unpin(i) => drop((i < self.pins.len()).then(|| self.pins.remove(i))),
             Command::UnpinAll => self.pins.clear(),
             Command::Sight(sight) => self.look_with(sight),
-            // The context keeps the size.
-            Command::Scale(_) => {}
             Command::Tool(tool) => self.tool = tool,
             Command::AskRow(draft) => self.row = draft,
             Command::Place(_)
@@ -93,8 +90,8 @@ impl Workbench {
             }
             Command::Overlays(overlays) => self.overlays = overlays,
             Command::ForceScale(scale) => self.force_scale = scale.filter(|s| s.is_finite() && *s > 0.0),
-            // The context keeps the theme.
-            Command::Theme(_) => {}
+            // The context keeps the theme and the size.
+            Command::Theme(_) | Command::Scale(_) => {}
             Command::Help(open) => self.help = open,
             Command::CancelRun => self.runner.cancel(),
             Command::Dismiss => self.notice = None,

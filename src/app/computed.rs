@@ -90,13 +90,12 @@ pub(super) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize, out: 
     let Some(answer) = bench.answer() else { return };
     let Some(site) = answer.history.model().contacts.get(contact) else { return };
     ui.label(format!("{} | {}", site.node, site.face_name));
-    match answer.history.contact_at(contact, bench.clock().t) {
-        Some(now) => table(ui, "contact", rows(&now)),
-        None => {
-            ui.label(RichText::new(text::CONTACT_OPEN).weak());
-            let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
-            table(ui, "contact", [("gap of pair", text::length(gap))]);
-        }
+    if let Some(now) = answer.history.contact_at(contact, bench.clock().t) {
+        table(ui, "contact", rows(&now));
+    } else {
+        ui.label(RichText::new(text::CONTACT_OPEN).weak());
+        let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
+        table(ui, "contact", [("gap of pair", text::length(gap))]);
     }
     touches(ui, answer, contact, bench.clock().t, out);
 }

@@ -15,13 +15,15 @@ pub(super) struct Dialogs {
     send: Sender<Command>,
     chosen: Receiver<Command>,
     wake: Wake,
+    /// Nobody is there to answer: no dialog is opened.
+    pub(super) silent: bool,
 }
 
 impl Dialogs {
     /// No dialog yet.
     pub(super) fn new(wake: Wake) -> Self {
         let (send, chosen) = channel();
-        Self { send, chosen, wake }
+        Self { send, chosen, wake, silent: false }
     }
 
     /// Who is to be told when something was chosen.
@@ -82,6 +84,9 @@ impl Dialogs {
         dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,
         then: impl FnOnce(PathBuf) -> Command + Send + 'static,
     ) {
+        if self.silent {
+            return;
+        }
         let (send, wake) = (self.send.clone(), self.wake.clone());
         std::thread::spawn(move || {
             if let Some(file) = pollster::block_on(dialog) {

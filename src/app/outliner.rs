@@ -43,10 +43,9 @@ fn row(ui: &mut Ui, bench: &Workbench, target: Target, name: &str, about: &str, 
     let response = ui.add(button.min_size(size));
     if response.clicked() {
         let alone = selected && bench.selection().len() == 1;
-        out.push(match ui.input(|i| i.modifiers.command || i.modifiers.shift) {
-            true => Command::SelectAlso(target),
-            false => Command::Select(if alone { None } else { Some(target) }),
-        });
+        let also = ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let one = Command::Select(if alone { None } else { Some(target) });
+        out.push(if also { Command::SelectAlso(target) } else { one });
     }
     if response.double_clicked() {
         out.push(Command::Select(Some(target)));

@@ -9,7 +9,7 @@ use super::{Workbench, text};
 use crate::scene::edit::Edit;
 use crate::scene::{PlotSettings, ViewSettings};
 use crate::sim::History;
-use crate::sim::quantity::{Quantity, Unit};
+use crate::sim::quantity::{OfContact, OfCorner, OfEnergy, Quantity, Unit};
 
 /// Most panels of the user's own.
 const MOST: usize = 6;
@@ -185,7 +185,6 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
             names.iter().filter(|(_, q)| matches!(q, Quantity::Girder(i, _) if *i == girder)).map(|(n, _)| n).collect();
         own.get(what).map(|n| (*n).clone())
     };
-    use crate::sim::quantity::{OfContact, OfCorner, OfEnergy};
     let corner =
         |wanted: OfCorner| first(&|q| matches!(q, Quantity::Corner(i, 1, of) if *i == girder && *of == wanted));
     let contact = |wanted: OfContact| first(&|q| matches!(q, Quantity::Contact(_, of) if *of == wanted));

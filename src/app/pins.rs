@@ -72,6 +72,9 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     differences(ui, bench);
 }
 
+/// A number's name, and how a run's is written.
+type Row = (&'static str, fn(&Answer) -> String);
+
 /// A row for each number, a column for each run, the run that is shown first.
 fn differences(ui: &mut Ui, bench: &Workbench) {
     let now = bench.answer().filter(|_| !bench.is_stale());
@@ -80,7 +83,7 @@ fn differences(ui: &mut Ui, bench: &Workbench) {
         .into_iter()
         .chain(bench.pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
-    let rows: [(&str, fn(&Answer) -> String); 5] = [
+    let rows: [Row; 5] = [
         ("moves", |a| text::length(a.summary.max_displacement)),
         ("turns", |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees()))),
         ("peak", |a| text::force(a.summary.peak_force)),

@@ -206,7 +206,7 @@ fn show_plan(ui: &mut Ui, rect: Rect, bench: &mut Workbench, pixels_per_point: f
     let overlays = Overlays { title: false, legend: false, ..bench.overlays() };
     // The friction circle stands in the view already.
     let selected = bench.selection.bodies().collect();
-    let key = Key { camera, overlays, size, selected, ..key(ui, bench, camera, pixels_per_point) };
+    let key = Key { camera, overlays, selected, size, ..key(ui, bench, camera, pixels_per_point) };
     if response.clicked()
         && let Some(at) = response.interact_pointer_pos()
     {

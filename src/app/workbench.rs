@@ -134,6 +134,11 @@ impl Workbench {
         self.runner.set_estimates(wanted);
     }
 
+    /// Opens no dialogs of the system's: nobody is there to answer them.
+    pub fn set_silent(&mut self) {
+        self.dialogs.silent = true;
+    }
+
     /// Shows everything and does what is asked.
     pub fn ui(&mut self, ui: &mut Ui) {
         if !self.dressed {

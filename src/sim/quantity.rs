@@ -82,7 +82,7 @@ pub enum OfContact {
     Penetration,
     /// Sliding speed.
     Sliding,
-    /// `|F_t| / (μ |F_n|)`, with μ_s in stick and μ_k in slip.
+    /// `|F_t| / (μ |F_n|)`, with `μ_s` in stick and `μ_k` in slip.
     Use,
     /// 0 open, 1 stick, 2 slip.
     State,
@@ -195,17 +195,18 @@ impl Quantity {
 
     /// Unit of its values.
     pub fn unit(self) -> Unit {
+        use {OfContact as C, OfGirder as G, OfPair as P};
         match self {
-            Self::Girder(_, OfGirder::X | OfGirder::Y | OfGirder::Z) => Unit::Metre,
-            Self::Girder(_, OfGirder::Theta) => Unit::Radian,
-            Self::Girder(_, OfGirder::Vx | OfGirder::Vy) => Unit::MetrePerSecond,
-            Self::Girder(_, OfGirder::Omega) => Unit::RadianPerSecond,
-            Self::Corner(..) | Self::Seat(..) | Self::Pair(_, OfPair::Gap) => Unit::Metre,
-            Self::Contact(_, OfContact::Penetration) => Unit::Metre,
-            Self::Pair(_, OfPair::Force) => Unit::Newton,
-            Self::Contact(_, OfContact::Normal | OfContact::Tangential | OfContact::Force) => Unit::Newton,
-            Self::Contact(_, OfContact::Sliding) => Unit::MetrePerSecond,
-            Self::Contact(_, OfContact::Use | OfContact::State) => Unit::One,
+            Self::Girder(_, G::X | G::Y | G::Z)
+            | Self::Corner(..)
+            | Self::Seat(..)
+            | Self::Pair(_, P::Gap)
+            | Self::Contact(_, C::Penetration) => Unit::Metre,
+            Self::Girder(_, G::Theta) => Unit::Radian,
+            Self::Girder(_, G::Vx | G::Vy) | Self::Contact(_, C::Sliding) => Unit::MetrePerSecond,
+            Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
+            Self::Pair(_, P::Force) | Self::Contact(_, C::Normal | C::Tangential | C::Force) => Unit::Newton,
+            Self::Contact(_, C::Use | C::State) => Unit::One,
             Self::Energy(_) => Unit::Joule,
             Self::Ground(_) => Unit::MetrePerSecond2,
         }

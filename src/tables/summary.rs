@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::TableOptions;
 use super::events::law_of;
-use crate::scene::Kind;
+use crate::scene::{Kind, Seat};
 use crate::sim::{History, Ledger, Stop, Summary, readings};
 
 /// Everything a summary says, SI.
@@ -148,7 +148,7 @@ fn pairs(history: &History) -> Vec<PairReport> {
 }
 
 fn seats(history: &History) -> Vec<SeatReport> {
-    let girders = history.scene().girders.iter().enumerate().filter(|(_, g)| g.seat != Default::default());
+    let girders = history.scene().girders.iter().enumerate().filter(|(_, g)| g.seat != Seat::default());
     let of_girder = |(number, girder): (usize, &crate::scene::Girder)| {
         readings::reading(history, number)
             .seats

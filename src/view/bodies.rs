@@ -94,9 +94,11 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         let number = number % MOST_KEPT;
         let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
         for (i, girder) in history.scene().girders.iter().enumerate() {
-            let motion = match is_exaggerated(input) {
-                true => exaggerated::motion(&history.model().bodies[i], &history.motion(i, t), input.exaggeration),
-                false => history.motion(i, t),
+            let motion = history.motion(i, t);
+            let motion = if is_exaggerated(input) {
+                exaggerated::motion(&history.model().bodies[i], &motion, input.exaggeration)
+            } else {
+                motion
             };
             let block = moved_girder_block(girder, &motion);
             out.add_ghost(input, &block, KEPT[number], KEPT_DASHES[number]);

@@ -84,13 +84,13 @@ pub(in crate::app) struct Stance {
 /// The handles of what is selected, and the gaps.
 pub(super) fn handles(scene: &Scene, selected: &[Target], gaps: bool, stance: impl Fn(usize) -> Stance) -> Vec<Handle> {
     let mut all = Vec::new();
-    match selected {
-        &[Target::Girder(i)] => {
+    match *selected {
+        [Target::Girder(i)] => {
             if let Some(girder) = scene.girders.get(i) {
                 of_girder(i, girder, stance(i), &mut all);
             }
         }
-        &[Target::Abutment(i)] => {
+        [Target::Abutment(i)] => {
             if let Some(abutment) = scene.abutments.get(i) {
                 of_abutment(scene, i, abutment, &mut all);
             }

@@ -82,7 +82,7 @@ fn nearest(candidates: impl IntoIterator<Item = Candidate>, reach: f64) -> Optio
 
 /// Each of two ends at each usual gap from the other girder's end.
 fn end_to_end(girder: &Girder, other: &Girder, here: DVec3, u: DVec3, gaps: &[f64]) -> Vec<Candidate> {
-    let between = (girder.length + other.length) / 2.0;
+    let between = f64::midpoint(girder.length, other.length);
     let there = DVec3::from(other.position);
     let ahead = (there - here).dot(u);
     let mut all = Vec::new();
