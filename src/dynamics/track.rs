@@ -22,6 +22,8 @@ pub enum Path {
     Flight(Box<Flight>),
     /// Continuous answer of an integrator's step.
     Step(Piece),
+    /// The same, to be taken again by its number among the group's.
+    Again(u32),
 }
 
 /// State of a contact with everything its forces depend on.

@@ -8,6 +8,7 @@ mod history;
 mod impact;
 mod ledger;
 mod quadrature;
+mod replayed;
 mod report;
 mod session;
 mod touches;
