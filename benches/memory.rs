@@ -25,11 +25,12 @@ fn main() {
     if let girderbench::scene::Motion::Sine(sine) = &mut oblique.motion {
         sine.angle_deg = 20.0;
     }
-    println!("{:<28} {:>10} {:>10} {:>12}", "row of 1000, 60 s", "events", "steps", "peak MB");
+    println!("{:<28} {:>10} {:>10} {:>12} {:>12}", "row of 1000, 60 s", "events", "steps", "answer MB", "peak MB");
     let cases = [("three collide", few.scene()), ("all collide head-on", row.scene()), ("all collide at 20°", oblique)];
     for (name, scene) in cases {
         let history = History::of(&scene).unwrap_or_else(|errors| panic!("{errors}"));
         let peak = peak_mb().map_or_else(|| "unknown".to_owned(), |mb| format!("{mb:.0}"));
-        println!("{name:<28} {:>10} {:>10} {peak:>12}", history.events().len(), history.effort().steps);
+        let answer = history.bytes() as f64 / 1_048_576.0;
+        println!("{name:<28} {:>10} {:>10} {answer:>12.0} {peak:>12}", history.events().len(), history.effort().steps);
     }
 }

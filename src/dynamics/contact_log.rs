@@ -49,6 +49,25 @@ impl ContactLog {
         self.entries.iter().map(|entry| (entry.from, self.whole(entry.kept)))
     }
 
+    /// Number of the latest state.
+    pub fn latest(&self) -> Option<u32> {
+        u32::try_from(self.entries.len().checked_sub(1)?).ok()
+    }
+
+    /// A closed state by its number, a turning slip in the direction that it began with.
+    pub fn closed(&self, number: u32) -> Option<Closed> {
+        self.whole(self.entries.get(number as usize)?.kept).closed().copied()
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let angles: usize = self.angles.iter().map(|(_, dense)| size_of_val(dense.coefficients())).sum();
+        self.entries.len() * size_of::<Entry>()
+            + self.laws.len() * size_of::<(Law, f64)>()
+            + self.angles.len() * size_of::<(f64, Dense)>()
+            + angles
+    }
+
     fn whole(&self, kept: Kept) -> Contact {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },

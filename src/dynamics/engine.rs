@@ -15,8 +15,10 @@ use super::contact_log::ContactLog;
 use super::event::{Event, Stop};
 use super::flight::{Flight, System};
 use super::island::Island;
+use super::path::BodyPath;
+use super::replay::Replay;
 use super::stepper::Pace;
-use super::track::{Contact, Segment};
+use super::track::Contact;
 use crate::contact::Frame;
 use crate::scene::Kind;
 
@@ -46,7 +48,7 @@ pub(super) struct BodyTrack {
     /// What it does now.
     pub now: Trajectory,
     /// What it did.
-    pub segments: Vec<Segment>,
+    pub path: BodyPath,
     /// The pairs it is in.
     pub pairs: Vec<usize>,
 }
@@ -115,6 +117,10 @@ pub struct Engine {
     stop: Option<Stop>,
     now: f64,
     pub(super) work: usize,
+    /// Steps kept by their starts.
+    pub(super) replay: Replay,
+    /// What the polynomials of the others take \[bytes\].
+    pub(super) polynomials: usize,
     pub(super) effort: Effort,
 }
 
@@ -152,6 +158,8 @@ impl Engine {
             stop: None,
             now: 0.0,
             work: 0,
+            replay: Replay::default(),
+            polynomials: 0,
             effort: Effort::default(),
         };
         engine.gather(group);
@@ -168,7 +176,7 @@ impl Engine {
             let system = planar.then(|| System::new(&model.bodies[body], &model.ground, model.duration));
             let rest = Flight::at_rest();
             let now = Trajectory::Flight(rest);
-            self.bodies.push(BodyTrack { body, system, now, segments: Vec::new(), pairs: Vec::new() });
+            self.bodies.push(BodyTrack { body, system, now, path: BodyPath::default(), pairs: Vec::new() });
         }
         let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
         for &number in &model.group_pairs[number] {
@@ -252,13 +260,16 @@ impl Engine {
     pub fn finish(mut self) -> Finished {
         let end = self.now();
         self.commit_all(end);
-        self.bodies.iter_mut().for_each(|track| track.segments.shrink_to_fit());
+        self.bodies.iter_mut().for_each(|track| track.path.shrink());
         self.contacts.iter_mut().for_each(|track| track.log.shrink());
+        self.replay.shrink();
+        self.events.shrink_to_fit();
         Finished {
             end,
             stop: self.stop,
-            bodies: self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect(),
+            bodies: self.bodies.into_iter().map(|track| (track.body, track.path, track.system)).collect(),
             contacts: self.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
+            replay: self.replay,
             events: self.events,
             effort: self.effort,
         }
@@ -353,7 +364,9 @@ pub struct Finished {
     /// Why it stopped early.
     pub stop: Option<Stop>,
     /// Number, path and free motion of every body.
-    pub bodies: Vec<(usize, Vec<Segment>, Option<System>)>,
+    pub bodies: Vec<(usize, BodyPath, Option<System>)>,
+    /// Steps that are kept by their starts.
+    pub replay: Replay,
     /// Number and states of every contact.
     pub contacts: Vec<(usize, ContactLog)>,
     /// Events in order of time.

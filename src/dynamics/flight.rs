@@ -90,6 +90,17 @@ impl Flight {
         Self { start: 0.0, state: [0.0; 6], form: FlightForm::Split([[0.0; 2]; 3]) }
     }
 
+    /// Whether it keeps states beyond its start, for looking up a record's answer fast.
+    pub(super) fn has_anchors(&self) -> bool {
+        matches!(self.form, FlightForm::Record { .. })
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
+        size_of::<Self>() + anchors * size_of::<Planar>()
+    }
+
     /// Every number that the flight's answer depends on, for hashing.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         std::iter::once(self.start).chain(self.state)

@@ -53,7 +53,7 @@ impl Engine {
             if let Some(system) = &track.system {
                 system.remember(&mut flight, t);
             }
-            track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
+            track.path.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
         }
     }
 

@@ -21,25 +21,32 @@ impl Engine {
                 if let Some(system) = &track.system {
                     system.remember(&mut flight, t);
                 }
-                track.segments.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
+                track.path.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
             }
         }
         for island in 0..self.islands.len() {
-            if let Some(island) = self.islands[island].take() {
-                self.commit_island(&island, t);
+            if let Some(mut island) = self.islands[island].take() {
+                self.commit_island(&mut island, t);
             }
         }
     }
 
     /// Writes an island's planned step into the paths of its bodies, as far as `until`.
-    pub(super) fn commit_island(&mut self, island: &Island, until: f64) {
+    pub(super) fn commit_island(&mut self, island: &mut Island, until: f64) {
         if until <= island.from {
+            return;
+        }
+        if let Some(number) = self.keep_again(island) {
+            for &slot in &island.slots {
+                self.bodies[slot].path.push(Segment { from: island.from, until, path: Path::Again(number) });
+            }
             return;
         }
         for (index, &slot) in island.slots.iter().enumerate() {
             if let Some(piece) = island.path(&self.model, index) {
+                self.polynomials += piece.bytes();
                 let path = Path::Step(piece);
-                self.bodies[slot].segments.push(Segment { from: island.from, until, path });
+                self.bodies[slot].path.push(Segment { from: island.from, until, path });
             }
         }
         for (number, &contact) in island.contacts.iter().enumerate() {
@@ -52,7 +59,7 @@ impl Engine {
     /// An island's planned step has come to its end, or to an event.
     pub(super) fn commit_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.islands[number].take() else { return };
-        self.commit_island(&island, t);
+        self.commit_island(&mut island, t);
         if island.due.is_empty() {
             if self.model.ground.next_kink(island.from) <= t {
                 let model = Arc::clone(&self.model);
@@ -147,9 +154,9 @@ impl Engine {
         }
         for number in numbers {
             self.agenda.remove(Item::Island(number));
-            if let Some(island) = self.islands[number].take() {
+            if let Some(mut island) = self.islands[number].take() {
                 self.vacant.push(number);
-                self.commit_island(&island, t);
+                self.commit_island(&mut island, t);
                 for n in 0..island.contacts.len() {
                     self.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
                 }

@@ -1,9 +1,10 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
 use super::body_state::{self, Wrench};
-use super::dop853::Dense;
+use super::dop853::{self, Dense};
 use super::fastest::fastest;
 use super::field::{Active, Field, Scale, Sliding, direction};
+use super::flight::Planar;
 use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
@@ -35,6 +36,12 @@ pub(super) struct Island {
     pub from: f64,
     /// Where it ends \[s\].
     pub until: f64,
+    /// Its number among the stretches whose steps are taken again, once it has one.
+    pub stretch: Option<u32>,
+    /// Time and stretch of the ground motion that the slope at the start of the next step is of.
+    sloped: (f64, usize),
+    /// Whether the planned step, taken again from its start alone, is the same.
+    again: bool,
     /// What is due at `until`, if anything but the next step.
     pub due: Vec<super::watch::Due>,
     dense: Option<Dense>,
@@ -88,6 +95,9 @@ impl Island {
             from: t,
             until: t,
             due: Vec::new(),
+            stretch: None,
+            sloped: (t, 0),
+            again: false,
             dense: None,
             stepper: Stepper::new(y.len(), pace),
             y,
@@ -103,7 +113,8 @@ impl Island {
 
     /// Evaluates the slope at the start of the next step anew: at a start, and after a kink of the ground motion.
     pub(super) fn rewind(&mut self, model: &Model, t: f64) {
-        let piece = model.ground.piece(model.ground.piece_number(t));
+        self.sloped = (t, model.ground.piece_number(t));
+        let piece = model.ground.piece(self.sloped.1);
         let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
         (self.stepper, self.y) = (stepper, y);
@@ -140,7 +151,10 @@ impl Island {
         let t = self.until;
         self.from = t;
         let scale = self.scale(model);
-        let piece = model.ground.piece(model.ground.piece_number(t));
+        let number = model.ground.piece_number(t);
+        let piece = model.ground.piece(number);
+        let known = model.kind == Kind::Planar && self.sliding.sliders.is_empty() && self.sloped == (t, number);
+        self.again = known && !self.stepper.pace().stiff;
         let first = 0.5 / scale.omega * (model.tolerance / 1e-10).powf(0.125);
         let limits = Limits { cap, first, smallest: SMALLEST / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
@@ -148,6 +162,8 @@ impl Island {
         normalise(model, &self.bodies, &mut y);
         (self.stepper, self.y) = (stepper, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
+        // The slope is asked for at the sum, which may be the end but for its last bit.
+        self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
     }
@@ -219,6 +235,13 @@ impl Island {
     pub(super) fn path(&self, model: &Model, index: usize) -> Option<Piece> {
         let width = body_state::width(model.kind);
         self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width))
+    }
+
+    /// Length of the planned step and its bodies' states at the start, where it may be kept by these alone.
+    pub(super) fn again(&self) -> Option<(f64, Vec<Planar>)> {
+        let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
+        let state = |c: &[[f64; dop853::DENSE]]| std::array::from_fn(|i| c[i][0]);
+        Some((dense.step, dense.coefficients().chunks_exact(body_state::PLANAR).map(state).collect()))
     }
 
     /// The planned step's continuous answer for the slip angle of one of its contacts.

@@ -132,6 +132,8 @@ pub struct Model {
     pub tolerance: f64,
     /// Numbers of the impact model.
     pub impact: ImpactSettings,
+    /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
+    pub polynomials: usize,
     /// Gravity; 0 in a planar scene \[m/s²\].
     pub gravity: f64,
     /// Ground motion.
@@ -147,6 +149,9 @@ pub struct Model {
     /// Pairs of each group, in rising order.
     pub group_pairs: Vec<Vec<usize>>,
 }
+
+/// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
+const POLYNOMIALS: usize = 8 << 20;
 
 impl Model {
     /// Compiles a scene that has been validated.
@@ -172,6 +177,7 @@ impl Model {
             duration: scene.duration,
             tolerance: scene.solver.tolerance,
             impact: scene.impact,
+            polynomials: POLYNOMIALS,
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground: ground(&scene.motion),
             bodies,

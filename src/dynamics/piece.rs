@@ -37,6 +37,11 @@ impl Piece {
         }
     }
 
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.coefficients)
+    }
+
     /// Every number that the answer depends on, for hashing.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         [self.from, self.step, f64::from(self.kept)].into_iter().chain(self.coefficients.iter().flatten().copied())

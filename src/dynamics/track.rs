@@ -25,6 +25,8 @@ pub enum Path {
     Slide(Box<Slide>),
     /// Continuous answer of an integrator's step.
     Step(Piece),
+    /// The same, to be taken again by its number among the group's.
+    Again(u32),
 }
 
 /// State of a contact with everything its forces depend on.

@@ -5,19 +5,27 @@ use xxhash_rust::xxh3::Xxh3;
 use super::History;
 use crate::contact::Mode;
 use crate::dynamics::contact_log::ContactLog;
-use crate::dynamics::track::{Contact, Path};
+use crate::dynamics::path::Kept;
+use crate::dynamics::track::Contact;
 
 /// Hash of paths, contact states and events.
 pub(super) fn of(history: &History) -> u64 {
     let mut hash = Xxh3::new();
     let mut add = |x: f64| hash.update(&x.to_bits().to_le_bytes());
-    for segment in history.paths.iter().flatten() {
-        add(segment.from);
-        add(segment.until);
-        match &segment.path {
-            Path::Flight(flight) => flight.numbers().for_each(&mut add),
-            Path::Slide(slide) => slide.numbers().for_each(&mut add),
-            Path::Step(piece) => piece.numbers().for_each(&mut add),
+    for (body, path) in history.paths.iter().enumerate() {
+        for (number, span) in path.spans().enumerate() {
+            add(span.from);
+            add(span.until);
+            let (from, kept) = path.kept(number);
+            match kept {
+                Kept::Start(state) => std::iter::once(from).chain(state).for_each(&mut add),
+                Kept::Flight(flight) => flight.numbers().for_each(&mut add),
+                Kept::Slide(slide) => slide.numbers().for_each(&mut add),
+                Kept::Step(piece) => piece.numbers().for_each(&mut add),
+                Kept::Again(step) => {
+                    history.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
+                }
+            }
         }
     }
     for (t, contact) in history.logs.iter().flat_map(ContactLog::states) {

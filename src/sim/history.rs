@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DQuat, DVec3};
 
 use super::ledger::Books;
+use super::replayed::Replayed;
 use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
 use crate::contact::locate;
 use crate::contact::{Frame, Mode};
@@ -12,8 +13,11 @@ use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::engine::{Effort, Finished};
 use crate::dynamics::flight::System;
 use crate::dynamics::impact2d::Record;
+use crate::dynamics::path::{BodyPath, Kept};
 use crate::dynamics::penalty3d::{act, to_world};
-use crate::dynamics::track::{Closed, Path, Segment};
+use crate::dynamics::piece::Piece;
+use crate::dynamics::replay::Past;
+use crate::dynamics::track::Closed;
 use crate::dynamics::{Model, body_state};
 use crate::scene::{Kind, ModelKind, Scene, SceneErrors};
 
@@ -51,7 +55,11 @@ pub struct History {
     model: Arc<Model>,
     end: f64,
     stop: Option<Stop>,
-    pub(super) paths: Vec<Vec<Segment>>,
+    pub(super) paths: Vec<BodyPath>,
+    /// Steps kept by their starts, group by group.
+    pub(super) replayed: Vec<Replayed>,
+    /// The group of each body.
+    group_of: Vec<usize>,
     systems: Vec<Option<System>>,
     pub(super) logs: Vec<ContactLog>,
     events: Vec<Event>,
@@ -76,28 +84,53 @@ impl History {
     pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>, records: Option<Vec<Record>>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
-        let mut paths = vec![Vec::new(); model.bodies.len()];
+        let mut paths = vec![BodyPath::default(); model.bodies.len()];
         let mut systems: Vec<Option<System>> = model.bodies.iter().map(|_| None).collect();
         let mut logs = vec![ContactLog::default(); model.contacts.len()];
         let mut events = Vec::new();
         let mut effort = Effort::default();
-        for group in groups {
+        let mut group_of = vec![0; model.bodies.len()];
+        let mut replayed = Vec::with_capacity(groups.len());
+        for (number, group) in groups.into_iter().enumerate() {
+            replayed.push(Replayed::of(group.replay));
             effort += group.effort;
             for (body, path, system) in group.bodies {
-                (paths[body], systems[body]) = (path, system);
+                (paths[body], systems[body], group_of[body]) = (path, system, number);
             }
             for (contact, log) in group.contacts {
                 logs[contact] = log;
             }
-            events.extend(group.events.into_iter().filter(|event| event.t <= end));
+            // The first group's stay where they are.
+            if events.is_empty() {
+                events = group.events;
+            } else {
+                events.extend(group.events);
+            }
         }
+        events.retain(|event| event.t <= end);
         let record = records.map(|records| Record::together(records, end));
         if let Some(record) = &record {
             events = impact::events(record, &model);
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         let (touches, books) = (OnceLock::new(), OnceLock::new());
-        Self { scene, model, end, stop, paths, systems, logs, events, record, beside: None, effort, touches, books }
+        Self {
+            scene,
+            model,
+            end,
+            stop,
+            paths,
+            replayed,
+            group_of,
+            systems,
+            logs,
+            events,
+            record,
+            beside: None,
+            effort,
+            touches,
+            books,
+        }
     }
 
     /// The scene that was run.
@@ -145,27 +178,42 @@ impl History {
     /// State of a body as its integrator holds it, at `t` clamped to what was computed.
     pub(super) fn state(&self, body: usize, t: f64) -> [f64; body_state::SPATIAL] {
         let t = t.clamp(0.0, self.end);
-        let path = &self.paths[body];
         let mut state = [0.0; body_state::SPATIAL];
-        let number = path.partition_point(|segment| segment.from <= t).saturating_sub(1);
-        match path.get(number).map(|segment| &segment.path) {
-            Some(Path::Flight(flight)) => {
-                if let Some(system) = &self.systems[body] {
-                    state[..6].copy_from_slice(&system.state(flight, t));
-                }
+        let width = body_state::width(self.model.kind);
+        match (self.paths[body].at(t), &self.systems[body]) {
+            (Some((from, Kept::Start(start))), Some(system)) => {
+                state[..6].copy_from_slice(&system.state(&system.fly(from, start), t));
             }
-            Some(Path::Slide(slide)) => state[..6].copy_from_slice(&slide.state(t)),
-            Some(Path::Step(piece)) => {
-                let width = body_state::width(self.model.kind);
-                piece.read(t, &mut state[..width]);
+            (Some((_, Kept::Flight(flight))), Some(system)) => {
+                state[..6].copy_from_slice(&system.state(flight, t));
+            }
+            (Some((_, Kept::Start(_) | Kept::Flight(_))), None) => {}
+            (Some((_, Kept::Slide(slide))), _) => state[..6].copy_from_slice(&slide.state(t)),
+            (Some((_, Kept::Step(piece))), _) => piece.read(t, &mut state[..width]),
+            (Some((from, Kept::Again(number))), _) => {
+                self.stepped(body, (number, from), |piece| piece.read(t, &mut state[..width]));
             }
             // Nothing was computed: the run gave up at its start.
-            None => {
+            (None, _) => {
                 let initial = body_state::initial(self.model.kind, &self.model.bodies[body]);
                 state[..initial.len()].copy_from_slice(&initial);
             }
         }
         state
+    }
+
+    /// A step that is kept by its start, taken again: `read` gets the body's part.
+    pub(super) fn stepped<T>(&self, body: usize, step: (u32, f64), read: impl FnOnce(&Piece) -> T) -> T {
+        let past = Past { model: &self.model, paths: &self.paths, systems: &self.systems, logs: &self.logs };
+        self.replayed[self.group_of[body]].with(step, body, &past, read)
+    }
+
+    /// What the answer takes, without the scene \[bytes\]: paths, contact states, events.
+    pub fn bytes(&self) -> usize {
+        let paths: usize = self.paths.iter().map(BodyPath::bytes).sum();
+        let replayed: usize = self.replayed.iter().map(Replayed::bytes).sum();
+        let logs: usize = self.logs.iter().map(ContactLog::bytes).sum();
+        paths + replayed + logs + self.events.len() * size_of::<Event>()
     }
 
     /// Pose and twist of a body.

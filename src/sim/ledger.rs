@@ -11,7 +11,7 @@ use super::{EventKind, History, Ledger, impact};
 use crate::dynamics::body_state::{self, bearing_forces, world_inertia};
 use crate::dynamics::impact2d::Stay;
 use crate::dynamics::penalty3d::act;
-use crate::dynamics::track::{Contact, Path};
+use crate::dynamics::track::Contact;
 use crate::motion::Ground;
 use crate::scene::Kind;
 
@@ -159,13 +159,10 @@ fn balance(ledger: &mut Ledger, initial: f64) {
 fn body_account(history: &History, body: usize) -> Account<3> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
-    for segment in &history.paths[body] {
-        let until = segment.until.min(history.end());
-        let cells = match segment.path {
-            Path::Flight(_) | Path::Slide(_) => (until - segment.from) * rate,
-            Path::Step(_) => 1.0,
-        };
-        for (a, b) in cut(&history.model().ground, segment.from, until, cells) {
+    for span in history.paths[body].spans() {
+        let until = span.until.min(history.end());
+        let cells = if span.flies { (until - span.from) * rate } else { 1.0 };
+        for (a, b) in cut(&history.model().ground, span.from, until, cells) {
             account.add(a, b, integrate(a, b, |t| body_powers(history, body, t)));
         }
     }
@@ -198,9 +195,8 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
         }
         let mut borders = vec![*from, until];
         for body in [site.node_body, site.face_body].into_iter().flatten() {
-            let path = &history.paths[body];
-            let first = path.partition_point(|s| s.until <= *from);
-            borders.extend(path[first..].iter().map(|s| s.from).take_while(|t| *t < until).filter(|t| t > from));
+            let begins = history.paths[body].spans_after(*from).map(|span| span.from);
+            borders.extend(begins.take_while(|t| *t < until).filter(|t| t > from));
         }
         borders.sort_by(f64::total_cmp);
         for w in borders.windows(2).filter(|w| w[1] > w[0]) {
@@ -217,9 +213,8 @@ fn stay_account(history: &History, stay: &Stay) -> Account<1> {
     let mut account = Account::new();
     let mut borders = vec![stay.from, stay.until];
     for &body in &stay.bodies {
-        let path = &history.paths[body];
-        let first = path.partition_point(|s| s.until <= stay.from);
-        borders.extend(path[first..].iter().map(|s| s.from).take_while(|t| *t < stay.until).filter(|t| *t > stay.from));
+        let begins = history.paths[body].spans_after(stay.from).map(|span| span.from);
+        borders.extend(begins.take_while(|t| *t < stay.until).filter(|t| *t > stay.from));
     }
     borders.sort_by(f64::total_cmp);
     for w in borders.windows(2).filter(|w| w[1] > w[0]) {

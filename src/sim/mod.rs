@@ -10,6 +10,7 @@ mod ledger;
 mod quadrature;
 pub mod quantity;
 pub mod readings;
+mod replayed;
 mod report;
 mod session;
 mod touches;

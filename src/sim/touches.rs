@@ -2,7 +2,7 @@
 
 use super::{History, Touch};
 use crate::contact::Mode;
-use crate::dynamics::track::{Contact, Path};
+use crate::dynamics::track::Contact;
 
 /// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
 const LOOKS: usize = 6;
@@ -65,10 +65,8 @@ fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) 
     let mut times = vec![from];
     let site = &history.model().contacts[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {
-        let path = &history.paths[body];
-        let first = path.partition_point(|s| s.until <= from);
-        for segment in path[first..].iter().take_while(|s| s.from < until) {
-            let (a, b) = (segment.from.max(from), segment.until.min(until));
+        for span in history.paths[body].spans_after(from).take_while(|span| span.from < until) {
+            let (a, b) = (span.from.max(from), span.until.min(until));
             times.extend((0..LOOKS).map(|i| a + (b - a) * (i as f64 + 0.5) / LOOKS as f64));
         }
     }
@@ -133,13 +131,10 @@ pub(super) fn hits(touches: &[Touch]) -> usize {
 pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
     let rate = flight_rate(history, body);
     let mut times = Vec::new();
-    for segment in &history.paths[body] {
-        let (from, until) = (segment.from, segment.until.min(history.end()));
+    for span in history.paths[body].spans() {
+        let (from, until) = (span.from, span.until.min(history.end()));
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of looks, clamped")]
-        let count = match segment.path {
-            Path::Flight(_) | Path::Slide(_) => ((until - from) * rate).clamp(4.0, 2e5) as usize,
-            Path::Step(_) => 4,
-        };
+        let count = if span.flies { ((until - from) * rate).clamp(4.0, 2e5) as usize } else { 4 };
         times.extend((0..count).map(|i| from + (until - from) * i as f64 / count as f64));
     }
     times.push(history.end());

@@ -1,7 +1,7 @@
 //! Thousands of random inputs: nothing panics, and undo brings the first scene back exactly.
 
 use super::harness::{bench, builder, settle, show};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
+use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
 use girderbench::app::{Command, Workbench};
 use girderbench::scene::presets;
@@ -90,8 +90,8 @@ fn act(harness: &Harness<'_, Workbench>, dice: &mut Dice, at: &mut Pos2) {
         3 => harness.event(Event::Text(dice.one(&TEXTS).into())),
         4 => {
             let delta = Vec2::new(0.0, dice.one(&[-120.0, -20.0, 20.0, 120.0]));
-            let (unit, phase) = (MouseWheelUnit::Point, TouchPhase::Move);
-            harness.event(Event::MouseWheel { unit, delta, modifiers, phase });
+            let (unit, phase, source) = (MouseWheelUnit::Point, TouchPhase::Move, MouseWheelSource::Wheel);
+            harness.event(Event::MouseWheel { unit, delta, modifiers, phase, source });
         }
         5..=7 => {
             *at = dice.place();

@@ -1,0 +1,214 @@
+//! Steps that a long run does not keep as polynomials: their starts, from which the same step is taken again.
+//!
+//! An explicit step of a planar island depends on the state at its start, its length and the states of its contacts, which
+//! are logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either:
+//! they end in it.
+
+use super::Model;
+use super::body_state::PLANAR;
+use super::contact_log::ContactLog;
+use super::dop853::{Dense, Dop853};
+use super::field::{Active, Field, Scale, Sliding};
+use super::flight::{Planar, System};
+use super::packed::Packed;
+use super::path::{BodyPath, Kept};
+use super::piece::Piece;
+use super::track::Closed;
+
+/// No start is kept: the members' flights end in it.
+const FLOWN: u32 = u32::MAX;
+
+/// Steps of a group of bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Replay {
+    stretches: Vec<Stretch>,
+    members: Vec<Member>,
+    seats: Vec<Seat>,
+    steps: Vec<Step>,
+    starts: Packed,
+}
+
+/// Bodies that go on with the same contacts for some steps: where its members and contacts begin.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    members: u32,
+    seats: u32,
+}
+
+/// A body, and the stretch of its path that led here.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Member {
+    /// Its number in the model.
+    pub body: u32,
+    /// The number of the flight that ended where the first step begins.
+    pub flown: u32,
+}
+
+/// A closed contact, and its state's number in the contact's log.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seat {
+    /// Its number in the model.
+    pub site: u32,
+    /// The entry.
+    pub entry: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    length: f64,
+    stretch: u32,
+    start: u32,
+}
+
+/// What a step is taken again from.
+#[derive(Clone, Copy, Debug)]
+pub struct Past<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    /// Paths of all bodies.
+    pub paths: &'a [BodyPath],
+    /// Their free motions.
+    pub systems: &'a [Option<System>],
+    /// States of all contacts.
+    pub logs: &'a [ContactLog],
+}
+
+fn count(n: usize) -> Option<u32> {
+    u32::try_from(n).ok()
+}
+
+impl Replay {
+    /// Opens a stretch; its number.
+    pub(super) fn open(&mut self, members: Vec<Member>, seats: Vec<Seat>) -> Option<u32> {
+        let stretch = Stretch { members: count(self.members.len())?, seats: count(self.seats.len())? };
+        let number = count(self.stretches.len())?;
+        self.members.extend(members);
+        self.seats.extend(seats);
+        self.stretches.push(stretch);
+        Some(number)
+    }
+
+    /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
+    pub(super) fn push(&mut self, stretch: u32, length: f64, start: Option<&[Planar]>) -> Option<u32> {
+        // A code of a path has 30 bits for it.
+        let number = count(self.steps.len()).filter(|n| *n < 1 << 30)?;
+        let first = match start {
+            None => FLOWN,
+            Some(states) => {
+                let first = count(self.starts.len() + states.len()).map(|_| self.starts.len())?;
+                for state in states {
+                    self.starts.push(state)?;
+                }
+                count(first)?
+            }
+        };
+        self.steps.push(Step { length, stretch, start: first });
+        Some(number)
+    }
+
+    /// How many steps there are.
+    pub fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    fn of(&self, stretch: usize) -> (&[Member], &[Seat]) {
+        let Stretch { members, seats } = self.stretches[stretch];
+        let next = self.stretches.get(stretch + 1);
+        let (to, end) = next.map_or((self.members.len(), self.seats.len()), |n| (n.members as usize, n.seats as usize));
+        (&self.members[members as usize..to], &self.seats[seats as usize..end])
+    }
+
+    /// The bodies that take a step together.
+    pub fn bodies(&self, number: u32) -> impl Iterator<Item = usize> + '_ {
+        self.of(self.steps[number as usize].stretch as usize).0.iter().map(|member| member.body as usize)
+    }
+
+    /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
+    pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<Piece> {
+        let dense = self.dense(number, from, past);
+        let bodies = dense.coefficients().len() / PLANAR;
+        (0..bodies).map(|place| Piece::of(&dense, place * PLANAR..(place + 1) * PLANAR)).collect()
+    }
+
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> Dense {
+        let Step { length, stretch, start } = self.steps[number as usize];
+        let (members, seats) = self.of(stretch as usize);
+        let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
+        let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, past)).collect();
+        let state = |(i, member): (u32, &Member)| {
+            if start == FLOWN { landed(*member, from, past) } else { self.starts.get(start + i) }
+        };
+        let mut y: Vec<f64> = (0..).zip(members).flat_map(state).collect();
+        let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
+        let piece = past.model.ground.piece(past.model.ground.piece_number(from));
+        let mut field = Field {
+            model: past.model,
+            bodies: &bodies,
+            active: &active,
+            piece,
+            scale: Scale::default(),
+            frames: &mut frames,
+            wrenches: &mut wrenches,
+            rates: &mut rates,
+            sliding: &mut Sliding::of(&active),
+        };
+        again(&mut field, from, &mut y, length)
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        self.stretches.len() * size_of::<Stretch>()
+            + self.members.len() * size_of::<Member>()
+            + self.seats.len() * size_of::<Seat>()
+            + self.steps.len() * size_of::<Step>()
+            + self.starts.bytes()
+    }
+
+    /// Gives back the memory that more steps would have taken.
+    pub fn shrink(&mut self) {
+        self.stretches.shrink_to_fit();
+        self.members.shrink_to_fit();
+        self.seats.shrink_to_fit();
+        self.steps.shrink_to_fit();
+        self.starts.shrink();
+    }
+}
+
+/// The explicit step of this length.
+fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense {
+    let mut rk = Dop853::default();
+    rk.resize(y.len());
+    rk.start(field, from, y);
+    // It was within the tolerance.
+    let _ = rk.attempt(field, from, y, length);
+    rk.accept(field, from, y, length)
+}
+
+/// Where a body's flight ended.
+fn landed(member: Member, t: f64, past: &Past<'_>) -> Planar {
+    let body = member.body as usize;
+    match (past.paths[body].kept(member.flown as usize), &past.systems[body]) {
+        ((from, Kept::Start(state)), Some(system)) => system.state(&system.fly(from, state), t),
+        // Only flights kept as their start are left out.
+        _ => [0.0; PLANAR],
+    }
+}
+
+/// A closed contact as the island had it.
+fn active(seat: Seat, bodies: &[usize], past: &Past<'_>) -> Option<Active> {
+    let site = &past.model.contacts[seat.site as usize];
+    let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
+    let closed: Closed = past.logs[seat.site as usize].closed(seat.entry)?;
+    Some(Active {
+        site: seat.site as usize,
+        node: index(site.node_body),
+        face: index(site.face_body),
+        closed,
+        angle: None,
+    })
+}
