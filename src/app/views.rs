@@ -7,7 +7,7 @@ use super::command::Command;
 use super::field::slider_row;
 use super::theme::{Palette, SLIP, STICK};
 use super::{Workbench, text};
-use crate::sim::{ContactState, History};
+use crate::sim::{ContactState, History, readings};
 use crate::view::Target;
 
 /// Sizes of everything, as shares of the usual one.
@@ -144,7 +144,7 @@ fn draw_section(ui: &mut Ui, history: &History, pair: usize, t: f64) {
         .contacts
         .clone()
         .map(|c| {
-            let [gap, along] = history.before_face(c, t);
+            let [gap, along] = readings::before_face(history, c, t);
             let state = history.contact_at(c, t).map_or(ContactState::Open, |now| now.state);
             Before { along, gap, state }
         })

@@ -7,7 +7,6 @@ use glam::{DQuat, DVec3};
 use super::ledger::Books;
 use super::replayed::Replayed;
 use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
-use crate::contact::locate;
 use crate::contact::{Frame, Mode};
 use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::engine::{Effort, Finished};
@@ -251,16 +250,6 @@ impl History {
             Some(body) => self.frame(body, t),
             None => Frame::fixed(site.fixed),
         })
-    }
-
-    /// Where a contact's node is before its face, open or closed: gap, and distance along the face's horizontal \[m\].
-    pub fn before_face(&self, contact: usize, t: f64) -> [f64; 2] {
-        let site = &self.model.contacts[contact];
-        let [node, face] = self.sides(contact, t.clamp(0.0, self.end));
-        let here = locate(site.point, &node, &site.face, &face);
-        let level = DVec3::Z.cross(site.face.normal);
-        let [u, v] = [site.face.tangent.dot(level), site.face.bitangent.dot(level)];
-        [here.gap, here.at.x * u + here.at.y * v]
     }
 
     /// Contacts closed at `t`, in the order of their numbers.
