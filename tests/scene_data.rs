@@ -114,7 +114,8 @@ fn the_page_has_a_row_for_every_key() {
     let record = ["motion.kind=record", "motion.file=a.csv"];
     let single = ["girder.deck.bearings=[{ at_m = [1, 2], stiffness_n_per_m = [3, 4], damping_n_s_per_m = [5, 6] }]"];
     let pair = ["contact.pair=[{ between = [\"deck\", \"wall\"] }]"];
-    let places: [(&[&str], &str); 14] = [
+    let plot = ["view.plot=[{ y = [\"deck.x\"] }]"];
+    let places: [(&[&str], &str); 16] = [
         (&[], ""),
         (&[], "girder.deck."),
         (&[], "girder.deck.bearings."),
@@ -127,7 +128,9 @@ fn the_page_has_a_row_for_every_key() {
         (&[], "motion."),
         (&record, "motion."),
         (&[], "solver."),
+        (&[], "limits."),
         (&[], "view."),
+        (&plot, "view.plot.0."),
         (&[], "view.overlays."),
     ];
     for (settings, place) in places {

@@ -8,6 +8,7 @@ use super::field::{Change, PURE, Place, SLOW, slider};
 use super::{Workbench, text};
 use crate::scene::edit::Edit;
 use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
+use crate::sim::State;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -97,7 +98,8 @@ fn states(ui: &mut Ui, bench: &Workbench) {
     let Some(record) = by_impulses.impact() else { return };
     for (number, body) in answer.history.model().bodies.iter().enumerate() {
         let state = record.state(number, t);
-        ui.label(format!("{}: {} {}", body.name, state.letter(), state.label())).on_hover_text(text::STATE_HINT);
+        let paper = paper_name(ui, state);
+        ui.label(format!("{}: {} {}{paper}", body.name, state.letter(), state.label())).on_hover_text(text::STATE_HINT);
     }
     if let Some(apart) = &answer.apart {
         difference(ui, apart, answer.apart_at(t));
@@ -105,6 +107,13 @@ fn states(ui: &mut Ui, bench: &Workbench) {
             ui.add(egui::Label::new(RichText::new(text::FLUSH_NOTE).weak().small()).wrap());
         }
     }
+}
+
+/// The state's name in the paper; in the first frame of a window its font is not there yet.
+fn paper_name(ui: &Ui, state: State) -> String {
+    let font = egui::FontId::proportional(13.0);
+    let there = ui.fonts_mut(|fonts| fonts.has_glyphs(&font, state.paper()));
+    if there { format!(" {}", state.paper()) } else { String::new() }
 }
 
 fn difference(ui: &mut Ui, largest: &Apart, [place, turn]: [f64; 2]) {

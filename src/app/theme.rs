@@ -1,6 +1,10 @@
 //! Colours and spacing of the window, light and dark.
 
-use egui::{Color32, Context, CornerRadius, Stroke, Theme, Visuals};
+use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
+use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Stroke, Theme, Visuals};
+
+/// The glyphs of the paper's own names of the six states, which egui's font does not have.
+const PAPER_NAMES: &[u8] = include_bytes!("../../assets/fonts/paper-names.otf");
 
 /// Stick, as in the pictures.
 pub(super) const STICK: Color32 = Color32::from_rgb(0x00, 0x72, 0xB2);
@@ -86,6 +90,8 @@ impl Palette {
 
 /// Sets both themes' styles; called once per context.
 pub(super) fn install(ctx: &Context) {
+    let family = InsertFontFamily { family: FontFamily::Proportional, priority: FontPriority::Lowest };
+    ctx.add_font(FontInsert::new("paper-names", FontData::from_static(PAPER_NAMES), vec![family]));
     ctx.set_visuals_of(Theme::Dark, dark());
     ctx.set_visuals_of(Theme::Light, light());
     ctx.all_styles_mut(|style| {

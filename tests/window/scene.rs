@@ -58,7 +58,8 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     assert_eq!(answer.digest(), first, "the contact model still leads");
     assert!(harness.query_by_label_contains("Models apart now").is_some(), "the difference is read out");
     assert!(harness.query_by_label_contains("A whole face hits").is_some(), "a flush hit is pointed out");
-    assert!(harness.query_by_label_contains("deck: b free").is_some(), "the state at the start, in words");
+    harness.run_steps(2);
+    assert!(harness.query_by_label_contains("deck: b free 並進").is_some(), "the state at the start, by its names");
     for (label, value) in [("Impact e n", 0.8), ("Impact e t", -0.5), ("Corner μ k", 0.05)] {
         let before = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         slide(&mut harness, label, value);
