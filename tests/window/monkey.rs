@@ -12,7 +12,7 @@ const INPUTS: usize = 2500;
 /// Inputs that arrive between two frames at the most.
 const A_FRAME: u64 = 4;
 
-/// Vigna's SplitMix64.
+/// Vigna's `SplitMix64`.
 struct Dice(u64);
 
 impl Dice {
