@@ -98,7 +98,7 @@ xdotool key space
 settle paused
 
 # "Top" in the bar, which is laid out from the left: another picture.
-xdotool mousemove 370 12
+xdotool mousemove 412 12
 sleep 0.3
 xdotool click 1
 xdotool mousemove 5 5
