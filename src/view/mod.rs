@@ -24,6 +24,7 @@ mod palette;
 mod pick;
 mod print;
 pub mod scale;
+mod scale_bar;
 mod texts;
 
 pub use bounds::Bounds;
@@ -170,9 +171,10 @@ fn marks(
     let spacing = o.grid.then(|| bodies::grid_spacing(Bounds::of_scene(input.scene)));
     let legend = o.legend.then(|| legend::legend(input, moment, palette, spacing)).flatten();
     let axes = o.axes.then(|| legend::axes(input, palette));
+    let bar = o.axes.then(|| scale_bar::scale_bar(input, palette)).flatten();
     let circle = friction_circle::friction_circle(input, moment, palette);
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
-    let panels: Vec<_> = legend.into_iter().chain(axes).chain(circle).collect();
+    let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circle).collect();
     for (_, area) in &panels {
         placer.take(*area);
     }
