@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::clock::merged;
 use crate::sim::readings::{self, Passed, Reading};
-use crate::sim::{ContactState, EventKind, History, Hit, Summary};
+use crate::sim::{ContactState, EventKind, History, Hit, Quantity, Summary};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,7 @@ pub struct Answer {
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
+    quantities: OnceLock<Vec<(String, Quantity)>>,
 }
 
 impl Answer {
@@ -86,6 +87,7 @@ impl Answer {
             error: OnceLock::new(),
             passed: OnceLock::new(),
             readings: OnceLock::new(),
+            quantities: OnceLock::new(),
         }
     }
 
@@ -117,6 +119,16 @@ impl Answer {
     pub fn reading(&self, girder: usize) -> Option<&Reading> {
         let all = self.readings.get_or_init(|| self.history.model().bodies.iter().map(|_| OnceLock::new()).collect());
         Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
+    }
+
+    /// Every quantity with its name; listed when first asked for, as a long row has many.
+    pub fn quantities(&self) -> &[(String, Quantity)] {
+        self.quantities.get_or_init(|| Quantity::all(self.history.model()))
+    }
+
+    /// The quantity of this name.
+    pub fn quantity(&self, name: &str) -> Option<Quantity> {
+        self.quantities().iter().find(|(known, _)| known == name).map(|(_, quantity)| *quantity)
     }
 
     /// Estimated error, once it is known; NaN when it could not be had \[m\].

@@ -234,7 +234,7 @@ impl Workbench {
     /// Where the curves of an own panel are at the time shown.
     pub(super) fn own_at(&self, panel: usize) -> Vec<[f64; 2]> {
         let (Some(answer), Some(plot)) = (self.answer(), self.scene().view.plots.get(panel)) else { return Vec::new() };
-        super::panels::at(&answer.history, plot, self.clock.t)
+        super::panels::at(answer, plot, self.clock.t)
     }
 
     /// Samples for the plots.

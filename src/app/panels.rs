@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
 
+use super::answer::Answer;
 use super::command::Command;
 use super::{Workbench, text};
 use crate::scene::edit::Edit;
@@ -105,10 +106,10 @@ pub(super) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], p
 }
 
 /// The panel's points at one instant.
-pub(super) fn at(history: &History, plot: &PlotSettings, t: f64) -> Vec<[f64; 2]> {
+pub(super) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f64; 2]> {
     let value = |name: &String| {
-        let quantity = Quantity::find(history.model(), name)?;
-        Some(quantity.at(history, t) * shown(quantity.unit()).0)
+        let quantity = answer.quantity(name)?;
+        Some(quantity.at(&answer.history, t) * shown(quantity.unit()).0)
     };
     let level = plot.x.as_ref().and_then(value).unwrap_or(t);
     plot.y.iter().filter_map(value).map(|y| [level, y]).collect()
@@ -135,7 +136,7 @@ fn times(history: &History, window: [f64; 2], points: usize) -> Vec<f64> {
 /// Shows the list of panels and lets it be changed.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let Some(answer) = bench.answer() else { return };
-    let names: Vec<(String, Quantity)> = Quantity::all(answer.history.model());
+    let names = answer.quantities();
     let mut plots = bench.scene().view.plots.clone();
     let mut gone = None;
     for (i, plot) in plots.iter_mut().enumerate() {
@@ -145,7 +146,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
                 gone = Some(i);
             }
         });
-        one(ui, i, plot, &names);
+        one(ui, i, plot, names);
     }
     if let Some(i) = gone {
         plots.remove(i);
@@ -153,7 +154,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.add_enabled_ui(plots.len() < MOST, |ui| {
             ui.menu_button(text::ADD_PANEL, |ui| {
-                for (words, plot) in offers(&names, bench.shown_girder()) {
+                for (words, plot) in offers(names, bench.shown_girder()) {
                     if ui.button(words).clicked() {
                         plots.push(plot);
                         ui.close();
