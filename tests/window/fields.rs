@@ -105,7 +105,10 @@ fn every_key_of_the_scene_file_has_a_field_that_says_its_range_and_default() {
         };
         // A list of things has buttons that add to it, and a name what is wrong with it.
         let plain = matches!(key.range, Range::Free | Range::Like(_)) && !matches!(key.fallback, Fallback::Zeros(_));
-        if !plain && !said.iter().all(|words| words.contains("Allowed: ") && words.to_lowercase().contains("default")) {
+        let speaks = |words: &String| words.contains("Allowed: ") && words.to_lowercase().contains("default");
+        // A button to the other way of saying it says where it leads.
+        let mut fields = said.iter().filter(|words| !words.is_empty()).peekable();
+        if !plain && (fields.peek().is_none() || !fields.all(speaks)) {
             silent.push((path, said.clone()));
         }
     }
@@ -197,6 +200,13 @@ fn a_number_out_of_its_range_is_marked_with_the_reason_and_undone() {
     type_in(&mut harness, "Mass m", "12 mm");
     assert_eq!(*harness.state().scene(), before, "no mass: refused");
     assert!(harness.query_by_label_contains("\u{201c}12 mm\u{201d} is no number here").is_some(), "with the reason");
+    type_in(&mut harness, "Amplitude", "0.4 kg");
+    assert_eq!(*harness.state().scene(), before, "the number behind a slider refuses too");
+    assert!(harness.query_by_label_contains("\u{201c}0.4 kg\u{201d} is no number here").is_some(), "with the reason");
+    type_in(&mut harness, "Amplitude", "1.5 g");
+    let beyond = matches!(&harness.state().scene().motion, Motion::Sine(s) if s.amplitude_g == Some(1.5));
+    assert!(beyond, "and takes what lies beyond the slider");
+    undo(&mut harness);
     type_in(&mut harness, "Mass m", "");
     assert_eq!(*harness.state().scene(), before, "it has no default");
     assert!(harness.query_by_label_contains("It must be given").is_some(), "with the reason");

@@ -2,8 +2,9 @@
 
 use egui::{ComboBox, Response, Ui};
 
-use super::frame::{self, Own, SIGN};
+use super::frame::{self, SIGN};
 use super::{CLICK, Change, Place, complain, line, reset_sign};
+use crate::app::text;
 use crate::scene::keys;
 
 /// What can be chosen, each with the word for it.
@@ -82,8 +83,9 @@ fn list<T: Copy + PartialEq + Default>(
             }
         })
         .response;
-    let known = keys::of_place(path).map(|(_, key)| key);
-    let own = Own { words: Some(word(T::default(), options).to_owned()), differs: false };
-    let hint = || frame::hint(known, super::PURE, &own);
-    frame::say(ui, &response, path, label, hint)
+    frame::say(ui, &response, path, label, || {
+        let known = keys::of_place(path).map(|(_, key)| key);
+        let words: Vec<&str> = options.iter().map(|(_, word)| *word).collect();
+        frame::in_lines(known, &words.join(", "), &format!("{}: {}", text::DEFAULT, word(T::default(), options)))
+    })
 }

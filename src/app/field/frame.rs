@@ -38,6 +38,12 @@ pub(super) fn hint(key: Option<&Key>, unit: Unit, own: &Own) -> String {
         (None, Fallback::Words(from)) => format!("{}: {from}", text::DEFAULT),
         (None, _) => text::NO_DEFAULT.to_owned(),
     };
+    in_lines(Some(key), &allowed, &default)
+}
+
+/// The meaning, what is allowed, and a line about the default.
+pub(super) fn in_lines(key: Option<&Key>, allowed: &str, default: &str) -> String {
+    let Some(key) = key else { return String::new() };
     let meaning = key.meaning.split(", see below").next().unwrap_or(key.meaning);
     format!("{}: {meaning}\n{}: {allowed}\n{default}", key.name, text::ALLOWED)
 }

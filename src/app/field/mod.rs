@@ -10,7 +10,7 @@ mod number;
 mod slider;
 mod unit;
 
-use egui::{Response, Ui};
+use egui::{Id, Response, Ui};
 
 use crate::scene::SceneErrors;
 use crate::scene::keys::{self, Key};
@@ -64,6 +64,8 @@ struct Field<'a> {
     label: &'a str,
     unit: Unit,
     known: Option<&'static Key>,
+    /// Tells it from other fields of the same key.
+    scope: Id,
 }
 
 /// What was done to a number in a field.
@@ -76,9 +78,9 @@ enum Done {
 }
 
 impl<'a> Field<'a> {
-    fn new(place: Place<'a>, (key, label): (&'a str, &'a str), unit: Unit) -> Self {
+    fn new(ui: &Ui, place: Place<'a>, (key, label): (&'a str, &'a str), unit: Unit) -> Self {
         let known = keys::of_place(&place.path(key)).map(|(_, key)| key);
-        Self { place, key, label, unit, known }
+        Self { place, key, label, unit, known, scope: ui.scope_id() }
     }
 
     fn range(&self) -> keys::Range {

@@ -21,7 +21,7 @@ pub(in crate::app) fn number(
     value: &mut f64,
     unit: Unit,
 ) -> Option<Change> {
-    let field = Field::new(place, names, unit);
+    let field = Field::new(ui, place, names, unit);
     let default = field.known.and_then(Key::number);
     let own = Own { words: default.map(|v| unit.words(v)), differs: default.is_some_and(|v| v != *value) };
     match field.row(ui, *value, &own, true)? {
@@ -44,7 +44,7 @@ pub(in crate::app) fn optional(
     (value, reckoned): (&mut Option<f64>, f64),
     unit: Unit,
 ) -> Option<Change> {
-    let field = Field::new(place, names, unit);
+    let field = Field::new(ui, place, names, unit);
     let own = Own { words: Some(unit.words(reckoned)), differs: value.is_some() };
     field.option(ui, (value, reckoned), &own)
 }
@@ -57,7 +57,7 @@ pub(in crate::app) fn laid_over(
     (value, under): (&mut Option<f64>, f64),
     unit: Unit,
 ) -> Option<Change> {
-    let field = Field::new(place, names, unit);
+    let field = Field::new(ui, place, names, unit);
     // What it would be without its own is known only where it has none.
     let words = if value.is_some() { text::THE_SCENES.to_owned() } else { unit.words(under) };
     let own = Own { words: Some(words), differs: value.is_some() };
@@ -104,7 +104,7 @@ impl Field<'_> {
                 let sign = reset_sign(ui, self.label, own.words.as_deref().filter(|_| own.differs));
                 let done =
                     if menu || sign { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };
-                (done, refusal(ui, response.id))
+                (done, refusal(ui, self.refused()))
             })
             .inner;
         ui.end_row();
@@ -113,6 +113,11 @@ impl Field<'_> {
             ui.end_row();
         }
         done
+    }
+
+    /// Under what a refusal is remembered; a slider and its number are two widgets, of which one or the other answers.
+    pub(super) fn refused(&self) -> Id {
+        self.scope.with(("refused", self.place.path(self.key), self.label))
     }
 
     fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
@@ -154,22 +159,22 @@ impl Field<'_> {
         let wanted = shown / self.unit.factor;
         match typed.into_inner() {
             Some(Ok(Some(number))) => {
-                forget(ui, response.id);
+                forget(ui, self.refused());
                 let number = number / self.unit.factor;
                 (!same(number, before)).then_some(Done::Set(number, Change { gesture: None }))
             }
             Some(Ok(None)) if own.words.is_some() => own.differs.then_some(Done::Reset),
             Some(Ok(None)) => {
-                refuse(ui, response.id, text::MUST_BE_GIVEN.to_owned());
+                refuse(ui, self.refused(), text::MUST_BE_GIVEN.to_owned());
                 None
             }
             Some(Err(why)) => {
-                refuse(ui, response.id, why);
+                refuse(ui, self.refused(), why);
                 None
             }
             None => {
                 if response.gained_focus() || taken.is_some() {
-                    forget(ui, response.id);
+                    forget(ui, self.refused());
                 }
                 let number = self.range().nearest(wanted, before);
                 let moved = wanted.is_finite() && !same(number, before);
@@ -185,14 +190,14 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 fn refuse(ui: &Ui, id: Id, why: String) {
-    ui.data_mut(|d| d.insert_temp(id.with("refused"), why));
+    ui.data_mut(|d| d.insert_temp(id, why));
 }
 
 fn forget(ui: &Ui, id: Id) {
-    ui.data_mut(|d| d.remove::<String>(id.with("refused")));
+    ui.data_mut(|d| d.remove::<String>(id));
 }
 
 /// Why the text that was typed last was not taken.
 pub(super) fn refusal(ui: &Ui, id: Id) -> Option<String> {
-    ui.data(|d| d.get_temp::<String>(id.with("refused")))
+    ui.data(|d| d.get_temp::<String>(id))
 }

@@ -25,7 +25,7 @@ pub(in crate::app) fn slider(
     unit: Unit,
     bounds: Bounds,
 ) -> Option<Change> {
-    let field = Field::new(place, names, unit);
+    let field = Field::new(ui, place, names, unit);
     let default = field.known.and_then(Key::number);
     let own = Own { words: default.map(|v| unit.words(v)), differs: default.is_some_and(|v| v != *value) };
     match field.slide(ui, *value, bounds, &own)? {
@@ -49,7 +49,7 @@ pub(in crate::app) fn slider_of(
     unit: Unit,
     bounds: Bounds,
 ) -> Option<Change> {
-    let field = Field::new(place, names, unit);
+    let field = Field::new(ui, place, names, unit);
     let own = Own { words: Some(unit.words(reckoned)), differs: value.is_some() };
     match field.slide(ui, value.unwrap_or(reckoned), bounds, &own)? {
         Done::Set(new, change) => {
@@ -81,7 +81,7 @@ impl Field<'_> {
         let menu = frame::menu(&response, own);
         let done =
             if menu || pressed { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };
-        for words in refusal(ui, response.id).into_iter().chain(complaint) {
+        for words in refusal(ui, self.refused()).into_iter().chain(complaint) {
             complain(ui, &words);
         }
         done

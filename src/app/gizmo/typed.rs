@@ -56,7 +56,7 @@ pub(in crate::app) fn begins_number(letter: char) -> bool {
 pub(in crate::app) struct Said {
     /// What is changed; none while the text is no number that may stand there.
     pub(in crate::app) pulled: Option<Pulled>,
-    /// What stands on the plate.
+    /// What stands on the plate; without an edit its last line says why.
     pub(in crate::app) words: Vec<String>,
 }
 

@@ -42,7 +42,9 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
     let place = Place { problems: bench.problems(), table: &table };
-    let change = grid(ui, &format!("own {}", pair.name), |ui| own_rows(ui, place, pair, &mut own));
+    // Pairs without an entry have no place of their own in the file that could tell their lists apart.
+    let own_id = ("pair", &pair.name);
+    let change = ui.push_id(own_id, |ui| grid(ui, "own", |ui| own_rows(ui, place, pair, &mut own))).inner;
     if let Some(change) = change {
         out.push(Command::Edit { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture });
     }
