@@ -118,13 +118,19 @@ impl At<'_> {
     }
 
     pub(super) fn within(&mut self, key: &str, value: f64, [low, high]: [f64; 2]) {
+        if (low..=high).contains(&value) {
+            return;
+        }
         let rule = format!("give a number from {low:?} to {high:?}");
-        self.rule(key, value, (low..=high).contains(&value), &rule);
+        self.rule(key, value, false, &rule);
     }
 
     pub(super) fn between(&mut self, key: &str, value: f64, [low, high]: [f64; 2]) {
+        if low < value && value < high {
+            return;
+        }
         let rule = format!("give a number between {low:?} and {high:?}, the limits excluded");
-        self.rule(key, value, low < value && value < high, &rule);
+        self.rule(key, value, false, &rule);
     }
 
     /// Every number of a list; the complaint names the number's place in it.
