@@ -9,7 +9,7 @@ use super::complaints::numbers;
 use crate::geometry::Face;
 use crate::geometry::broad::Broad;
 use crate::geometry::shape::{AlignedBox, Convex, Stand};
-use crate::scene::{Abutment, Kind, Scene, facing, placed};
+use crate::scene::{Abutment, Kind, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
 const TOUCHING: f64 = 1e-9;
@@ -22,7 +22,7 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let abutments = scene.abutments.iter().enumerate().map(|(n, a)| (format!("abutment[{n}]"), &a.name));
     let mut seen = BTreeSet::new();
     for (place, name) in girders.chain(abutments) {
-        let mut at = complaints.at(place);
+        let mut at = complaints.at(place, keys::GIRDER);
         let value = format!("{name:?}");
         if name.trim().is_empty() {
             at.add("name", value, "give it a name");
@@ -53,13 +53,13 @@ fn in_force(pair: &facing::Facing, complaints: &mut Complaints) {
     if mu_k > mu_s {
         let remedy =
             format!("for {} it exceeds the mu_static in force, {mu_s:?}: lower it, or raise mu_static", pair.name);
-        complaints.at("contact.pair").add("mu_kinetic", format!("{mu_k:?}"), remedy);
+        complaints.at("contact.pair", keys::PAIR).add("mu_kinetic", format!("{mu_k:?}"), remedy);
     }
 }
 
 fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
     let Some(corners) = placed::abutment_face(scene, abutment) else { return };
-    let mut at = complaints.at(format!("abutment.{}", abutment.name));
+    let mut at = complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT);
     let key = if abutment.polygon.is_some() { "polygon_m" } else { "width_m" };
     let value = || corners.map(|c| numbers(&c.to_array())).join(", ");
     match Face::new(corners, placed::abutment_depth(scene, abutment)) {
@@ -105,7 +105,7 @@ pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
             if let Some(depth) = overlap(earlier, later) {
                 let (table, key, value) = &later.place;
                 let remedy = format!("{} reaches {depth:.3e} m into {}: move them apart", later.label, earlier.label);
-                complaints.at(table.as_str()).add(key, value, remedy);
+                complaints.at(table.as_str(), keys::GIRDER).add(key, value, remedy);
             }
         }
     }
