@@ -109,8 +109,8 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     let name = last.split('[').next().unwrap_or(last);
     let way: Vec<String> = steps.iter().map(|step| without_number(step)).collect();
     let way = way.join(".");
-    let tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
-    tables.filter_map(|table| Some((table, find(table.keys, name)?))).next()
+    let mut tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
+    tables.find_map(|table| Some((table, find(table.keys, name)?)))
 }
 
 /// `pair[2]` is a pair, `bearings[2]` a bearing of its own and not all of them.

@@ -22,7 +22,7 @@ pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     match &girder.bearings {
         None => {}
         Some(Bearings::Shared(bearings)) => {
-            shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings", keys::BEARINGS))
+            shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings", keys::BEARINGS));
         }
         Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), at),
     }
