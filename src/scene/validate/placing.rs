@@ -36,14 +36,18 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
 }
 
 /// Abutment faces, and everything that facing ends can be wrong about.
-pub(super) fn faces(scene: &Scene, complaints: &mut Complaints) {
+pub(super) fn faces(scene: &Scene, complaints: &mut Complaints) -> Vec<facing::Facing> {
     for abutment in &scene.abutments {
         backwall(scene, abutment, complaints);
     }
-    match facing::find(scene) {
-        Err(errors) => complaints.extend(errors),
-        Ok(pairs) => pairs.iter().for_each(|pair| in_force(pair, complaints)),
+    let pairs = facing::find(scene).unwrap_or_else(|errors| {
+        complaints.extend(errors);
+        Vec::new()
+    });
+    for pair in &pairs {
+        in_force(pair, complaints);
     }
+    pairs
 }
 
 /// Several `[[contact.pair]]` may lie over one another: what comes out must make sense too.
