@@ -10,6 +10,7 @@ mod placing;
 
 pub use complaints::{SceneError, SceneErrors};
 
+use super::facing::Facing;
 use super::{Scene, format, keys};
 use complaints::{At, Complaints};
 
@@ -18,6 +19,14 @@ use complaints::{At, Complaints};
 /// # Errors
 /// Every complaint, about "scene"; [`SceneErrors::in_file`] names the file.
 pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
+    facings(scene).map(|_| ())
+}
+
+/// The same; and who faces whom, which it finds out on the way.
+///
+/// # Errors
+/// Those of [`validate`].
+pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     let mut complaints = Complaints::default();
     top(scene, &mut complaints);
     placing::names(scene, &mut complaints);
@@ -33,13 +42,14 @@ pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
     numbers::limits(&scene.limits, &mut complaints);
     numbers::motion(&scene.motion, &mut complaints);
     numbers::solver_and_view(scene, &mut complaints);
+    let mut facings = Vec::new();
     if complaints.is_empty() {
-        placing::faces(scene, &mut complaints);
+        facings = placing::faces(scene, &mut complaints);
     }
     if complaints.is_empty() {
         placing::overlaps(scene, &mut complaints);
     }
-    complaints.into_result()
+    complaints.into_result().map(|()| facings)
 }
 
 fn top(scene: &Scene, complaints: &mut Complaints) {
