@@ -392,9 +392,13 @@ fn a_handle_that_has_the_focus_takes_a_number_without_the_mouse() {
 #[test]
 fn a_walls_handles_take_numbers_too() {
     let mut harness = from_above(presets::OPENING, &[Target::Abutment(0)]);
+    let mut narrow = harness.state().scene().abutments[0].clone();
+    narrow.width = Some(0.15);
+    let edit = girderbench::scene::edit::Edit::ReplaceAbutment(0, Box::new(narrow));
+    harness.state_mut().apply(Command::Edit { edit, gesture: None });
     harness.state_mut().apply(Command::Frame);
     calm(&mut harness);
-    for (name, typed) in [("move wall sideways", "15 mm"), ("width of wall, one side", "1.5 m")] {
+    for (name, typed) in [("move wall sideways", "15 mm"), ("width of wall, one side", "25 cm")] {
         harness.get_by_role_and_label(Role::Splitter, name).focus();
         calm(&mut harness);
         write(&mut harness, typed);
@@ -403,5 +407,5 @@ fn a_walls_handles_take_numbers_too() {
     }
     let wall = &harness.state().scene().abutments[0];
     assert!(wall.offset.is_some_and(|o| (o.abs() - 0.015).abs() < 2e-6), "sideways: {:?}", wall.offset);
-    assert_eq!(wall.width, Some(1.5), "and as wide as typed");
+    assert_eq!(wall.width, Some(0.25), "and as wide as typed");
 }

@@ -1,4 +1,4 @@
-//! One value in a panel: its label, its unit, what is allowed and what it is by itself, its complaint, and the hand on it.
+//! One value in a panel: its label, its unit, what is allowed, what it is by itself, its complaint, the hand on it.
 //!
 //! What may stand in a field and its default come from [`keys`], as the checks of a scene do. Every field says them to
 //! the mouse and to a screen reader; one that is not as it would be by itself has a small sign beside it that takes it
