@@ -3,6 +3,8 @@
 
 #[path = "window/compare.rs"]
 mod compare;
+#[path = "window/fields.rs"]
+mod fields;
 #[path = "window/files.rs"]
 mod files;
 #[path = "window/film.rs"]
