@@ -3,6 +3,8 @@
 
 #[path = "window/compare.rs"]
 mod compare;
+#[path = "window/crowd.rs"]
+mod crowd;
 #[path = "window/files.rs"]
 mod files;
 #[path = "window/film.rs"]
@@ -11,6 +13,8 @@ mod film;
 mod golden;
 #[path = "window/harness.rs"]
 mod harness;
+#[path = "window/keys.rs"]
+mod keys;
 #[path = "window/layout.rs"]
 mod layout;
 #[path = "window/lessons.rs"]

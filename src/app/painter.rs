@@ -290,7 +290,8 @@ mod tests {
         let Some(painter) = painter(&shown.textures) else { return };
         let size = painter.device().limits().max_buffer_size + 4;
         let usage = wgpu::BufferUsages::COPY_DST;
-        painter.device().create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false });
+        let wanted = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
+        drop(painter.device().create_buffer(&wanted));
         let fault = shown.paint(&painter).expect_err("not on this device any more");
         assert!(matches!(&fault, Fault::Refused(words) if words.contains("buffer")), "in its words: {fault}");
         painter.health.note(Fault::OutOfMemory("later".into()));
