@@ -81,7 +81,7 @@ impl Autosave {
     }
 
     /// Looks whether there is something to write; says when to look again.
-    pub(super) fn watch(&mut self, work: Work, scene: impl FnOnce() -> Scene) -> Option<Duration> {
+    pub(super) fn watch(&mut self, work: &Work, scene: impl FnOnce() -> Scene) -> Option<Duration> {
         if !work.dirty {
             self.forget(work.origin);
             return None;
@@ -92,19 +92,19 @@ impl Autosave {
         }
         let time = now();
         let due = *self.due.get_or_insert(time + self.delay);
-        self.hold(&work, scene);
+        self.hold(work, scene);
         if time < due {
             return Some(due - time);
         }
-        self.write(&work);
+        self.write(work);
         None
     }
 
     /// Writes at once what has not been written.
-    pub(super) fn hurry(&mut self, work: Work, scene: impl FnOnce() -> Scene) {
+    pub(super) fn hurry(&mut self, work: &Work, scene: impl FnOnce() -> Scene) {
         if work.dirty && self.written.get(&work.origin) != Some(&work.revision) {
-            self.hold(&work, scene);
-            self.write(&work);
+            self.hold(work, scene);
+            self.write(work);
         }
     }
 

@@ -25,7 +25,8 @@ impl Drop for Wills {
         if left.is_empty() {
             return;
         }
-        let kept = left.iter().fold(false, |kept, will| will() || kept);
+        // Each is done, whatever the others say.
+        let kept = left.iter().filter(|will| will()).count() > 0;
         let words = if kept { text::CUT_OFF_KEPT } else { text::CUT_OFF };
         // With the display the terminal may be gone too.
         let _ = writeln!(std::io::stderr(), "{words}");

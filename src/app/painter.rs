@@ -104,7 +104,6 @@ impl Painter {
     }
 
     /// Lets go of textures that no later frame shows.
-    #[expect(clippy::iter_over_hash_type, reason = "textures do not depend on each other")]
     pub(super) fn free(&self, delta: &TexturesDelta) {
         let mut renderer = self.state.renderer.write();
         delta.free.iter().for_each(|id| renderer.free_texture(id));
