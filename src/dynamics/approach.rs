@@ -104,7 +104,7 @@ struct Quarry<'a> {
 
 impl Quarry<'_> {
     fn frame(&self, view: &View, which: usize) -> Frame {
-        self.sides[which].map_or(Frame::fixed(self.site.fixed), |side| view.frames[side])
+        self.sides[which].map_or(self.site.stand, |side| view.frames[side])
     }
 
     fn look(&self, view: &View) -> Local {

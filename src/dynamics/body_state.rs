@@ -52,6 +52,7 @@ pub fn frame(kind: Kind, body: &Body, state: &[f64]) -> Frame {
             rotation: DMat3::from_quat(attitude(state)),
             velocity: DVec3::new(state[7], state[8], state[9]),
             spin: DVec3::new(state[10], state[11], state[12]),
+            level: false,
         },
     }
 }

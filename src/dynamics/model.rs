@@ -64,6 +64,7 @@ impl Body {
             rotation: DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis),
             velocity: DVec3::new(state[3], state[4], 0.0),
             spin: DVec3::new(0.0, 0.0, state[5]),
+            level: true,
         }
     }
 }
@@ -112,6 +113,8 @@ pub struct ContactSite {
     pub face: Face,
     /// Where the frame of the abutment in this contact stands, if there is one \[m\].
     pub fixed: DVec3,
+    /// That frame.
+    pub stand: Frame,
 }
 
 impl ContactSite {
