@@ -135,9 +135,8 @@ fn measure_in_plan(node: DVec3, node_body: &Frame, face: &Face, face_body: &Fram
         node.z,
     );
     let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
-    let to_face = |x: f64, y: f64| {
-        (facing.x_axis.x * x + facing.x_axis.y * y, facing.y_axis.x * x + facing.y_axis.y * y)
-    };
+    let to_face =
+        |x: f64, y: f64| (facing.x_axis.x * x + facing.x_axis.y * y, facing.y_axis.x * x + facing.y_axis.y * y);
     let along = |(x, y): (f64, f64), axis: DVec3| x * axis.x + y * axis.y;
     let (x, y) = to_face(apart.x, apart.y);
     let from_corner = (x - face.corners[0].x, y - face.corners[0].y);

@@ -146,6 +146,15 @@ pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item
     })
 }
 
+/// Turns a spatial state's attitude on by what its spin gains in `dt`, where `slope` is the rate of the state.
+pub fn turn_on(state: &mut [f64], slope: &[f64], dt: f64) {
+    let q = DQuat::from_xyzw(state[3], state[4], state[5], state[6]);
+    let more = DQuat::from_xyzw(slope[10], slope[11], slope[12], 0.0) * q * (0.25 * dt * dt);
+    for (component, more) in state[3..7].iter_mut().zip([more.x, more.y, more.z, more.w]) {
+        *component += more;
+    }
+}
+
 /// Acceleration along two axes of the point at `arm` from G per force along them there \[1/kg\].
 pub fn mobility(body: &Body, rotation: &DMat3, arm: DVec3, axes: [DVec3; 2]) -> DMat2 {
     let along = |force: DVec3| {

@@ -61,7 +61,7 @@ pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Loc
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.
-fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
+pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
     let active = &island.active[number];
     // A copy only where the slip's direction has moved on.
     let turned = active.angle.map(|_| island.closed_at(number, t));
@@ -81,7 +81,7 @@ fn function(model: &Model, island: &Island, number: usize, reason: Reason, here:
     }
 }
 
-fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
+pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.active[number].closed;
     let switches = closed.law.has_friction();
     let kinks = closed.law.clamp && closed.law.c_n > 0.0;
