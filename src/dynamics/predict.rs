@@ -157,10 +157,10 @@ impl Views {
         let track = &engine.contacts[contact];
         let site = &engine.model.contacts[track.site];
         let side = |slot: Option<usize>| match slot {
-            Some(_) => self.frames[i][usize::from(slot == self.slots[1])],
-            None => site.stand,
+            Some(_) => &self.frames[i][usize::from(slot == self.slots[1])],
+            None => &site.stand,
         };
-        locate(site.point, &side(track.slots[0]), &site.face, &side(track.slots[1]))
+        locate(site.point, side(track.slots[0]), &site.face, side(track.slots[1]))
     }
 }
 
