@@ -44,7 +44,10 @@ fn at_wall(arm: DVec2, n: DVec2) -> Point {
 
 /// One girder per unit mass.
 fn girder(i2: f64, velocity: DVec3) -> Cluster {
-    Cluster { inverse: vec![DVec3::new(1.0, 1.0, 1.0 / i2)], velocity: vec![velocity] }
+    Cluster {
+        inverse: [DVec3::new(1.0, 1.0, 1.0 / i2)].into_iter().collect(),
+        velocity: [velocity].into_iter().collect(),
+    }
 }
 
 /// The straight girder of Fig. 12, hit on a corner by a wall at x = a + c: `r`, `Ω`, sgn θ.
@@ -188,7 +191,7 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
         };
         let hush = cluster.rounding(&points);
         let rules = Rules { numbers: &numbers, hush, dead: false };
-        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.clone() };
+        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
         let mut after = cluster.clone();
         let blow = strike(&mut after, &edge, State::FreeTurning, &rules);
         // Held by more than friction.

@@ -164,7 +164,10 @@ impl Struck {
     fn cluster(&self) -> Cluster {
         let [a, b] = self.half;
         let i2 = (a * a + b * b) / 3.0;
-        Cluster { inverse: vec![DVec3::new(1.0, 1.0, 1.0 / i2)], velocity: vec![DVec3::from(self.velocity)] }
+        Cluster {
+            inverse: [DVec3::new(1.0, 1.0, 1.0 / i2)].into_iter().collect(),
+            velocity: [DVec3::from(self.velocity)].into_iter().collect(),
+        }
     }
 
     fn points(&self) -> Vec<Point> {
@@ -200,7 +203,7 @@ impl Struck {
         };
         let (mut cluster, points) = (self.cluster(), self.points());
         let rules = Rules { numbers: &numbers, hush: cluster.rounding(&points), dead: false };
-        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points };
+        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.into() };
         let blow = strike(&mut cluster, &edge, from, &rules);
         Row::landing(&blow.landing)
     }

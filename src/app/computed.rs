@@ -6,7 +6,6 @@ use super::answer::Answer;
 use super::command::Command;
 use super::{Workbench, field, text};
 use crate::dynamics::bearing::Quantities;
-use crate::geometry::End;
 use crate::scene::Girder;
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
@@ -30,13 +29,12 @@ pub(super) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Gir
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
     let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
-    let turns = if number >= 1.0 { "≥ 1: can turn" } else { "< 1: cannot" };
-    let mut rows = vec![("US skew", format!("{}°", field::trimmed(90.0 - girder.skew_deg)))];
+    let mut rows = vec![(text::US_SKEW, format!("{}°", field::trimmed(90.0 - girder.skew_deg)))];
     let body = bench.answer().and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
     if let Some(body) = body.filter(|_| !bench.is_stale()) {
         rows.extend(quantities(&body.quantities()));
     }
-    rows.push(("condition (6)", format!("{} {turns}", text::short(number))));
+    rows.push((text::CONDITION, format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
     let answer = bench.answer().filter(|_| !bench.is_stale());
     if let Some(reading) = answer.and_then(|a| a.reading(i)) {
@@ -48,25 +46,20 @@ pub(super) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Gir
 fn show_reading(ui: &mut Ui, reading: &Reading) {
     ui.add_space(4.0);
     ui.label(RichText::new(text::READINGS).strong());
-    let at = |words: String, e: &Extreme| format!("{words} at {:.3} s", e.t);
-    let length = |e: &Extreme| at(text::length(e.value), e);
+    let at = |words: &str, e: &Extreme| text::reached_at(words, e.t);
+    let length = |e: &Extreme| at(&text::length(e.value), e);
     let mut rows: Vec<(&'static str, String)> =
-        vec![("turns", at(format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
-    let corners = ["drift 1", "drift 2", "drift 3", "drift 4"];
-    rows.extend(corners.into_iter().zip(reading.drift.iter().map(length)));
+        vec![(text::TURNS, at(&format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
+    rows.extend(text::DRIFTS.into_iter().zip(reading.drift.iter().map(length)));
     for seat in &reading.seats {
-        let name = if seat.end == End::Plus { "seat +x" } else { "seat -x" };
-        let corners = seat.at_corners.map(text::length).join(", ");
-        rows.push((
-            name,
-            format!("{} left of {}; at the corners {corners}", length(&seat.least), text::length(seat.length)),
-        ));
+        let left = text::seat_left(&length(&seat.least), seat.length, seat.at_corners);
+        rows.push((text::seat_at(seat.end), left));
         if let Some(t) = seat.left_at {
-            rows.push(("unseats", format!("at {t:.4} s")));
+            rows.push((text::UNSEATS, text::unseats_at(t)));
         }
     }
-    rows.extend(reading.gap.as_ref().map(|gap| ("least gap", length(gap))));
-    rows.extend(reading.force.as_ref().map(|force| ("peak force", at(text::force(force.value), force))));
+    rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap))));
+    rows.extend(reading.force.as_ref().map(|force| (text::PEAK_FORCE, at(&text::force(force.value), force))));
     table(ui, "readings", rows);
 }
 
@@ -76,12 +69,12 @@ fn quantities(q: &Quantities) -> [(&'static str, String); 6] {
     let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
     let hertz = q.omega.map(|w| w / std::f64::consts::TAU);
     [
-        ("ω x y θ", format!("{} rad/s", three(q.omega))),
-        ("f x y θ", format!("{} Hz", three(hertz))),
-        ("h x y θ", three(q.damping_ratio)),
-        ("ε x y", millimetres(q.stiffness_eccentricity)),
-        ("η x y", millimetres(q.damping_eccentricity)),
-        ("i (4e)", text::length(q.gyration)),
+        (text::OMEGAS, format!("{} rad/s", three(q.omega))),
+        (text::FREQUENCIES, format!("{} Hz", three(hertz))),
+        (text::DAMPING_RATIOS, three(q.damping_ratio)),
+        (text::STIFFNESS_ECCENTRICITY, millimetres(q.stiffness_eccentricity)),
+        (text::DAMPING_ECCENTRICITY, millimetres(q.damping_eccentricity)),
+        (text::GYRATION, text::length(q.gyration)),
     ]
 }
 
@@ -95,7 +88,7 @@ pub(super) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize, out: 
     } else {
         ui.label(RichText::new(text::CONTACT_OPEN).weak());
         let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
-        table(ui, "contact", [("gap of pair", text::length(gap))]);
+        table(ui, "contact", [(text::GAP_OF_PAIR, text::length(gap))]);
     }
     touches(ui, answer, contact, bench.clock().t, out);
 }
@@ -105,17 +98,17 @@ fn rows(c: &ContactNow) -> [(&'static str, String); 11] {
     let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
     let stretch = c.point + c.normal * c.penetration - c.anchor;
     [
-        ("state", c.state.label().to_owned()),
-        ("normal K δ", newtons(c.normal_force)),
-        ("tangential", newtons(c.tangential_force.length())),
-        ("T / N", format!("{} of {}", text::short(used), text::short(c.mu_static))),
-        ("cone used", format!("{} %", text::short(100.0 * c.cone_use()))),
-        ("dashpots", newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
-        ("all of it |R|", newtons(c.force.length())),
-        ("overlap δ", format!("{} µm", text::short(c.penetration * 1e6))),
-        ("anchor off", format!("{} µm", text::short(stretch.length() * 1e6))),
-        ("closing", format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
-        ("sliding", format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
+        (text::STATE, c.state.label().to_owned()),
+        (text::NORMAL_SPRING, newtons(c.normal_force)),
+        (text::TANGENTIAL_SPRING, newtons(c.tangential_force.length())),
+        (text::FORCE_RATIO, text::one_of(&text::short(used), &text::short(c.mu_static))),
+        (text::CONE_USED, format!("{} %", text::short(100.0 * c.cone_use()))),
+        (text::DASHPOTS, newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
+        (text::WHOLE_FORCE, newtons(c.force.length())),
+        (text::OVERLAP, format!("{} µm", text::short(c.penetration * 1e6))),
+        (text::ANCHOR_OFF, format!("{} µm", text::short(stretch.length() * 1e6))),
+        (text::CLOSING, format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
+        (text::SLIDING, format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
     ]
 }
 

@@ -84,11 +84,11 @@ fn differences(ui: &mut Ui, bench: &Workbench) {
         .chain(bench.pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
     let rows: [Row; 5] = [
-        ("moves", |a| text::length(a.summary.max_displacement)),
-        ("turns", |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees()))),
-        ("peak", |a| text::force(a.summary.peak_force)),
-        ("hits", |a| a.summary.hits.to_string()),
-        ("lost", |a| text::energy(a.lost())),
+        (text::MOVES, |a| text::length(a.summary.max_displacement)),
+        (text::TURNS, |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees()))),
+        (text::PEAK, |a| text::force(a.summary.peak_force)),
+        (text::HITS, |a| a.summary.hits.to_string()),
+        (text::LOST, |a| text::energy(a.lost())),
     ];
     Grid::new("pins").striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         ui.label("");

@@ -84,6 +84,6 @@ fn time(ui: &mut Ui, bench: &Workbench) {
     let t = bench.clock().t;
     ui.label(RichText::new(format!("t = {t:.4} s")).monospace());
     if let Some(period) = whatif::period(bench.scene()) {
-        ui.label(RichText::new(format!("{:.3} periods", t / period)).monospace().weak());
+        ui.label(RichText::new(text::periods(t / period)).monospace().weak());
     }
 }

@@ -8,7 +8,7 @@ use crate::contact::parameters::reduced_mass;
 use crate::contact::{Frame, dashpots};
 use crate::geometry::{Face, Prism};
 use crate::motion::Ground;
-use crate::scene::facing::{PairContact, Side};
+use crate::scene::facing::{Facing, PairContact, Side};
 use crate::scene::{Direction, Girder, ImpactSettings, Kind, Motion, Scene, SceneErrors, facing, placed};
 
 /// A girder, compiled.
@@ -163,8 +163,15 @@ impl Model {
     /// # Errors
     /// What validation would have said about pairs and faces.
     pub fn compile(scene: &Scene) -> Result<Self, SceneErrors> {
+        Self::of(scene, facing::find(scene)?)
+    }
+
+    /// The same, where it is known who faces whom.
+    ///
+    /// # Errors
+    /// What validation would have said about faces.
+    pub fn of(scene: &Scene, facings: Vec<Facing>) -> Result<Self, SceneErrors> {
         let bodies: Vec<Body> = scene.girders.iter().map(|g| body(scene, g)).collect();
-        let facings = facing::find(scene)?;
         let mut pairs = Vec::with_capacity(facings.len());
         let mut contacts = Vec::new();
         for facing in facings {

@@ -71,6 +71,11 @@ impl Hunt {
         self.armed
     }
 
+    /// `g` at the last look \[m\].
+    pub(super) fn gap(&self) -> f64 {
+        self.here.gap
+    }
+
     /// When a look found the node in front, that was not when the search began \[s\].
     pub(super) fn out(&self) -> Option<f64> {
         self.out

@@ -6,7 +6,7 @@
 use glam::{DQuat, DVec3};
 use parry3d::math::Pose;
 use parry3d::query::{self, Ray, RayCast};
-use parry3d::shape::{ConvexPolyhedron, Shape, SupportMap};
+use parry3d::shape::{ConvexPolyhedron, SupportMap};
 
 use super::Prism;
 
@@ -37,6 +37,37 @@ pub struct AlignedBox {
     pub max: DVec3,
 }
 
+impl AlignedBox {
+    /// The smallest around some points.
+    pub fn around(points: &[DVec3]) -> Self {
+        let least = |a: DVec3, b: &DVec3| a.min(*b);
+        let most = |a: DVec3, b: &DVec3| a.max(*b);
+        Self { min: points.iter().fold(DVec3::INFINITY, least), max: points.iter().fold(DVec3::NEG_INFINITY, most) }
+    }
+}
+
+/// Corners of the block that reaches `depth` behind a flat face, anticlockwise seen from outside: back, then face.
+pub fn block_behind(face: [DVec3; 4], depth: f64) -> [DVec3; 8] {
+    let [a, b, c, d] = face;
+    let back = (c - a).cross(d - b).normalize_or_zero() * depth;
+    [a - back, b - back, c - back, d - back, a, b, c, d]
+}
+
+/// Whether all of one prism lies in front of a side of the other; where not, they may still stand apart.
+pub fn stand_apart(one: &[DVec3; 8], other: &[DVec3; 8]) -> bool {
+    let beyond_a_side = |body: &[DVec3; 8], other: &[DVec3; 8]| {
+        SIDES.iter().any(|&[a, b, c]| {
+            let normal = (body[b] - body[a]).cross(body[c] - body[a]);
+            let level = normal.dot(body[a]);
+            other.iter().all(|corner| normal.dot(*corner) > level)
+        })
+    };
+    beyond_a_side(one, other) || beyond_a_side(other, one)
+}
+
+/// Three corners of each side of a prism, anticlockwise seen from outside.
+const SIDES: [[usize; 3]; 6] = [[0, 2, 1], [4, 5, 6], [0, 1, 5], [1, 2, 6], [2, 3, 7], [3, 0, 4]];
+
 /// A convex body in its own frame.
 #[derive(Clone, Debug)]
 pub struct Convex(ConvexPolyhedron);
@@ -65,20 +96,13 @@ impl Convex {
 
     /// The block that reaches `depth` behind a flat face, anticlockwise seen from outside; in the frame of the face.
     pub fn behind(face: [DVec3; 4], depth: f64) -> Option<Self> {
-        let [a, b, c, d] = face;
-        let back = (c - a).cross(d - b).normalize_or_zero() * depth;
-        Self::between([a - back, b - back, c - back, d - back, a, b, c, d])
+        Self::between(block_behind(face, depth))
     }
 
-    /// The prism between two polygons, both anticlockwise seen from the side of the second.
-    fn between(corners: [DVec3; 8]) -> Option<Self> {
+    /// The prism between two polygons, both anticlockwise seen from the side of the second; `None` when it has no volume
+    /// to speak of.
+    pub fn between(corners: [DVec3; 8]) -> Option<Self> {
         ConvexPolyhedron::from_convex_mesh(corners.to_vec(), &TRIANGLES).map(Self)
-    }
-
-    /// The smallest aligned box around the body as it stands.
-    pub fn aligned_box(&self, stand: Stand) -> AlignedBox {
-        let found = self.0.compute_aabb(&stand.pose());
-        AlignedBox { min: found.mins, max: found.maxs }
     }
 
     /// How far apart two bodies are along the axis that parts them most: negative when they overlap, and then the
@@ -132,8 +156,11 @@ mod tests {
     use super::*;
 
     fn girder(length: f64, skew_deg: f64) -> Convex {
-        let prism = Prism { length, width: 0.4 * length, thickness: 0.1 * length, skew: f64::to_radians(skew_deg) };
-        Convex::girder(&prism).expect("a prism with volume")
+        girder_of(&Prism { length, width: 0.4 * length, thickness: 0.1 * length, skew: f64::to_radians(skew_deg) })
+    }
+
+    fn girder_of(prism: &Prism) -> Convex {
+        Convex::girder(prism).expect("a prism with volume")
     }
 
     fn at(x: f64) -> Stand {
@@ -191,11 +218,26 @@ mod tests {
     }
 
     #[test]
+    fn prisms_apart_along_a_side_are_told_without_building_them() {
+        for skew_deg in [90.0, 60.0, 135.0] {
+            let prism = Prism { length: 30.0, width: 10.0, thickness: 2.0, skew: f64::to_radians(skew_deg) };
+            let (body, corners) = (girder_of(&prism), prism.corners());
+            for (i, j, k) in grid() {
+                let shift = DVec3::new(4.0 * i, 1.5 * j, 0.3 * k);
+                let found = stand_apart(&corners, &corners.map(|corner| corner + shift));
+                let there = Stand { place: shift, attitude: DQuat::IDENTITY };
+                let apart = body.separation(at(0.0), &body, there);
+                // Prisms alike part along a side, never across two edges only; what touches may go either way.
+                assert!(found == (apart > 0.0) || apart.abs() < 1e-12, "β {skew_deg}°, at {shift}: {apart}");
+            }
+        }
+    }
+
+    #[test]
     fn a_block_lies_behind_its_face() {
         // From y to z is anticlockwise seen from +x; this one goes from z to y.
         let face = [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.0, 2.0)].map(|(z, y)| DVec3::new(3.0, y, z));
-        let block = Convex::behind(face, 0.5).expect("a block");
-        let found = block.aligned_box(Stand::WORLD);
+        let found = AlignedBox::around(&block_behind(face, 0.5));
         assert_eq!((found.min.x, found.max.x), (3.0, 3.5), "behind is away from the side it is seen from");
     }
 

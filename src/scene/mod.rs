@@ -16,6 +16,7 @@ mod settings;
 pub mod edit;
 pub mod facing;
 pub mod format;
+pub mod keys;
 pub mod overrides;
 pub mod placed;
 pub mod presets;

@@ -36,8 +36,8 @@ impl Session {
     /// # Errors
     /// Every complaint about the scene, each naming place, value and remedy.
     pub fn new(scene: &Scene) -> Result<Self, SceneErrors> {
-        crate::scene::validate::validate(scene)?;
-        let model = Arc::new(Model::compile(scene)?);
+        let facings = crate::scene::validate::facings(scene)?;
+        let model = Arc::new(Model::of(scene, facings)?);
         let groups = (0..model.groups.len()).into_par_iter();
         let engines = match scene.model.kind {
             ModelKind::Contact | ModelKind::Both => {

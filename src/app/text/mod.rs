@@ -1,8 +1,10 @@
 //! Every word the window shows, and how numbers are written.
 
 mod numbers;
+mod readings;
 
 pub(super) use numbers::*;
+pub(super) use readings::*;
 
 /// The program's name, in the title.
 pub(super) const PROGRAM: &str = "Girderbench";

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::Few;
 use super::flush::{Ends, centroid, two_corner};
 use super::hit::{Coefficients, Second, first, second};
 use super::point::{Cluster, Point};
@@ -15,9 +16,9 @@ pub struct Edge {
     /// The pair, its number in the model.
     pub pair: usize,
     /// The declared contacts.
-    pub sites: Vec<usize>,
+    pub sites: Few<usize>,
     /// Where they are.
-    pub points: Vec<Point>,
+    pub points: Few<Point>,
 }
 
 /// What a hit did.

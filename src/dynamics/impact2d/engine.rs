@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use super::Few;
 use super::grip::{Ending, Grip};
 use super::record::{Record, Stay};
 use super::search;
@@ -153,7 +154,7 @@ impl Engine {
             match item {
                 Item::Island(grip) => self.end_of_step(grip, t),
                 Item::Pair(pair) if self.pairs[pair].meets => {
-                    let slots: Vec<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
+                    let slots: Few<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
                     self.meet(t, &slots, None);
                 }
                 Item::Pair(pair) => self.seek(pair, t),
@@ -267,16 +268,21 @@ impl Engine {
 
     /// Looks for the next meetings of everybody who is in a pair with these bodies.
     pub(super) fn seek_around(&mut self, slots: &[usize], t: f64) {
-        let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.clone()).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        for pair in pairs {
+        for pair in self.pairs_of(slots) {
             self.seek(pair, t);
         }
     }
 
+    /// Pairs that these bodies are in, each once, rising.
+    pub(super) fn pairs_of(&self, slots: &[usize]) -> Few<usize> {
+        let mut pairs: Few<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
     /// Slots of bodies by their numbers in the model.
-    pub(super) fn slots(&self, bodies: &[usize]) -> Vec<usize> {
+    pub(super) fn slots(&self, bodies: &[usize]) -> Few<usize> {
         bodies.iter().filter_map(|b| self.bodies.binary_search_by_key(b, |track| track.body).ok()).collect()
     }
 

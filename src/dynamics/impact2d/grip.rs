@@ -92,9 +92,8 @@ impl System for Held<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
         let (_, answer) = self.answer(t, y);
         // Without an answer the step is refused.
-        let none = vec![DVec3::NAN; self.bodies.len()];
-        let accelerations = answer.map_or(none, |answer| answer.accelerations);
-        for (i, (&body, a)) in self.bodies.iter().zip(accelerations).enumerate() {
+        for (i, &body) in self.bodies.iter().enumerate() {
+            let a = answer.as_ref().map_or(DVec3::NAN, |answer| answer.accelerations[i]);
             let free = self.model.bodies[body].free;
             for (j, direction) in [0, 1, 5].into_iter().enumerate() {
                 out[WIDTH * i + j] = if free[direction] { y[WIDTH * i + 3 + j] } else { 0.0 };

@@ -2,7 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::State;
+use smallvec::smallvec;
+
 use super::blow::{Blow, Edge, Rules, strike};
 use super::engine::Engine;
 use super::grip::Ending;
@@ -12,6 +13,7 @@ use super::record::{Hit, Transition};
 use super::settle::DRIFT;
 use super::state::{After, Row};
 use super::track::Going;
+use super::{Few, State};
 use crate::dynamics::flight::Planar;
 
 /// Points nearer than this touch, and faces with both ends nearer are flush, in parts of the girder's size.
@@ -28,12 +30,12 @@ const RUN: f64 = 1e-14;
 pub(super) struct Moment {
     pub(super) t: f64,
     /// Slots, rising; so are the numbers in the model.
-    pub(super) slots: Vec<usize>,
-    pub(super) states: Vec<Planar>,
+    pub(super) slots: Few<usize>,
+    pub(super) states: Few<Planar>,
     pub(super) scenery: Scenery,
     /// State among a–f before.
-    pub(super) before: Vec<State>,
-    pub(super) edges: Vec<Edge>,
+    pub(super) before: Few<State>,
+    pub(super) edges: Few<Edge>,
     pub(super) hush: f64,
 }
 
@@ -75,7 +77,7 @@ impl Engine {
     }
 
     /// Meets whoever touches these bodies at `t`; returns the slots of all whom it concerned.
-    pub(super) fn meet(&mut self, t: f64, seeds: &[usize], ending: Option<Ending>) -> Vec<usize> {
+    pub(super) fn meet(&mut self, t: f64, seeds: &[usize], ending: Option<Ending>) -> Few<usize> {
         let mut moment = self.moment(t, seeds);
         let slots = moment.slots.clone();
         if t == 0.0 && self.overlaps(&moment) {
@@ -94,11 +96,11 @@ impl Engine {
 
     /// Bodies that touching pairs and grips join to the seeds, where they are at `t`.
     fn moment(&self, t: f64, seeds: &[usize]) -> Moment {
-        let mut slots: Vec<usize> = seeds.to_vec();
+        let mut slots: Few<usize> = seeds.into();
         let mut next = 0;
         while let Some(&slot) = slots.get(next) {
             next += 1;
-            let mut joined: Vec<usize> = Vec::new();
+            let mut joined: Few<usize> = Few::new();
             if let Going::Grip(grip, _) = self.bodies[slot].now
                 && let Some(grip) = &self.grips[grip]
             {
@@ -117,15 +119,15 @@ impl Engine {
         }
         slots.sort_unstable();
         slots.dedup();
-        let states: Vec<Planar> = slots.iter().map(|&slot| self.state(slot, t)).collect();
-        let bodies: Vec<usize> = slots.iter().map(|&slot| self.bodies[slot].body).collect();
+        let states: Few<Planar> = slots.iter().map(|&slot| self.state(slot, t)).collect();
+        let bodies: Few<usize> = slots.iter().map(|&slot| self.bodies[slot].body).collect();
         let piece = self.model.ground.piece(self.model.ground.piece_number(t));
         let scenery = Scenery::new(&self.model, &bodies, &states, shaking(&self.model.ground, &piece, t));
         let before = slots.iter().map(|&slot| self.bodies[slot].state).collect();
-        let mut moment = Moment { t, slots, states, scenery, before, edges: Vec::new(), hush: 0.0 };
+        let mut moment = Moment { t, slots, states, scenery, before, edges: Few::new(), hush: 0.0 };
         moment.edges = self.edges(&moment);
-        let points: Vec<Point> = moment.edges.iter().flat_map(|edge| edge.points.clone()).collect();
-        moment.hush = moment.scenery.cluster.rounding(&points).max(RUN * self.largest[0]);
+        let points = moment.edges.iter().flat_map(|edge| &edge.points);
+        moment.hush = moment.scenery.cluster.rounding(points).max(RUN * self.largest[0]);
         moment
     }
 
@@ -150,17 +152,14 @@ impl Engine {
     }
 
     /// Pairs of a moment that touch: at a corner, or at the two outermost points of a face.
-    pub(super) fn edges(&self, moment: &Moment) -> Vec<Edge> {
-        let mut pairs: Vec<usize> = moment.slots.iter().flat_map(|&slot| self.bodies[slot].pairs.clone()).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        let mut edges = Vec::new();
-        for pair in pairs {
+    pub(super) fn edges(&self, moment: &Moment) -> Few<Edge> {
+        let mut edges = Few::new();
+        for pair in self.pairs_of(&moment.slots) {
             let here = |slot: Option<usize>| slot.is_none_or(|slot| moment.slots.binary_search(&slot).is_ok());
             if !self.pairs[pair].slots.into_iter().all(here) {
                 continue;
             }
-            let mut touching: Vec<(usize, Point)> = Vec::new();
+            let mut touching: Few<(usize, Point)> = Few::new();
             for site in self.pairs[pair].sites.clone() {
                 let number = self.sites[site].number;
                 let point = moment.scenery.point(&self.model, number);
@@ -170,9 +169,9 @@ impl Engine {
             }
             touching.sort_by(|a, b| a.1.along.total_cmp(&b.1.along));
             let near = TOUCH * self.reach(pair);
-            let outermost = match (touching.first(), touching.last()) {
-                (Some(&first), Some(&last)) if last.1.along - first.1.along > near => vec![first, last],
-                (Some(&first), _) => vec![first],
+            let outermost: Few<(usize, Point)> = match (touching.first(), touching.last()) {
+                (Some(&first), Some(&last)) if last.1.along - first.1.along > near => smallvec![first, last],
+                (Some(&first), _) => smallvec![first],
                 _ => continue,
             };
             let (sites, points) = outermost.into_iter().unzip();
@@ -271,7 +270,7 @@ impl Engine {
         self.record.hits.push(Hit {
             t: moment.t,
             pair: edge.pair,
-            sites: edge.sites.clone(),
+            sites: edge.sites.to_vec(),
             point: frame.origin().truncate() + if places[0].is_some() { blow.arm } else { DVec2::ZERO },
             normal: blow.normal,
             approach: blow.approach,

@@ -31,5 +31,8 @@ pub mod state;
 mod track;
 mod wedge;
 
+/// A list of what an instant concerns: mostly one girder or two, and as many points.
+pub type Few<T> = smallvec::SmallVec<[T; 2]>;
+
 pub use record::{Hit, Record, Stay, Transition};
 pub use state::{Row, State};

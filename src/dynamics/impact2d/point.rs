@@ -7,6 +7,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::Few;
 use crate::contact::{Frame, locate};
 use crate::dynamics::flight::Planar;
 use crate::dynamics::{Body, Model};
@@ -90,9 +91,9 @@ impl Point {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cluster {
     /// Per body: `1/m, 1/m, 1/(m i²)`, 0 in held directions.
-    pub inverse: Vec<DVec3>,
+    pub inverse: Few<DVec3>,
     /// Per body: `(v_x, v_y, ω)`.
-    pub velocity: Vec<DVec3>,
+    pub velocity: Few<DVec3>,
 }
 
 /// `1/m, 1/m, 1/(m i²)` of a body, 0 in held directions.
@@ -149,8 +150,8 @@ impl Cluster {
     }
 
     /// A speed of which differences are rounding \[m/s\].
-    pub fn rounding(&self, points: &[Point]) -> f64 {
-        let reach = points.iter().flat_map(|p| p.arms).map(DVec2::length).fold(0.0, f64::max);
+    pub fn rounding<'a>(&self, points: impl IntoIterator<Item = &'a Point>) -> f64 {
+        let reach = points.into_iter().flat_map(|p| p.arms).map(DVec2::length).fold(0.0, f64::max);
         let fast = |v: &DVec3| v.truncate().length() + v.z.abs() * reach;
         ROUNDING * self.velocity.iter().map(fast).fold(0.0, f64::max)
     }

@@ -7,9 +7,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::State;
 use super::dense;
 use super::point::{Cluster, Point, inverse_mass, rates};
+use super::{Few, State};
 use crate::contact::Frame;
 use crate::dynamics::flight::Planar;
 use crate::dynamics::{Body, Model, body_state};
@@ -79,29 +79,29 @@ impl Reaction {
 #[derive(Clone, Debug)]
 pub struct Scenery {
     /// Numbers in the model, rising.
-    pub bodies: Vec<usize>,
+    pub bodies: Few<usize>,
     /// Poses.
-    pub frames: Vec<Frame>,
+    pub frames: Few<Frame>,
     /// Inverse masses and velocities.
     pub cluster: Cluster,
     /// Accelerations without any reaction, rotation last.
-    pub free: Vec<DVec3>,
+    pub free: Few<DVec3>,
     /// Size of what they are the sum of, at the farthest corner: their rounding goes by it \[m/s²\].
-    pub sizes: Vec<f64>,
+    pub sizes: Few<f64>,
 }
 
 impl Scenery {
     /// Bodies in these states under this acceleration of the ground.
     pub fn new(model: &Model, bodies: &[usize], states: &[Planar], ground: DVec3) -> Self {
         let mut scenery = Self {
-            bodies: bodies.to_vec(),
-            frames: Vec::with_capacity(bodies.len()),
+            bodies: bodies.into(),
+            frames: Few::with_capacity(bodies.len()),
             cluster: Cluster {
                 inverse: bodies.iter().map(|&b| inverse_mass(&model.bodies[b])).collect(),
-                velocity: Vec::with_capacity(bodies.len()),
+                velocity: Few::with_capacity(bodies.len()),
             },
-            free: Vec::with_capacity(bodies.len()),
-            sizes: Vec::with_capacity(bodies.len()),
+            free: Few::with_capacity(bodies.len()),
+            sizes: Few::with_capacity(bodies.len()),
         };
         for (&number, state) in bodies.iter().zip(states) {
             let body = &model.bodies[number];
@@ -163,7 +163,7 @@ pub struct Answer {
     /// Seat by seat.
     pub reactions: Vec<Reaction>,
     /// Body by body.
-    pub accelerations: Vec<DVec3>,
+    pub accelerations: Few<DVec3>,
 }
 
 impl Answer {

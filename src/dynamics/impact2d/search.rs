@@ -3,6 +3,8 @@
 //! In flight by leaps that no gap can outrun, all points of the pair together; in planned steps of lasting contact by
 //! looks at gap and rate.
 
+use smallvec::SmallVec;
+
 use super::engine::Engine;
 use super::leap::{Cubic, crossing};
 use super::side::{View, gap, poses};
@@ -11,6 +13,8 @@ use crate::dynamics::predict::{RESOLUTION, in_front};
 use crate::dynamics::search::{Hunt, MOST, Outlook, Sight, root};
 use crate::motion::Ground;
 
+/// Periods of a sine that one search covers: girders in step with the ground hit once in a period.
+const PERIODS: f64 = 2.0;
 /// Samples of a record that one search covers.
 const SAMPLES: f64 = 64.0;
 /// Looks at a gap per planned step.
@@ -83,16 +87,16 @@ fn sight(engine: &Engine, slots: [Option<usize>; 2]) -> f64 {
 fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
-        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
+        Ground::Sine { omega, .. } => PERIODS * std::f64::consts::TAU / omega,
         Ground::Record { dt, .. } => SAMPLES * dt,
     };
     (t + stretch).min(duration)
 }
 
 /// The open points of a pair; one that has come out in front counts again.
-fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry> {
+fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> SmallVec<[Quarry; 4]> {
     let moved = view.moved();
-    let mut all = Vec::with_capacity(engine.pairs[pair].sites.len());
+    let mut all = SmallVec::new();
     for site in engine.pairs[pair].sites.clone() {
         if engine.sites[site].kept {
             continue;
@@ -114,11 +118,14 @@ fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry> {
 
 fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
     let (duration, slots) = (engine.model.duration, engine.pairs[pair].slots);
-    let first = View::of(engine, slots, t, duration);
-    let mut quarries = open(engine, pair, t, &first);
-    let reachable = |q: &Quarry| !(q.hunt.out_of_reach() && first.window >= duration - t);
+    let mut view = View::of(engine, slots, t, duration);
+    let mut quarries = open(engine, pair, t, &view);
+    let reachable = |q: &Quarry| !(q.hunt.out_of_reach() && view.window >= duration - t);
     if !quarries.iter().any(reachable) {
         return Found { due: f64::INFINITY, meets: false };
+    }
+    if view.is_straight() {
+        leave_to_the_nearest(engine, &mut quarries);
     }
     let (mut at, mut looks) = (t, 1);
     let mut found = quarries.iter().any(|q| q.hunt.at_once()).then_some(t);
@@ -132,12 +139,12 @@ fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
             found = Some(at);
             break;
         }
-        let there = View::of(engine, slots, next, until);
+        let there = view.then(engine, slots, next, until);
         looks += 1;
         for quarry in &mut quarries {
             found = arrive(engine, pair, quarry, &there, [at, next], found).or(found);
         }
-        at = next;
+        (at, view) = (next, there);
     }
     engine.effort.looks += looks;
     for quarry in &quarries {
@@ -146,6 +153,25 @@ fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
     match found {
         Some(due) => Found { due, meets: true },
         None => Found { due: if at >= duration { f64::INFINITY } else { at }, meets: false },
+    }
+}
+
+/// Where nothing turns, points of one face keep their distances: the nearest comes first, and who comes with it is seen
+/// where it is met.
+fn leave_to_the_nearest(engine: &Engine, quarries: &mut SmallVec<[Quarry; 4]>) {
+    let waits = |far: &Quarry, near: &Quarry| {
+        let (a, b) = (&engine.sites[far.site], &engine.sites[near.site]);
+        let alike = far.hunt.armed() && near.hunt.armed() && (far.depth > 0.0) == (near.depth > 0.0);
+        let clear = |quarry: &Quarry| quarry.hunt.gap() - quarry.depth;
+        alike && a.sides == b.sides && a.aim.shares_face(&b.aim) && clear(far) >= clear(near)
+    };
+    let mut i = 0;
+    while i < quarries.len() {
+        if (0..quarries.len()).any(|j| j != i && waits(&quarries[i], &quarries[j])) {
+            quarries.remove(i);
+        } else {
+            i += 1;
+        }
     }
 }
 

@@ -213,10 +213,7 @@ impl Engine {
 
     /// Marks who is kept, who has lifted off, who is behind a face without having come in through it.
     fn flag(&mut self, moment: &Moment, seats: &[Seat]) {
-        let mut pairs: Vec<usize> = moment.slots.iter().flat_map(|&slot| self.bodies[slot].pairs.clone()).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        for pair in pairs {
+        for pair in self.pairs_of(&moment.slots) {
             for site in self.pairs[pair].sites.clone() {
                 let number = self.sites[site].number;
                 let here = |slot: Option<usize>| slot.is_none_or(|slot| moment.slots.binary_search(&slot).is_ok());

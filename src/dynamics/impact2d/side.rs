@@ -32,6 +32,11 @@ pub(super) struct Aim {
 }
 
 impl Aim {
+    /// Whether both are seen from the same face.
+    pub(super) fn shares_face(&self, other: &Self) -> bool {
+        self.normal == other.normal && self.level == other.level
+    }
+
     pub(super) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let placed = |body: Option<usize>| match body {
@@ -165,6 +170,11 @@ impl<'a> Flying<'a> {
         }
     }
 
+    /// Whether bearings hold every direction in which it is free.
+    fn is_bound(&self) -> bool {
+        self.smooth().is_some_and(|(dof, _)| dof.iter().all(|dof| !dof.free || dof.oscillator.omega2 > 0.0))
+    }
+
     fn drive(&self) -> f64 {
         if let Ground::Sine { omega, .. } = self.system.ground { omega } else { 0.0 }
     }
@@ -223,20 +233,54 @@ fn limits(dof: &Dof, amplitude: f64, [q, v]: [f64; 2], drive: f64, push: f64, ho
     all
 }
 
+/// What the sides of a pair can do, each and against the other.
+#[derive(Clone, Copy, Debug)]
+struct Scope {
+    swings: [Swing; 2],
+    /// What G of one can do against the other's.
+    between: [f64; 4],
+    /// Looks for which it holds without being computed anew.
+    looks: u32,
+}
+
+/// Looks that share a scope: the energies that bound a motion never grow, and damping takes little of them in a few leaps.
+const SHARED: u32 = 4;
+
 /// Both sides of a pair at an instant, with what they can do.
 pub(super) struct View {
     pub poses: [Pose; 2],
-    swings: [Swing; 2],
+    scope: Scope,
     accelerations: Option<[[f64; 3]; 2]>,
-    /// What G of one can do against the other's.
-    between: [f64; 4],
     /// How long that holds \[s\].
     pub window: f64,
+}
+
+impl Scope {
+    /// Of sides in closed form.
+    fn smooth(flying: &[Option<Flying<'_>>; 2]) -> Self {
+        let swings = [0, 1].map(|side| flying[side].as_ref().and_then(Flying::swing).unwrap_or_default());
+        let between = match flying {
+            [Some(a), Some(b)] => apart(a, b).unwrap_or_default(),
+            _ => std::array::from_fn(|k| swings[0].plan[k] + swings[1].plan[k]),
+        };
+        let lasts = flying.iter().flatten().all(Flying::is_bound);
+        Self { swings, between, looks: if lasts { SHARED } else { 0 } }
+    }
 }
 
 impl View {
     /// Of two sides that fly or stand.
     pub(super) fn of(engine: &Engine, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+        Self::with(engine, slots, [t, until], None)
+    }
+
+    /// The next look, later in the same flights.
+    pub(super) fn then(&self, engine: &Engine, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+        let scope = Scope { looks: self.scope.looks.saturating_sub(1), ..self.scope };
+        Self::with(engine, slots, [t, until], (scope.looks > 0).then_some(scope))
+    }
+
+    fn with(engine: &Engine, slots: [Option<usize>; 2], [t, until]: [f64; 2], known: Option<Scope>) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         let flying = slots.map(|slot| slot.and_then(|slot| Flying::of(engine, slot, t, horizon)));
         let pose = |side: usize| match (&flying[side], slots[side]) {
@@ -246,22 +290,17 @@ impl View {
         };
         let poses = [pose(0), pose(1)];
         let smooth = flying.iter().flatten().all(|side| side.smooth().is_some());
-        if smooth { Self::smooth(poses, &flying, horizon) } else { Self::rough(poses, &flying, t, horizon) }
+        if !smooth {
+            return Self::rough(poses, &flying, t, horizon);
+        }
+        let scope = known.unwrap_or_else(|| Scope::smooth(&flying));
+        let acceleration = |side: usize| flying[side].as_ref().and_then(Flying::acceleration).unwrap_or_default();
+        Self { poses, scope, accelerations: Some([acceleration(0), acceleration(1)]), window: horizon }
     }
 
     /// How far both have come: places round with it \[m\].
     pub(super) fn moved(&self) -> f64 {
         self.poses[0].shift.length() + self.poses[1].shift.length()
-    }
-
-    fn smooth(poses: [Pose; 2], flying: &[Option<Flying<'_>>; 2], horizon: f64) -> Self {
-        let swings = [0, 1].map(|side| flying[side].as_ref().and_then(Flying::swing).unwrap_or_default());
-        let acceleration = |side: usize| flying[side].as_ref().and_then(Flying::acceleration).unwrap_or_default();
-        let between = match flying {
-            [Some(a), Some(b)] => apart(a, b).unwrap_or_default(),
-            _ => std::array::from_fn(|k| swings[0].plan[k] + swings[1].plan[k]),
-        };
-        Self { poses, swings, accelerations: Some([acceleration(0), acceleration(1)]), between, window: horizon }
     }
 
     fn rough(poses: [Pose; 2], flying: &[Option<Flying<'_>>; 2], t: f64, horizon: f64) -> Self {
@@ -274,7 +313,15 @@ impl View {
         let apart = Apart::of(&flyers, horizon);
         let swings = bounds.map(|bound| bound.map_or(Swing::default(), |bound| Swing::of(&bound)));
         let between = [apart.reach, apart.speed, apart.acceleration, f64::INFINITY];
-        Self { poses, swings, accelerations: None, between, window: apart.window }
+        Self { poses, scope: Scope { swings, between, looks: 0 }, accelerations: None, window: apart.window }
+    }
+
+    /// Whether neither side ever turns while this holds, as it stands: points of one face keep their distances.
+    pub(super) fn is_straight(&self) -> bool {
+        self.accelerations.is_some() && self.poses.iter().all(|pose| pose.spin == 0.0) && {
+            let turns = |swing: &Swing| swing.turn[1] != 0.0 || swing.turn[2] != 0.0;
+            !self.scope.swings.iter().any(turns)
+        }
     }
 
     /// What the gap of a contact can do at most, and the leap that its third derivative allows; `depth` is added to it.
@@ -287,21 +334,21 @@ impl View {
     ) -> (Outlook, Option<Cubic>) {
         let line = Line::of(aim, sides, &self.poses);
         let [gap, rate] = line.gap(aim);
-        let swing = |which: usize| sides[which].map_or([0.0; 4], |side| self.swings[side].turn);
-        let (node, face) = (swing(0), swing(1));
+        let swing = |which: usize| sides[which].map_or([0.0; 4], |side| self.scope.swings[side].turn);
+        let (node, face, between) = (swing(0), swing(1), &self.scope.between);
         // r from the face's G to the node: its length, and what its derivatives do.
-        let r = spot.apart + self.between[0] + node[0] * spot.arm;
-        let r1 = self.between[1] + node[1] * spot.arm;
-        let r2 = self.between[2] + (node[2] + node[1] * node[1]) * spot.arm;
+        let r = spot.apart + between[0] + node[0] * spot.arm;
+        let r1 = between[1] + node[1] * spot.arm;
+        let r2 = between[2] + (node[2] + node[1] * node[1]) * spot.arm;
         // g = n·r, and n turns with the face.
         let bend2 = face[2] + face[1] * face[1];
         let curvature = r2 + bend2 * r + 2.0 * face[1] * r1;
-        let moved = self.between[0] + node[0] * spot.arm + face[0] * r;
+        let moved = between[0] + node[0] * spot.arm + face[0] * r;
         let outlook =
             Outlook { gap: gap + depth, rate, curvature, window: self.window, out_of_reach: spot.home_gap > moved };
         let Some(accelerations) = self.accelerations else { return (outlook, None) };
         let third = |turn: [f64; 4]| turn[3] + turn[1] * (3.0 * turn[2] + turn[1] * turn[1]);
-        let jerk = self.between[3] + third(node) * spot.arm + third(face) * r + 3.0 * (bend2 * r1 + face[1] * r2);
+        let jerk = between[3] + third(node) * spot.arm + third(face) * r + 3.0 * (bend2 * r1 + face[1] * r2);
         let of = |which: usize| sides[which].map_or([0.0; 3], |side| accelerations[side]);
         let cubic = Cubic { gap: gap + depth, rate, bend: line.bend([of(0), of(1)]), jerk };
         (outlook, Some(cubic))

@@ -3,23 +3,27 @@
 use super::At;
 use super::complaints::numbers;
 use crate::geometry::{End, Face};
+use crate::scene::keys::{self, Range};
 use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, PerDirection, SharedBearings};
 
 pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
-    at.positive("length_m", girder.length);
-    at.positive("width_m", girder.width);
-    at.positive("thickness_m", girder.thickness);
-    at.positive("mass_kg", girder.mass);
-    at.between("skew_deg", girder.skew_deg, [0.0, 180.0]);
-    at.each("position_m", &girder.position, At::finite);
-    at.finite("heading_deg", girder.heading_deg);
-    at.if_given("seat_m.+x", girder.seat.plus, At::positive);
-    at.if_given("seat_m.-x", girder.seat.minus, At::positive);
+    at.number("length_m", girder.length);
+    at.number("width_m", girder.width);
+    at.number("thickness_m", girder.thickness);
+    at.number("mass_kg", girder.mass);
+    at.number("skew_deg", girder.skew_deg);
+    at.each("position_m", &girder.position);
+    at.number("heading_deg", girder.heading_deg);
+    let mut seat = at.below("seat_m", keys::SEAT);
+    seat.if_given("+x", girder.seat.plus);
+    seat.if_given("-x", girder.seat.minus);
     start(girder, kind, at);
     end_faces(girder, at);
     match &girder.bearings {
         None => {}
-        Some(Bearings::Shared(bearings)) => shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings")),
+        Some(Bearings::Shared(bearings)) => {
+            shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings", keys::BEARINGS));
+        }
         Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), at),
     }
 }
@@ -31,20 +35,23 @@ fn needs_vertical(girder: &Girder, kind: Kind) -> bool {
 
 fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     let (initial, push) = (&girder.initial, &girder.push);
-    for (key, vector) in [
-        ("initial.displacement_m", &initial.displacement),
-        ("initial.velocity_m_s", &initial.velocity),
-        ("push.force_n", &push.force),
-    ] {
-        at.each(key, vector, At::finite);
-        if kind == Kind::Planar && vector[2] != 0.0 {
-            let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
-            at.add(key, numbers(vector), remedy);
-        }
+    let mut table = at.below("initial", keys::INITIAL);
+    vector("displacement_m", &initial.displacement, kind, &mut table);
+    vector("velocity_m_s", &initial.velocity, kind, &mut table);
+    table.number("rotation_deg", initial.rotation_deg);
+    table.number("spin_deg_s", initial.spin_deg_s);
+    let mut table = at.below("push", keys::PUSH);
+    vector("force_n", &push.force, kind, &mut table);
+    table.number("moment_n_m", push.moment);
+}
+
+/// Three numbers, of which a planar scene knows two.
+fn vector(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
+    at.each(key, vector);
+    if kind == Kind::Planar && vector[2] != 0.0 {
+        let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
+        at.add(key, numbers(vector), remedy);
     }
-    at.finite("initial.rotation_deg", initial.rotation_deg);
-    at.finite("initial.spin_deg_s", initial.spin_deg_s);
-    at.finite("push.moment_n_m", push.moment);
 }
 
 /// Sound numbers may still make no face: an extreme skew, or a side a million million times the other.
@@ -66,10 +73,11 @@ fn end_faces(girder: &Girder, at: &mut At<'_>) {
 fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
     per_direction("frequency_hz", bearings.frequency_hz, at);
     per_direction("damping_ratio", bearings.damping_ratio, at);
-    at.if_given("vertical_damping_ratio", bearings.vertical_damping_ratio, At::not_negative);
+    at.if_given("vertical_damping_ratio", bearings.vertical_damping_ratio);
     match bearings.vertical_frequency_hz {
-        Some(f) if needs_vertical => at.positive("vertical_frequency_hz", f),
-        Some(f) => at.not_negative("vertical_frequency_hz", f),
+        Some(f) if needs_vertical => at.number("vertical_frequency_hz", f),
+        // Where it carries nothing it may say so.
+        Some(f) => at.obeys("vertical_frequency_hz", f, Range::NotNegative),
         None if needs_vertical => {
             let remedy = "a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz";
             at.add("vertical_frequency_hz", "nothing", remedy);
@@ -88,14 +96,14 @@ fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
         at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
     }
     for (n, place) in places.iter().enumerate() {
-        at.each(&format!("{key}[{n}]"), place, At::finite);
+        at.each(&format!("{key}[{n}]"), place);
     }
 }
 
 fn per_direction(key: &str, value: PerDirection, at: &mut At<'_>) {
     match value {
-        PerDirection::Both(value) => at.not_negative(key, value),
-        PerDirection::Each(values) => at.each(key, &values, At::not_negative),
+        PerDirection::Both(value) => at.number(key, value),
+        PerDirection::Each(values) => at.each(key, &values),
     }
 }
 
@@ -104,10 +112,10 @@ fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
         at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
     }
     for (n, bearing) in bearings.iter().enumerate() {
-        let mut at = at.below(&format!("bearings[{n}]"));
-        at.each("at_m", &bearing.at, At::finite);
-        at.each("stiffness_n_per_m", &bearing.stiffness, At::not_negative);
-        at.each("damping_n_s_per_m", &bearing.damping, At::not_negative);
+        let mut at = at.below(&format!("bearings[{n}]"), keys::BEARING);
+        at.each("at_m", &bearing.at);
+        at.each("stiffness_n_per_m", &bearing.stiffness);
+        at.each("damping_n_s_per_m", &bearing.damping);
     }
     if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
         let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
@@ -116,11 +124,11 @@ fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
 }
 
 pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
-    at.if_given("width_m", abutment.width, At::positive);
-    at.if_given("height_m", abutment.height, At::positive);
-    at.if_given("depth_m", abutment.depth, At::positive);
-    at.if_given("offset_m", abutment.offset, At::finite);
-    at.if_given("gap_m", abutment.gap, At::not_negative);
+    at.if_given("width_m", abutment.width);
+    at.if_given("height_m", abutment.height);
+    at.if_given("depth_m", abutment.depth);
+    at.if_given("offset_m", abutment.offset);
+    at.if_given("gap_m", abutment.gap);
     match (abutment.gap, &abutment.polygon) {
         (None, None) => at.add("gap_m", "nothing", "give gap_m, or the face's corners as polygon_m"),
         (Some(_), Some(_)) => at.add("gap_m", "gap_m and polygon_m", "give one of the two"),
@@ -134,7 +142,7 @@ fn polygon(abutment: &Abutment, corners: &[[f64; 3]], at: &mut At<'_>) {
         at.add("polygon_m", format!("{} corners", corners.len()), "give four corners [x, y, z]");
     }
     for (n, corner) in corners.iter().enumerate() {
-        at.each(&format!("polygon_m[{n}]"), corner, At::finite);
+        at.each(&format!("polygon_m[{n}]"), corner);
     }
     let beside = [("width_m", abutment.width), ("height_m", abutment.height), ("offset_m", abutment.offset)];
     for (key, value) in beside {

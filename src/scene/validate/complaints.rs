@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use crate::scene::keys::{self, Key, Range};
+
 /// One complaint about a scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{file}: {place}: found {value}; {remedy}")]
@@ -43,9 +45,9 @@ impl From<SceneError> for SceneErrors {
 pub(super) struct Complaints(Vec<SceneError>);
 
 impl Complaints {
-    /// Complaints about what stands under `table`.
-    pub(super) fn at(&mut self, table: impl Into<String>) -> At<'_> {
-        At { complaints: self, table: table.into() }
+    /// Complaints about what stands under `table`, whose keys are these.
+    pub(super) fn at(&mut self, table: impl Into<String>, keys: &'static [Key]) -> At<'_> {
+        At { complaints: self, table: table.into(), keys }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -66,12 +68,8 @@ impl Complaints {
 pub(super) struct At<'a> {
     complaints: &'a mut Complaints,
     table: String,
+    keys: &'static [Key],
 }
-
-/// Beyond this no unit of this world makes sense, and squares begin to overflow.
-const LARGEST: f64 = 1e15;
-/// Likewise below.
-const SMALLEST: f64 = 1e-15;
 
 impl At<'_> {
     pub(super) fn add(&mut self, key: &str, value: impl Display, remedy: impl Into<String>) {
@@ -84,60 +82,43 @@ impl At<'_> {
         });
     }
 
-    /// A table below this one.
-    pub(super) fn below(&mut self, key: &str) -> At<'_> {
-        At { table: format!("{}.{key}", self.table), complaints: self.complaints }
+    /// A table below this one, with keys of its own.
+    pub(super) fn below(&mut self, key: &str, keys: &'static [Key]) -> At<'_> {
+        At { table: format!("{}.{key}", self.table), complaints: self.complaints, keys }
     }
 
-    /// Complains unless `sound`; false for NaN and infinity whatever the rule says.
-    fn rule(&mut self, key: &str, value: f64, sound: bool, rule: &str) -> bool {
-        if !value.is_finite() {
-            self.add(key, number(value), format!("it must be a finite number: {rule}"));
-        } else if !sound {
-            self.add(key, number(value), rule);
-        }
-        sound && value.is_finite()
+    /// The rule of a key of this table.
+    fn range(&self, key: &str) -> Range {
+        let known = keys::find(self.keys, key);
+        debug_assert!(known.is_some(), "no key {key} in {}", self.table);
+        known.map_or(Range::Any, |key| key.range)
     }
 
-    pub(super) fn finite(&mut self, key: &str, value: f64) {
-        self.rule(key, value, value.abs() <= LARGEST, "give a plain number, no larger than 1e15");
-    }
-
-    pub(super) fn positive(&mut self, key: &str, value: f64) {
-        self.rule(key, value, value > 0.0, "give a number greater than 0");
-        if value > 0.0 && value.is_finite() && !(SMALLEST..=LARGEST).contains(&value) {
-            self.rule(key, value, false, "give a number from 1e-15 to 1e15");
+    /// Complains unless the number obeys the rule.
+    pub(super) fn obeys(&mut self, key: &str, value: f64, range: Range) {
+        if let Some(fault) = range.fault(value) {
+            self.add(key, number(value), fault);
         }
     }
 
-    pub(super) fn not_negative(&mut self, key: &str, value: f64) {
-        self.rule(key, value, value >= 0.0, "give 0 or a number greater than 0");
-        if value > LARGEST && value.is_finite() {
-            self.rule(key, value, false, "give a number no larger than 1e15");
-        }
+    /// Complains unless the number may stand under the key.
+    pub(super) fn number(&mut self, key: &str, value: f64) {
+        self.obeys(key, value, self.range(key));
     }
 
-    pub(super) fn within(&mut self, key: &str, value: f64, [low, high]: [f64; 2]) {
-        let rule = format!("give a number from {low:?} to {high:?}");
-        self.rule(key, value, (low..=high).contains(&value), &rule);
-    }
-
-    pub(super) fn between(&mut self, key: &str, value: f64, [low, high]: [f64; 2]) {
-        let rule = format!("give a number between {low:?} and {high:?}, the limits excluded");
-        self.rule(key, value, low < value && value < high, &rule);
-    }
-
-    /// Every number of a list; the complaint names the number's place in it.
-    pub(super) fn each(&mut self, key: &str, values: &[f64], check: fn(&mut Self, &str, f64)) {
-        for (n, value) in values.iter().enumerate() {
-            check(self, &format!("{key}[{n}]"), *value);
-        }
-    }
-
-    /// A number that may be missing.
-    pub(super) fn if_given(&mut self, key: &str, value: Option<f64>, check: fn(&mut Self, &str, f64)) {
+    pub(super) fn if_given(&mut self, key: &str, value: Option<f64>) {
         if let Some(value) = value {
-            check(self, key, value);
+            self.number(key, value);
+        }
+    }
+
+    /// Complains about each number of the list under a key; a list in a list follows in brackets: `at_m[2]`.
+    pub(super) fn each(&mut self, key: &str, values: &[f64]) {
+        let range = self.range(key.split('[').next().unwrap_or(key));
+        for (n, value) in values.iter().enumerate() {
+            if let Some(fault) = range.fault(*value) {
+                self.add(&format!("{key}[{n}]"), number(*value), fault);
+            }
         }
     }
 }

@@ -10,7 +10,8 @@ mod placing;
 
 pub use complaints::{SceneError, SceneErrors};
 
-use super::{Scene, format};
+use super::facing::Facing;
+use super::{Scene, format, keys};
 use complaints::{At, Complaints};
 
 /// Checks a whole scene (everything that can be known without running it).
@@ -18,40 +19,49 @@ use complaints::{At, Complaints};
 /// # Errors
 /// Every complaint, about "scene"; [`SceneErrors::in_file`] names the file.
 pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
+    facings(scene).map(|_| ())
+}
+
+/// The same; and who faces whom, which it finds out on the way.
+///
+/// # Errors
+/// Those of [`validate`].
+pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     let mut complaints = Complaints::default();
     top(scene, &mut complaints);
     placing::names(scene, &mut complaints);
     for girder in &scene.girders {
-        bodies::girder(girder, scene.kind, &mut complaints.at(format!("girder.{}", girder.name)));
+        bodies::girder(girder, scene.kind, &mut complaints.at(format!("girder.{}", girder.name), keys::GIRDER));
     }
     for abutment in &scene.abutments {
-        bodies::abutment(abutment, &mut complaints.at(format!("abutment.{}", abutment.name)));
+        bodies::abutment(abutment, &mut complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT));
     }
     numbers::contact(&scene.contact, &mut complaints);
     numbers::model(scene, &mut complaints);
     numbers::impact(&scene.impact, &mut complaints);
     numbers::limits(&scene.limits, &mut complaints);
-    numbers::motion(&scene.motion, &mut complaints.at("motion"));
+    numbers::motion(&scene.motion, &mut complaints);
     numbers::solver_and_view(scene, &mut complaints);
+    let mut facings = Vec::new();
     if complaints.is_empty() {
-        placing::faces(scene, &mut complaints);
+        facings = placing::faces(scene, &mut complaints);
     }
     if complaints.is_empty() {
         placing::overlaps(scene, &mut complaints);
     }
-    complaints.into_result()
+    complaints.into_result().map(|()| facings)
 }
 
 fn top(scene: &Scene, complaints: &mut Complaints) {
-    let mut at = complaints.at("");
+    let mut at = complaints.at("", keys::TOP);
     if scene.format != format::VERSION {
         at.add("format", scene.format, format!("this program reads format {}", format::VERSION));
     }
     if scene.name.trim().is_empty() {
         at.add("name", format!("\"{}\"", scene.name), "give the scene a name");
     }
-    at.positive("duration_s", scene.duration);
-    at.not_negative("gravity_m_s2", scene.gravity);
+    at.number("duration_s", scene.duration);
+    at.number("gravity_m_s2", scene.gravity);
     if scene.girders.is_empty() {
         at.add("girder", "nothing", "a scene needs at least one girder: add a [[girder]]");
     }

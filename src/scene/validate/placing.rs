@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::DVec3;
 
 use super::Complaints;
 use super::complaints::numbers;
 use crate::geometry::Face;
 use crate::geometry::broad::Broad;
-use crate::geometry::shape::{AlignedBox, Convex, Stand};
-use crate::scene::{Abutment, Kind, Scene, facing, placed};
+use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
+use crate::scene::{Abutment, Kind, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
 const TOUCHING: f64 = 1e-9;
@@ -18,33 +18,36 @@ const TOUCHING: f64 = 1e-9;
 const RESERVED: &[char] = &['.', ',', ';', '"', '\'', '=', '|', '[', ']'];
 
 pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
-    let girders = scene.girders.iter().enumerate().map(|(n, g)| (format!("girder[{n}]"), &g.name));
-    let abutments = scene.abutments.iter().enumerate().map(|(n, a)| (format!("abutment[{n}]"), &a.name));
+    let girders = scene.girders.iter().enumerate().map(|(n, g)| ("girder", n, &g.name));
+    let abutments = scene.abutments.iter().enumerate().map(|(n, a)| ("abutment", n, &a.name));
     let mut seen = BTreeSet::new();
-    for (place, name) in girders.chain(abutments) {
-        let mut at = complaints.at(place);
-        let value = format!("{name:?}");
-        if name.trim().is_empty() {
-            at.add("name", value, "give it a name");
+    for (kind, n, name) in girders.chain(abutments) {
+        let fault = if name.trim().is_empty() {
+            "give it a name"
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
-            let remedy =
-                "tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside";
-            at.add("name", value, remedy);
+            "tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside"
         } else if !seen.insert(name) {
-            at.add("name", value, "another body has this name: girders and abutments need a name each");
-        }
+            "another body has this name: girders and abutments need a name each"
+        } else {
+            continue;
+        };
+        complaints.at(format!("{kind}[{n}]"), keys::GIRDER).add("name", format!("{name:?}"), fault);
     }
 }
 
 /// Abutment faces, and everything that facing ends can be wrong about.
-pub(super) fn faces(scene: &Scene, complaints: &mut Complaints) {
+pub(super) fn faces(scene: &Scene, complaints: &mut Complaints) -> Vec<facing::Facing> {
     for abutment in &scene.abutments {
         backwall(scene, abutment, complaints);
     }
-    match facing::find(scene) {
-        Err(errors) => complaints.extend(errors),
-        Ok(pairs) => pairs.iter().for_each(|pair| in_force(pair, complaints)),
+    let pairs = facing::find(scene).unwrap_or_else(|errors| {
+        complaints.extend(errors);
+        Vec::new()
+    });
+    for pair in &pairs {
+        in_force(pair, complaints);
     }
+    pairs
 }
 
 /// Several `[[contact.pair]]` may lie over one another: what comes out must make sense too.
@@ -53,13 +56,13 @@ fn in_force(pair: &facing::Facing, complaints: &mut Complaints) {
     if mu_k > mu_s {
         let remedy =
             format!("for {} it exceeds the mu_static in force, {mu_s:?}: lower it, or raise mu_static", pair.name);
-        complaints.at("contact.pair").add("mu_kinetic", format!("{mu_k:?}"), remedy);
+        complaints.at("contact.pair", keys::PAIR).add("mu_kinetic", format!("{mu_k:?}"), remedy);
     }
 }
 
 fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
     let Some(corners) = placed::abutment_face(scene, abutment) else { return };
-    let mut at = complaints.at(format!("abutment.{}", abutment.name));
+    let mut at = complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT);
     let key = if abutment.polygon.is_some() { "polygon_m" } else { "width_m" };
     let value = || corners.map(|c| numbers(&c.to_array())).join(", ");
     match Face::new(corners, placed::abutment_depth(scene, abutment)) {
@@ -83,15 +86,17 @@ fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
     }
 }
 
-/// A body as placed.
+/// A body as placed: its corners in the world, and who it is by its number in the scene.
 struct Placed {
-    label: String,
-    /// Where a complaint about its place belongs, and what stands there.
-    place: (String, &'static str, String),
-    shape: Convex,
-    stand: Stand,
+    side: Body,
+    corners: [DVec3; 8],
     hull: AlignedBox,
-    fixed: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Body {
+    Girder(usize),
+    Abutment(usize),
 }
 
 /// Bodies that reach into each other as placed; what `initial` does is a pressed start, and allowed.
@@ -100,54 +105,64 @@ pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
     let (tree, mut near) = (Broad::of(bodies.iter().map(|body| body.hull)), Vec::new());
     for (n, later) in bodies.iter().enumerate() {
         tree.meeting(&later.hull, &mut near);
-        let earlier = near.iter().take_while(|&&other| other < n).map(|&other| &bodies[other]);
-        for earlier in earlier.filter(|earlier| !(earlier.fixed && later.fixed)) {
+        for earlier in near.iter().take_while(|&&other| other < n).map(|&other| &bodies[other]) {
             if let Some(depth) = overlap(earlier, later) {
-                let (table, key, value) = &later.place;
-                let remedy = format!("{} reaches {depth:.3e} m into {}: move them apart", later.label, earlier.label);
-                complaints.at(table.as_str()).add(key, value, remedy);
+                complain(scene, [earlier, later], depth, complaints);
             }
         }
     }
 }
 
+fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaints: &mut Complaints) {
+    let label = |body: &Placed| match body.side {
+        Body::Girder(n) => format!("girder {}", scene.girders[n].name),
+        Body::Abutment(n) => format!("abutment {}", scene.abutments[n].name),
+    };
+    let remedy = format!("{} reaches {depth:.3e} m into {}: move them apart", label(later), label(earlier));
+    match later.side {
+        Body::Girder(n) => {
+            let girder = &scene.girders[n];
+            let at = &mut complaints.at(format!("girder.{}", girder.name), keys::GIRDER);
+            at.add("position_m", numbers(&girder.position), remedy);
+        }
+        Body::Abutment(n) => {
+            let abutment = &scene.abutments[n];
+            let (key, value) = if let Some(gap) = abutment.gap {
+                ("gap_m", numbers(&[gap]))
+            } else {
+                let face = placed::abutment_face(scene, abutment).unwrap_or_default();
+                ("polygon_m", face.map(|c| numbers(&c.to_array())).join(", "))
+            };
+            complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT).add(key, value, remedy);
+        }
+    }
+}
+
+/// How deep two bodies reach into each other; two abutments may.
 fn overlap(a: &Placed, b: &Placed) -> Option<f64> {
+    let fixed = |body: &Placed| matches!(body.side, Body::Abutment(_));
+    // Most neighbours stand apart along a side of one of them: only for the others bodies are built.
+    if (fixed(a) && fixed(b)) || shape::stand_apart(&a.corners, &b.corners) {
+        return None;
+    }
     let size = (a.hull.max - a.hull.min).length().max((b.hull.max - b.hull.min).length());
-    let depth = -a.shape.separation(a.stand, &b.shape, b.stand);
+    let (one, other) = (Convex::between(a.corners)?, Convex::between(b.corners)?);
+    let depth = -one.separation(Stand::WORLD, &other, Stand::WORLD);
     (depth > TOUCHING * size).then_some(depth)
 }
 
 fn girders(scene: &Scene) -> impl Iterator<Item = Placed> {
-    scene.girders.iter().filter_map(|girder| {
-        let shape = Convex::girder(&girder.prism())?;
-        let axes: DMat3 = placed::axes(girder);
-        let stand = Stand { place: DVec3::from(girder.position), attitude: DQuat::from_mat3(&axes) };
-        Some(Placed {
-            label: format!("girder {}", girder.name),
-            place: (format!("girder.{}", girder.name), "position_m", numbers(&girder.position)),
-            hull: shape.aligned_box(stand),
-            shape,
-            stand,
-            fixed: false,
-        })
+    scene.girders.iter().enumerate().map(|(n, girder)| {
+        let (axes, place) = (placed::axes(girder), DVec3::from(girder.position));
+        let corners = girder.prism().corners().map(|corner| place + axes * corner);
+        Placed { side: Body::Girder(n), corners, hull: AlignedBox::around(&corners) }
     })
 }
 
 fn abutments(scene: &Scene) -> impl Iterator<Item = Placed> {
-    scene.abutments.iter().filter_map(|abutment| {
+    scene.abutments.iter().enumerate().filter_map(|(n, abutment)| {
         let face = placed::abutment_face(scene, abutment)?;
-        let shape = Convex::behind(face, placed::abutment_depth(scene, abutment))?;
-        let (key, value) = match abutment.gap {
-            Some(gap) => ("gap_m", numbers(&[gap])),
-            None => ("polygon_m", face.map(|c| numbers(&c.to_array())).join(", ")),
-        };
-        Some(Placed {
-            label: format!("abutment {}", abutment.name),
-            place: (format!("abutment.{}", abutment.name), key, value),
-            hull: shape.aligned_box(Stand::WORLD),
-            shape,
-            stand: Stand::WORLD,
-            fixed: true,
-        })
+        let corners = shape::block_behind(face, placed::abutment_depth(scene, abutment));
+        Some(Placed { side: Body::Abutment(n), corners, hull: AlignedBox::around(&corners) })
     })
 }

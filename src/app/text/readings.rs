@@ -1,0 +1,77 @@
+//! Words beside numbers that are read off a girder, a contact or a run.
+
+use crate::geometry::End;
+
+use super::length;
+
+// What follows from a girder's own numbers.
+pub(in crate::app) const US_SKEW: &str = "US skew";
+pub(in crate::app) const CONDITION: &str = "condition (6)";
+pub(in crate::app) const OMEGAS: &str = "ω x y θ";
+pub(in crate::app) const FREQUENCIES: &str = "f x y θ";
+pub(in crate::app) const DAMPING_RATIOS: &str = "h x y θ";
+pub(in crate::app) const STIFFNESS_ECCENTRICITY: &str = "ε x y";
+pub(in crate::app) const DAMPING_ECCENTRICITY: &str = "η x y";
+pub(in crate::app) const GYRATION: &str = "i (4e)";
+
+/// What condition (6) says of a girder with this rotation number.
+pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
+    if number >= 1.0 { "≥ 1: can turn" } else { "< 1: cannot" }
+}
+
+// What a designer reads off a run for a girder.
+pub(in crate::app) const TURNS: &str = "turns";
+pub(in crate::app) const DRIFTS: [&str; 4] = ["drift 1", "drift 2", "drift 3", "drift 4"];
+pub(in crate::app) const UNSEATS: &str = "unseats";
+pub(in crate::app) const LEAST_GAP: &str = "least gap";
+pub(in crate::app) const PEAK_FORCE: &str = "peak force";
+
+/// The seat under an end.
+pub(in crate::app) fn seat_at(end: End) -> &'static str {
+    if end == End::Plus { "seat +x" } else { "seat -x" }
+}
+
+/// A value and when it is reached.
+pub(in crate::app) fn reached_at(words: &str, t: f64) -> String {
+    format!("{words} at {t:.3} s")
+}
+
+/// When a girder falls off its seat.
+pub(in crate::app) fn unseats_at(t: f64) -> String {
+    format!("at {t:.4} s")
+}
+
+/// What is left of a seat, `least` with its time, and at the corners \[m\].
+pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [f64; 2]) -> String {
+    format!("{least} left of {}; at the corners {}", length(seat), corners.map(length).join(", "))
+}
+
+// A contact at the time shown.
+pub(in crate::app) const GAP_OF_PAIR: &str = "gap of pair";
+pub(in crate::app) const STATE: &str = "state";
+pub(in crate::app) const NORMAL_SPRING: &str = "normal K δ";
+pub(in crate::app) const TANGENTIAL_SPRING: &str = "tangential";
+pub(in crate::app) const FORCE_RATIO: &str = "T / N";
+pub(in crate::app) const CONE_USED: &str = "cone used";
+pub(in crate::app) const DASHPOTS: &str = "dashpots";
+pub(in crate::app) const WHOLE_FORCE: &str = "all of it |R|";
+pub(in crate::app) const OVERLAP: &str = "overlap δ";
+pub(in crate::app) const ANCHOR_OFF: &str = "anchor off";
+pub(in crate::app) const CLOSING: &str = "closing";
+pub(in crate::app) const SLIDING: &str = "sliding";
+
+/// A ratio and the one that it may reach.
+pub(in crate::app) fn one_of(used: &str, most: &str) -> String {
+    format!("{used} of {most}")
+}
+
+// Runs side by side.
+pub(in crate::app) const MOVES: &str = "moves";
+pub(in crate::app) const PEAK: &str = "peak";
+pub(in crate::app) const HITS: &str = "hits";
+pub(in crate::app) const LOST: &str = "lost";
+
+/// A time in periods of the shaking.
+pub(in crate::app) fn periods(count: f64) -> String {
+    format!("{count:.3} periods")
+}

@@ -1,0 +1,117 @@
+//! What may stand under a key: the one rule that files are checked by and that the window shows.
+
+/// Beyond this no unit of this world makes sense, and squares begin to overflow.
+const LARGEST: f64 = 1e15;
+/// Likewise below.
+const SMALLEST: f64 = 1e-15;
+
+/// What may stand under a key. Of a list of numbers it is the rule of each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Any number; none larger than 1e15 either way.
+    Any,
+    /// More than 0; from 1e-15 to 1e15.
+    Positive,
+    /// 0 or more, up to 1e15.
+    NotNegative,
+    /// 0 or more, and not less than what stands under another key of the table.
+    NotBelow(&'static str),
+    /// From the first to the second number.
+    Within([f64; 2]),
+    /// The same without the two numbers.
+    Between([f64; 2]),
+    /// One of these words.
+    Words(&'static [&'static str]),
+    /// True or false.
+    Switch,
+    /// Something in words; numbers in it may be any.
+    Like(&'static str),
+    /// A table with keys of its own, or a line of text: nothing to be out of.
+    Free,
+}
+
+impl Range {
+    /// What is wrong with a number, as a remedy; `None` where it may stand.
+    pub fn fault(self, value: f64) -> Option<String> {
+        if value.is_finite() {
+            (!self.takes(value)).then(|| self.remedy(value))
+        } else {
+            Some(format!("it must be a finite number: {}", self.remedy(value)))
+        }
+    }
+
+    fn takes(self, value: f64) -> bool {
+        match self {
+            Self::Positive => (SMALLEST..=LARGEST).contains(&value),
+            Self::NotNegative | Self::NotBelow(_) => (0.0..=LARGEST).contains(&value),
+            Self::Within([low, high]) => (low..=high).contains(&value),
+            Self::Between([low, high]) => low < value && value < high,
+            Self::Any | Self::Words(_) | Self::Switch | Self::Like(_) | Self::Free => value.abs() <= LARGEST,
+        }
+    }
+
+    fn remedy(self, value: f64) -> String {
+        let sized = value.is_finite() && value > 0.0;
+        match self {
+            Self::Positive if sized => "give a number from 1e-15 to 1e15".into(),
+            Self::Positive => "give a number greater than 0".into(),
+            Self::NotNegative | Self::NotBelow(_) if sized => "give a number no larger than 1e15".into(),
+            Self::NotNegative | Self::NotBelow(_) => "give 0 or a number greater than 0".into(),
+            Self::Within([low, high]) => format!("give a number from {low:?} to {high:?}"),
+            Self::Between([low, high]) => format!("give a number between {low:?} and {high:?}, the limits excluded"),
+            Self::Any | Self::Words(_) | Self::Switch | Self::Like(_) | Self::Free => {
+                "give a plain number, no larger than 1e15".into()
+            }
+        }
+    }
+
+    /// Where a hand that drags from a sound number may go: to the nearest limit, or not beyond where it is.
+    #[must_use]
+    pub fn nearest(self, wanted: f64, now: f64) -> f64 {
+        match self {
+            Self::Within([low, high]) => wanted.clamp(low, high),
+            Self::NotNegative | Self::NotBelow(_) => wanted.clamp(0.0, LARGEST),
+            _ if self.fault(wanted).is_some() => now,
+            _ => wanted,
+        }
+    }
+
+    /// The rule in a few words; `number` writes the limits.
+    pub fn words(self, number: impl Fn(f64) -> String) -> String {
+        match self {
+            Self::Any => "any number".into(),
+            Self::Positive => format!("more than {}", number(0.0)),
+            Self::NotNegative => format!("{} or more", number(0.0)),
+            Self::NotBelow(key) => format!("{} or more, not less than {key}", number(0.0)),
+            Self::Within([low, high]) => format!("from {} to {}", number(low), number(high)),
+            Self::Between([low, high]) => format!("between {} and {}", number(low), number(high)),
+            Self::Words(words) => words.join(", "),
+            Self::Switch => "on or off".into(),
+            Self::Like(words) => words.into(),
+            Self::Free => "anything".into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hand_stops_at_the_limit() {
+        assert_eq!(Range::Within([0.01, 1.0]).nearest(1.4, 0.9), 1.0, "at the upper limit");
+        assert_eq!(Range::NotNegative.nearest(-3.0, 0.2), 0.0, "at 0");
+        assert_eq!(Range::Positive.nearest(-3.0, 0.2), 0.2, "0 itself is none: it stays");
+        assert_eq!(Range::Any.nearest(-3.0, 0.2), -3.0, "anywhere");
+    }
+
+    #[test]
+    fn every_range_refuses_what_is_no_number() {
+        let ranges = [Range::Any, Range::Positive, Range::NotNegative, Range::Within([0.0, 1.0]), Range::Free];
+        for range in ranges {
+            assert!(range.fault(f64::NAN).is_some_and(|f| f.contains("finite")), "{range:?}");
+            assert!(range.fault(1e16).is_some(), "{range:?}: too large for any unit");
+            assert_eq!(range.fault(0.5), None, "{range:?}: a plain number");
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! The list of keys, the reader of files, the checks of a scene and the documentation say the same.
+
+use girderbench::scene::keys::{self, Fallback, Key, Range, TABLES};
+use girderbench::scene::{Scene, SceneErrors, facing, format, overrides, validate};
+use toml::{Table, Value};
+
+/// A scene in which every table stands, but for a record; each way to say a thing that has two ways stands somewhere.
+const FULL: &str = r#"
+name = "full"
+kind = "spatial"
+duration_s = 1.0
+[[girder]]
+name = "deck"
+length_m = 30.0
+width_m = 10.0
+thickness_m = 1.5
+mass_kg = 6e5
+seat_m = { "+x" = 0.7, "-x" = 0.7 }
+initial = { spin_deg_s = 0.1 }
+push = { moment_n_m = 1.0 }
+bearings = { frequency_hz = 0.8, damping_ratio = 0.1, vertical_frequency_hz = 9.0, at_m = [[12, 4], [-12, -4]] }
+[[girder]]
+name = "other"
+length_m = 20.0
+width_m = 10.0
+thickness_m = 1.5
+mass_kg = 4e5
+position_m = [-25.1, 0.0, 0.0]
+bearings = [{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0] }]
+[[abutment]]
+name = "wall"
+faces = "deck"
+gap_m = 0.05
+[contact]
+mu_static = 0.3
+[[contact.pair]]
+between = ["deck", "wall"]
+[model]
+kind = "contact"
+[impact]
+mu_static = 0.3
+[motion]
+kind = "sine"
+amplitude_g = 0.4
+frequency_hz = 0.8
+[solver]
+tolerance = 1e-9
+[limits]
+drift_m = 0.1
+[view]
+camera = "top"
+[[view.plot]]
+y = ["deck.x"]
+[view.overlays]
+grid = false
+"#;
+
+const RECORD: &str = "kind = \"record\"\nsamples_m_s2 = [0.0, 1.0, 0.0]\ndt_s = 0.1\n";
+
+fn full() -> Scene {
+    format::read(FULL, "full").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The same with a record as its motion.
+fn recorded() -> Scene {
+    let text = FULL.replace("kind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 0.8\n", RECORD);
+    format::read(&text, "recorded").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The path of a table as `--set` walks it in the full scene, and the scene.
+fn standing(table: &str) -> (Scene, String) {
+    let scene = if table.ends_with("record") { recorded() } else { full() };
+    let path = match table {
+        "girder.bearings[]" => "girder.other.bearings.0".to_owned(),
+        "contact.pair" | "view.plot" => format!("{table}.0"),
+        "abutment" => "abutment.wall".to_owned(),
+        _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
+        _ => table.split(" kind").next().unwrap_or_default().to_owned(),
+    };
+    (scene, path)
+}
+
+fn set(table: &str, key: &str, value: &str) -> Result<Scene, SceneErrors> {
+    let (scene, path) = standing(table);
+    let dot = if path.is_empty() { "" } else { "." };
+    overrides::apply(&scene, &format!("{path}{dot}{key}={value}"))
+}
+
+#[test]
+fn the_reader_knows_these_keys_and_no_others() {
+    for table in TABLES {
+        let errors = set(table.path, "no_such_key", "1").expect_err("not a key").0;
+        let known = errors[0].remedy.rsplit("keys known here: ").next().expect("it lists them");
+        let mut known: Vec<&str> = known.split(", ").collect();
+        let mut listed: Vec<&str> = table.keys.iter().map(|key| key.name).collect();
+        if table.path.starts_with("motion kind") {
+            listed.push("kind");
+        }
+        if table.path == "motion" {
+            // Which keys are known there is decided by the kind, which is the one key of all of them.
+            known = vec!["kind"];
+        }
+        if table.path.starts_with("motion kind") {
+            known.push("kind");
+        }
+        known.sort_unstable();
+        listed.sort_unstable();
+        assert_eq!(known, listed, "[{}]", table.path);
+    }
+}
+
+/// A row of one of the documentation's tables: key, default, range, meaning, without marks.
+fn documented() -> Vec<(String, [String; 4])> {
+    let text = std::fs::read_to_string("docs/scene-format.md").expect("the documentation is there");
+    let (mut heading, mut rows, mut seen_at) = (String::new(), Vec::new(), 0);
+    for line in text.lines() {
+        if let Some(title) = line.trim_start_matches('#').strip_prefix(' ').filter(|_| line.starts_with('#')) {
+            title.replace(['`', '[', ']'], "").clone_into(&mut heading);
+            seen_at = 0;
+        }
+        if let Some(kind) = line.strip_prefix("`kind = \"").and_then(|rest| rest.split('"').next()) {
+            heading = format!("motion kind = {kind}");
+        }
+        let Some(row) = line.strip_prefix("| `").filter(|_| !heading.starts_with("Presets")) else { continue };
+        let mut cells: Vec<String> = row.trim_end_matches(" |").split('|').map(|c| c.trim().replace('`', "")).collect();
+        if cells.len() == 3 {
+            cells.insert(2, "true or false".into());
+        }
+        let cells: [String; 4] = cells.try_into().unwrap_or_else(|c| panic!("{line}: four cells, got {c:?}"));
+        seen_at += usize::from(heading == "bearings" && cells[0] == "at_m");
+        let table = match heading.as_str() {
+            "Top of the file" => String::new(),
+            "bearings" if seen_at == 2 => "girder.bearings[]".into(),
+            "bearings" | "initial" | "push" | "seat_m" => format!("girder.{heading}"),
+            other => other.to_owned(),
+        };
+        rows.push((table, cells));
+    }
+    rows
+}
+
+fn default_in_words(key: &Key) -> String {
+    match key.fallback {
+        Fallback::Needed(words) | Fallback::Words(words) => words.to_owned(),
+        Fallback::Number(number) => format!("{number:?}"),
+        Fallback::Zeros(count) => format!("{:?}", vec![0.0; count]),
+        Fallback::Word(word) => format!("{word:?}"),
+        Fallback::Switch(on) => on.to_string(),
+    }
+}
+
+fn range_in_words(range: Range) -> String {
+    let short = |v: f64| if v != 0.0 && v.abs() < 1e-3 { format!("{v:e}") } else { v.to_string().replace('-', "−") };
+    match range {
+        Range::Any | Range::Free => String::new(),
+        Range::Positive => "> 0".into(),
+        Range::NotNegative => "≥ 0".into(),
+        Range::NotBelow(key) => format!("≥ {key}"),
+        Range::Within([low, high]) => format!("{} to {}", short(low), short(high)),
+        Range::Between([low, high]) => format!("between {} and {}", short(low), short(high)),
+        Range::Words(words) => words.iter().map(|w| format!("{w:?}")).collect::<Vec<_>>().join(", "),
+        Range::Switch => "true or false".into(),
+        Range::Like(words) => words.into(),
+    }
+}
+
+#[test]
+fn the_documentation_says_what_the_program_does() {
+    let rows = documented();
+    for table in TABLES {
+        let own: Vec<&[String; 4]> = rows.iter().filter(|(t, _)| t == table.path).map(|(_, row)| row).collect();
+        // A pair may have every key of `[contact]` but `pair`: said in a sentence there.
+        let said = table
+            .keys
+            .iter()
+            .filter(|key| table.path != "contact.pair" || keys::find(keys::CONTACT, key.name).is_none());
+        let said: Vec<&Key> = said.collect();
+        let names: Vec<&str> = own.iter().map(|row| row[0].as_str()).collect();
+        assert_eq!(said.iter().map(|key| key.name).collect::<Vec<_>>(), names, "[{}]", table.path);
+        for (key, [name, default, range, meaning]) in said.iter().zip(own) {
+            let at = format!("[{}] {name}", table.path);
+            let same = default.parse::<f64>().is_ok_and(|v| Some(v) == key.number());
+            let plain = default.split(" (concrete)").next().expect("at least one");
+            assert!(
+                same || plain.parse::<f64>().is_ok_and(|v| Some(v) == key.number())
+                    || *default == default_in_words(key),
+                "{at}: {default}"
+            );
+            assert_eq!(range.replace("1e-2", "0.01"), range_in_words(key.range), "{at}");
+            assert_eq!(*meaning, key.meaning, "{at}");
+        }
+    }
+}
+
+/// The full scene without one key.
+fn without(table: &str, key: &str) -> Scene {
+    let (scene, path) = standing(table);
+    let mut whole: Value = format::write(&scene).parse::<Table>().expect("as written").into();
+    let steps = path.replace("deck", "0").replace("other", "1").replace("wall", "0");
+    let mut here = &mut whole;
+    for step in steps.split('.').filter(|step| !step.is_empty()) {
+        here = match step.parse::<usize>() {
+            Ok(number) => &mut here[number],
+            Err(_) if here.get(step).is_some() => &mut here[step],
+            // Written only where something stands in it.
+            Err(_) => return scene,
+        };
+    }
+    here.as_table_mut().expect("a table").remove(key);
+    format::parse(&toml::to_string(&whole).expect("a table"), "without").unwrap_or_else(|e| panic!("{key}: {e}"))
+}
+
+#[test]
+fn what_is_said_to_be_the_default_is_what_the_reader_takes() {
+    let mut checked = 0;
+    for (table, key) in TABLES.iter().flat_map(|table| table.keys.iter().map(move |key| (table.path, key))) {
+        let default = match key.fallback {
+            Fallback::Needed(_) | Fallback::Words(_) => continue,
+            Fallback::Number(_) if key.name == "format" => "1".to_owned(),
+            // Under another kind there are other keys: the table is left out with it.
+            _ if table == "motion" => continue,
+            _ => default_in_words(key),
+        };
+        let without = without(table, key.name);
+        let path = standing(table).1;
+        let dot = if path.is_empty() { "" } else { "." };
+        let with = overrides::apply(&without, &format!("{path}{dot}{}={default}", key.name));
+        let with = with.unwrap_or_else(|e| panic!("[{table}] {}: {e}", key.name));
+        if matches!(key.name, "young_modulus_pa" | "offset_m") {
+            // Left out they stay unsaid in the scene: what follows from them is the same.
+            assert_eq!(facing::find(&with), facing::find(&without), "[{table}] {}", key.name);
+        } else {
+            assert_eq!(with, without, "[{table}] {} = {default}", key.name);
+        }
+        checked += 1;
+    }
+    assert!(checked > 40, "defaults of every table, got {checked}");
+}
+
+#[test]
+fn a_number_out_of_its_range_is_refused_with_the_ranges_own_words() {
+    let mut checked = 0;
+    for table in TABLES {
+        for key in table.keys {
+            let outside = match key.range {
+                Range::Positive => 0.0,
+                Range::NotNegative | Range::NotBelow(_) => -0.5,
+                Range::Within([_, high]) => high * 2.0,
+                Range::Between([low, _]) => low,
+                Range::Any => 1e16,
+                Range::Words(_) | Range::Switch | Range::Like(_) | Range::Free => continue,
+            };
+            let several = match key.name {
+                "stiffness_n_per_m" | "damping_n_s_per_m" if table.path.ends_with("[]") => {
+                    format!("[1e9, 1e9, {outside:?}]")
+                }
+                _ => format!("{outside:?}"),
+            };
+            let scene =
+                set(table.path, key.name, &several).unwrap_or_else(|e| panic!("{}.{}: {e}", table.path, key.name));
+            let errors = validate::validate(&scene).expect_err(key.name).0;
+            let fault = key.range.fault(outside).expect("outside");
+            let found = errors.iter().any(|e| {
+                keys::of_place(&e.place)
+                    .is_some_and(|(t, k)| (t.path, k.name) == (table.path, key.name) || t.path.starts_with("motion"))
+                    && e.remedy == fault
+            });
+            assert!(found, "[{}] {}: {fault}; got {errors:#?}", table.path, key.name);
+            checked += 1;
+        }
+    }
+    assert!(checked > 50, "every number, got {checked}");
+}
