@@ -38,6 +38,7 @@ mod relative;
 pub mod replay;
 pub mod search;
 mod slides;
+mod soon;
 mod stepper;
 pub mod track;
 mod transition;
