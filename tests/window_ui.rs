@@ -3,10 +3,10 @@
 
 #[path = "window/compare.rs"]
 mod compare;
-#[path = "window/fields.rs"]
-mod fields;
 #[path = "window/crowd.rs"]
 mod crowd;
+#[path = "window/fields.rs"]
+mod fields;
 #[path = "window/files.rs"]
 mod files;
 #[path = "window/film.rs"]
