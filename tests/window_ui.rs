@@ -5,6 +5,8 @@
 mod compare;
 #[path = "window/crowd.rs"]
 mod crowd;
+#[path = "window/fields.rs"]
+mod fields;
 #[path = "window/files.rs"]
 mod files;
 #[path = "window/film.rs"]
