@@ -24,6 +24,9 @@ use super::{keeping, text};
 use crate::render::GpuError;
 use crate::scene::Scene;
 
+/// Shortest side of a window that anything is laid out for \[points\].
+const LEAST: f32 = 100.0;
+
 /// Time between two frames that nobody sees: enough for what is kept in files.
 const UNSEEN: Duration = Duration::from_millis(250);
 
@@ -130,7 +133,9 @@ impl Open {
 
     /// Shows the workbench; answers when it wants to be shown again.
     fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
-        let input = self.egui.take_egui_input(&self.window);
+        let mut input = self.egui.take_egui_input(&self.window);
+        // Panels squeezed into next to nothing would not come back to their sizes; egui keeps to the last that it had.
+        input.screen_rect = input.screen_rect.filter(|rect| rect.size().min_elem() >= LEAST);
         let context = self.egui.egui_ctx().clone();
         let output = context.run_ui(input, |ui| bench.ui(ui));
         self.egui.handle_platform_output(&self.window, output.platform_output);

@@ -83,7 +83,8 @@ fn speed(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
 fn time(ui: &mut Ui, bench: &Workbench) {
     let t = bench.clock().t;
     ui.label(RichText::new(format!("t = {t:.4} s")).monospace());
-    if let Some(period) = whatif::period(bench.scene()) {
+    // In a narrow window the buttons at the other end come first.
+    if let Some(period) = whatif::period(bench.scene()).filter(|_| ui.available_width() > 200.0) {
         ui.label(RichText::new(text::periods(t / period)).monospace().weak());
     }
 }

@@ -231,13 +231,20 @@ fn listed(bench: &Workbench, camera: &Camera, key: &Key) -> DrawList {
     draw_list(&ViewInput { kept: &kept, ..input(bench, camera, key) })
 }
 
+/// Leaves the legend out where it would lie on title and axes.
+fn fitting(overlays: Overlays, size: [u32; 2], pixels_per_point: f32) -> Overlays {
+    let [width, height] = size.map(|side| side as f32 / pixels_per_point);
+    let room = (width >= 320.0 && height >= 290.0) || (width >= 520.0 && height >= 210.0);
+    Overlays { legend: overlays.legend && room, ..overlays }
+}
+
 fn key(ui: &Ui, bench: &Workbench, camera: Camera, pixels_per_point: f32) -> Key {
     Key {
         scene: bench.revision(),
         answer: bench.answer().map(|a| a.number),
         t: bench.clock().t,
         camera,
-        overlays: bench.overlays(),
+        overlays: fitting(bench.overlays(), bench.viewport.size, pixels_per_point),
         force_scale: bench.force_scale(),
         selected: bench.selection().to_vec(),
         kept: bench.pin_numbers(),

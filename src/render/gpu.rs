@@ -121,6 +121,8 @@ impl Gpu {
 
     /// What has gone wrong with the device; nothing is known of one that was taken over.
     pub fn fault(&self) -> Option<Fault> {
+        // A lost device says so when it is asked for news; what else is wrong with it is known by then.
+        let _ = self.device.poll(wgpu::PollType::Poll);
         self.health.fault()
     }
 

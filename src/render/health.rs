@@ -40,14 +40,18 @@ impl Health {
         health
     }
 
-    /// What went wrong first.
+    /// What went wrong first, or that the device is lost, which explains everything else.
     pub fn fault(&self) -> Option<Fault> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Something went wrong.
     pub fn note(&self, fault: Fault) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(fault);
+        let mut first = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let explained = matches!((first.as_ref(), &fault), (Some(Fault::Refused(_)), Fault::Lost(_)));
+        if first.is_none() || explained {
+            *first = Some(fault);
+        }
     }
 }
 
@@ -67,6 +71,11 @@ mod tests {
         let fault = Fault::of(&wgpu::Error::OutOfMemory { source: "  no\n  room.".into() });
         let words = fault.to_string();
         assert!(words.starts_with("the graphics device has no memory left (") && !words.contains('\n'), "{words}");
+        let health = Health::default();
+        for fault in [Fault::Refused("an invalid buffer".into()), Fault::Lost("gone".into()), fault] {
+            health.note(fault);
+        }
+        assert_eq!(health.fault(), Some(Fault::Lost("gone".into())), "which is why it refuses, and why it has no room");
         assert!(Fault::Lost(in_one_line(" \n")).to_string().contains("does not say why"), "not an empty bracket");
     }
 }
