@@ -35,6 +35,8 @@ pub struct System {
     pub(super) rates: [f64; 2],
     /// Radius of gyration, which turns θ into a length \[m\].
     pub(super) gyration: f64,
+    /// Its three directions where nothing couples them, whether or not a sine resonates.
+    pub(super) plain: Option<[Dof; 3]>,
 }
 
 #[derive(Clone, Debug)]
@@ -136,6 +138,7 @@ impl System {
             push,
             rates: [symmetric(k).sqrt(), symmetric(c)],
             gyration: body.gyration2.sqrt(),
+            plain: plain(&body.planar.stiffness, &body.planar.damping, k, c, free),
         }
     }
 
@@ -163,8 +166,12 @@ impl System {
 
     /// Steady response to the sine at `t`.
     pub(super) fn steady(&self, dof: &[Dof; 3], t: f64) -> Planar {
-        let Ground::Sine { omega, phase, .. } = self.ground else { return [0.0; 6] };
-        let (s, c) = (omega * t + phase).sin_cos();
+        self.steady_in(dof, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase.
+    fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
+        let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
         let q = |d: &Dof| d.steady.0 * s + d.steady.1 * c;
         let v = |d: &Dof| omega * (d.steady.0 * c - d.steady.1 * s);
         [q(&dof[0]), q(&dof[1]), q(&dof[2]), v(&dof[0]), v(&dof[1]), v(&dof[2])]
@@ -223,8 +230,13 @@ impl System {
 
     /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
     pub(super) fn parts(&self, flight: &Flight, t: f64) -> (Planar, Option<Planar>) {
+        self.parts_in(flight, t, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase at `t`.
+    pub(super) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> (Planar, Option<Planar>) {
         if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
-            let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, t - flight.start));
+            let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
             (0..6).for_each(|i| out[i] += free[i]);
             return (out, Some(free));
         }
@@ -340,6 +352,17 @@ fn frobenius(m: DMat3) -> f64 {
     m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// Three oscillators without a steady response, when nothing couples them.
+fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]) -> Option<[Dof; 3]> {
+    let dof = |i: usize| Dof {
+        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
+        free: free[i],
+        steady: (0.0, 0.0),
+        amplitude: 0.0,
+    };
+    (is_diagonal(stiffness) && is_diagonal(damping)).then(|| std::array::from_fn(dof))
+}
+
 /// Three oscillators, when nothing couples them and no sine resonates.
 fn split(
     stiffness: &DMat3,
@@ -350,15 +373,7 @@ fn split(
     ground: &Ground,
     forced: DVec3,
 ) -> Option<SystemForm> {
-    if !(is_diagonal(stiffness) && is_diagonal(damping)) {
-        return None;
-    }
-    let mut dof = [0, 1, 2].map(|i| Dof {
-        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
-        free: free[i],
-        steady: (0.0, 0.0),
-        amplitude: 0.0,
-    });
+    let mut dof = plain(stiffness, damping, k, c, free)?;
     let mut step = None;
     match ground {
         Ground::Still => {}

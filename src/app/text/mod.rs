@@ -339,6 +339,14 @@ pub(super) const RELOAD: &str = "Reload";
 pub(super) const KEEP_MINE: &str = "Keep mine";
 pub(super) const FILE_GONE: &str = "the file is no longer there; save to write it again";
 pub(super) const NOT_KEPT: &str = "Unsaved work cannot be kept:";
+/// On the terminal: the window's display has gone, and with it the process ends.
+pub(super) const CUT_OFF: &str = "error: the display is gone, and the window with it; nothing was unsaved";
+/// The same with unsaved work.
+pub(super) const CUT_OFF_KEPT: &str = "error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened \
+                                      again";
+/// The graphics device was lost, and everything is drawn on another.
+pub(super) const DRAWN_ANEW: &str =
+    "The graphics device was lost; everything is drawn anew, and nothing of the work is lost.";
 
 /// Every key, for the help.
 pub(super) const KEYS: &[(&str, &str)] = &[
