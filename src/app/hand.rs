@@ -53,10 +53,8 @@ impl Hand {
     pub(super) fn forget_lost(&mut self, ui: &Ui) {
         let (down, pressed) = ui.input(|i| (i.pointer.any_down(), i.pointer.any_pressed()));
         let focus = ui.memory(egui::Memory::focused);
-        let lost = self.held.as_ref().is_some_and(|held| match held.by_keys {
-            true => pressed || focus.is_some_and(|id| id != gizmo::handle_id(held.grip)),
-            false => !down,
-        });
+        let elsewhere = |grip| pressed || focus.is_some_and(|id| id != gizmo::handle_id(grip));
+        let lost = self.held.as_ref().is_some_and(|held| if held.by_keys { elsewhere(held.grip) } else { !down });
         if lost {
             self.let_go();
         }
