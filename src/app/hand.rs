@@ -48,13 +48,17 @@ impl Hand {
         (self.held, self.pulled, self.words, self.typing) = (None, None, None, Typing::default());
     }
 
-    /// Lets go of a handle that was held by keys and has lost the focus; a mouse that is up again begins anew.
+    /// Lets go of what the mouse has left without a word, and of what is held by keys once the hand is elsewhere: half a
+    /// number may have moved the handle out of sight, so that its being gone says nothing.
     pub(super) fn forget_lost(&mut self, ui: &Ui) {
-        if self.held.as_ref().is_some_and(|held| held.by_keys && self.focused.is_none_or(|(grip, _)| grip != held.grip))
-        {
+        let (down, pressed) = ui.input(|i| (i.pointer.any_down(), i.pointer.any_pressed()));
+        let focus = ui.memory(egui::Memory::focused);
+        let elsewhere = |grip| pressed || focus.is_some_and(|id| id != gizmo::handle_id(grip));
+        let lost = self.held.as_ref().is_some_and(|held| if held.by_keys { elsewhere(held.grip) } else { !down });
+        if lost {
             self.let_go();
         }
-        self.spent &= ui.input(|i| i.pointer.any_down());
+        self.spent &= down;
     }
 
     /// What of it can be seen.

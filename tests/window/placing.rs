@@ -387,6 +387,16 @@ fn a_handle_that_has_the_focus_takes_a_number_without_the_mouse() {
     assert!((harness.state().scene().girders[0].heading_deg - 0.5f64.to_degrees()).abs() < 1e-9, "set");
     undo_calmly(&mut harness);
     assert_eq!(*harness.state().scene(), before, "one step");
+    // A girder of 2 mm has no room for its handles: that is on the way to 212 mm.
+    harness.get_by_role_and_label(Role::Splitter, "length of deck at -x").focus();
+    calm(&mut harness);
+    write(&mut harness, "212");
+    harness.key_press(Key::Enter);
+    calm(&mut harness);
+    assert_eq!(harness.state().scene().girders[0].length, 0.212, "to its last letter");
+    harness.key_press(Key::Num1);
+    calm(&mut harness);
+    assert_ne!(harness.state().camera().expect("shown").yaw, view.yaw, "the keys are the view's again");
 }
 
 #[test]

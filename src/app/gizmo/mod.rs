@@ -162,6 +162,11 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, bench: &mut Workbench, out: &mut Vec
     }
 }
 
+/// What a handle is called among widgets.
+pub(super) fn handle_id(grip: Grip) -> Id {
+    Id::unique(("handle", grip))
+}
+
 fn is_mover(grip: Grip) -> bool {
     matches!(grip, Grip::Along(_) | Grip::Across(_) | Grip::Offset(_))
 }
@@ -175,7 +180,7 @@ fn is_crowded(handles: &[Handle], eye: &Eye) -> bool {
 
 fn one(ui: &mut Ui, eye: &Eye, handle: &Handle, bench: &mut Workbench, out: &mut Vec<Command>) {
     let Some(at) = paint::place(eye, handle).filter(|p| eye.rect.shrink(4.0).contains(*p)) else { return };
-    let id = Id::unique(("handle", handle.grip));
+    let id = handle_id(handle.grip);
     let response = ui.interact(Rect::from_center_size(at, Vec2::splat(HOLD)), id, Sense::drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Splitter, true, &handle.name));
     let held = bench.viewport.hand.held.as_ref().is_some_and(|h| h.grip == handle.grip);
