@@ -23,12 +23,15 @@ pub struct Frame {
     pub velocity: DVec3,
     /// Angular velocity \[rad/s\].
     pub spin: DVec3,
+    /// Whether it stands upright and moves in plan only: no roll, no pitch, no vertical velocity.
+    pub level: bool,
 }
 
 impl Frame {
     /// A frame at rest in the ground, world axes, about `home`.
     pub fn fixed(home: DVec3) -> Self {
-        Self { home, shift: DVec3::ZERO, rotation: DMat3::IDENTITY, velocity: DVec3::ZERO, spin: DVec3::ZERO }
+        let still = DVec3::ZERO;
+        Self { home, shift: still, rotation: DMat3::IDENTITY, velocity: still, spin: still, level: true }
     }
 
     /// Where G is \[m\].
@@ -77,20 +80,108 @@ impl Local {
     }
 }
 
+/// A node against a face, and where it is from either body's G.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// In the face's axes.
+    pub here: Local,
+    /// Node from its own body's G, world axes \[m\].
+    pub arm: DVec3,
+    /// Node from the face body's G, world axes \[m\].
+    pub apart: DVec3,
+}
+
 /// Measures a node, a fixed point of one body, against a face of another.
 #[inline]
 pub fn locate(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Local {
+    measure(node, node_body, face, face_body).here
+}
+
+/// The same, with the node's levers.
+#[inline]
+pub fn measure(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
+    if node_body.level && face_body.level && face.is_upright() {
+        measure_in_plan(node, node_body, face, face_body)
+    } else {
+        measure_in_space(node, node_body, face, face_body)
+    }
+}
+
+#[inline]
+fn measure_in_space(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
     let arm = node_body.rotation * node;
     let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
     let to_face = face_body.rotation.transpose();
     let from_corner = to_face * apart - face.corners[0];
     let velocity = to_face * (node_body.velocity_at(arm) - face_body.velocity_at(apart));
     let spin = to_face * face_body.spin;
-    Local {
+    let here = Local {
         gap: from_corner.dot(face.normal),
         gap_rate: velocity.dot(face.normal),
         at: DVec2::new(from_corner.dot(face.tangent), from_corner.dot(face.bitangent)),
         rate: DVec2::new(velocity.dot(face.tangent), velocity.dot(face.bitangent)),
         spin: DVec3::new(spin.dot(face.tangent), spin.dot(face.bitangent), spin.dot(face.normal)),
+    };
+    Measured { here, arm, apart }
+}
+
+/// The same sums without the terms that are 0 between upright bodies: not a bit differs, at a third of the work.
+#[inline]
+fn measure_in_plan(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
+    let (turned, facing) = (&node_body.rotation, &face_body.rotation);
+    let arm = DVec3::new(
+        turned.x_axis.x * node.x + turned.y_axis.x * node.y,
+        turned.x_axis.y * node.x + turned.y_axis.y * node.y,
+        node.z,
+    );
+    let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
+    let to_face =
+        |x: f64, y: f64| (facing.x_axis.x * x + facing.x_axis.y * y, facing.y_axis.x * x + facing.y_axis.y * y);
+    let along = |(x, y): (f64, f64), axis: DVec3| x * axis.x + y * axis.y;
+    let (x, y) = to_face(apart.x, apart.y);
+    let from_corner = (x - face.corners[0].x, y - face.corners[0].y);
+    let (spin, turning) = (node_body.spin.z, face_body.spin.z);
+    let velocity = to_face(
+        (node_body.velocity.x - spin * arm.y) - (face_body.velocity.x - turning * apart.y),
+        (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * apart.x),
+    );
+    let here = Local {
+        gap: along(from_corner, face.normal),
+        gap_rate: along(velocity, face.normal),
+        at: DVec2::new(along(from_corner, face.tangent), (apart.z - face.corners[0].z) * face.bitangent.z),
+        rate: DVec2::new(along(velocity, face.tangent), 0.0),
+        spin: DVec3::new(0.0, turning * face.bitangent.z, 0.0),
+    };
+    Measured { here, arm, apart }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A body turned by `turn` about the vertical, moving in plan.
+    fn body(home: DVec3, turn: f64, spin: f64) -> Frame {
+        Frame {
+            home,
+            shift: DVec3::new(0.013, -0.021, 0.0),
+            rotation: DMat3::from_rotation_z(turn),
+            velocity: DVec3::new(0.3, -0.7, 0.0),
+            spin: DVec3::Z * spin,
+            level: true,
+        }
+    }
+
+    #[test]
+    fn in_plan_every_number_is_that_of_space() {
+        let quad = [(0.5, -0.4, -0.1), (0.7, 0.3, -0.1), (0.7, 0.3, 0.2), (0.5, -0.4, 0.2)];
+        let face = Face::new(quad.map(DVec3::from), 1.0).expect("a rectangle");
+        assert!(face.is_upright(), "{face:?}");
+        for turn in [0.0, 0.1, -0.37, 1.9] {
+            let (owner, other) = (body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9), body(DVec3::ZERO, 0.7 * turn, -2.3));
+            let node = DVec3::new(-0.4, 0.31, 0.02);
+            let (plan, space) =
+                (measure_in_plan(node, &owner, &face, &other), measure_in_space(node, &owner, &face, &other));
+            assert_eq!(plan, space, "turned by {turn}");
+        }
     }
 }

@@ -72,7 +72,9 @@ impl View {
     fn of(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         let slots = engine.pairs[pair].slots;
-        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(engine, slot, t, horizon)));
+        // One ground shakes both.
+        let phase = engine.model.ground.phase(t);
+        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(engine, slot, t, phase, horizon)));
         let frame = |side: usize| match (slots[side], &flyers[side]) {
             (Some(slot), Some(flyer)) => engine.model.bodies[engine.bodies[slot].body].planar_frame(&flyer.state),
             // An abutment's frame is that of its contact.
@@ -84,10 +86,10 @@ impl View {
     }
 }
 
-fn flyer(engine: &Engine, slot: usize, t: f64, horizon: f64) -> Option<Flyer<'_>> {
+fn flyer(engine: &Engine, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<Flyer<'_>> {
     let track = &engine.bodies[slot];
     let (Trajectory::Flight(flight), Some(system)) = (&track.now, &track.system) else { return None };
-    let (state, free) = system.parts(flight, t);
+    let (state, free) = system.parts_in(flight, t, phase);
     let bound = system.bound_from(t, &state, free.as_ref(), horizon);
     Some(Flyer { system, state, free, bound })
 }
@@ -103,17 +105,15 @@ struct Quarry<'a> {
 }
 
 impl Quarry<'_> {
-    fn frame(&self, view: &View, which: usize) -> Frame {
-        self.sides[which].map_or(Frame::fixed(self.site.fixed), |side| view.frames[side])
-    }
-
     fn look(&self, view: &View) -> Local {
-        locate(self.site.point, &self.frame(view, 0), &self.site.face, &self.frame(view, 1))
+        let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &view.frames[side]);
+        locate(self.site.point, frame(0), &self.site.face, frame(1))
     }
 
     fn outlook(&self, view: &View) -> Outlook {
-        let bound = |which: usize| self.sides[which].map_or(Bound::still(view.between.window), |s| view.bounds[s]);
-        self.spot.outlook(&self.look(view), &bound(0), &bound(1), &view.between)
+        let still = Bound::still(view.between.window);
+        let bound = |which: usize| self.sides[which].map_or(&still, |side| &view.bounds[side]);
+        self.spot.outlook(&self.look(view), bound(0), bound(1), &view.between)
     }
 }
 
@@ -203,6 +203,7 @@ fn hunt(
     if !at_once.is_empty() {
         return (t, at_once);
     }
+    let mut views = Views { engine, pair, until, seen: Vec::new() };
     for _ in 0..MOST {
         if t >= until {
             break;
@@ -215,7 +216,7 @@ fn hunt(
             let stuck = &quarries[shortest];
             return (t, if stuck.hunt.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
         }
-        let mut views = Views { engine, pair, until, seen: Vec::new() };
+        views.seen.clear();
         let there = views.at(next);
         let closed: Vec<(usize, f64)> =
             quarries.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();

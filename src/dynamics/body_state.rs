@@ -52,6 +52,7 @@ pub fn frame(kind: Kind, body: &Body, state: &[f64]) -> Frame {
             rotation: DMat3::from_quat(attitude(state)),
             velocity: DVec3::new(state[7], state[8], state[9]),
             spin: DVec3::new(state[10], state[11], state[12]),
+            level: false,
         },
     }
 }
@@ -143,6 +144,15 @@ pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item
         let speed = into_axes * here.velocity_at(arm);
         (arm, b.preload + body.axes * (-b.stiffness * moved - b.damping * speed))
     })
+}
+
+/// Turns a spatial state's attitude on by what its spin gains in `dt`, where `slope` is the rate of the state.
+pub fn turn_on(state: &mut [f64], slope: &[f64], dt: f64) {
+    let q = DQuat::from_xyzw(state[3], state[4], state[5], state[6]);
+    let more = DQuat::from_xyzw(slope[10], slope[11], slope[12], 0.0) * q * (0.25 * dt * dt);
+    for (component, more) in state[3..7].iter_mut().zip([more.x, more.y, more.z, more.w]) {
+        *component += more;
+    }
 }
 
 /// Acceleration along two axes of the point at `arm` from G per force along them there \[1/kg\].

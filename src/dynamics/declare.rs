@@ -4,6 +4,7 @@
 use glam::DVec3;
 
 use super::{Body, ContactSite};
+use crate::contact::Frame;
 use crate::geometry::{End, Face, Prism};
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
@@ -39,6 +40,7 @@ pub(super) fn contacts(
         second.nodes.retain(|(_, point)| can_enter(&bodies[girder], &first.face, fixed + *point));
     }
     let declare = |nodes: &Facade, face: &Facade| -> Vec<ContactSite> {
+        let fixed = if nodes.body.is_none() { nodes.fixed } else { face.fixed };
         nodes
             .nodes
             .iter()
@@ -50,7 +52,8 @@ pub(super) fn contacts(
                 point: *point,
                 face_body: face.body,
                 face: face.face.clone(),
-                fixed: if nodes.body.is_none() { nodes.fixed } else { face.fixed },
+                fixed,
+                stand: Frame::fixed(fixed),
             })
             .collect()
     };

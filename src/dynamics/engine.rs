@@ -308,7 +308,7 @@ impl Engine {
         let track = &self.contacts[contact];
         match track.slots[side] {
             Some(slot) => self.frame(slot, t),
-            None => Frame::fixed(self.model.contacts[track.site].fixed),
+            None => self.model.contacts[track.site].stand,
         }
     }
 

@@ -31,8 +31,7 @@ impl Active {
     /// The node against the face, with the island's bodies in `frames`.
     pub(super) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
-        let fixed = Frame::fixed(site.fixed);
-        let frame = |index: Option<usize>| index.map_or(&fixed, |i| &frames[i]);
+        let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
         locate(site.point, frame(self.node), &site.face, frame(self.face))
     }
 
@@ -166,16 +165,19 @@ impl Field<'_> {
         let mut slider = 0;
         for active in self.active {
             let site = &self.model.contacts[active.site];
-            let fixed = Frame::fixed(site.fixed);
-            let node = active.node.map_or(&fixed, |i| &self.frames[i]);
-            let face = active.face.map_or(&fixed, |i| &self.frames[i]);
-            let mut closed = active.turned(y);
+            let node = active.node.map_or(&site.stand, |i| &self.frames[i]);
+            let face = active.face.map_or(&site.stand, |i| &self.frames[i]);
             let at_once = active.turns_at_once();
+            // A copy only where something differs from the state that the contact is in.
+            let mut copy = active.angle.map(|_| active.turned(y));
             if at_once && self.sliding.held {
-                closed.mode = Mode::Slip { direction: self.sliding.against[slider] };
-                closed.law.v_stick = 0.0;
+                let mut held = active.closed;
+                held.mode = Mode::Slip { direction: self.sliding.against[slider] };
+                held.law.v_stick = 0.0;
+                copy = Some(held);
             }
-            let action = penalty3d::act(site, &closed, node, face);
+            let closed = copy.as_ref().unwrap_or(&active.closed);
+            let action = penalty3d::act(site, closed, node, face);
             if let Some(i) = active.node {
                 self.wrenches[i].push(action.force, action.node_arm);
             }
@@ -186,11 +188,11 @@ impl Field<'_> {
                 let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
                 out[at] = direction.perp_dot(action.here.rate) / length;
                 self.rates.push(-direction.dot(action.here.rate) / length);
-                self.sliding.follows(slider, self.rates.len() - 1, &closed, &action.here, &action.forces, length);
+                self.sliding.follows(slider, self.rates.len() - 1, closed, &action.here, &action.forces, length);
                 slider += 1;
             } else if at_once {
                 if !self.sliding.held {
-                    self.sliding.turns(slider, &closed, &action.forces);
+                    self.sliding.turns(slider, closed, &action.forces);
                 }
                 slider += 1;
             }

@@ -166,8 +166,12 @@ impl System {
 
     /// Steady response to the sine at `t`.
     pub(super) fn steady(&self, dof: &[Dof; 3], t: f64) -> Planar {
-        let Ground::Sine { omega, phase, .. } = self.ground else { return [0.0; 6] };
-        let (s, c) = (omega * t + phase).sin_cos();
+        self.steady_in(dof, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase.
+    fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
+        let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
         let q = |d: &Dof| d.steady.0 * s + d.steady.1 * c;
         let v = |d: &Dof| omega * (d.steady.0 * c - d.steady.1 * s);
         [q(&dof[0]), q(&dof[1]), q(&dof[2]), v(&dof[0]), v(&dof[1]), v(&dof[2])]
@@ -226,8 +230,13 @@ impl System {
 
     /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
     pub(super) fn parts(&self, flight: &Flight, t: f64) -> (Planar, Option<Planar>) {
+        self.parts_in(flight, t, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase at `t`.
+    pub(super) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> (Planar, Option<Planar>) {
         if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
-            let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, t - flight.start));
+            let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
             (0..6).for_each(|i| out[i] += free[i]);
             return (out, Some(free));
         }

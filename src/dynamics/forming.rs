@@ -6,7 +6,8 @@ use super::agenda::Item;
 use super::engine::{Engine, Trajectory};
 use super::field::Active;
 use super::island::Island;
-use super::stepper::Pace;
+use super::soon::soonest;
+use super::stepper::{Pace, WORTHWHILE};
 use super::track::{Path, Segment};
 use super::transition::Juncture;
 use super::{predict, watch};
@@ -101,7 +102,9 @@ impl Engine {
         }
         let cap = model.duration.min(model.ground.next_kink(from));
         self.effort.steps += 1;
-        let outcome = island.plan(&model, cap);
+        let pace = island.pace();
+        let soon = if pace.stiff { soonest(self, &island, WORTHWHILE * pace.step) } else { f64::INFINITY };
+        let outcome = island.plan(&model, cap, soon);
         if let Err(error) = outcome {
             let names: Vec<&str> =
                 island.slots.iter().map(|&s| model.bodies[self.bodies[s].body].name.as_str()).collect();
@@ -124,7 +127,7 @@ impl Engine {
     }
 
     /// The pairs that bodies are in, rising.
-    fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
+    pub(super) fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
         let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
         pairs.sort_unstable();
         pairs.dedup();

@@ -39,6 +39,7 @@ mod relative;
 pub mod replay;
 pub mod search;
 mod slides;
+mod soon;
 mod stepper;
 mod swing;
 pub mod track;

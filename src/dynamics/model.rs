@@ -58,12 +58,14 @@ impl Body {
         // Most girders of a row never turn.
         let (s, c) = if state[2] == 0.0 { (0.0, 1.0) } else { state[2].sin_cos() };
         let turn = |v: DVec3| DVec3::new(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+        let turned = || DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis);
         Frame {
             home: self.home,
             shift: DVec3::new(state[0], state[1], self.start[2]),
-            rotation: DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis),
+            rotation: if state[2] == 0.0 { self.axes } else { turned() },
             velocity: DVec3::new(state[3], state[4], 0.0),
             spin: DVec3::new(0.0, 0.0, state[5]),
+            level: true,
         }
     }
 }
@@ -112,6 +114,8 @@ pub struct ContactSite {
     pub face: Face,
     /// Where the frame of the abutment in this contact stands, if there is one \[m\].
     pub fixed: DVec3,
+    /// That frame.
+    pub stand: Frame,
 }
 
 impl ContactSite {

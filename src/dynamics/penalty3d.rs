@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::ContactSite;
 use super::track::Closed;
-use crate::contact::{Forces, Frame, Local, locate};
+use crate::contact::{Forces, Frame, Local, Measured, measure};
 
 /// A contact's forces and where they act, world frame.
 #[derive(Clone, Copy, Debug)]
@@ -27,17 +27,24 @@ pub struct Action {
 /// Forces of a closed contact.
 #[inline]
 pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> Action {
-    let here = locate(site.point, node, &site.face, face);
+    let Measured { here, arm, apart } = measure(site.point, node, &site.face, face);
     let forces = closed.forces(&here);
-    let node_arm = node.rotation * site.point;
-    let apart = (node.home - face.home) + (node.shift - face.shift) + node_arm;
     let force = to_world(site, face, forces.tangential_total(), forces.normal_total());
     let offset = to_world(site, face, forces.stretch, here.gap);
-    Action { here, forces, force, node_arm, face_arm: apart - offset }
+    Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
 }
 
 /// A vector given in the face's axes, in the world.
 #[inline]
 pub fn to_world(site: &ContactSite, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
+    if face.level && site.face.is_upright() {
+        // The same sum without what is 0.
+        let [x, y] = [
+            site.face.tangent.x * along.x + site.face.normal.x * normal,
+            site.face.tangent.y * along.x + site.face.normal.y * normal,
+        ];
+        let [first, second] = [face.rotation.x_axis, face.rotation.y_axis];
+        return DVec3::new(first.x * x + second.x * y, first.y * x + second.y * y, site.face.bitangent.z * along.y);
+    }
     face.rotation * (site.face.tangent * along.x + site.face.bitangent * along.y + site.face.normal * normal)
 }

@@ -98,12 +98,15 @@ fn too_short(engine: &Engine, pair: usize, views: &Views) -> bool {
 /// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
 fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
     let Contact::Open { armed } = engine.contacts[contact].state else { return None };
-    let here = look(engine, contact, t);
-    if !armed && in_front(here.gap, here.gap_rate, t, resolution(engine, contact, t)) {
-        engine.contacts[contact].state = Contact::Open { armed: true };
+    if armed {
         return Some(true);
     }
-    Some(armed)
+    let here = look(engine, contact, t);
+    let out = in_front(here.gap, here.gap_rate, t, resolution(engine, contact, t));
+    if out {
+        engine.contacts[contact].state = Contact::Open { armed: true };
+    }
+    Some(out)
 }
 
 /// Whether a node that was ignored is clearly before the face again: where it went through, its gap is rounding of places
@@ -156,10 +159,10 @@ impl Views {
         let track = &engine.contacts[contact];
         let site = &engine.model.contacts[track.site];
         let side = |slot: Option<usize>| match slot {
-            Some(_) => self.frames[i][usize::from(slot == self.slots[1])],
-            None => Frame::fixed(site.fixed),
+            Some(_) => &self.frames[i][usize::from(slot == self.slots[1])],
+            None => &site.stand,
         };
-        locate(site.point, &side(track.slots[0]), &site.face, &side(track.slots[1]))
+        locate(site.point, side(track.slots[0]), &site.face, side(track.slots[1]))
     }
 }
 

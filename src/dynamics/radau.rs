@@ -198,8 +198,10 @@ impl Radau {
                 rate = size / before;
             }
             self.rate = rate;
-            // What is left is what a geometric series of corrections would still add.
-            if size == 0.0 || (round > 0 && rate < 1.0 && rate / (1.0 - rate) * size <= LEFT) || size <= 1e-2 * LEFT {
+            // What is left is what a geometric series of corrections would still add; two corrections tell its ratio only
+            // where nothing turns.
+            let sure = round > 1 || round == 1 && followers == 0;
+            if size == 0.0 || (sure && rate < 1.0 && rate / (1.0 - rate) * size <= LEFT) || size <= 1e-2 * LEFT {
                 return true;
             }
             if round > 1 && rate >= 1.0 {

@@ -207,40 +207,62 @@ pub(super) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outloo
     t
 }
 
-/// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0: the ITP idea with Illinois steps, to the last bit.
+/// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0, to the last bit.
 pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
-    let (mut a, mut b) = (a, b);
-    let (mut fa, mut fb) = (f(a), f(b));
+    let (fa, fb) = (f(a), f(b));
+    root_between(f, [a, b], [fa, fb])
+}
+
+/// The same where the values at both ends are known: secants, weighed as Anderson and Björck do where one end stays, and
+/// halvings where four of them have not done as much.
+pub(super) fn root_between(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2], [fa, fb]: [f64; 2]) -> f64 {
+    let (mut fa, mut fb) = (fa, fb);
     if fa >= 0.0 {
         return a;
     }
-    let mut last_side = 0;
-    for count in 0..200 {
+    if fb <= 0.0 {
+        return b;
+    }
+    let (mut last_side, mut width, mut slow) = (0, b - a, false);
+    let mut hair = f64::EPSILON * a.abs().max(b.abs());
+    for count in 1..200 {
         let middle = f64::midpoint(a, b);
         if middle <= a || middle >= b {
             break;
         }
         let secant = b - fb * (b - a) / (fb - fa);
-        // Every fourth step halves, so that a bad secant cannot creep.
-        let x = if count % 4 == 3 || !(secant > a && secant < b) { middle } else { secant };
+        // Never closer to an end than a hair: the root that is there is then passed, and held from both sides.
+        let x = if slow || 2.0 * hair >= b - a || !(secant > a && secant < b) {
+            middle
+        } else {
+            let x = secant.max(a + hair).min(b - hair);
+            hair *= if x == secant { 1.0 } else { 4.0 };
+            x
+        };
         let fx = f(x);
         if fx == 0.0 {
             return x;
         }
         if fx < 0.0 {
-            (a, fa) = (x, fx);
-            fb *= if last_side < 0 { 0.5 } else { 1.0 };
-            last_side = -1;
+            fb *= if last_side < 0 { weight(fx, fa) } else { 1.0 };
+            (a, fa, last_side) = (x, fx, -1);
         } else {
-            (b, fb) = (x, fx);
-            fa *= if last_side > 0 { 0.5 } else { 1.0 };
-            last_side = 1;
+            fa *= if last_side > 0 { weight(fx, fb) } else { 1.0 };
+            (b, fb, last_side) = (x, fx, 1);
         }
         if b - a <= f64::EPSILON * a.abs().max(b.abs()) {
             break;
         }
+        slow = count % 4 == 0 && b - a > width / 16.0;
+        width = if count % 4 == 0 { b - a } else { width };
     }
     b
+}
+
+/// What the value at the end that stays counts, when the other one has gone from `before` to `now`.
+fn weight(now: f64, before: f64) -> f64 {
+    let left = 1.0 - now / before;
+    if left > 0.0 { left } else { 0.5 }
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ const STIFF: f64 = 0.7;
 const SPARE: f64 = 0.02;
 /// Factor to the next try from the second refusal on.
 const AGAIN: f64 = 0.2;
+/// Refused with no more than this, the next try will do.
+const ALMOST: f64 = 3.0;
 /// So many of them in a row change the method.
 const CONVINCED: u32 = 4;
 /// Explicit steps of one touch after which the other method is tried, and after twice as many again: noise, too, can hold
@@ -20,6 +22,10 @@ const TRIAL: u32 = 64;
 const WORTH: f64 = 12.0;
 /// With a smaller error than this the next step will be longer.
 const GROWING: f64 = 0.2;
+/// A step goes so far beyond a change that is likely, where that is less than this part of its length.
+const BEYOND: f64 = 1.5;
+/// See [`BEYOND`].
+pub(super) const WORTHWHILE: f64 = 0.3;
 /// Components beyond which elimination costs more than short steps.
 const LARGEST: usize = 160;
 
@@ -47,8 +53,18 @@ pub(super) struct Limits {
     pub cap: f64,
     /// Length of the very first try \[s\].
     pub first: f64,
+    /// Something is likely to change so long after its start \[s\].
+    pub soon: f64,
     /// A shorter step cannot be followed \[s\].
     pub smallest: f64,
+}
+
+impl Limits {
+    /// How far a step of length `h` is worth taking: not far beyond what is likely to end it \[s\].
+    fn reach(&self, h: f64) -> f64 {
+        let enough = BEYOND * self.soon;
+        if enough < WORTHWHILE * h && enough > self.smallest { enough } else { h }
+    }
 }
 
 /// Both methods for a system of one size, and which of them is in use.
@@ -106,16 +122,18 @@ impl Stepper {
         let mut h = if self.pace.step > 0.0 { self.pace.step } else { limits.first };
         let mut refused = false;
         loop {
+            let reach = limits.reach(h);
             // A last sliver would cost as much as a step: stretch to the cap.
-            let end = if t + 1.05 * h >= limits.cap { limits.cap } else { t + h };
+            let end = if t + 1.05 * reach >= limits.cap { limits.cap } else { t + reach };
             let taken = end - t;
             let (error, factor) = self.attempt(system, t, y, taken);
             if error <= 1.0 {
-                self.pace.step = if end == limits.cap { h.max(taken * factor) } else { taken * factor };
+                let cut = end == limits.cap || reach < h;
+                self.pace.step = if cut { h.max(taken * factor) } else { taken * factor };
                 return Ok((self.accept(system, t, y, taken, error), end));
             }
             // Refused twice, the estimate is no guide: something is over far sooner than the step.
-            h = taken * factor.min(if refused { AGAIN } else { 0.9 });
+            h = taken * factor.min(if refused && error > ALMOST { AGAIN } else { 0.9 });
             refused = true;
             if h < limits.smallest || t + h <= t {
                 return Err(h);

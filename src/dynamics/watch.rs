@@ -4,10 +4,10 @@
 //! is caught where three looks bend towards 0.
 
 use super::island::Island;
-use super::search::root;
+use super::search::{root, root_between};
 use super::track::Closed;
 use super::{ContactSite, Model};
-use crate::contact::{Frame, Local, Mode, locate};
+use crate::contact::{Local, Mode, locate};
 
 /// Looks per step.
 const LOOKS: usize = 5;
@@ -57,13 +57,13 @@ pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Loc
     let site = &model.contacts[active.site];
     let frame = |index: Option<usize>| match index {
         Some(i) => island.frame(model, i, t),
-        None => Frame::fixed(site.fixed),
+        None => site.stand,
     };
     locate(site.point, &frame(active.node), &site.face, &frame(active.face))
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.
-fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
+pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
     let active = &island.active[number];
     // A copy only where the slip's direction has moved on.
     let turned = active.angle.map(|_| island.closed_at(number, t));
@@ -83,7 +83,7 @@ fn function(model: &Model, island: &Island, number: usize, reason: Reason, here:
     }
 }
 
-fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
+pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.active[number].closed;
     let switches = closed.law.has_friction();
     let kinks = closed.law.clamp && closed.law.c_n > 0.0;
@@ -103,13 +103,14 @@ pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option
 }
 
 fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
-    let mut found: Vec<(f64, Due)> = Vec::new();
+    let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let frames = times.map(|t| island.frames(model, t));
     for number in 0..island.active.len() {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
+            let first = First { at: earliest, together };
             let hair = hair(model, island, number, reason, &looks[0]) + reluctance(island, number, reason, &looks);
             let values: [f64; N] =
                 std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
@@ -124,17 +125,21 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
                 }
                 _ => ZERO * scale(island, number, reason, &looks),
             };
-            if let Some(t) = first_rise(&times, &values, zero, passing, ask) {
+            let first = if entering { First::UNKNOWN } else { first };
+            if let Some(t) = first_rise([&times, &values], zero, passing, first, ask) {
                 let t = if entering && reason == Reason::Opening { turned(model, island, number, t) } else { t };
                 found.push((t, Due { number, reason }));
+                earliest = earliest.min(t);
             }
         }
     }
-    let first = found.iter().map(|(t, _)| *t).min_by(f64::total_cmp)?;
-    let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= first + together).map(|(_, due)| *due).collect();
-    also_due(model, island, first + together, &mut due);
+    if found.is_empty() {
+        return None;
+    }
+    let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + together).map(|(_, due)| *due).collect();
+    also_due(model, island, earliest + together, &mut due);
     due.dedup_by_key(|d| d.number);
-    Some((first, due))
+    Some((earliest, due))
 }
 
 /// How far sliding that began again and again at one instant may go back along itself: as fast as its anchor, eased, moves
@@ -230,7 +235,13 @@ fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local]) -> f64
 
 /// First time at which a sampled function rises through 0. A start above `zero` is due at once, unless it is `passing`:
 /// then it must fall below 0 first.
-fn first_rise(times: &[f64], values: &[f64], zero: f64, passing: bool, mut ask: impl FnMut(f64) -> f64) -> Option<f64> {
+fn first_rise(
+    [times, values]: [&[f64]; 2],
+    zero: f64,
+    passing: bool,
+    first: First,
+    mut ask: impl FnMut(f64) -> f64,
+) -> Option<f64> {
     if values[0] > zero && !passing {
         return Some(times[0]);
     }
@@ -239,7 +250,10 @@ fn first_rise(times: &[f64], values: &[f64], zero: f64, passing: bool, mut ask: 
         if values[i] > 0.0 && (below || !passing) {
             let left = if values[i - 1] < 0.0 { Some(times[i - 1]) } else { dip(times[i - 1], times[i], &mut ask) };
             return match left {
-                Some(left) => Some(root(&mut ask, left, times[i])),
+                Some(left) => {
+                    let start = if left == times[i - 1] { values[i - 1] } else { ask(left) };
+                    Some(first.rise([left, times[i]], [start, values[i]], &mut ask))
+                }
                 // Never below 0 in between: the event follows at once on the last one.
                 None if below => Some(times[i]),
                 None => Some(times[i - 1]),
@@ -253,6 +267,38 @@ fn first_rise(times: &[f64], values: &[f64], zero: f64, passing: bool, mut ask: 
         }
     }
     None
+}
+
+/// The first event known so far.
+#[derive(Clone, Copy, Debug)]
+struct First {
+    /// When \[s\].
+    at: f64,
+    /// What comes less than this later comes with it \[s\].
+    together: f64,
+}
+
+impl First {
+    const UNKNOWN: Self = Self { at: f64::INFINITY, together: 0.0 };
+
+    /// Where a function rises through 0 between `left` and `right`, exactly where that is before the first event; else
+    /// only whether it comes with it: contacts of a flush face change at one instant, and one search for it will do.
+    fn rise(self, [left, right]: [f64; 2], [start, end]: [f64; 2], ask: &mut impl FnMut(f64) -> f64) -> f64 {
+        let (at, with) = (self.at, self.at + self.together);
+        let below = |t: f64, ask: &mut dyn FnMut(f64) -> f64| t <= left || (t < right && ask(t) <= 0.0);
+        if !at.is_finite() {
+            root_between(ask, [left, right], [start, end])
+        } else if below(with, ask) {
+            right.max(with.next_up())
+        } else if below(at, ask) {
+            at
+        } else if at < right {
+            let value = ask(at);
+            root_between(ask, [left, at], [start, value])
+        } else {
+            root_between(ask, [left, right], [start, end])
+        }
+    }
 }
 
 /// A point below 0 just after `from`, where the function starts at its zero.
@@ -283,14 +329,19 @@ fn bump(times: &[f64], values: &[f64], ask: &mut impl FnMut(f64) -> f64) -> Opti
     if top < 0.25 * bend {
         return None;
     }
-    let (mut left, mut right) = (times[0], times[2]);
+    let (mut left, mut right, mut start, mut end) = (times[0], times[2], a, c);
     for _ in 0..48 {
         let (u, v) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
         let (fu, fv) = (ask(u), ask(v));
         if fu > 0.0 || fv > 0.0 {
             return Some(if fu > 0.0 { u } else { v });
         }
-        if fu < fv { left = u } else { right = v }
+        // Between looks it rises by an eighth of a bend; a whole one is not enough to reach 0.
+        let bend = (start - 2.0 * fu + fv).abs().max((fu - 2.0 * fv + end).abs());
+        if start.max(fu).max(fv).max(end) + bend < 0.0 {
+            return None;
+        }
+        if fu < fv { (left, start) = (u, fu) } else { (right, end) = (v, fv) }
     }
     None
 }

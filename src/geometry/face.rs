@@ -62,6 +62,12 @@ impl Face {
         Ok(Self { corners, normal, tangent, bitangent: normal.cross(tangent), depth })
     }
 
+    /// Whether the face stands upright, its first tangent level.
+    #[inline]
+    pub fn is_upright(&self) -> bool {
+        self.normal.z == 0.0 && self.tangent.z == 0.0 && self.bitangent.x == 0.0 && self.bitangent.y == 0.0
+    }
+
     /// Signed distance of a point from the plane, positive outside \[m\].
     pub fn gap(&self, point: DVec3) -> f64 {
         (point - self.corners[0]).dot(self.normal)

@@ -71,6 +71,14 @@ impl Ground {
         }
     }
 
+    /// Sine and cosine of a sine's phase at `t`; both 0 where there is none.
+    #[inline]
+    pub fn phase(&self, t: f64) -> [f64; 2] {
+        let Self::Sine { omega, phase, .. } = self else { return [0.0; 2] };
+        let (s, c) = (omega * t + phase).sin_cos();
+        [s, c]
+    }
+
     /// `a_g(t)` \[m/s²\].
     pub fn acceleration(&self, t: f64) -> DVec3 {
         match self {

@@ -92,5 +92,6 @@ fn frame(history: &History, body: usize, t: f64) -> Frame {
         rotation: DMat3::from_quat(motion.attitude),
         velocity: motion.velocity,
         spin: motion.spin,
+        level: false,
     }
 }

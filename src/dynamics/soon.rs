@@ -1,0 +1,76 @@
+//! How soon something will change, by the slopes at the start of a step: two nodes of one edge touch microseconds after
+//! one another, and a step that reaches far beyond would be taken, or tried and refused, for nothing.
+
+use super::engine::Engine;
+use super::island::Island;
+use super::track::Contact;
+use super::watch::{Reason, function, reasons};
+use crate::contact::{Frame, locate};
+
+/// How far ahead the slopes are asked, in radians of the fastest motion.
+const AHEAD: f64 = 1e-4;
+
+/// How far they can tell of, likewise.
+const FAR: f64 = 0.4;
+/// A change that has not come nearer by this part when it should be there is none.
+const NEARER: f64 = 0.5;
+
+/// What may change: an active contact's state, or an open contact.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    State(usize, Reason),
+    Closing(usize),
+}
+
+/// Time from the start of an island's next step to the first change of a contact that its slopes point to, if that comes
+/// within `horizon`; infinite where they point to none \[s\]. A guess: whatever the step meets is found as ever.
+pub(super) fn soonest(engine: &Engine, island: &Island, horizon: f64) -> f64 {
+    let (dt, horizon) = (AHEAD / island.omega(), horizon.min(FAR / island.omega()));
+    let [now, then] = [0.0, dt].map(|ahead| island.frames_after(&engine.model, ahead));
+    let mut likely: Vec<(f64, f64, Change)> = Vec::new();
+    for change in changes(engine, island) {
+        let value = |frames: &[Frame]| value(engine, island, change, frames);
+        if let (Some(start), Some(next)) = (value(&now), value(&then))
+            && start < 0.0
+            && next > start
+            && dt * start / (start - next) < horizon
+        {
+            likely.push((dt * start / (start - next), start, change));
+        }
+    }
+    likely.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let comes = |&(after, start, change): &(f64, f64, Change)| {
+        let there = value(engine, island, change, &island.frames_after(&engine.model, after))?;
+        (there > NEARER * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
+    };
+    likely.iter().find_map(comes).unwrap_or(f64::INFINITY)
+}
+
+/// All that may change.
+fn changes(engine: &Engine, island: &Island) -> Vec<Change> {
+    let states = (0..island.active.len())
+        .flat_map(|number| reasons(island, number).map(move |reason| Change::State(number, reason)));
+    let open = |contact: &usize| engine.contacts[*contact].state == Contact::Open { armed: true };
+    let pairs = engine.pairs_of(&island.slots).into_iter();
+    let closings = pairs.flat_map(|pair| engine.pairs[pair].contacts.clone()).filter(open).map(Change::Closing);
+    states.chain(closings).collect()
+}
+
+/// What is negative while nothing has changed; nothing for a contact with somebody who is not in the island.
+fn value(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> Option<f64> {
+    match change {
+        Change::State(number, reason) => {
+            let look = island.active[number].look(&engine.model, frames);
+            Some(function(&engine.model, island, number, reason, &look, island.until))
+        }
+        Change::Closing(contact) => {
+            let track = &engine.contacts[contact];
+            let site = &engine.model.contacts[track.site];
+            let frame = |slot: Option<usize>| match slot {
+                Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| frames.get(i)),
+                None => Some(&site.stand),
+            };
+            Some(-locate(site.point, frame(track.slots[0])?, &site.face, frame(track.slots[1])?).gap)
+        }
+    }
+}
