@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::edits;
+use super::text;
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
 
@@ -96,7 +96,7 @@ impl Document {
         }
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth <= depth);
-        let label = edits::label(&edit, &self.scene);
+        let label = text::name_of_edit(&edit, &self.scene);
         match gesture {
             Some(hand) => self.steps.drag(&mut self.scene, edit, &label, &hand.to_string())?,
             None => self.steps.perform(&mut self.scene, edit, &label)?,

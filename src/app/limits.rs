@@ -8,7 +8,6 @@ use super::theme::Palette;
 use super::{Workbench, text};
 use crate::scene::Limits;
 use crate::scene::edit::Edit;
-use crate::sim::readings::Passed;
 
 /// Shows the limits and the flags.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -79,20 +78,9 @@ fn flags(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         ui.label(RichText::new(text::LIMITS_KEPT).weak());
     }
     for flag in passed {
-        let words = RichText::new(in_words(flag)).color(Palette::of(ui).problem);
+        let words = RichText::new(text::passed(flag)).color(Palette::of(ui).problem);
         if ui.add(Button::new(words).wrap()).clicked() {
             out.push(Command::Seek(flag.t));
         }
     }
-}
-
-/// What was passed, by whom, when and how far.
-pub(super) fn in_words(flag: &Passed) -> String {
-    let reached = match flag.limit {
-        "rotation_deg" => format!("turns by {}°", text::short(flag.reached)),
-        "drift_m" => format!("drifts by {}", text::length(flag.reached)),
-        "remaining_seat_m" => format!("keeps {} of its seat", text::length(flag.reached)),
-        _ => format!("reaches {}", text::force(flag.reached)),
-    };
-    format!("{} {reached}; limit passed at {:.4} s", flag.whose, flag.t)
 }

@@ -30,7 +30,7 @@ fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
     }
     if let [first, more @ ..] = answer.passed() {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
-        let words = format!("{}{more}", super::limits::in_words(first));
+        let words = format!("{}{more}", text::passed(first));
         ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).truncate());
     }
 }

@@ -16,38 +16,6 @@ use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Scene, pl
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
-/// What undo calls an edit.
-pub(in crate::app) fn label(edit: &Edit, scene: &Scene) -> String {
-    let girder = |i: &usize| scene.girders.get(*i).map_or("girder", |g| g.name.as_str());
-    let abutment = |i: &usize| scene.abutments.get(*i).map_or("abutment", |a| a.name.as_str());
-    match edit {
-        Edit::AddGirder(_, new) => format!("add {}", new.name),
-        Edit::AddAbutment(_, new) => format!("add {}", new.name),
-        Edit::RemoveGirder(i) => format!("remove {}", girder(i)),
-        Edit::RemoveAbutment(i) => format!("remove {}", abutment(i)),
-        Edit::MoveGirder(i, ..) => format!("move {}", girder(i)),
-        Edit::ReplaceGirder(i, _) => format!("change {}", girder(i)),
-        Edit::ReplaceAbutment(i, _) => format!("change {}", abutment(i)),
-        Edit::Rename(from, to) => format!("rename {from} to {to}"),
-        Edit::Contact(_) => "change contact".into(),
-        Edit::Motion(_) => "change ground motion".into(),
-        Edit::Model(_) => "change model".into(),
-        Edit::Impact(_) => "change impact numbers".into(),
-        Edit::Scene(other) => format!("open {}", other.name),
-        Edit::Limits(_) => "change limits".into(),
-        Edit::View(_) => "change view".into(),
-        Edit::General(_) | Edit::Solver(_) | Edit::Set(_) => "change scene".into(),
-        Edit::Batch(edits) => match &edits[..] {
-            [] => "nothing".into(),
-            [one] => label(one, scene),
-            [first, ..] => {
-                let first = label(first, scene);
-                format!("{} {} things", first.split(' ').next().unwrap_or("change"), edits.len())
-            }
-        },
-    }
-}
-
 /// Gives a girder other numbers.
 pub(in crate::app) fn girder(i: usize, girder: Girder) -> Edit {
     Edit::ReplaceGirder(i, Box::new(girder))

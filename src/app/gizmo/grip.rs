@@ -4,6 +4,7 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
+use crate::app::text;
 use crate::geometry::End;
 use crate::scene::facing::{self, Facing, Side};
 use crate::scene::{Abutment, Girder, Scene, placed};
@@ -116,31 +117,30 @@ fn of_girder(i: usize, girder: &Girder, stance: Stance, out: &mut Vec<Handle>) {
         out.push(Handle { grip, at, along, name: what });
     };
     let (x, y) = (DVec2::X, DVec2::Y);
-    add(Grip::Along(i), DVec2::ZERO, x, format!("move {name} along"));
-    add(Grip::Across(i), DVec2::ZERO, y, format!("move {name} across"));
+    add(Grip::Along(i), DVec2::ZERO, x, text::move_by_handle(name, text::ALONG));
+    add(Grip::Across(i), DVec2::ZERO, y, text::move_by_handle(name, text::ACROSS));
     // Pulled toward -x, the knob on the left turns the girder against the clock.
-    add(Grip::Turn(i), DVec2::new(b * shear, b), -x, format!("turn {name}"));
+    add(Grip::Turn(i), DVec2::new(b * shear, b), -x, text::turn_by_handle(name));
     for end in End::BOTH {
         let s = end.sign();
-        add(Grip::Length(i, end), x * (s * a), x * s, format!("length of {name} at {}", end.label()));
+        add(Grip::Length(i, end), x * (s * a), x * s, text::length_handle(name, end));
         for flank in Flank::BOTH {
             let at = DVec2::new(s * a + flank.sign() * b * shear, flank.sign() * b);
-            let side = if flank == Flank::Left { "left" } else { "right" };
-            add(Grip::Skew(i, end, flank), at, x, format!("skew of {name} at {} {side}", end.label()));
+            add(Grip::Skew(i, end, flank), at, x, text::skew_handle(name, end, flank == Flank::Left));
         }
     }
     let s = -1.0;
-    add(Grip::Width(i, Flank::Right), DVec2::new(s * b * shear, s * b), y * s, format!("width of {name}"));
+    add(Grip::Width(i, Flank::Right), DVec2::new(s * b * shear, s * b), y * s, text::width_handle(name));
 }
 
 fn of_abutment(scene: &Scene, i: usize, abutment: &Abutment, out: &mut Vec<Handle>) {
     let Some([a, b, c, d]) = placed::abutment_face(scene, abutment) else { return };
     let name = &abutment.name;
     let (top, side) = ((c + d) / 2.0, (b - a).normalize_or_zero());
-    out.push(Handle { grip: Grip::Offset(i), at: top, along: side, name: format!("move {name} sideways") });
+    out.push(Handle { grip: Grip::Offset(i), at: top, along: side, name: text::move_by_handle(name, text::SIDEWAYS) });
     if abutment.polygon.is_none() {
         for (flank, at) in Flank::BOTH.into_iter().zip([c, d]) {
-            let name = format!("width of {name}, {}", if flank == Flank::Left { "one side" } else { "other side" });
+            let name = text::face_width_handle(name, flank == Flank::Left);
             out.push(Handle { grip: Grip::FaceWidth(i, flank), at, along: side * flank.sign(), name });
         }
     }
@@ -156,5 +156,5 @@ fn of_gap(scene: &Scene, n: usize, pair: &Facing, stance: &impl Fn(usize) -> Sta
     let along = here.attitude * DVec3::X * end.sign();
     let middle = DVec3::new(end.sign() * girder.length / 2.0, 0.0, girder.thickness / 2.0);
     let at = here.place + here.attitude * middle + along * pair.gap;
-    Some(Handle { grip: Grip::Gap(n), at, along, name: format!("gap of {}", pair.name) })
+    Some(Handle { grip: Grip::Gap(n), at, along, name: text::gap_handle(&pair.name) })
 }

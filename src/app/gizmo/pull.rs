@@ -71,15 +71,21 @@ pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
     match grip {
         Grip::Bodies => {
             let way = pull.typed.map_or((pull.to - pull.from).truncate(), DVec2::from);
-            bodies(pull, way, |way| format!("Δx {}   Δy {}", text::length(way.x), text::length(way.y)))
+            bodies(pull, way, |way| {
+                format!(
+                    "{}   {}",
+                    text::dragged(text::SHIFT_X, &text::length(way.x)),
+                    text::dragged(text::SHIFT_Y, &text::length(way.y))
+                )
+            })
         }
         Grip::Along(i) => {
             let (_, x, _) = pull.girder(i)?;
-            along(pull, x, "along")
+            along(pull, x, text::ALONG)
         }
         Grip::Across(i) => {
             let (_, _, y) = pull.girder(i)?;
-            along(pull, y, "across")
+            along(pull, y, text::ACROSS)
         }
         Grip::Turn(i) => turn(pull, i),
         Grip::Length(i, end) => length(pull, i, end),
@@ -98,7 +104,7 @@ fn plain(edit: Edit, words: String) -> Pulled {
 /// Moves all that is selected one way.
 fn along(pull: &Pull<'_>, axis: DVec3, word: &str) -> Option<Pulled> {
     let way = (axis * pull.or_typed(pull.along(axis))).truncate();
-    bodies(pull, way, |way| format!("{word} {}", text::exact_length(field::rounded(way.dot(axis.truncate()), 1e-7))))
+    bodies(pull, way, |way| text::dragged(word, &text::exact_length(field::rounded(way.dot(axis.truncate()), 1e-7))))
 }
 
 /// Moves all that is selected; the girder that leads is what snaps.
@@ -129,7 +135,7 @@ fn turn(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let way = (angle(pull.to) - angle(pull.from)).to_degrees();
     let free = pull.or_typed(field::rounded(wrapped(girder.heading_deg + way), 0.1));
     let (heading, to) = if pull.snaps() { snap::heading(pull.scene, i, free) } else { (free, None) };
-    let mut words = vec![format!("heading {}°", field::trimmed(heading))];
+    let mut words = vec![text::dragged(text::TURNED_TO, &format!("{}°", field::trimmed(heading)))];
     words.extend(to);
     Some(Pulled { edit: Edit::MoveGirder(i, girder.position, heading), words, guides: Vec::new() })
 }
@@ -147,14 +153,14 @@ fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
     // The other end stays where it is.
     let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
     let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), format!("length {}", text::exact_length(length))))
+    Some(plain(edits::girder(i, new), text::dragged(text::LONG, &text::exact_length(length))))
 }
 
 fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (girder, _, y) = pull.girder(i)?;
     let width = pull.or_typed((girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST));
     let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), format!("width {}", text::exact_length(width))))
+    Some(plain(edits::girder(i, new), text::dragged(text::WIDE, &text::exact_length(width))))
 }
 
 fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
@@ -165,7 +171,7 @@ fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
     let free = pull.or_typed(field::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1));
     let (skew, to) = if pull.snaps() { snap::skew(pull.scene, i, free) } else { (free, None) };
     let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
-    let mut words = vec![format!("β {}° at {}", field::trimmed(skew), end.label())];
+    let mut words = vec![text::skewed_to(&field::trimmed(skew), end)];
     words.extend(to);
     Some(Pulled { edit: edits::girder(i, new), words, guides: Vec::new() })
 }
@@ -214,7 +220,7 @@ fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
         }
         Side::Girder(second, _) => edits::row_shifted(pull.scene, first, second, outward * (gap - pair.gap)),
     };
-    let mut words = vec![format!("gap {}", text::exact_length(gap))];
+    let mut words = vec![text::dragged(text::APART, &text::exact_length(gap))];
     words.extend(to);
     Some(Pulled { edit, words, guides: Vec::new() })
 }
@@ -224,7 +230,7 @@ fn offset(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let side = (b - a).normalize_or_zero();
     let far = pull.or_typed(pull.along(side));
     let edit = edits::shifted(pull.scene, Target::Abutment(i), (side * far).truncate().to_array(), 0.0)?;
-    Some(plain(edit, format!("sideways {}", text::length(far))))
+    Some(plain(edit, text::dragged(text::SIDEWAYS, &text::length(far))))
 }
 
 fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
@@ -233,5 +239,5 @@ fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (side, before) = ((b - a).normalize_or_zero(), (b - a).length());
     let width = pull.or_typed((before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST));
     let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
-    Some(plain(edits::abutment(i, new), format!("face width {}", text::exact_length(width))))
+    Some(plain(edits::abutment(i, new), text::dragged(text::FACE_WIDE, &text::exact_length(width))))
 }

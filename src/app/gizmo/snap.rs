@@ -59,7 +59,7 @@ pub(super) fn moved(scene: &Scene, selected: &[Target], i: usize, way: DVec2, (r
     }
     across.extend(parallel.iter().map(|other| {
         let there = DVec3::from(other.position);
-        Candidate { left: (there - here).dot(v), guide: line(there), words: format!("on the axis of {}", other.name) }
+        Candidate { left: (there - here).dot(v), guide: line(there), words: text::on_axis_of(&other.name) }
     }));
     let along = parallel.iter().flat_map(|other| end_to_end(girder, other, here, u, gaps));
     let (a, b) = (nearest(along, reach), nearest(across, reach));
@@ -93,7 +93,7 @@ fn end_to_end(girder: &Girder, other: &Girder, here: DVec3, u: DVec3, gaps: &[f6
             all.push(Candidate {
                 left: ahead - end.sign() * (between + gap),
                 guide: [face - side, face + side],
-                words: format!("gap {} to {}", text::exact_length(gap), other.name),
+                words: text::gap_to(&text::exact_length(gap), &other.name),
             });
         }
     }
@@ -123,7 +123,7 @@ fn angle(free: f64, others: impl Iterator<Item = (f64, String)>) -> (f64, Option
 /// Snaps a heading to the other girders' \[degrees\].
 pub(super) fn heading(scene: &Scene, i: usize, free: f64) -> (f64, Option<String>) {
     let others = scene.girders.iter().enumerate().filter(|(k, _)| *k != i);
-    angle(free, others.map(|(_, g)| (g.heading_deg, format!("parallel to {}", g.name))))
+    angle(free, others.map(|(_, g)| (g.heading_deg, text::parallel_to(&g.name))))
 }
 
 /// Snaps a skew so that the ends are parallel to other girders' ends \[degrees\].
@@ -133,7 +133,7 @@ pub(super) fn skew(scene: &Scene, i: usize, free: f64) -> (f64, Option<String>) 
     // An end's direction in the world is heading + β.
     let parallel = others.map(|(_, g)| {
         let skew = (g.skew_deg + g.heading_deg - own.heading_deg).rem_euclid(180.0);
-        (skew, format!("ends parallel to {}", g.name))
+        (skew, text::ends_parallel_to(&g.name))
     });
     angle(free, parallel)
 }
@@ -146,7 +146,7 @@ pub(super) fn gap(scene: &Scene, n: usize, free: f64, reach: f64) -> (f64, Optio
     let pairs = facing::find(scene).unwrap_or_default();
     let others = pairs.iter().enumerate().filter(|(k, p)| *k != n && (p.gap - free).abs() <= reach);
     match others.min_by(|a, b| (a.1.gap - free).abs().total_cmp(&(b.1.gap - free).abs())) {
-        Some((_, pair)) => (pair.gap, Some(format!("as {}", pair.name))),
+        Some((_, pair)) => (pair.gap, Some(text::as_at(&pair.name))),
         None => (free, None),
     }
 }

@@ -98,16 +98,16 @@ fn on_plate(grip: Grip, typing: &Typing, unit: Unit) -> String {
         format!("{name} {text}{mark}{suffix}")
     };
     match grip {
-        Grip::Bodies => format!("{}   {}", one(0, "Δx"), one(1, "Δy")),
-        Grip::Along(_) => one(0, "along"),
-        Grip::Across(_) => one(0, "across"),
-        Grip::Turn(_) => one(0, "heading"),
-        Grip::Length(..) => one(0, "length"),
-        Grip::Width(..) => one(0, "width"),
-        Grip::Skew(..) => one(0, "β"),
-        Grip::Gap(_) => one(0, "gap"),
-        Grip::Offset(_) => one(0, "sideways"),
-        Grip::FaceWidth(..) => one(0, "face width"),
+        Grip::Bodies => format!("{}   {}", one(0, text::SHIFT_X), one(1, text::SHIFT_Y)),
+        Grip::Along(_) => one(0, text::ALONG),
+        Grip::Across(_) => one(0, text::ACROSS),
+        Grip::Turn(_) => one(0, text::TURNED_TO),
+        Grip::Length(..) => one(0, text::LONG),
+        Grip::Width(..) => one(0, text::WIDE),
+        Grip::Skew(..) => one(0, text::SKEWED),
+        Grip::Gap(_) => one(0, text::APART),
+        Grip::Offset(_) => one(0, text::SIDEWAYS),
+        Grip::FaceWidth(..) => one(0, text::FACE_WIDE),
     }
 }
 

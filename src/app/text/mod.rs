@@ -1,10 +1,14 @@
 //! Every word the window shows, and how numbers are written.
 
+mod edits;
 mod fields;
+mod handles;
 mod numbers;
 mod readings;
 
+pub(super) use edits::*;
 pub(super) use fields::*;
+pub(super) use handles::*;
 pub(super) use numbers::*;
 pub(super) use readings::*;
 

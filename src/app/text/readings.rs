@@ -1,8 +1,9 @@
 //! Words beside numbers that are read off a girder, a contact or a run.
 
 use crate::geometry::End;
+use crate::sim::readings::Passed;
 
-use super::length;
+use super::{force, length, short};
 
 // What follows from a girder's own numbers.
 pub(in crate::app) const US_SKEW: &str = "US skew";
@@ -74,4 +75,15 @@ pub(in crate::app) const LOST: &str = "lost";
 /// A time in periods of the shaking.
 pub(in crate::app) fn periods(count: f64) -> String {
     format!("{count:.3} periods")
+}
+
+/// What was passed, by whom, when and how far.
+pub(in crate::app) fn passed(flag: &Passed) -> String {
+    let reached = match flag.limit {
+        "rotation_deg" => format!("turns by {}°", short(flag.reached)),
+        "drift_m" => format!("drifts by {}", length(flag.reached)),
+        "remaining_seat_m" => format!("keeps {} of its seat", length(flag.reached)),
+        _ => format!("reaches {}", force(flag.reached)),
+    };
+    format!("{} {reached}; limit passed at {:.4} s", flag.whose, flag.t)
 }

@@ -1,0 +1,36 @@
+//! What undo calls an edit.
+
+use crate::scene::Scene;
+use crate::scene::edit::Edit;
+
+/// What undo calls an edit.
+pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
+    let girder = |i: &usize| scene.girders.get(*i).map_or("girder", |g| g.name.as_str());
+    let abutment = |i: &usize| scene.abutments.get(*i).map_or("abutment", |a| a.name.as_str());
+    match edit {
+        Edit::AddGirder(_, new) => format!("add {}", new.name),
+        Edit::AddAbutment(_, new) => format!("add {}", new.name),
+        Edit::RemoveGirder(i) => format!("remove {}", girder(i)),
+        Edit::RemoveAbutment(i) => format!("remove {}", abutment(i)),
+        Edit::MoveGirder(i, ..) => format!("move {}", girder(i)),
+        Edit::ReplaceGirder(i, _) => format!("change {}", girder(i)),
+        Edit::ReplaceAbutment(i, _) => format!("change {}", abutment(i)),
+        Edit::Rename(from, to) => format!("rename {from} to {to}"),
+        Edit::Contact(_) => "change contact".into(),
+        Edit::Motion(_) => "change ground motion".into(),
+        Edit::Model(_) => "change model".into(),
+        Edit::Impact(_) => "change impact numbers".into(),
+        Edit::Scene(other) => format!("open {}", other.name),
+        Edit::Limits(_) => "change limits".into(),
+        Edit::View(_) => "change view".into(),
+        Edit::General(_) | Edit::Solver(_) | Edit::Set(_) => "change scene".into(),
+        Edit::Batch(edits) => match &edits[..] {
+            [] => "nothing".into(),
+            [one] => name_of_edit(one, scene),
+            [first, ..] => {
+                let first = name_of_edit(first, scene);
+                format!("{} {} things", first.split(' ').next().unwrap_or("change"), edits.len())
+            }
+        },
+    }
+}
