@@ -6,6 +6,9 @@
 
 use glam::{DMat3, DVec3};
 
+/// Eccentricity below this part of the matrix is rounding of the legs' places.
+const DECOUPLED: f64 = 1e-14;
+
 /// One bearing of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearing {
@@ -108,6 +111,11 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) {
     for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
         bearing.preload = DVec3::Z * (k * (factor.x + factor.y * l.x + factor.z * l.y));
     }
+}
+
+/// Whether what stands off the diagonal is rounding, against the geometric mean of the diagonal it couples.
+pub(super) fn is_diagonal(m: &DMat3) -> bool {
+    (0..3).all(|i| (0..i).all(|j| m.col(i)[j].abs() <= DECOUPLED * (m.col(i)[i] * m.col(j)[j]).sqrt()))
 }
 
 #[cfg(test)]

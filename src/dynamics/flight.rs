@@ -8,6 +8,7 @@
 use glam::{DMat3, DVec3};
 
 use super::Body;
+use super::bearing::is_diagonal;
 use super::bound::Bound;
 use super::coupled::{self, Coupled};
 use super::oscillator::{Free, Oscillator};
@@ -18,9 +19,6 @@ pub type Planar = [f64; 6];
 
 /// Every so many samples of a record a flight keeps its state; between them it is advanced again, exactly.
 const STRIDE: usize = 8;
-
-/// Eccentricity below this part of the matrix is rounding of the legs' places.
-const DECOUPLED: f64 = 1e-14;
 
 /// A planar girder's free equation of motion, prepared once.
 #[derive(Clone, Debug)]
@@ -395,9 +393,4 @@ fn split(
         }
     }
     Some(SystemForm::Split { dof, step })
-}
-
-/// Whether what stands off the diagonal is rounding, against the geometric mean of the diagonal it couples.
-fn is_diagonal(m: &DMat3) -> bool {
-    (0..3).all(|i| (0..i).all(|j| m.col(i)[j].abs() <= DECOUPLED * (m.col(i)[i] * m.col(j)[j]).sqrt()))
 }

@@ -188,10 +188,9 @@ fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Lo
     if here.gap <= -entry {
         return 0.0;
     }
-    // A node that comes out slowly must not be held by more than its rounding, nor one that hangs before the face by the
-    // pull of its own spring, whose rate is noise. One that goes in has crossed within rounding, be it before the face still.
-    let goes_in = here.gap_rate < 0.0 && -here.gap_rate >= island.omega() * here.gap;
-    let length = if goes_in { entry.max(2.0 * here.gap) } else { PARTING * entry };
+    // A node that comes out slowly must not be held by more than its rounding.
+    // One that goes in has crossed within rounding, be it before the face still.
+    let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING * entry };
     match (reason, &closed.mode) {
         (Reason::Edge, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
