@@ -11,7 +11,7 @@ mod handmade;
 #[path = "pictures/studio.rs"]
 mod studio;
 
-use girderbench::render::{Image, Packing, Quality, Renderer};
+use girderbench::render::{Fault, GpuError, Image, Packing, Quality, Renderer};
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::snapshot::{Instant, Shot, Studio};
@@ -131,6 +131,20 @@ fn a_picture_is_the_same_twice_and_on_a_second_device() {
     assert!(first == second, "the same device draws the same list the same");
     let third = Studio::open(None).expect("a second device").shoot(&history, &shot).expect("it is drawn there");
     assert!(first == third, "so does a second device on the same adapter");
+}
+
+#[test]
+fn a_lost_device_is_replaced_in_the_middle_of_a_film() {
+    let Some(_shared) = studio("a_lost_device_is_replaced_in_the_middle_of_a_film") else { return };
+    let mut studio = Studio::open(None).expect("a device of its own, to be lost");
+    let list = empty_list();
+    let before = studio.draw(&list).expect("it is drawn");
+    studio.gpu.device.destroy();
+    assert!(studio.draw(&list).expect("it is drawn on another device") == before, "the same picture");
+    let (gpu, mut renderer) = (studio.gpu.clone(), Renderer::new(&studio.gpu, Quality::DRAFT));
+    gpu.device.destroy();
+    let error = renderer.picture(&gpu, &list, list.size).expect_err("by itself a renderer has one device");
+    assert!(matches!(error, GpuError::Fault(Fault::Lost(_))), "which it says is lost: {error}");
 }
 
 #[test]

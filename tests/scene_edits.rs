@@ -115,6 +115,24 @@ fn a_drag_is_one_step() {
 }
 
 #[test]
+fn a_drag_that_is_abandoned_has_never_been() {
+    let before = preset("row-of-5");
+    let (mut scene, mut steps) = (before.clone(), UndoStack::default());
+    steps.perform(&mut scene, Edit::MoveGirder(2, [6.0, 1.0, 0.0], 0.0), "move g3").expect("it moves");
+    let earlier = scene.clone();
+    assert_eq!(steps.abandon(&mut scene, "g2"), Ok(false), "nothing was dragged yet");
+    for n in 0..10 {
+        let edit = Edit::MoveGirder(1, [f64::from(n), 0.0, 0.0], 0.0);
+        steps.drag(&mut scene, edit, "move g2", "g2").expect("it moves");
+    }
+    assert_eq!(steps.abandon(&mut scene, "g4"), Ok(false), "another drag is not this one");
+    assert_eq!((steps.abandon(&mut scene, "g2"), &scene), (Ok(true), &earlier), "put back");
+    assert_eq!((steps.depth(), steps.redo_label()), (1, None), "and neither to be undone nor redone");
+    while steps.undo(&mut scene) == Ok(true) {}
+    assert_eq!(scene, before, "what was done before can be");
+}
+
+#[test]
 fn a_drag_of_several_things_at_once_is_one_step_and_stays_small() {
     let before = deck();
     let (mut scene, mut steps) = (before.clone(), UndoStack::default());

@@ -3,6 +3,10 @@
 
 #[path = "window/compare.rs"]
 mod compare;
+#[path = "window/crowd.rs"]
+mod crowd;
+#[path = "window/fields.rs"]
+mod fields;
 #[path = "window/files.rs"]
 mod files;
 #[path = "window/film.rs"]
@@ -11,6 +15,8 @@ mod film;
 mod golden;
 #[path = "window/harness.rs"]
 mod harness;
+#[path = "window/keys.rs"]
+mod keys;
 #[path = "window/layout.rs"]
 mod layout;
 #[path = "window/lessons.rs"]

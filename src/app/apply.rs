@@ -42,7 +42,8 @@ impl Workbench {
 
     /// Everything that commands can change and a frame shows.
     fn seen(&self) -> impl PartialEq + use<> {
-        let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale);
+        let hand = self.viewport.hand.seen();
+        let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale, hand);
         let asked = (self.tool, self.sight, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
         let files = (self.keeping.asked(), self.films.plan, self.lesson, self.aim_next);
         let time = (self.clock.clone(), self.time_window);
@@ -53,6 +54,8 @@ impl Workbench {
     pub fn apply(&mut self, command: Command) {
         match command {
             Command::Edit { edit, gesture } => self.edit(edit, gesture),
+            Command::Take(grip, at) => self.take_by_keys(grip, at),
+            Command::Type(key) => self.type_in_hand(&key),
             Command::Undo => {
                 let done = self.document.undo();
                 self.after(done);
@@ -218,6 +221,8 @@ impl Workbench {
             Command::Film(wish) => self.apply_film(wish),
             Command::Keep(wish) => self.apply_keep(wish),
             Command::OpenDialog => self.dialogs.open(),
+            Command::AskRecord => self.dialogs.record(),
+            Command::Record(path) => self.take_record(&path),
             Command::Save => match self.document.file() {
                 Some(file) => {
                     let file = file.to_owned();

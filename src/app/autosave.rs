@@ -6,28 +6,35 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use super::clock::now;
+use super::last_will::{self, Will};
 use super::runner::Wake;
-use crate::files::SideFile;
+use crate::files::{SideFile, WriteError};
 use crate::scene::Scene;
 
 /// How long after an edit the work is written.
 pub(super) const DELAY: Duration = Duration::from_secs(3);
 
+/// How long a process that is ended from outside waits for the disk.
+const PATIENCE: Duration = Duration::from_secs(10);
+
 /// What the thread is asked for.
 enum Job {
-    /// Write an origin's scene into its side file, which is beside this file.
-    Write(u64, PathBuf, Box<Scene>),
+    /// Hold an origin's scene, to be written into its side file, which is beside this file.
+    Hold(u64, PathBuf, Box<Scene>),
+    /// Write what is held.
+    Write,
     /// An origin's side file is not needed any more.
     Forget(u64),
     /// A side file that was found is this origin's now.
     Adopt(u64, PathBuf),
-    /// Answer when everything before is done.
-    Sync(Sender<()>),
+    /// Answer when everything before is done: whether unsaved work is on the disk.
+    Sync(Sender<bool>),
 }
 
 /// What is to be kept.
@@ -49,6 +56,10 @@ pub(super) struct Autosave {
     problems: Receiver<String>,
     /// Revision of each origin that was last written.
     written: BTreeMap<u64, u64>,
+    /// Origin and revision that the thread holds.
+    held: Option<(u64, u64)>,
+    /// Done when the process ends and the window does not know.
+    will: Option<Will>,
     due: Option<Instant>,
     /// How long after an edit the work is written.
     pub(super) delay: Duration,
@@ -60,12 +71,17 @@ impl Autosave {
         let (jobs, wanted) = channel();
         let (send, problems) = channel();
         let thread = std::thread::spawn(move || write_as_asked(&wanted, &send, &wake));
-        let written = BTreeMap::new();
-        Self { jobs: Some(jobs), thread: Some(thread), problems, written, due: None, delay: DELAY }
+        let will: Will = Rc::new({
+            let jobs = jobs.clone();
+            move || jobs.send(Job::Write).is_ok() && ask_whether_kept(&jobs, PATIENCE)
+        });
+        last_will::leave(&will);
+        let (jobs, thread, will) = (Some(jobs), Some(thread), Some(will));
+        Self { jobs, thread, problems, written: BTreeMap::new(), held: None, will, due: None, delay: DELAY }
     }
 
     /// Looks whether there is something to write; says when to look again.
-    pub(super) fn watch(&mut self, work: Work, scene: impl FnOnce() -> Scene) -> Option<Duration> {
+    pub(super) fn watch(&mut self, work: &Work, scene: impl FnOnce() -> Scene) -> Option<Duration> {
         if !work.dirty {
             self.forget(work.origin);
             return None;
@@ -76,30 +92,41 @@ impl Autosave {
         }
         let time = now();
         let due = *self.due.get_or_insert(time + self.delay);
+        self.hold(work, scene);
         if time < due {
             return Some(due - time);
         }
-        self.write(work, scene());
+        self.write(work);
         None
     }
 
     /// Writes at once what has not been written.
-    pub(super) fn hurry(&mut self, work: Work, scene: impl FnOnce() -> Scene) {
+    pub(super) fn hurry(&mut self, work: &Work, scene: impl FnOnce() -> Scene) {
         if work.dirty && self.written.get(&work.origin) != Some(&work.revision) {
-            self.write(work, scene());
+            self.hold(work, scene);
+            self.write(work);
         }
     }
 
-    fn write(&mut self, work: Work, scene: Scene) {
+    fn hold(&mut self, work: &Work, scene: impl FnOnce() -> Scene) {
+        let this = Some((work.origin, work.revision));
+        if self.held != this {
+            self.held = this;
+            self.ask(Job::Hold(work.origin, work.beside.clone(), Box::new(scene())));
+        }
+    }
+
+    fn write(&mut self, work: &Work) {
         self.due = None;
         self.written.insert(work.origin, work.revision);
-        self.ask(Job::Write(work.origin, work.beside, Box::new(scene)));
+        self.ask(Job::Write);
     }
 
     /// The work is saved or given up.
     pub(super) fn forget(&mut self, origin: u64) {
         self.due = None;
-        if self.written.remove(&origin).is_some() {
+        let held = self.held.take_if(|(held, _)| *held == origin).is_some();
+        if self.written.remove(&origin).is_some() || held {
             self.ask(Job::Forget(origin));
         }
     }
@@ -112,10 +139,9 @@ impl Autosave {
 
     /// Waits until everything asked for is on the disk.
     pub(super) fn wait(&self) {
-        let (done, told) = channel();
-        self.ask(Job::Sync(done));
-        // The thread has ended: nothing to wait for.
-        let _ = told.recv();
+        if let Some(jobs) = &self.jobs {
+            let _ = ask_whether_kept(jobs, Duration::MAX);
+        }
     }
 
     /// A complaint about the disk, if there is a new one.
@@ -133,34 +159,53 @@ impl Autosave {
 
 impl Drop for Autosave {
     fn drop(&mut self) {
-        self.jobs = None;
+        (self.jobs, self.will) = (None, None);
         // What was asked for is finished; a thread that panicked has nothing more to say.
         let _ = self.thread.take().map(JoinHandle::join);
     }
 }
 
+/// Waits until everything asked for is done; whether unsaved work is on the disk then.
+fn ask_whether_kept(jobs: &Sender<Job>, patience: Duration) -> bool {
+    let (done, told) = channel();
+    // The thread has ended: nothing to wait for.
+    jobs.send(Job::Sync(done)).is_ok() && told.recv_timeout(patience).unwrap_or(false)
+}
+
+/// What the thread has in its hands.
+#[derive(Default)]
+struct Hands {
+    held: Option<(u64, PathBuf, Box<Scene>)>,
+    sides: BTreeMap<u64, SideFile>,
+}
+
+impl Hands {
+    fn write(&mut self) -> Result<(), WriteError> {
+        let Some((origin, beside, scene)) = self.held.take() else { return Ok(()) };
+        match self.sides.get_mut(&origin) {
+            Some(side) => side.write(&scene),
+            None => SideFile::create(&scene, &beside).map(|side| drop(self.sides.insert(origin, side))),
+        }
+    }
+
+    fn forget(&mut self, origin: u64) {
+        self.held.take_if(|(held, _, _)| *held == origin);
+        self.sides.remove(&origin).into_iter().for_each(SideFile::remove);
+    }
+}
+
 fn write_as_asked(wanted: &Receiver<Job>, problems: &Sender<String>, wake: &Wake) {
-    let mut sides: BTreeMap<u64, SideFile> = BTreeMap::new();
+    let mut hands = Hands::default();
     for job in wanted {
-        let done = match job {
-            Job::Write(origin, beside, scene) => match sides.get_mut(&origin) {
-                Some(side) => side.write(&scene),
-                None => SideFile::create(&scene, &beside).map(|side| drop(sides.insert(origin, side))),
-            },
-            Job::Forget(origin) => {
-                sides.remove(&origin).into_iter().for_each(SideFile::remove);
-                Ok(())
-            }
-            Job::Adopt(origin, path) => {
-                drop(sides.insert(origin, SideFile::adopt(path)));
-                Ok(())
-            }
-            Job::Sync(done) => {
-                // Whoever asked does not wait any more.
-                let _ = done.send(());
-                Ok(())
-            }
-        };
+        let mut done = Ok(());
+        match job {
+            Job::Hold(origin, beside, scene) => hands.held = Some((origin, beside, scene)),
+            Job::Write => done = hands.write(),
+            Job::Forget(origin) => hands.forget(origin),
+            Job::Adopt(origin, path) => drop(hands.sides.insert(origin, SideFile::adopt(path))),
+            // Whoever asked may not wait any more.
+            Job::Sync(done) => drop(done.send(!hands.sides.is_empty())),
+        }
         if let Err(problem) = done {
             // Nobody listens any more when the window has closed.
             let _ = problems.send(problem.to_string());

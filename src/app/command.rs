@@ -5,7 +5,11 @@
 
 use std::path::PathBuf;
 
+use glam::DVec3;
+
 use super::film::Filming;
+use super::gizmo::Grip;
+use super::hand::HandKey;
 use super::keeping::Keep;
 use super::lessons::Learn;
 use super::row_dialog::RowDraft;
@@ -62,6 +66,10 @@ pub enum Command {
         /// What the hand is on: a slider, a drag; none for a click.
         gesture: Option<u64>,
     },
+    /// Take hold of a handle without the mouse, at its place \[m\].
+    Take(Grip, DVec3),
+    /// A key for the number of the handle that is held.
+    Type(HandKey),
     /// Take the last change back.
     Undo,
     /// Make it again.
@@ -159,6 +167,10 @@ pub enum Command {
     OpenDialog,
     /// Open a file.
     OpenFile(PathBuf),
+    /// Ask which record shakes the ground.
+    AskRecord,
+    /// Shake the ground by the record in a file, given from the scene's own folder on.
+    Record(PathBuf),
     /// Save where it came from, or ask.
     Save,
     /// Ask where to save.

@@ -41,6 +41,11 @@ impl Dialogs {
         self.wait(scenes().pick_file(), Command::OpenFile);
     }
 
+    /// Which record shakes the ground.
+    pub(super) fn record(&self) {
+        self.wait(AsyncFileDialog::new().add_filter("CSV", &["csv", "txt"]).pick_file(), Command::Record);
+    }
+
     /// Where to save the scene.
     pub(super) fn save(&self, name: &str) {
         self.wait(scenes().set_file_name(format!("{name}.toml")).save_file(), |path| {

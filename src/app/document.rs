@@ -105,6 +105,16 @@ impl Document {
         Ok(true)
     }
 
+    /// Takes back what a gesture has done, as if it had never begun; `false` when it has done nothing.
+    ///
+    /// # Errors
+    /// As [`UndoStack::abandon`].
+    pub(super) fn abandon(&mut self, gesture: u64) -> Result<bool, EditError> {
+        let done = self.steps.abandon(&mut self.scene, &gesture.to_string())?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
     /// Takes the last change back; `false` when there is none.
     ///
     /// # Errors

@@ -1,14 +1,29 @@
 //! The mouse in the 3D view: orbit, pan, zoom, select, and drag what is selected over the ground.
 
-use egui::{CursorIcon, PointerButton, Response, Ui};
+use egui::{CursorIcon, Event, Key, PointerButton, Response, Ui};
 use glam::DVec3;
 
 use super::command::Command;
-use super::gizmo::{self, Eye, Grip, Held, Pulled};
+use super::gizmo::{self, Eye, Grip, Held, Pulled, Typing};
 use super::tool::Tool;
 use super::{Workbench, viewport};
 use crate::scene::Scene;
 use crate::view::{Camera, Target};
+
+/// A key for the number of what is held.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum HandKey {
+    /// Letters of it.
+    Text(String),
+    /// Take the last letter back.
+    TakeBack,
+    /// To the other number, where there are two.
+    Next,
+    /// It is good: let go.
+    Set,
+    /// Let go, and put everything back.
+    Cancel,
+}
 
 /// What the mouse holds.
 #[derive(Clone, Debug, Default)]
@@ -16,14 +31,66 @@ pub(super) struct Hand {
     pub(super) held: Option<Held>,
     /// What the pull has come to, to be read beside the mouse.
     pub(super) pulled: Option<Pulled>,
+    /// What is typed instead.
+    typing: Typing,
+    /// What stands on the plate while something is typed.
+    pub(super) words: Option<Vec<String>>,
+    /// The handle that has the focus, and its place \[m\].
+    pub(super) focused: Option<(Grip, DVec3)>,
+    /// Whether the mouse is still down on something that was let go by a key.
+    spent: bool,
     count: u64,
 }
 
 impl Hand {
     /// Opens: what was held stays where it is.
     pub(super) fn let_go(&mut self) {
-        (self.held, self.pulled) = (None, None);
+        (self.held, self.pulled, self.words, self.typing) = (None, None, None, Typing::default());
     }
+
+    /// Lets go of a handle that was held by keys and has lost the focus; a mouse that is up again begins anew.
+    pub(super) fn forget_lost(&mut self, ui: &Ui) {
+        if self.held.as_ref().is_some_and(|held| held.by_keys && self.focused.is_none_or(|(grip, _)| grip != held.grip))
+        {
+            self.let_go();
+        }
+        self.spent &= ui.input(|i| i.pointer.any_down());
+    }
+
+    /// What of it can be seen.
+    pub(super) fn seen(&self) -> (bool, Option<Vec<String>>) {
+        (self.held.is_some(), self.words.clone())
+    }
+}
+
+/// Keys while something is held are the hand's: a number, Enter, Escape. Answers whether they were.
+pub(super) fn keys(ui: &Ui, bench: &Workbench, out: &mut Vec<Command>) -> bool {
+    let hand = &bench.viewport.hand;
+    let mut holds = hand.held.is_some();
+    let events = ui.input(|i| i.events.clone());
+    for event in events {
+        match event {
+            Event::Text(words) => {
+                if let Some((grip, at)) = hand.focused.filter(|_| !holds && words.starts_with(gizmo::begins_number)) {
+                    out.push(Command::Take(grip, at));
+                    holds = true;
+                }
+                out.extend(holds.then_some(Command::Type(HandKey::Text(words))));
+            }
+            Event::Key { key, pressed: true, .. } if holds => {
+                let key = match key {
+                    Key::Enter => HandKey::Set,
+                    Key::Escape => HandKey::Cancel,
+                    Key::Backspace => HandKey::TakeBack,
+                    Key::Tab => HandKey::Next,
+                    _ => continue,
+                };
+                out.push(Command::Type(key));
+            }
+            _ => {}
+        }
+    }
+    holds
 }
 
 impl Workbench {
@@ -32,13 +99,70 @@ impl Workbench {
         let (scene, selected) = (Box::new(self.scene().clone()), self.selection().to_vec());
         let hand = &mut self.viewport.hand;
         hand.count += 1;
-        hand.held = Some(Held { grip, from, scene, selected, gesture: hand.count | 1 << 63 });
+        hand.let_go();
+        hand.held = Some(Held { grip, from, scene, selected, gesture: hand.count | 1 << 63, by_keys: false });
+    }
+
+    /// Whether a handle has the focus, to whose number this key belongs.
+    pub(super) fn takes_number(&self, key: Key) -> bool {
+        let letter = match key {
+            Key::Plus | Key::Minus | Key::Comma | Key::Period => true,
+            digit => digit.name().starts_with(|c: char| c.is_ascii_digit()),
+        };
+        letter && self.viewport.hand.focused.is_some()
+    }
+
+    /// Takes hold of a handle to type its number, without the mouse.
+    pub(super) fn take_by_keys(&mut self, grip: Grip, at: DVec3) {
+        self.hold(grip, at);
+        if let Some(held) = &mut self.viewport.hand.held {
+            held.by_keys = true;
+        }
+    }
+
+    /// A key for the number of what is held.
+    pub(super) fn type_in_hand(&mut self, key: &HandKey) {
+        let hand = &mut self.viewport.hand;
+        let Some(held) = &hand.held else { return };
+        let two = held.grip == Grip::Bodies;
+        match key {
+            HandKey::Text(words) => hand.typing.add(words),
+            HandKey::TakeBack => hand.typing.take_back(),
+            HandKey::Next if two => hand.typing.next(),
+            HandKey::Next => return,
+            HandKey::Set | HandKey::Cancel => {
+                let gesture = held.gesture;
+                hand.spent = !held.by_keys;
+                hand.let_go();
+                if *key == HandKey::Cancel {
+                    let done = self.document.abandon(gesture);
+                    self.after(done);
+                }
+                return;
+            }
+        }
+        self.say_typed();
+    }
+
+    /// Does what the typed number says, and says it.
+    fn say_typed(&mut self) {
+        let hand = &mut self.viewport.hand;
+        let Some(held) = hand.held.as_ref() else { return };
+        if hand.typing.is_empty() {
+            hand.words = None;
+            return;
+        }
+        let (said, gesture) = (gizmo::read_typed(held, &hand.typing), held.gesture);
+        hand.words = Some(said.words);
+        if let Some(pulled) = said.pulled {
+            self.edit(pulled.edit, Some(gesture));
+        }
     }
 
     /// What the hand that moves asks for; Ctrl keeps it from snapping.
     pub(super) fn drag_held(&mut self, ui: &Ui, eye: &Eye) -> Option<Command> {
         let (at, free) = ui.input(|i| (i.pointer.interact_pos(), i.modifiers.command));
-        let held = self.viewport.hand.held.as_ref()?;
+        let held = self.viewport.hand.held.as_ref().filter(|_| self.viewport.hand.typing.is_empty())?;
         let pulled = gizmo::pull(held, eye, at?, free)?;
         let command = Command::Edit { edit: pulled.edit.clone(), gesture: Some(held.gesture) };
         self.viewport.hand.pulled = Some(pulled);
@@ -70,7 +194,7 @@ pub(super) fn interact(ui: &Ui, response: &Response, bench: &mut Workbench, out:
         if bench.viewport.hand.held.is_some() {
             ui.set_cursor_icon(CursorIcon::Grabbing);
             out.extend(bench.drag_held(ui, &eye));
-        } else {
+        } else if !bench.viewport.hand.spent {
             out.extend(turn(ui, response, camera));
         }
     }

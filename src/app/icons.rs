@@ -21,6 +21,8 @@ pub(super) enum Icon {
     NextEvent,
     /// A triangle to the right and a bar.
     End,
+    /// An arrow that turns back.
+    TakeBack,
 }
 
 /// Draws a sign in the middle of a rectangle.
@@ -46,5 +48,19 @@ pub(super) fn draw(painter: &Painter, rect: Rect, icon: Icon, color: Color32) {
         Icon::StepForward => (bar(-0.5), triangle(0.2, 1.0)),
         Icon::NextEvent => (triangle(-0.45, 1.0), triangle(0.45, 1.0)),
         Icon::End => (triangle(-0.1, 1.0), bar(0.55)),
+        Icon::TakeBack => (take_back(painter, rect, color), ()),
     };
+}
+
+/// Most of a circle against the clock, from the right over the top, with a head at its left end.
+fn take_back(painter: &Painter, rect: Rect, color: Color32) {
+    let (middle, radius) = (rect.center() + vec2(0.0, 0.5), 3.6);
+    let at = |degrees: f32| middle + Vec2::angled(degrees.to_radians()) * radius;
+    let arc: Vec<_> = (0_u8..=12).map(|i| at(100.0 - f32::from(i) * 22.5)).collect();
+    let (tip, before) = (at(-190.0), at(-140.0));
+    painter.line(arc, Stroke::new(1.3, color));
+    let way = (tip - before).normalized();
+    let side = way.rot90() * 2.6;
+    let head = vec![tip + way * 2.2, tip - way * 1.8 + side, tip - way * 1.8 - side];
+    painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
 }

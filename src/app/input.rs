@@ -6,6 +6,7 @@ use egui::{Event, Key, Modifiers};
 
 use super::Workbench;
 use super::command::{Command, Nudge, Way};
+use super::hand;
 use super::row_dialog::RowDraft;
 use super::tool::Tool;
 use crate::scene::ViewPreset;
@@ -16,6 +17,9 @@ pub(super) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
     if asked || bench.film_plan().is_some() || bench.row_draft().is_some() {
         return;
     }
+    if !bench.help_is_open() && hand::keys(ui, bench, out) {
+        return;
+    }
     let typing = ui.text_edit_focused();
     let focused = ui.memory(|m| m.focused().is_some());
     let events = ui.input(|i| i.events.clone());
@@ -23,6 +27,9 @@ pub(super) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
         let Event::Key { key, pressed: true, modifiers, .. } = event else { continue };
         if bench.help_is_open() {
             out.extend(matches!(key, Key::Escape | Key::F1).then_some(Command::Help(false)));
+            continue;
+        }
+        if bench.takes_number(key) && !modifiers.command && !modifiers.alt {
             continue;
         }
         let command = with_command(key, modifiers)

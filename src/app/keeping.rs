@@ -161,7 +161,7 @@ impl Workbench {
     pub(super) fn keep_work(&mut self) -> Option<Duration> {
         let work = self.work().filter(|_| self.closing != Closing::Now)?;
         let mut autosave = self.keeping.autosave.take()?;
-        let again = autosave.watch(work, || self.scene_as_seen());
+        let again = autosave.watch(&work, || self.scene_as_seen());
         if let Some(problem) = autosave.problem() {
             self.notice = Some(format!("{} {problem}", text::NOT_KEPT));
         }
@@ -172,7 +172,7 @@ impl Workbench {
     /// Keeps unsaved work now: something else is about to be opened, or the window ends otherwise than by being closed.
     pub(super) fn keep_work_now(&mut self) {
         let (Some(work), Some(mut autosave)) = (self.work(), self.keeping.autosave.take()) else { return };
-        autosave.hurry(work, || self.scene_as_seen());
+        autosave.hurry(&work, || self.scene_as_seen());
         self.keeping.autosave = Some(autosave);
     }
 

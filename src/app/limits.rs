@@ -3,7 +3,7 @@
 use egui::{Button, RichText, Ui};
 
 use super::command::Command;
-use super::field::{Change, DEGREES, Place, Unit, force_unit, length_unit, number};
+use super::field::{Change, DEGREES, Place, Unit, force_unit, length_unit, number, tag};
 use super::theme::Palette;
 use super::{Workbench, text};
 use crate::scene::Limits;
@@ -60,12 +60,13 @@ fn row(
     unit: Unit,
 ) -> Option<Change> {
     let mut on = limit.is_some();
-    let switched = ui.checkbox(&mut on, label).changed();
+    let response = ui.checkbox(&mut on, label);
+    let switched = tag(ui, &response, place, (key, label)).changed();
     if switched {
         *limit = on.then_some(first);
     }
     ui.end_row();
-    let moved = limit.as_mut().and_then(|value| number(ui, place, (key, &format!("{label} at")), value, unit, 0.0));
+    let moved = limit.as_mut().and_then(|value| number(ui, place, (key, &format!("{label} at")), value, unit));
     moved.or(switched.then_some(Change { gesture: None }))
 }
 

@@ -144,6 +144,11 @@ impl Workbench {
         self.pins.iter().map(|p| p.answer.number).collect()
     }
 
+    /// What stands beside the hand while a number is typed for what it holds.
+    pub fn hand_words(&self) -> &[String] {
+        self.viewport.hand.words.as_deref().unwrap_or_default()
+    }
+
     /// The row that is being asked for.
     pub fn row_draft(&self) -> Option<RowDraft> {
         self.row

@@ -1,10 +1,10 @@
 //! Which model computes the scene, the impact model's numbers, and how far the two models are apart.
 
-use egui::{ComboBox, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::answer::Apart;
 use super::command::Command;
-use super::field::{Change, PURE, Place, SLOW, slider};
+use super::field::{PURE, Place, SLOW, choice_line, slider, slider_of};
 use super::{Workbench, text};
 use crate::scene::edit::Edit;
 use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
@@ -16,7 +16,8 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut model = scene.model;
     let spatial = scene.kind == Kind::Spatial;
     ui.add_enabled_ui(!spatial || model.kind != ModelKind::Contact, |ui| {
-        choice(ui, text::MODEL, "model", &mut model.kind, &MODELS);
+        let place = Place { problems: bench.problems(), table: "model" };
+        choice_line(ui, place, ("kind", text::MODEL), &mut model.kind, &MODELS);
     });
     if spatial {
         ui.add(egui::Label::new(RichText::new(text::MODEL_SPATIAL).weak().small()).wrap());
@@ -38,27 +39,12 @@ const MODELS: [(ModelKind, &str); 3] = [
 
 const RULES: [(Flush, &str); 2] = [(Flush::Paper, text::FLUSH_PAPER), (Flush::TwoCorner, text::FLUSH_TWO_CORNER)];
 
-/// One of a few, by name; whether it was changed.
-fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, salt: &str, value: &mut T, options: &[(T, &str)]) -> bool {
-    let before = *value;
-    let word = |v: T| options.iter().find(|(option, _)| *option == v).map_or("", |(_, word)| word);
-    ui.horizontal(|ui| {
-        let label = ui.label(label);
-        let combo = ComboBox::from_id_salt(salt).selected_text(word(before)).show_ui(ui, |ui| {
-            for (option, word) in options {
-                ui.selectable_value(value, *option, *word);
-            }
-        });
-        combo.response.labelled_by(label.id);
-    });
-    *value != before
-}
-
 fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut new: ImpactSettings = bench.scene().impact;
     let place = Place { problems: bench.problems(), table: "impact" };
-    let [corner_s, corner_k] = new.corner_friction();
-    let (mut mu_s, mut mu_k) = (corner_s, corner_k);
+    // A corner's numbers where it has none of its own.
+    let [own_s, _] = ImpactSettings { corner_mu_static: None, ..new }.corner_friction();
+    let [_, own_k] = ImpactSettings { corner_mu_kinetic: None, ..new }.corner_friction();
     let changes = [
         slider(ui, place, ("restitution_normal", text::IMPACT_E_NORMAL), &mut new.restitution_normal, PURE, 0.0..=1.0),
         slider(
@@ -73,17 +59,25 @@ fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         slider(ui, place, ("mu_kinetic", text::IMPACT_MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
     ];
     let corner = [
-        slider(ui, place, ("corner_mu_static", text::CORNER_MU_STATIC), &mut mu_s, PURE, 0.0..=1.0),
-        slider(ui, place, ("corner_mu_kinetic", text::CORNER_MU_KINETIC), &mut mu_k, PURE, 0.0..=1.0),
+        slider_of(
+            ui,
+            place,
+            ("corner_mu_static", text::CORNER_MU_STATIC),
+            (&mut new.corner_mu_static, own_s),
+            PURE,
+            0.0..=1.0,
+        ),
+        slider_of(
+            ui,
+            place,
+            ("corner_mu_kinetic", text::CORNER_MU_KINETIC),
+            (&mut new.corner_mu_kinetic, own_k),
+            PURE,
+            0.0..=1.0,
+        ),
     ];
-    if corner[0].is_some() {
-        new.corner_mu_static = Some(mu_s);
-    }
-    if corner[1].is_some() {
-        new.corner_mu_kinetic = Some(mu_k);
-    }
     let speed = slider(ui, place, ("stop_speed_m_s", text::STOP_SPEED), &mut new.stop_speed, SLOW, 1e-6..=1e-2);
-    let rule = choice(ui, text::FLUSH_HITS, "flush", &mut new.flush, &RULES).then_some(Change { gesture: None });
+    let rule = choice_line(ui, place, ("flush", text::FLUSH_HITS), &mut new.flush, &RULES);
     let change = changes.into_iter().chain(corner).flatten().next().or(speed).or(rule);
     if let Some(change) = change {
         out.push(Command::Edit { edit: Edit::Impact(new), gesture: change.gesture });

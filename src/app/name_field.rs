@@ -3,16 +3,18 @@
 use egui::{Id, TextEdit, Ui};
 
 use super::command::Command;
+use super::field::{Place, tag};
 use super::text;
 use crate::view::Target;
 
 /// A grid row with the name.
-pub(super) fn show(ui: &mut Ui, target: Option<Target>, name: &str, out: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, place: Place<'_>, target: Option<Target>, name: &str, out: &mut Vec<Command>) {
     let Some(target) = target else { return };
     let label = ui.label(text::NAME);
     let draft_id = Id::unique(("name draft", target));
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| name.to_owned());
-    let response = ui.add(TextEdit::singleline(&mut draft).desired_width(90.0)).labelled_by(label.id);
+    let response = ui.add(TextEdit::singleline(&mut draft).desired_width(104.0)).labelled_by(label.id);
+    let response = tag(ui, &response, place, ("name", text::NAME));
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(draft_id, draft));
     } else {

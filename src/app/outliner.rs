@@ -4,7 +4,8 @@ use egui::{Button, RichText, Ui};
 
 use super::Workbench;
 use super::command::Command;
-use super::{field, text};
+use super::field::{self, Place, mark};
+use super::text;
 use crate::view::Target;
 
 /// Shows the list and the buttons that add to it.
@@ -12,10 +13,15 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(text::OUTLINER).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if ui.small_button(text::ADD_ABUTMENT).on_hover_text("B").clicked() {
+            let top = Place { problems: None, table: "" };
+            let add = ui.small_button(text::ADD_ABUTMENT).on_hover_text("B");
+            mark(&add, top, ("abutment", text::ADD_ABUTMENT));
+            if add.clicked() {
                 out.push(Command::AddAbutment);
             }
-            if ui.small_button(text::ADD_GIRDER).on_hover_text("G").clicked() {
+            let add = ui.small_button(text::ADD_GIRDER).on_hover_text("G");
+            mark(&add, top, ("girder", text::ADD_GIRDER));
+            if add.clicked() {
                 out.push(Command::AddGirder);
             }
         });

@@ -4,9 +4,10 @@ use egui::{Slider, Ui};
 
 use super::Workbench;
 use super::command::Command;
-use super::field::slider_row;
+use super::field::{Place, choice_line, slider_row, tag};
 use super::text;
-use crate::scene::Overlays;
+use crate::scene::edit::Edit;
+use crate::scene::{Overlays, ViewPreset, ViewSettings, keys};
 
 /// Every layer, in the order of [`text::OVERLAYS`].
 fn switches(overlays: &mut Overlays) -> [&mut bool; 13] {
@@ -30,10 +31,13 @@ fn switches(overlays: &mut Overlays) -> [&mut bool; 13] {
 /// Shows the toggles in two columns, then the force scale.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut overlays = bench.overlays();
+    let layers = Place { problems: bench.problems(), table: "view.overlays" };
     let mut changed = false;
     egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
-        for (i, (on, label)) in switches(&mut overlays).into_iter().zip(text::OVERLAYS).enumerate() {
-            changed |= ui.checkbox(on, label).changed();
+        let labels = text::OVERLAYS.into_iter().zip(keys::OVERLAYS);
+        for (i, (on, (label, key))) in switches(&mut overlays).into_iter().zip(labels).enumerate() {
+            let response = ui.checkbox(on, label);
+            changed |= tag(ui, &response, layers, (key.name, label)).changed();
             if i % 2 == 1 {
                 ui.end_row();
             }
@@ -44,6 +48,23 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     }
     force_scale(ui, bench, out);
     super::views::exaggeration(ui, bench, out);
+    first_view(ui, bench, out);
+}
+
+const VIEWS: [(ViewPreset, &str); 4] = [
+    (ViewPreset::Iso, text::VIEW_ISO),
+    (ViewPreset::Top, text::VIEW_TOP),
+    (ViewPreset::Side, text::VIEW_SIDE),
+    (ViewPreset::Contact, text::VIEW_CONTACT),
+];
+
+/// Where the camera stands when the scene is opened.
+fn first_view(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let place = Place { problems: bench.problems(), table: "view" };
+    let mut view = ViewSettings { ..bench.scene().view.clone() };
+    if choice_line(ui, place, ("camera", text::FIRST_VIEW), &mut view.camera, &VIEWS).is_some() {
+        out.push(Command::Edit { edit: Edit::View(view), gesture: None });
+    }
 }
 
 fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -58,8 +79,9 @@ fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         .logarithmic(true)
         .clamping(egui::SliderClamping::Edits)
         .show_value(false);
-    let moved = slider_row(ui, text::FORCE_SCALE.into(), slider, &words).changed();
-    if moved {
+    let place = Place { problems: bench.problems(), table: "view" };
+    let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
+    if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE)).changed() {
         out.push(Command::ForceScale(Some(scale)));
     }
 }

@@ -6,6 +6,7 @@ use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
 
 use super::answer::Answer;
 use super::command::Command;
+use super::field::{Place, mark};
 use super::{Workbench, text};
 use crate::scene::edit::Edit;
 use crate::scene::{PlotSettings, ViewSettings};
@@ -153,7 +154,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     }
     ui.horizontal(|ui| {
         ui.add_enabled_ui(plots.len() < MOST, |ui| {
-            ui.menu_button(text::ADD_PANEL, |ui| {
+            let adding = ui.menu_button(text::ADD_PANEL, |ui| {
                 for (words, plot) in offers(names, bench.shown_girder()) {
                     if ui.button(words).clicked() {
                         plots.push(plot);
@@ -161,6 +162,8 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
                     }
                 }
             });
+            let place = Place { problems: None, table: "view" };
+            mark(&adding.response, place, ("plot", text::ADD_PANEL));
         });
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
             for (words, format) in [("SVG…", "svg"), ("PNG…", "png"), ("CSV…", "csv")] {
@@ -224,7 +227,9 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
         plot.y.remove(k);
     }
     ui.horizontal(|ui| {
-        ui.menu_button(text::ADD_CURVE, |ui| {
+        let table = format!("view.plot[{i}]");
+        let place = Place { problems: None, table: &table };
+        let curves = ui.menu_button(text::ADD_CURVE, |ui| {
             if let Some(name) = choose(ui, i, names.iter().filter(|(_, q)| unit.is_none_or(|u| q.unit() == u))) {
                 if !plot.y.contains(&name) {
                     plot.y.push(name);
@@ -232,6 +237,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
                 ui.close();
             }
         });
+        mark(&curves.response, place, ("y", text::ADD_CURVE));
         ui.menu_button(text::CHANGE_CURVE, |ui| {
             if let Some(name) = choose(ui, i, names.iter()) {
                 plot.y = vec![name];
@@ -246,13 +252,15 @@ fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Qua
     ui.horizontal(|ui| {
         let label = ui.label(text::AGAINST);
         let words = plot.x.clone().unwrap_or_else(|| text::TIME.to_owned());
+        let table = format!("view.plot[{i}]");
+        let place = Place { problems: None, table: &table };
         let combo = ComboBox::from_id_salt(("against", i)).width(150.0).selected_text(words).show_ui(ui, |ui| {
             ui.selectable_value(&mut plot.x, None, text::TIME);
             for (name, _) in names {
                 ui.selectable_value(&mut plot.x, Some(name.clone()), name);
             }
         });
-        combo.response.labelled_by(label.id);
+        mark(&combo.response.labelled_by(label.id), place, ("x", text::AGAINST));
     });
 }
 

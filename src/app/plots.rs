@@ -2,7 +2,9 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, FontId, Id, Rect, RichText, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo, Window, pos2, vec2};
-use egui_plot::{AxisHints, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, Points, VLine};
+use egui_plot::{
+    AxisHints, FilledArea, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, Points, VLine,
+};
 
 use super::Workbench;
 use super::command::Command;
@@ -10,7 +12,7 @@ use super::panels::Sampled;
 use super::text;
 use super::theme::{OWN, PINS, Palette};
 use super::time_axis::{TimeAxis, ticks};
-use super::traces::{Curve, Traces};
+use super::traces::{Band, Curve, Traces};
 
 /// Width of the value axis; the timeline above begins as far from the edge \[points\].
 pub(super) const AXIS_WIDTH: f32 = 62.0;
@@ -19,6 +21,8 @@ pub(super) const AXIS_WIDTH: f32 = 62.0;
 struct Chart<'a> {
     label: LayoutJob,
     curves: Vec<(&'a Curve, Color32, LineStyle, bool)>,
+    /// What a crowd of curves fills, behind them.
+    bands: Vec<(&'a Band, Color32)>,
     words: fn(f64) -> String,
     /// Filled down to 0, the highest first.
     filled: bool,
@@ -75,7 +79,7 @@ fn own_chart<'a>(panel: &'a Sampled, stack: &'a [Curve], palette: &Palette) -> C
         // The highest is filled first, so that the lower ones lie on it.
         curves.reverse();
     }
-    Chart { label: names(panel, palette), curves, words: text::short, filled: panel.stacked }
+    Chart { label: names(panel, palette), curves, bands: Vec::new(), words: text::short, filled: panel.stacked }
 }
 
 /// The curves' names in their colours.
@@ -122,7 +126,9 @@ fn charts<'a>(ui: &Ui, bench: &Workbench, traces: &'a Traces, palette: &Palette)
             let chosen = i == shown;
             (c, if chosen { color } else { color.gamma_multiply(0.3) }, style, chosen)
         };
-        let mut all: Vec<_> = curves.iter().enumerate().map(curve).collect();
+        // Of a crowd only the girder in question: the others are in the band.
+        let alone = traces.bands.is_some();
+        let mut all: Vec<_> = curves.iter().enumerate().map(curve).filter(|c| c.3 || !alone).collect();
         // The girder in question is drawn last, over the others.
         all.sort_by_key(|c| c.3);
         all
@@ -142,12 +148,22 @@ fn charts<'a>(ui: &Ui, bench: &Workbench, traces: &'a Traces, palette: &Palette)
     theta.extend(traces.pins.iter().map(|(curves, color)| (&curves[2], PINS[*color], pin_style(*color), false)));
     theta.sort_by_key(|c| c.3);
     let both = !traces.ghosts[0].is_empty();
-    let chart = |label, curves, words| Chart { label: text::legend(label, palette, ui), curves, words, filled: false };
+    let chart = |label, curves, bands, words| Chart {
+        label: text::legend(label, palette, ui),
+        curves,
+        bands,
+        words,
+        filled: false,
+    };
     let force = traces.force.iter().map(|c| (c, palette.force, LineStyle::Solid, true)).collect();
+    let faint = |color: Color32| color.gamma_multiply(0.3);
+    let [x, y, turn] = traces.bands.as_ref().map_or([None; 3], |[x, y, turn]| [Some(x), Some(y), Some(turn)]);
+    let places = x.map(|x| (x, faint(palette.x))).into_iter().chain(y.map(|y| (y, faint(palette.y)))).collect();
+    let turns = turn.map(|turn| (turn, faint(palette.theta))).into_iter().collect();
     vec![
-        chart(if both { text::PLOT_PLACE_BOTH } else { text::PLOT_PLACE }, place, text::short),
-        chart(text::PLOT_THETA, theta, text::short),
-        chart(text::PLOT_FORCE, force, text::force),
+        chart(if both { text::PLOT_PLACE_BOTH } else { text::PLOT_PLACE }, place, places, text::short),
+        chart(text::PLOT_THETA, theta, turns, text::short),
+        chart(text::PLOT_FORCE, force, Vec::new(), text::force),
     ]
 }
 
@@ -163,7 +179,7 @@ fn pin_style(color: usize) -> LineStyle {
 
 fn draw(ui: &mut Ui, number: usize, chart: &Chart<'_>, place: Rect, axis: &TimeAxis, t: f64, palette: &Palette) {
     let mut inner = ui.new_child(UiBuilder::new().max_rect(place).id_salt(("plot", number)));
-    let [low, high] = range(&chart.curves);
+    let [low, high] = range(chart);
     let bounds = PlotBounds::from_min_max([axis.window[0], low], [axis.window[1], high]);
     Plot::new(Id::unique(("plot", number)))
         .height(place.height())
@@ -186,6 +202,10 @@ fn draw(ui: &mut Ui, number: usize, chart: &Chart<'_>, place: Rect, axis: &TimeA
         .set_margin_fraction(egui::Vec2::ZERO)
         .show(&mut inner, |plot: &mut PlotUi<'_>| {
             plot.set_plot_bounds(bounds);
+            for (band, color) in &chart.bands {
+                let area = FilledArea::new("", &band.times, &band.low, &band.high);
+                plot.add(area.fill_color(*color).allow_hover(false));
+            }
             for (curve, color, style, chosen) in &chart.curves {
                 let width = if *chosen { 1.4 } else { 1.0 };
                 let points = PlotPoints::new((*curve).clone());
@@ -226,8 +246,9 @@ fn legend(ui: &Ui, chart: &Chart<'_>, place: Rect, palette: &Palette) {
 }
 
 /// Lowest and highest value with a margin, 0 always inside.
-fn range(curves: &[(&Curve, Color32, LineStyle, bool)]) -> [f64; 2] {
-    let values = curves.iter().flat_map(|c| c.0.iter().map(|p| p[1])).filter(|v| v.is_finite());
+fn range(chart: &Chart<'_>) -> [f64; 2] {
+    let bands = chart.bands.iter().flat_map(|(band, _)| band.low.iter().chain(&band.high).copied());
+    let values = chart.curves.iter().flat_map(|c| c.0.iter().map(|p| p[1])).chain(bands).filter(|v| v.is_finite());
     let (low, high) = values.fold((0.0f64, 0.0f64), |(l, h), v| (l.min(v), h.max(v)));
     let margin = ((high - low) * 0.08).max(1e-9);
     [low - margin, high + margin]

@@ -36,10 +36,10 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         let place = Place { problems: None, table: "" };
         egui::Grid::new("row").num_columns(2).show(ui, |ui| {
             let whole = Unit { speed: 0.05, ..PURE };
-            number(ui, place, ("", text::ROW_SPANS), &mut spans, whole, 2.0);
-            number(ui, place, ("", text::ROW_GAP), &mut new.gap, length_unit(girder.length), 0.0);
+            number(ui, place, ("", text::ROW_SPANS), &mut spans, whole);
+            number(ui, place, ("", text::ROW_GAP), &mut new.gap, length_unit(girder.length));
         });
-        new.spans = whole(spans);
+        new = RowDraft { spans: whole(spans), gap: new.gap.max(0.0) };
         if new != draft {
             out.push(Command::AskRow(Some(new)));
         }

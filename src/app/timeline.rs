@@ -25,6 +25,9 @@ const NARROWEST: f32 = 1.5;
 /// Between the hatch lines of slip \[points\].
 const HATCH: f32 = 4.0;
 
+/// Lowest bar that a hatch can be seen in, and lowest lane of one pair alone \[points\].
+const LOWEST: f32 = 1.5;
+
 /// Shows the timeline over the rest of the row, its time axis beginning at `left`.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut Vec<Command>) {
     let size = vec2(ui.available_width(), RULER + LANES);
@@ -104,23 +107,23 @@ fn ruler(painter: &Painter, axis: &TimeAxis, strip: Rect, palette: &Palette) {
 }
 
 fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
-    let pairs = answer.history.model().pairs.len().max(1);
-    let height = lanes.height() / pairs as f32;
-    for i in 1..pairs {
-        painter.hline(lanes.x_range(), lanes.top() + i as f32 * height, Stroke::new(0.5, palette.line));
+    let rows = Rows::of(answer, lanes);
+    for i in 1..rows.count {
+        painter.hline(lanes.x_range(), rows.top(i), Stroke::new(0.5, palette.line));
     }
-    let mut last = vec![[f32::NEG_INFINITY; 2]; pairs];
+    let height = rows.height;
+    let mut last = vec![[f32::NEG_INFINITY; 2]; rows.count];
     for span in visible(&answer.spans, axis.window) {
         let slip = usize::from(span.state == ContactState::Slip);
         let (from, to) = (axis.x(span.start), axis.x(span.end));
         let to = to.max(from + NARROWEST);
         // Far out, thousands of touches share a pixel: one bar for each is enough.
-        let Some(done) = last.get_mut(span.pair).map(|l| &mut l[slip]) else { continue };
+        let Some(done) = last.get_mut(rows.of_pair(span.pair)).map(|l| &mut l[slip]) else { continue };
         if to - *done < 0.5 {
             continue;
         }
         *done = to;
-        let top = lanes.top() + span.pair as f32 * height + slip as f32 * height / 2.0;
+        let top = rows.top(rows.of_pair(span.pair)) + slip as f32 * height / 2.0;
         let bar = Rect::from_min_max(pos2(from, top + 1.0), pos2(to, top + height / 2.0));
         if slip == 0 {
             painter.rect_filled(bar, 0.0, STICK);
@@ -131,17 +134,45 @@ fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, 
     hits(painter, answer, axis, lanes, palette);
 }
 
+/// The lanes: one for each pair, as long as they can be told apart.
+struct Rows {
+    count: usize,
+    pairs: usize,
+    first: f32,
+    height: f32,
+}
+
+impl Rows {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]
+    fn of(answer: &Answer, lanes: Rect) -> Self {
+        let pairs = answer.history.model().pairs.len().max(1);
+        let count = pairs.min((lanes.height() / LOWEST) as usize).max(1);
+        Self { count, pairs, first: lanes.top(), height: lanes.height() / count as f32 }
+    }
+
+    fn of_pair(&self, pair: usize) -> usize {
+        pair * self.count / self.pairs
+    }
+
+    fn top(&self, row: usize) -> f32 {
+        self.first + row as f32 * self.height
+    }
+}
+
 /// Hits of the impact model: a tick over the lane's whole height, with a head.
 fn hits(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
-    let height = lanes.height() / answer.history.model().pairs.len().max(1) as f32;
-    let mut last = vec![f32::NEG_INFINITY; answer.history.model().pairs.len()];
+    let rows = Rows::of(answer, lanes);
+    let height = rows.height;
+    let mut last = vec![f32::NEG_INFINITY; rows.count];
     for &(pair, t) in &answer.hits {
         let x = axis.x(t);
-        let Some(done) = last.get_mut(pair).filter(|done| x - **done >= 1.0 && lanes.x_range().contains(x)) else {
+        let Some(done) =
+            last.get_mut(rows.of_pair(pair)).filter(|done| x - **done >= 1.0 && lanes.x_range().contains(x))
+        else {
             continue;
         };
         *done = x;
-        let top = lanes.top() + pair as f32 * height;
+        let top = rows.top(rows.of_pair(pair));
         painter.vline(x, top..=top + height, Stroke::new(1.0, palette.force));
         let head = vec![pos2(x - 2.5, top), pos2(x + 2.5, top), pos2(x, top + 4.0)];
         painter.add(egui::Shape::convex_polygon(head, palette.force, Stroke::NONE));
@@ -156,7 +187,7 @@ fn visible(spans: &[Span], window: [f64; 2]) -> impl Iterator<Item = &Span> {
 
 fn hatched(painter: &Painter, bar: Rect) {
     let line = Stroke::new(1.2, SLIP);
-    if bar.width() < HATCH {
+    if bar.width() < HATCH || bar.height() < LOWEST {
         painter.rect_filled(bar, 0.0, SLIP);
         return;
     }

@@ -3,6 +3,9 @@
 //! About two samples a pixel are taken of the motion. The force of a touch of 10 ms would fall between them, so every
 //! touch in the window adds its start, its end and its peak; where there are more touches than pixels, the highest of
 //! each pixel stands for the rest.
+//!
+//! Of a crowd of girders no single curve can be told from the others: there the room that they all fill is shown instead,
+//! and of all pairs' forces the largest, so that a frame costs as much for a hundred as for eight.
 
 use std::sync::Arc;
 
@@ -12,6 +15,33 @@ use crate::sim::Touch;
 
 /// A curve: `[t, value]`.
 pub(super) type Curve = Vec<[f64; 2]>;
+
+/// More girders or pairs than this are a crowd.
+pub(super) const CROWD: usize = 8;
+
+/// The room that many curves fill, time by time.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Band {
+    /// Times \[s\].
+    pub(super) times: Vec<f64>,
+    /// Lowest values.
+    pub(super) low: Vec<f64>,
+    /// Highest values.
+    pub(super) high: Vec<f64>,
+}
+
+impl Band {
+    /// Of curves that were sampled at the same times.
+    fn of(curves: &[Curve]) -> Self {
+        let times = curves.first().into_iter().flatten().map(|p| p[0]).collect();
+        let among = |i: usize, pick: fn(f64, f64) -> f64| {
+            curves.iter().filter_map(|c| c.get(i)).map(|p| p[1]).reduce(pick).unwrap_or_default()
+        };
+        let count = curves.first().map_or(0, Vec::len);
+        let all = |pick: fn(f64, f64) -> f64| (0..count).map(|i| among(i, pick)).collect();
+        Self { times, low: all(f64::min), high: all(f64::max) }
+    }
+}
 
 /// Samples for one window of time.
 #[derive(Clone, Debug, Default)]
@@ -26,8 +56,10 @@ pub(super) struct Traces {
     pub(super) ghosts: [Vec<Curve>; 3],
     /// x, y and θ of one girder in every run that is kept, with the run's colour.
     pub(super) pins: Vec<([Curve; 3], usize)>,
-    /// Largest `|R_k|` of a contact, hit by hit of every pair \[N\].
+    /// Largest `|R_k|` of a contact, hit by hit of every pair, or of all pairs together \[N\].
     pub(super) force: Vec<Curve>,
+    /// What x, y and θ of a crowd fill.
+    pub(super) bands: Option<[Band; 3]>,
 }
 
 /// What a [`Traces`] was sampled for.
@@ -94,6 +126,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         ghosts: [(); 3].map(|()| vec![Vec::new(); if history.beside().is_some() { girders } else { 0 }]),
         pins: Vec::new(),
         force: Vec::new(),
+        bands: None,
     };
     for t in grid(window, points, history.end()) {
         for girder in 0..girders {
@@ -109,8 +142,34 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
             }
         }
     }
+    traces.bands = (girders > CROWD).then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves)));
     traces.force = (0..pairs).flat_map(|pair| force(answer, pair, window, points)).collect();
+    if pairs > CROWD {
+        traces.force = vec![largest(&traces.force, window, points)];
+    }
     traces
+}
+
+/// One curve for many: the largest value within every point, and 0 between.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a column, inside the window")]
+fn largest(curves: &[Curve], window: [f64; 2], points: usize) -> Curve {
+    let per_point = (window[1] - window[0]) / points as f64;
+    let mut columns: Vec<Option<[f64; 2]>> = vec![None; points + 1];
+    for p in curves.iter().flatten().filter(|p| p[1] > 0.0 && p[0] >= window[0]) {
+        let Some(column) = columns.get_mut(((p[0] - window[0]) / per_point) as usize) else { continue };
+        if column.is_none_or(|highest| p[1] > highest[1]) {
+            *column = Some(*p);
+        }
+    }
+    let mut curve = Curve::new();
+    for (i, column) in columns.iter().enumerate() {
+        let Some([t, value]) = *column else { continue };
+        let open = |at: Option<usize>| at.and_then(|at| columns.get(at)).is_none_or(Option::is_none);
+        curve.extend(open(i.checked_sub(1)).then_some([t, 0.0]));
+        curve.push([t, value]);
+        curve.extend(open(Some(i + 1)).then_some([t, 0.0]));
+    }
+    curve
 }
 
 /// Evenly spaced times in a window, both ends included, not past the end of the answer.
@@ -123,11 +182,13 @@ fn grid(window: [f64; 2], points: usize, end: f64) -> impl Iterator<Item = f64> 
 fn force(answer: &Answer, pair: usize, window: [f64; 2], points: usize) -> Vec<Curve> {
     let per_point = (window[1] - window[0]) / points as f64;
     let hits = highest(hits(answer.history.touches(), pair, window), per_point);
+    let sites = answer.history.model().contacts.iter().enumerate();
+    let contacts: Vec<usize> = sites.filter(|(_, site)| site.pair == pair).map(|(contact, _)| contact).collect();
     let curve = |hit: &Hit| {
         if hit.end - hit.start < 4.0 * per_point {
             vec![[hit.peak_time, 0.0], [hit.peak_time, hit.peak_force]]
         } else {
-            shape(answer, pair, hit, window, per_point)
+            shape(answer, &contacts, hit, window, per_point)
         }
     };
     hits.iter().map(curve).collect()
@@ -187,19 +248,19 @@ fn highest(hits: Vec<Hit>, per_point: f64) -> Vec<Hit> {
 
 /// Samples a hit that is wide enough to be seen, its peaks among the samples.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of samples, clamped")]
-fn shape(answer: &Answer, pair: usize, hit: &Hit, window: [f64; 2], per_point: f64) -> Curve {
+fn shape(answer: &Answer, contacts: &[usize], hit: &Hit, window: [f64; 2], per_point: f64) -> Curve {
     let (from, to) = (hit.start.max(window[0]), hit.end.min(window[1]));
     let n = ((to - from) / per_point).ceil().clamp(4.0, 8000.0) as usize;
     let mut times: Vec<f64> = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
     times.extend(hit.peaks.iter().filter(|&&t| t > from && t < to));
     times.sort_by(f64::total_cmp);
-    times.into_iter().map(|t| [t, at(answer, pair, t)]).collect()
+    times.into_iter().map(|t| [t, at(answer, contacts, t)]).collect()
 }
 
-/// Largest `|R_k|` of the pair's contacts \[N\].
-fn at(answer: &Answer, pair: usize, t: f64) -> f64 {
-    let contacts = answer.history.contacts(t);
-    contacts.iter().filter(|c| c.pair == pair).map(|c| c.force.length()).fold(0.0, f64::max)
+/// Largest `|R_k|` of a pair's contacts \[N\].
+fn at(answer: &Answer, contacts: &[usize], t: f64) -> f64 {
+    let closed = contacts.iter().filter_map(|contact| answer.history.contact_at(*contact, t));
+    closed.map(|now| now.force.length()).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -225,5 +286,23 @@ mod tests {
         let hits = hits(&touches, 0, [0.0, 10.0]);
         assert_eq!(hits.len(), 1, "they overlap");
         assert_eq!((hits[0].end, hits[0].peak_force), (1.02, 9.0), "to the last opening, with the higher peak");
+    }
+
+    #[test]
+    fn a_band_holds_every_curve_and_touches_some() {
+        let band = Band::of(&[vec![[0.0, 1.0], [1.0, -2.0]], vec![[0.0, -1.0], [1.0, 3.0]]]);
+        assert_eq!(
+            (band.times, band.low, band.high),
+            (vec![0.0, 1.0], vec![-1.0, -2.0], vec![1.0, 3.0]),
+            "time by time"
+        );
+    }
+
+    #[test]
+    fn of_many_forces_the_largest_is_left_with_gaps_where_nothing_touches() {
+        let spike = |t: f64, force: f64| vec![[t, 0.0], [t, force]];
+        let curve = largest(&[spike(1.01, 5.0), spike(1.02, 9.0), spike(3.0, 2.0)], [0.0, 10.0], 100);
+        let wanted = [[1.02, 0.0], [1.02, 9.0], [1.02, 0.0], [3.0, 0.0], [3.0, 2.0], [3.0, 0.0]];
+        assert_eq!(curve, wanted, "the higher of two in one point, and the other one, each from 0");
     }
 }

@@ -3,6 +3,7 @@
 //! A number without a unit is in the unit that the field shows. A unit of another kind is refused, not ignored.
 
 use super::field::Unit;
+use super::text;
 
 /// What kind of quantity a field holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +26,10 @@ pub(super) enum Dimension {
     Turning,
     /// Multiples of standard gravity.
     Acceleration,
+    /// Metres a second squared.
+    Metric,
+    /// Square metres.
+    Area,
     /// Newtons.
     Force,
     /// Newton metres.
@@ -51,6 +56,8 @@ impl Dimension {
             Self::Speed => &[("m/s", 1.0), ("mm/s", 1e-3), ("cm/s", 1e-2)],
             Self::Turning => &[("°/s", 1.0), ("deg/s", 1.0), ("rad/s", 180.0 / std::f64::consts::PI)],
             Self::Acceleration => &[("g", 1.0), ("m/s²", PER_G), ("m/s2", PER_G), ("gal", 0.01 * PER_G)],
+            Self::Metric => &[("m/s²", 1.0), ("m/s2", 1.0), ("g", 1.0 / PER_G), ("gal", 0.01)],
+            Self::Area => &[("m²", 1.0), ("m2", 1.0), ("cm²", 1e-4), ("cm2", 1e-4), ("mm²", 1e-6), ("mm2", 1e-6)],
             Self::Force => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
             Self::Moment => &[("N m", 1.0), ("Nm", 1.0), ("kN m", 1e3), ("kNm", 1e3)],
             Self::Stiffness => &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9), ("N/mm", 1e3)],
@@ -58,6 +65,20 @@ impl Dimension {
             Self::Pressure => &[("Pa", 1.0), ("MPa", 1e6), ("GPa", 1e9)],
         }
     }
+}
+
+/// The number that a text means, in the unit that the field shows; none where there is no text.
+///
+/// # Errors
+/// A text that means no number, or one of another kind: what is wrong and what can be written.
+pub(super) fn read(text: &str, unit: Unit) -> Result<Option<f64>, String> {
+    if text.trim().is_empty() {
+        return Ok(None);
+    }
+    parse(text, unit).map(Some).ok_or_else(|| {
+        let names: Vec<&str> = unit.dimension.units().iter().map(|(name, _)| *name).collect();
+        format!("\u{201c}{}\u{201d} {} {}", text.trim(), text::NO_NUMBER, names.join(", "))
+    })
 }
 
 /// The number that a text means, in the unit that the field shows; `None` when it means none.

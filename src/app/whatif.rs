@@ -1,13 +1,13 @@
 //! The scene's main numbers as sliders: move one, and the whole history is computed anew.
 
-use egui::{ComboBox, RichText, Ui};
+use egui::{RichText, Ui};
 
 use super::Workbench;
 use super::command::Command;
-use super::field::{Change, DEGREES, GRAVITIES, HERTZ, PURE, Place, SECONDS, length_unit, slider};
-use super::{edits, limits, models, overlays, panels, pins, text};
+use super::field::{Change, DEGREES, PURE, Place, SECONDS, choice_line, length_unit, slider};
+use super::{edits, limits, models, overlays, panels, pins, shaking, text};
 use crate::scene::edit::Edit;
-use crate::scene::{FrictionLaw, Motion, STANDARD_GRAVITY, Scene, SineMotion};
+use crate::scene::{FrictionLaw, Motion, Scene};
 use crate::view::Target;
 
 /// Shows the sliders, then the overlays.
@@ -54,11 +54,15 @@ fn geometry(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     push(out, change, || edits::skew(scene, one, skew));
     if let Some(mut gap) = edits::gap_of(scene) {
         let unit = length_unit(girder.length);
-        let place = Place { problems: bench.problems(), table: "abutment" };
+        let table = scene.abutments.first().map_or_else(String::new, |a| format!("abutment.{}", a.name));
+        let place = Place { problems: bench.problems(), table: &table };
         let change = slider(ui, place, ("gap_m", text::GAP), &mut gap, unit, 0.0..=girder.length * 0.05);
         push(out, change, || edits::gap(scene, gap));
     }
 }
+
+const LAWS: [(FrictionLaw, &str); 2] =
+    [(FrictionLaw::Paper, text::LAW_PAPER), (FrictionLaw::ReturnMapping, text::LAW_RETURN)];
 
 fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let scene = bench.scene();
@@ -76,68 +80,18 @@ fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
             PURE,
             0.01..=1.0,
         ),
-        law(ui, &mut new.law),
+        choice_line(ui, place, ("law", text::LAW), &mut new.law, &LAWS),
     ];
     push(out, changes.into_iter().flatten().next(), || edits::contact(new));
 }
 
-fn law(ui: &mut Ui, law: &mut FrictionLaw) -> Option<Change> {
-    let before = *law;
-    let word = |l: FrictionLaw| match l {
-        FrictionLaw::Paper => text::LAW_PAPER,
-        FrictionLaw::ReturnMapping => text::LAW_RETURN,
-    };
-    ui.horizontal(|ui| {
-        let label = ui.label(text::LAW);
-        let combo = ComboBox::from_id_salt("law").selected_text(word(before)).show_ui(ui, |ui| {
-            for option in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
-                ui.selectable_value(law, option, word(option));
-            }
-        });
-        combo.response.labelled_by(label.id);
-    });
-    (*law != before).then_some(Change { gesture: None })
-}
-
 fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let scene = bench.scene();
-    let mut new = scene.motion.clone();
-    let place = Place { problems: bench.problems(), table: "motion" };
-    let change = match &mut new {
-        Motion::None => none(ui, &mut new),
-        Motion::Sine(sine) => sine_sliders(ui, place, sine),
-        Motion::Record(record) => {
-            let scale = slider(ui, place, ("scale", text::RECORD_SCALE), &mut record.scale, PURE, 0.0..=3.0);
-            scale.or(slider(ui, place, ("angle_deg", text::ANGLE), &mut record.angle_deg, DEGREES, -180.0..=180.0))
-        }
-    };
-    push(out, change, || edits::motion(new));
+    shaking::show(ui, bench, out);
     let mut duration = scene.duration;
-    let place = Place { problems: bench.problems(), table: "scene" };
+    let place = Place { problems: bench.problems(), table: "" };
     let change = slider(ui, place, ("duration_s", text::DURATION), &mut duration, SECONDS, 0.1..=60.0);
     push(out, change, || edits::duration(scene, duration));
-}
-
-fn none(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
-    ui.label(RichText::new(text::NO_MOTION).weak());
-    if !ui.button(text::SHAKE).clicked() {
-        return None;
-    }
-    let (amplitude_g, frequency_hz) = (Some(0.4), 2.6);
-    *motion = Motion::Sine(SineMotion { amplitude_g, amplitude: None, frequency_hz, phase_deg: 0.0, angle_deg: 0.0 });
-    Some(Change { gesture: None })
-}
-
-fn sine_sliders(ui: &mut Ui, place: Place<'_>, sine: &mut SineMotion) -> Option<Change> {
-    let mut amplitude = sine.amplitude_si() / STANDARD_GRAVITY;
-    let key = if sine.amplitude_g.is_some() { "amplitude_g" } else { "amplitude_m_s2" };
-    let moved = slider(ui, place, (key, text::AMPLITUDE), &mut amplitude, GRAVITIES, 0.0..=1.0);
-    if moved.is_some() {
-        (sine.amplitude_g, sine.amplitude) = (Some(amplitude), None);
-    }
-    let frequency = slider(ui, place, ("frequency_hz", text::FREQUENCY), &mut sine.frequency_hz, HERTZ, 0.1..=10.0);
-    let angle = slider(ui, place, ("angle_deg", text::ANGLE), &mut sine.angle_deg, DEGREES, -180.0..=180.0);
-    moved.or(frequency).or(angle)
 }
 
 /// Period of the shaking, to count time in \[s\].

@@ -175,7 +175,7 @@ impl Workbench {
         }
         let mut brought = self.dialogs.take();
         let dropped = ui.input(|i| i.raw.dropped_files.clone());
-        brought.extend(dropped.iter().map(|file| Command::OpenFile(file.path().to_owned())));
+        brought.extend(dropped.iter().map(|file| dropped_on(file.path())));
         self.apply_all(ui, brought);
         let dt = f64::from(ui.input(|i| i.stable_dt));
         if let Some(answer) = self.runner.answer() {
@@ -255,4 +255,10 @@ impl Workbench {
             wake();
         });
     }
+}
+
+/// What a file that is dropped onto the window is for: a table is a record, anything else a scene.
+fn dropped_on(path: &std::path::Path) -> Command {
+    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    if is_table { Command::Record(path.to_owned()) } else { Command::OpenFile(path.to_owned()) }
 }

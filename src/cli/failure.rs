@@ -13,7 +13,7 @@ pub(super) enum Failure {
     /// The input cannot be used, or the output cannot be written; each line names file or flag, place, value, remedy.
     #[error("{0}")]
     Input(String),
-    /// Nothing draws pictures here; the message says what is missing.
+    /// Nothing draws pictures here, or the window not any more; the message says what is missing.
     #[error("{0}")]
     NoPicture(String),
     /// The run ended before its time; what it has was kept.

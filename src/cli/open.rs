@@ -31,10 +31,10 @@ impl OpenArgs {
 /// Does it.
 ///
 /// # Errors
-/// Bad input; without a window, what [`headless::run`] says.
+/// Bad input; a window that could not go on; without a window, what [`headless::run`] says.
 pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.changes.load(&args.scene)?;
-    if let Some(why) = window(&scene, args) {
+    if let Some(why) = window(&scene, args)? {
         files::check_folder(&args.out)?;
         console.note(&format!("{why}: writing pictures and tables to {} instead", args.out.display()));
         headless::run(&scene, &args.out, console)?;
@@ -43,16 +43,24 @@ pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure>
 }
 
 /// Runs the workbench until it is closed; else says why there is none.
+///
+/// # Errors
+/// When it was open and had to end.
 #[cfg(feature = "gui")]
-fn window(scene: &Scene, args: &OpenArgs) -> Option<String> {
+fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
+    use crate::app::AppError;
     let path = presets::get(&args.scene).is_none().then(|| PathBuf::from(&args.scene));
-    // A display that nothing can draw on is as good as none.
-    crate::app::run(scene.clone(), path).err().map(|error| error.to_string())
+    match crate::app::run(scene.clone(), path) {
+        Ok(()) => Ok(None),
+        Err(ended @ AppError::Ended { .. }) => Err(Failure::NoPicture(ended.to_string())),
+        // A display that nothing can draw on is as good as none.
+        Err(none) => Ok(Some(none.to_string())),
+    }
 }
 
 /// Runs the workbench until it is closed; else says why there is none.
 #[cfg(not(feature = "gui"))]
 #[expect(clippy::unnecessary_wraps, reason = "as with a window")]
-fn window(_: &Scene, _: &OpenArgs) -> Option<String> {
-    Some("this build has no window (feature gui)".to_owned())
+fn window(_: &Scene, _: &OpenArgs) -> Result<Option<String>, Failure> {
+    Ok(Some("this build has no window (feature gui)".to_owned()))
 }

@@ -48,12 +48,13 @@ impl System {
                 let steady = self.steady(dof, t);
                 self.bound_split(dof, &std::array::from_fn(|i| state[i] - steady[i]), horizon)
             }
-            (SystemForm::Split { dof, .. }, None) => {
-                // A record drives G, never the rotation.
+            _ => {
+                let whole = self.bound_whole(state, horizon);
+                let Some(dof) = &self.plain else { return whole };
+                // The ground drives G, never the rotation.
                 let [turn, spin, spin_rate] = dof[2].limits([state[2], state[5]], 0.0, self.push[2], horizon);
-                Bound { turn, spin, spin_rate, ..self.bound_whole(state, horizon) }
+                Bound { turn, spin, spin_rate, ..whole }
             }
-            _ => self.bound_whole(state, horizon),
         }
     }
 

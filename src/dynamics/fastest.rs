@@ -13,6 +13,15 @@ pub(super) fn fastest(model: &Model, bodies: &[usize], active: &[Active]) -> f64
     contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
 }
 
+/// Rate that no dashpot of these contacts decays by much faster than \[1/s\].
+pub(super) fn quickest(model: &Model, active: &[Active]) -> f64 {
+    let contacts = active.iter().map(|a| {
+        let (pair, law) = (&model.pairs[model.contacts[a.site].pair], &a.closed.law);
+        law.c_n.max(law.c_t) * pair.bodies.iter().flatten().map(|&b| mobility(&model.bodies[b])).sum::<f64>()
+    });
+    contacts.fold(0.0, f64::max)
+}
+
 /// Upper bound on acceleration at a corner per unit force \[1/kg\].
 fn mobility(body: &Body) -> f64 {
     let arm = body.radius;

@@ -35,6 +35,8 @@ pub struct System {
     pub(super) rates: [f64; 2],
     /// Radius of gyration, which turns θ into a length \[m\].
     pub(super) gyration: f64,
+    /// Its three directions where nothing couples them, whether or not a sine resonates.
+    pub(super) plain: Option<[Dof; 3]>,
 }
 
 #[derive(Clone, Debug)]
@@ -136,6 +138,7 @@ impl System {
             push,
             rates: [symmetric(k).sqrt(), symmetric(c)],
             gyration: body.gyration2.sqrt(),
+            plain: plain(&body.planar.stiffness, &body.planar.damping, k, c, free),
         }
     }
 
@@ -349,6 +352,17 @@ fn frobenius(m: DMat3) -> f64 {
     m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// Three oscillators without a steady response, when nothing couples them.
+fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]) -> Option<[Dof; 3]> {
+    let dof = |i: usize| Dof {
+        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
+        free: free[i],
+        steady: (0.0, 0.0),
+        amplitude: 0.0,
+    };
+    (is_diagonal(stiffness) && is_diagonal(damping)).then(|| std::array::from_fn(dof))
+}
+
 /// Three oscillators, when nothing couples them and no sine resonates.
 fn split(
     stiffness: &DMat3,
@@ -359,15 +373,7 @@ fn split(
     ground: &Ground,
     forced: DVec3,
 ) -> Option<SystemForm> {
-    if !(is_diagonal(stiffness) && is_diagonal(damping)) {
-        return None;
-    }
-    let mut dof = [0, 1, 2].map(|i| Dof {
-        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
-        free: free[i],
-        steady: (0.0, 0.0),
-        amplitude: 0.0,
-    });
+    let mut dof = plain(stiffness, damping, k, c, free)?;
     let mut step = None;
     match ground {
         Ground::Still => {}

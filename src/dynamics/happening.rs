@@ -118,7 +118,9 @@ impl Engine {
         for contact in entered {
             self.close(contact, &now);
         }
-        self.form(now, pace);
+        // A blow is over within a radian of its contact. An implicit step as long as those of a contact that lasts would
+        // end at rest behind it, as if it were right: what decays at once does not count in its estimate.
+        self.form(now, if pace.stiff { Pace { step: 0.0, ..pace } } else { pace });
     }
 
     /// Ends the trajectories of bodies, and of everyone in an island with them, at `t`: how they are then, and the step

@@ -1,8 +1,9 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
 use super::body_state::{self, Wrench};
+use super::bound::Bound;
 use super::dop853::{self, Dense};
-use super::fastest::fastest;
+use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
 use super::flight::Planar;
 use super::piece::Piece;
@@ -10,9 +11,11 @@ use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
 use crate::contact::{Frame, Mode, law::Friction};
-use crate::motion::LinearPiece;
+use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
+/// Longest implicit step, in radians of the ground motion.
+const DRIVE: f64 = 1.0;
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
 /// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
@@ -166,9 +169,12 @@ impl Island {
         let piece = model.ground.piece(number);
         let known = model.kind == Kind::Planar && self.sliding.sliders.is_empty() && self.sloped == (t, number);
         self.again = known && !self.stepper.pace().stiff;
-        // Contacts of one face push together, faster than the stiffest of them alone.
+        // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
+        // estimate to be judged by, which tells little far beyond stability.
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
-        let first = FIRST * together / scale.omega * (model.tolerance / 1e-10).powf(0.125);
+        let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { quickest(model, &self.active) };
+        let first = FIRST * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
+        let cap = self.drive_cap(model, cap);
         let limits = Limits { cap, first, soon, smallest: SMALLEST / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
@@ -179,6 +185,15 @@ impl Island {
         self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
+    }
+
+    /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
+    /// error measured by the contact's own speed would show.
+    fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
+        match model.ground {
+            Ground::Sine { omega, .. } if self.stepper.pace().stiff => cap.min(self.until + DRIVE / omega),
+            _ => cap,
+        }
     }
 
     /// Cuts the planned step short at `t` and makes that the state; the caller forms the island anew.
@@ -228,6 +243,25 @@ impl Island {
             Kind::Spatial => span(0..3) + 2.0 * arm * span(3..7),
         };
         if t > self.from { 2.0 * from_start } else { from_start }
+    }
+
+    /// What one of its bodies can do at most within the planned step.
+    pub(super) fn bound(&self, model: &Model, index: usize) -> Bound {
+        let Some(dense) = &self.dense else { return Bound::still(f64::INFINITY) };
+        let [place, turn] = parts(model.kind, index);
+        let ([speed, acceleration], [turning, bending]) = (dense.swing(place), dense.swing(turn));
+        let (spin, spin_rate) = match model.kind {
+            Kind::Planar => (turning, bending),
+            // A quaternion turns half the angle; its length differs from 1 by less than a tenth.
+            Kind::Spatial => (2.2 * turning, 2.2 * bending + 8.0 * turning * turning),
+        };
+        Bound { speed, spin, acceleration, spin_rate, ..Bound::still(f64::INFINITY) }
+    }
+
+    /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another.
+    pub(super) fn apart(&self, model: &Model, [a, b]: [usize; 2]) -> [f64; 2] {
+        let [place, _] = parts(model.kind, a);
+        self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
     }
 
     /// A contact's state with its slip direction as it is at `t`.
@@ -311,6 +345,12 @@ impl Island {
         let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
         Scale { speed, omega, angle, place }
     }
+}
+
+/// Where place and attitude of a body stand in the vector.
+fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
+    let (from, [place, turn]) = (index * body_state::width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
+    [from..from + place, from + place..from + turn]
 }
 
 /// Angle of a slip whose direction turns on its own, which the integrator must carry.

@@ -4,7 +4,8 @@ use super::ContactSite;
 use super::agenda::Item;
 use super::approach;
 use super::engine::{Engine, Trajectory};
-use super::search::root;
+use super::prowl::{Look, Prowl};
+use super::swing::Swing;
 use super::track::Contact;
 use crate::contact::{Frame, Local, locate};
 
@@ -12,7 +13,7 @@ use crate::contact::{Frame, Local, locate};
 pub(super) const RESOLUTION: f64 = 4e-16;
 /// A node is in front of a face again when it is this many resolutions off it: at the crossing that it missed by, its gap is
 /// rounding of either sign.
-const ARMED: f64 = 64.0;
+pub(super) const ARMED: f64 = 64.0;
 /// Rounding of a time, with room for that of a root.
 const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Looks at a gap per planned step.
@@ -52,7 +53,7 @@ fn planned(engine: &Engine, pair: usize) -> Option<f64> {
 fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> f64 {
     let contacts = engine.pairs[pair].contacts.clone();
     for contact in contacts.clone() {
-        engine.contacts[contact].closing = None;
+        (engine.contacts[contact].closing, engine.contacts[contact].out) = (None, None);
     }
     if contacts.clone().all(|c| engine.contacts[c].state.closed().is_some()) {
         return f64::INFINITY;
@@ -64,8 +65,9 @@ fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> f64 {
     views.fill(engine);
     let mut first = f64::INFINITY;
     for contact in contacts {
-        let closing = open(engine, contact, t).and_then(|armed| in_step(engine, contact, &views, armed));
-        engine.contacts[contact].closing = closing;
+        let (closing, out) =
+            open(engine, contact, t).map_or((None, None), |armed| in_step(engine, contact, &views, armed));
+        (engine.contacts[contact].closing, engine.contacts[contact].out) = (closing, out);
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
     first
@@ -186,40 +188,40 @@ fn excursion(engine: &Engine, slot: usize, arm: f64, from: f64, until: f64) -> f
     }
 }
 
-/// A side is in a planned step: five looks at gap and rate, closer where a dip shows between them; one look where the
-/// steps are too short to close the gap.
-fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> Option<f64> {
+/// A side is in a planned step: looks at gap and rate, as many as it takes to know that nothing hides between two; one
+/// look where the steps are too short to close the gap. When it closes, and when it comes out in front if it was behind.
+fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> (Option<f64>, Option<f64>) {
     let (t, until) = (views.times[0], views.times[LOOKS - 1]);
     if until <= t {
-        return None;
+        return (None, None);
     }
-    let ask = |at: f64| look(engine, contact, at);
-    let (mut armed, mut before) = (armed, views.look(engine, contact, 0));
-    let mut from = t;
+    let before = views.look(engine, contact, 0);
     let track = &engine.contacts[contact];
-    let sides = track.slots.into_iter().zip(arms(&engine.model.contacts[track.site], &before));
-    let far = sides.map(|(slot, arm)| slot.map_or(0.0, |slot| excursion(engine, slot, arm, t, until)));
+    let arms = arms(&engine.model.contacts[track.site], &before);
+    let far =
+        track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(engine, s, arm, t, until)));
     if armed && before.gap > far.sum() {
-        return None;
+        return (None, None);
     }
     let resolution = resolution(engine, contact, t);
     if armed && before.gap <= resolution && before.gap_rate < 0.0 {
-        return Some(t);
+        return (Some(t), None);
     }
-    for i in 1..LOOKS {
-        let (to, here) = (views.times[i], views.look(engine, contact, i));
-        // Where the gap turns round between two looks: a dip behind the face, or a node that comes out before it.
-        let turns = (before.gap_rate < 0.0 && here.gap_rate > 0.0) || (before.gap_rate > 0.0 && here.gap_rate < 0.0);
-        let way = if before.gap_rate < 0.0 { 1.0 } else { -1.0 };
-        let turn = turns.then(|| root(|at| way * ask(at).gap_rate, from, to)).map(|at| (at, ask(at)));
-        for (at, there) in turn.into_iter().chain([(to, here)]) {
-            if armed && there.gap < 0.0 && (there.gap_rate < 0.0 || there.gap < -resolution) {
-                return Some(root(|at| -ask(at).gap, from, at));
-            }
-            armed = armed || in_front(there.gap, there.gap_rate, at, resolution);
-            from = at;
+    let node = usize::from(track.slots[0].is_some() && track.slots[0] == views.slots[1]);
+    let seen = |t: f64, here: &Local| Look { t, gap: here.gap, rate: here.gap_rate };
+    let whole = Swing::of(engine, views.slots, t, until);
+    // Over the whole step a node is no further from its face's G than that and all its way.
+    let most = whole.curvature(node, arms, until - t);
+    let bend = |from: &Look, to: f64| {
+        if whole.holds(until - t) {
+            return most;
         }
-        before = here;
-    }
-    None
+        let part = Swing::of(engine, views.slots, from.t, to);
+        let arms = self::arms(&engine.model.contacts[track.site], &look(engine, contact, from.t));
+        if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
+    };
+    let mut prowl = Prowl::new(|at| seen(at, &look(engine, contact, at)), bend, armed, resolution);
+    let looks: [Look; LOOKS] = std::array::from_fn(|i| seen(views.times[i], &views.look(engine, contact, i)));
+    let closing = prowl.closing(&looks);
+    (closing, prowl.out())
 }

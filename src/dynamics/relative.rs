@@ -8,6 +8,9 @@ use super::bound::Bound;
 use super::flight::{Dof, Planar, System, SystemForm};
 use crate::motion::Ground;
 
+/// Oscillators that differ by no more than this part are one but for rounding.
+const ALIKE: f64 = 1e-12;
+
 /// A girder in flight: its system, its state, and the free part of it where that is split off.
 pub(super) struct Flyer<'a> {
     pub system: &'a System,
@@ -17,7 +20,7 @@ pub(super) struct Flyer<'a> {
 }
 
 /// Bounds on the difference of two motions of G over `[t, t + window]`. Rotations have bounds of their own, which hold as
-/// long where no record drives them.
+/// long where nothing couples them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Apart {
     /// Displacement \[m\].
@@ -51,27 +54,59 @@ impl Apart {
 
     /// Two girders in flight; nothing where more than a sum cannot be said.
     fn between(a: &Flyer<'_>, b: &Flyer<'_>, horizon: f64) -> Option<Self> {
-        let (SystemForm::Split { dof: first, .. }, SystemForm::Split { dof: second, .. }) =
-            (&a.system.form, &b.system.form)
-        else {
-            return None;
-        };
-        let mut limits = [[0.0; 3]; 2];
+        let (first, second) = (a.dofs()?, b.dofs()?);
+        let (mut limits, mut window) = ([[0.0; 3]; 2], horizon);
         for (i, limit) in limits.iter_mut().enumerate() {
             let dofs = [&first[i], &second[i]];
             let pushes = [a.system.push[i], b.system.push[i]];
-            let like = dofs[0].oscillator == dofs[1].oscillator && dofs[0].free && dofs[1].free;
+            let free = dofs[0].free && dofs[1].free;
+            let like = dofs[0].oscillator == dofs[1].oscillator && free;
             *limit = match (&a.free, &b.free) {
                 (Some(p), Some(q)) if like => difference(dofs, [p, q], i, pushes, drive(a.system), horizon),
+                // Under one ground motion its force itself cancels.
+                _ if like => {
+                    let plain = [&Dof { steady: (0.0, 0.0), ..*dofs[0] }, &Dof { steady: (0.0, 0.0), ..*dofs[1] }];
+                    difference(plain, [&a.state, &b.state], i, pushes, 0.0, horizon)
+                }
+                _ if free && alike(dofs) => {
+                    window = window.min(b.bound.window);
+                    nearly(dofs, [&a.state, &b.state], i, pushes, &b.bound, window)
+                }
                 (Some(p), Some(q)) => both(dofs, [p, q], i, pushes, drive(a.system), horizon),
-                // Under a record the force of the ground itself cancels.
-                _ if like => difference(dofs, [&a.state, &b.state], i, pushes, 0.0, horizon),
                 _ => return None,
             };
         }
         let plan = |k: usize| (limits[0][k] * limits[0][k] + limits[1][k] * limits[1][k]).sqrt();
-        Some(Self { reach: plan(0), speed: plan(1), acceleration: plan(2), window: horizon })
+        Some(Self { reach: plan(0), speed: plan(1), acceleration: plan(2), window })
     }
+}
+
+impl Flyer<'_> {
+    /// Its directions, where nothing couples them.
+    fn dofs(&self) -> Option<&[Dof; 3]> {
+        match &self.system.form {
+            SystemForm::Split { dof, .. } => Some(dof),
+            SystemForm::Coupled(_) => self.system.plain.as_ref(),
+        }
+    }
+}
+
+/// Whether two oscillators are the same but for rounding: girders of one frequency and other masses.
+fn alike([a, b]: [&Dof; 2]) -> bool {
+    let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
+    near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)
+}
+
+/// The difference of two motions of oscillators that are nearly one: the first's free motion, driven by what the second's
+/// differs from it. The root of its energy, `√(v² + ω²q²)`, grows by no more than that force.
+fn nearly(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], second: &Bound, horizon: f64) -> [f64; 3] {
+    let dof = Dof { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
+    let [one, other] = dofs.map(|dof| dof.oscillator);
+    let force = (one.omega2 - other.omega2).abs() * second.reach + 2.0 * (one.gamma - other.gamma).abs() * second.speed;
+    let [reach, speed, acceleration] = dof.limits([p[i] - q[i], p[3 + i] - q[3 + i]], 0.0, push[0] - push[1], horizon);
+    let (omega, more) = (one.omega(), force * horizon);
+    let further = if omega > 0.0 { (more / omega).min(more * horizon) } else { more * horizon };
+    [reach + further, speed + more, acceleration + (2.0 * one.gamma + omega) * more + force]
 }
 
 fn drive(system: &System) -> f64 {
@@ -96,4 +131,31 @@ fn both(dofs: [&Dof; 2], parts: [&Planar; 2], i: usize, push: [f64; 2], drive: f
         (0..3).for_each(|k| sum[k] += free[k]);
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::oscillator::Oscillator;
+
+    #[test]
+    fn oscillators_that_differ_by_rounding_stay_together_as_long_as_said() {
+        let dof = |omega2: f64| {
+            let oscillator = Oscillator { gamma: 0.01, omega2 };
+            Dof { oscillator, free: true, steady: (0.0, 0.0), amplitude: 0.0 }
+        };
+        let (a, b) = (dof(9.0), dof(9.0 * (1.0 + 5e-13)));
+        assert!(alike([&a, &b]) && !alike([&a, &dof(9.001)]), "rounding, and more than it");
+        let (start, horizon) = ([1.0, 0.0, 0.0, 0.5, 0.0, 0.0], 40.0);
+        let second = Bound { reach: 1.1, speed: 3.1, ..Bound::still(horizon) };
+        let [reach, speed, _] = nearly([&a, &b], [&start, &start], 0, [0.0; 2], &second, horizon);
+        let mut worst = [0.0f64; 2];
+        for k in 0..400 {
+            let t = horizon * f64::from(k) / 400.0;
+            let [p, q] = [a, b].map(|dof| dof.oscillator.advance([1.0, 0.5], [0.0; 2], t));
+            worst = [worst[0].max((p[0] - q[0]).abs()), worst[1].max((p[1] - q[1]).abs())];
+        }
+        assert!(worst[0] <= reach && worst[1] <= speed, "{worst:?} against {reach}, {speed}");
+        assert!(reach < 1e-9, "far less than each by itself: {reach}");
+    }
 }

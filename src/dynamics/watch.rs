@@ -19,6 +19,8 @@ pub(super) const EDGE: f64 = 1e-9;
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A node that goes in and is less deep than this, in parts of its reach, has only just touched.
 const ENTRY: f64 = 1e-14;
+/// Radians of a step from which on its speeds round with its length.
+const SPAN: f64 = 16.0;
 /// On its way out the node is held by no more than this part of that.
 const PARTING: f64 = 0.1;
 /// At the start of a step, values below this part of their scale are the zero that the last event left.
@@ -186,13 +188,15 @@ fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Lo
     if here.gap <= -entry {
         return 0.0;
     }
-    // A node that comes out slowly must not be held by more than its rounding.
-    // One that goes in has crossed within rounding, be it before the face still.
-    let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING * entry };
+    // A node that comes out slowly must not be held by more than its rounding, nor one that hangs before the face by the
+    // pull of its own spring, whose rate is noise. One that goes in has crossed within rounding, be it before the face still.
+    let goes_in = here.gap_rate < 0.0 && -here.gap_rate >= island.omega() * here.gap;
+    let length = if goes_in { entry.max(2.0 * here.gap) } else { PARTING * entry };
     match (reason, &closed.mode) {
         (Reason::Edge, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
-        (Reason::Switching, Mode::Slip { .. }) => length * island.omega(),
+        // Over a long implicit step a speed is as good as its places over that.
+        (Reason::Switching, Mode::Slip { .. }) => length * island.omega().min(SPAN / (island.until - island.from)),
         (Reason::Kink, _) => length * (closed.law.k + closed.law.c_n * island.omega()),
     }
 }

@@ -62,15 +62,27 @@ fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(),
     let Motion::Record(record) = &mut scene.motion else { return Ok(()) };
     let Some(file) = &record.file else { return Ok(()) };
     let path = folder.join(file);
+    let remedy = "give the record's path relative to the scene's file";
+    record.loaded = Some(series(&path, |error| complaint(scene_file, "motion.file", error, remedy))?);
+    Ok(())
+}
+
+/// Reads a record: its interval \[s\] and its samples \[m/s²\].
+///
+/// # Errors
+/// A file that cannot be read, or that is no record: line, value and remedy.
+pub fn read_record(path: &Path) -> Result<(f64, Vec<f64>), SceneErrors> {
+    series(path, |error| {
+        complaint(&path.display().to_string(), "the file itself", error, "give a record that is there")
+    })
+}
+
+fn series(path: &Path, missing: impl Fn(String) -> SceneErrors) -> Result<(f64, Vec<f64>), SceneErrors> {
     let shown = path.display().to_string();
-    let bytes = std::fs::read(&path).map_err(|error| {
-        let remedy = "give the record's path relative to the scene's file";
-        complaint(scene_file, "motion.file", format!("{shown} ({error})"), remedy)
-    })?;
+    let bytes = std::fs::read(path).map_err(|error| missing(format!("{shown} ({error})")))?;
     let series = csv::read(&bytes)
         .map_err(|error| complaint(&shown, &format!("line {}", error.line), error.value, &error.remedy))?;
-    record.loaded = Some((series.dt, series.samples));
-    Ok(())
+    Ok((series.dt, series.samples))
 }
 
 fn read_text(path: &Path) -> Result<String, SceneErrors> {

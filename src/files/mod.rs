@@ -9,7 +9,7 @@ mod recovery;
 mod save;
 mod stamp;
 
-pub use load::{ReadError, load_scene, load_unsaved, read};
+pub use load::{ReadError, load_scene, load_unsaved, read, read_record};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
 pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};

@@ -2,8 +2,7 @@
 //!
 //! Pipelines, buffers and textures are made here and nowhere else, so that each is counted ([`Made`]).
 
-use wgpu::util::DeviceExt as _;
-
+use super::health::{Fault, Health};
 use super::made::{Made, Tally, Thing};
 
 /// What draws.
@@ -18,7 +17,8 @@ pub struct AdapterSummary {
 }
 
 impl AdapterSummary {
-    fn of(info: &wgpu::AdapterInfo) -> Self {
+    /// From what wgpu says of an adapter.
+    pub fn of(info: &wgpu::AdapterInfo) -> Self {
         // A GLES adapter does not say that it is software; its name does.
         let named = ["llvmpipe", "softpipe", "SwiftShader"].iter().any(|n| info.name.contains(n));
         Self {
@@ -39,24 +39,35 @@ impl std::fmt::Display for AdapterSummary {
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
     /// There is no adapter, not even in software.
-    #[error(
-        "no graphics adapter, not even in software: install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri); {0}"
-    )]
+    #[error("{}", no_adapter(.0))]
     NoAdapter(String),
     /// An adapter would not give a device.
-    #[error("{adapter} gives no device: {reason}")]
-    NoDevice {
-        /// Which adapter.
-        adapter: AdapterSummary,
-        /// In its words.
-        reason: String,
-    },
+    #[error("the graphics adapter gives no device: {0}")]
+    NoDevice(String),
+    /// An adapter draws, but not on this display.
+    #[error("nothing can be drawn on this display: {0}")]
+    NoSurface(String),
     /// A picture larger than the device draws.
     #[error("a picture of {0} x {1} pixels: choose 1 to {2} each way, and no more than 33 million in all")]
     Size(u32, u32, u32),
     /// The picture could not be read back.
     #[error("the picture could not be read back: {0}")]
     Readback(String),
+    /// The device is of no more use; another may be.
+    #[error(transparent)]
+    Fault(#[from] Fault),
+}
+
+/// What was looked for, what to set and what to install.
+fn no_adapter(looked: &str) -> String {
+    let set = |name: &str| std::env::var(name).ok().map(|value| format!("{name}={value} is set: try without it; "));
+    let set: String = ["WGPU_BACKEND", "VK_ICD_FILENAMES", "VK_DRIVER_FILES"].into_iter().filter_map(set).collect();
+    let install = if cfg!(target_os = "linux") {
+        "install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)"
+    } else {
+        "install the graphics card's driver"
+    };
+    format!("no graphics adapter, not even in software: {set}{install}; {looked}")
 }
 
 /// A device to draw with.
@@ -69,13 +80,15 @@ pub struct Gpu {
     /// What it is.
     pub adapter: AdapterSummary,
     tally: Tally,
+    health: Health,
 }
 
 impl Gpu {
     /// Takes over a window's device.
     #[expect(clippy::needless_pass_by_value, reason = "all three are handed over together")]
     pub fn from_parts(info: wgpu::AdapterInfo, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        Self { device, queue, adapter: AdapterSummary::of(&info), tally: Tally::default() }
+        let (adapter, tally, health) = (AdapterSummary::of(&info), Tally::default(), Health::default());
+        Self { device, queue, adapter, tally, health }
     }
 
     /// Brings up a device with no window and no display: Vulkan, or GLES over EGL where there is none.
@@ -101,8 +114,14 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&descriptor)
             .await
-            .map_err(|e| GpuError::NoDevice { adapter: AdapterSummary::of(&info), reason: e.to_string() })?;
-        Ok(Self::from_parts(info, device, queue))
+            .map_err(|e| GpuError::NoDevice(format!("{}, {e}", AdapterSummary::of(&info))))?;
+        let health = Health::of(&device);
+        Ok(Self { health, ..Self::from_parts(info, device, queue) })
+    }
+
+    /// What has gone wrong with the device; nothing is known of one that was taken over.
+    pub fn fault(&self) -> Option<Fault> {
+        self.health.fault()
     }
 
     /// What has been made and drawn on this device, through whichever copy of it.
@@ -124,12 +143,12 @@ impl Gpu {
 
     /// A mesh.
     pub(super) fn mesh<T: bytemuck::Pod>(&self, label: &'static str, vertices: &[T]) -> wgpu::Buffer {
-        self.count(Thing::Buffer, label, 1);
-        self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some(label),
-            contents: bytemuck::cast_slice(vertices),
-            usage: wgpu::BufferUsages::VERTEX,
-        })
+        // Not mapped at its creation: a device without room for it would panic there.
+        let bytes: &[u8] = bytemuck::cast_slice(vertices);
+        let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST;
+        let buffer = self.buffer(label, bytes.len() as u64, usage);
+        self.queue.write_buffer(&buffer, 0, bytes);
+        buffer
     }
 
     /// A flat texture without mip levels.

@@ -9,6 +9,7 @@ mod cull;
 mod flat;
 mod frame;
 mod gpu;
+mod health;
 mod image;
 mod made;
 mod mesh;
@@ -19,6 +20,7 @@ mod renderer;
 mod target;
 
 pub use gpu::{AdapterSummary, Gpu, GpuError};
+pub use health::{Fault, Health};
 pub use image::{Image, Packing};
 pub use made::{Made, Thing};
 pub use pass::shaders;

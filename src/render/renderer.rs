@@ -60,9 +60,19 @@ impl Renderer {
         Self { quality, culls: true, frame, passes, target: None, readback: None }
     }
 
+    /// How finely it draws.
+    pub fn quality(&self) -> Quality {
+        self.quality
+    }
+
     /// Whether instances out of view are left out, as they are unless told otherwise; the picture is the same.
     pub fn set_culling(&mut self, culls: bool) {
         self.culls = culls;
+    }
+
+    /// Whether it leaves out what is out of view.
+    pub fn culls(&self) -> bool {
+        self.culls
     }
 
     /// Draws a list into the renderer's own RGBA8 target (sRGB-encoded already, premultiplied) and gives that back.
@@ -98,7 +108,9 @@ impl Renderer {
         let target = self.target.as_ref().ok_or_else(|| GpuError::Readback("nothing was drawn".to_owned()))?;
         let kept = self.readback.take().filter(|readback| readback.size() == target.size);
         let readback = kept.unwrap_or_else(|| Readback::new(gpu, target.size));
-        let image = readback.read(gpu, encoder, &target.texture)?;
+        let image = readback.read(gpu, encoder, &target.texture);
+        // What a device that has failed gives back is no picture, whether it says so or not.
+        let image = gpu.fault().map_or(image, |fault| Err(fault.into()))?;
         self.readback = Some(readback);
         Ok(image)
     }

@@ -16,7 +16,7 @@ mod palette;
 pub use film::{Frame, film, instants};
 pub use gif::{GifError, MOST_FPS, gif};
 
-use crate::render::{Gpu, GpuError, Image, Quality, Renderer};
+use crate::render::{Fault, Gpu, GpuError, Image, Quality, Renderer};
 use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};
 use crate::sim::History;
 use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, draw_list};
@@ -148,12 +148,20 @@ impl Studio {
         self.draw(&shot.list(history))
     }
 
-    /// A picture of a draw list.
+    /// A picture of a draw list. Should the device be lost, it is drawn on another: a film goes on.
     ///
     /// # Errors
-    /// When the size is not one that the device draws.
+    /// When the size is not one that the device draws, or it has failed and so has the next.
     pub fn draw(&mut self, list: &DrawList) -> Result<Image, GpuError> {
-        self.renderer.picture(&self.gpu, list, list.size)
+        match self.renderer.picture(&self.gpu, list, list.size) {
+            Err(GpuError::Fault(Fault::Lost(_))) => {
+                let culls = self.renderer.culls();
+                *self = Self::open(Some(self.renderer.quality()))?;
+                self.set_culling(culls);
+                self.renderer.picture(&self.gpu, list, list.size)
+            }
+            other => other,
+        }
     }
 
     /// Whether instances out of view are left out, as they are unless told otherwise; the picture is the same.

@@ -56,9 +56,10 @@ fn is_absurd(x: f64) -> bool {
     x != 0.0 && !PLAIN.contains(&x.abs())
 }
 
-/// `x` with three significant digits.
+/// `x` with three significant digits; what rounds to 0 has no sign.
 fn three_digits(x: f64) -> String {
     let whole = [1e1, 1e2].into_iter().filter(|power| x.abs() >= *power).count();
+    let x = if x.abs() < 0.005 { 0.0 } else { x };
     // A true minus: the hyphen is easily overlooked.
     format!("{x:.*}", 2 - whole).replace('-', "\u{2212}")
 }
@@ -129,6 +130,7 @@ mod tests {
     fn quantities_read_well() {
         assert_eq!([force(123.4), force(0.5), force(45_600.0)], ["123 N", "0.50 N", "45.6 kN"], "forces");
         assert_eq!([length(0.003), length(0.05), length(30.0)], ["3.00 mm", "50.0 mm", "30.0 m"], "lengths");
+        assert_eq!([length(-2e-6), length(-6e-6)], ["0.00 mm", "\u{2212}0.01 mm"], "no sign without a digit");
         assert_eq!([round_length(0.05), round_length(2.0), round_force(2e3)], ["50 mm", "2 m", "2 kN"], "scales");
     }
 

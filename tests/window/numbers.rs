@@ -115,9 +115,11 @@ fn what_is_typed_goes_to_all_that_are_selected() {
 #[test]
 fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
     let mut harness = with(presets::OPENING, &[]);
-    type_in(&mut harness, "Tolerance 1e-n, n", "8");
+    type_in(&mut harness, "Tolerance", "1e-8");
     assert!((harness.state().scene().solver.tolerance - 1e-8).abs() < 1e-20, "10⁻⁸");
-    reach(&mut harness, Role::Button, "space");
+    reach(&mut harness, Role::ComboBox, "Motion in");
+    harness.get_by_role_and_label(Role::ComboBox, "Motion in").click();
+    harness.run_steps(20);
     press(&mut harness, "space");
     assert_eq!(harness.state().scene().kind, Kind::Spatial, "in space");
     assert!(harness.state().problems().is_some(), "its bearings have no vertical springs yet");

@@ -235,3 +235,177 @@ fn a_number_is_typed_with_a_unit() {
         assert_eq!(harness.state().scene().girders[0].length, wanted, "{typed}");
     }
 }
+
+/// Lets the window go on for a little: the name of a handle under the mouse fades in.
+fn calm(harness: &mut Window) {
+    harness.step();
+    harness.state_mut().wait();
+    harness.run_steps(4);
+}
+
+fn undo_calmly(harness: &mut Window) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    calm(harness);
+}
+
+/// Closes the hand on a handle and begins to drag it.
+fn grasp(harness: &mut Window, name: &str, by: [f32; 2]) -> Pos2 {
+    let from: Pos2 = harness.get_by_role_and_label(Role::Splitter, name).rect().center();
+    harness.drag_at(from);
+    calm(harness);
+    let to = from + egui::vec2(by[0], by[1]);
+    harness.hover_at(to);
+    calm(harness);
+    to
+}
+
+fn write(harness: &mut Window, text: &str) {
+    for letter in text.chars() {
+        harness.event(egui::Event::Text(letter.into()));
+        calm(harness);
+    }
+}
+
+#[test]
+fn a_number_typed_while_a_handle_is_dragged_takes_the_place_of_the_mouse() {
+    type Read = fn(&girderbench::scene::Scene) -> f64;
+    let cases: [(&str, &str, f64, Read); 7] = [
+        ("length of deck at -x", "0.25 m", 0.25, |s| s.girders[0].length),
+        ("length of deck at +x", "212,5", 0.2125, |s| s.girders[0].length),
+        ("width of deck", "8 cm", 0.08, |s| s.girders[0].width),
+        ("skew of deck at -x left", "63.5°", 63.5, |s| s.girders[0].skew_deg),
+        ("turn deck", "-12.25", -12.25, |s| s.girders[0].heading_deg),
+        ("move deck along", "-12.5 mm", -0.0125, |s| s.girders[0].position[0]),
+        ("gap of deck+x|wall", "4.75", 0.00475, |s| s.abutments[0].gap.expect("given")),
+    ];
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let before = harness.state().scene().clone();
+    for (name, typed, wanted, read) in cases {
+        let at = grasp(&mut harness, name, [-9.0, 4.0]);
+        write(&mut harness, typed);
+        harness.hover_at(at + egui::vec2(-25.0, 10.0));
+        calm(&mut harness);
+        let now = read(harness.state().scene());
+        assert!((now - wanted).abs() < 1e-9, "{name}: {wanted} as typed, whatever the mouse does; got {now}");
+        harness.key_press(Key::Enter);
+        calm(&mut harness);
+        harness.hover_at(at + egui::vec2(40.0, 20.0));
+        calm(&mut harness);
+        let camera = *harness.state().camera().expect("shown");
+        harness.drop_at(at + egui::vec2(40.0, 20.0));
+        calm(&mut harness);
+        assert!((read(harness.state().scene()) - wanted).abs() < 1e-9, "{name}: set");
+        assert_eq!(*harness.state().camera().expect("shown"), camera, "{name}: the view was not turned");
+        undo_calmly(&mut harness);
+        assert_eq!(*harness.state().scene(), before, "{name}: one step");
+    }
+}
+
+#[test]
+fn escape_puts_a_drag_back_as_if_it_had_never_begun() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let before = harness.state().scene().clone();
+    let at = grasp(&mut harness, "length of deck at -x", [-40.0, 0.0]);
+    assert_ne!(*harness.state().scene(), before, "dragged");
+    harness.key_press(Key::Escape);
+    calm(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "as it was");
+    assert_eq!((harness.state().undo_label(), harness.state().redo_label()), (None, None), "nothing to undo or redo");
+    harness.hover_at(at + egui::vec2(30.0, 0.0));
+    calm(&mut harness);
+    harness.drop_at(at + egui::vec2(30.0, 0.0));
+    calm(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "the hand is open");
+    assert_eq!(harness.state().selection().len(), 1, "and the girder still selected");
+}
+
+#[test]
+fn what_cannot_be_set_is_refused_beside_the_hand_and_a_letter_taken_back() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let at = grasp(&mut harness, "skew of deck at -x left", [-4.0, 0.0]);
+    write(&mut harness, "70");
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 70.0, "as typed");
+    write(&mut harness, "0");
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 70.0, "700° is no skew: it stays");
+    let plate = harness.state().hand_words().join(" ");
+    assert!(plate.contains("β 700|°") && plate.contains("between 0.0 and 180.0"), "the reason: {plate}");
+    harness.key_press(Key::Backspace);
+    calm(&mut harness);
+    harness.key_press(Key::Backspace);
+    calm(&mut harness);
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 7.0, "two letters less");
+    assert_eq!(harness.state().scene().girders.len(), 1, "nothing was removed");
+    harness.drop_at(at);
+    calm(&mut harness);
+    assert_eq!(harness.state().scene().girders[0].skew_deg, 7.0, "the mouse sets it too");
+}
+
+#[test]
+fn two_numbers_are_typed_while_a_girder_is_dragged_over_the_ground() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let before = harness.state().scene().girders[0].position;
+    let from = on_screen(&harness, DVec3::new(-0.02, 0.0, 0.01));
+    harness.drag_at(from);
+    calm(&mut harness);
+    harness.hover_at(from + egui::vec2(-30.0, -10.0));
+    calm(&mut harness);
+    write(&mut harness, "-20");
+    harness.key_press(Key::Tab);
+    calm(&mut harness);
+    write(&mut harness, "5 mm");
+    harness.key_press(Key::Enter);
+    calm(&mut harness);
+    harness.drop_at(from);
+    calm(&mut harness);
+    let after = harness.state().scene().girders[0].position;
+    let way = [after[0] - before[0], after[1] - before[1]];
+    assert!((way[0] + 0.02).abs() < 1e-9 && (way[1] - 0.005).abs() < 1e-9, "Δx and Δy, went {way:?}");
+}
+
+#[test]
+fn a_handle_that_has_the_focus_takes_a_number_without_the_mouse() {
+    let mut harness = from_above(presets::OPENING, &[Target::Girder(0)]);
+    let before = harness.state().scene().clone();
+    let view = *harness.state().camera().expect("shown");
+    harness.get_by_role_and_label(Role::Splitter, "turn deck").focus();
+    calm(&mut harness);
+    for (key, letter) in [(Key::Num1, "1"), (Key::Num2, "2")] {
+        harness.key_press(key);
+        harness.event(egui::Event::Text(letter.into()));
+        calm(&mut harness);
+    }
+    assert_eq!(harness.state().scene().girders[0].heading_deg, 12.0, "as typed");
+    assert_eq!(*harness.state().camera().expect("shown"), view, "the digits were the handle's");
+    harness.key_press(Key::Escape);
+    calm(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "put back");
+    harness.get_by_role_and_label(Role::Splitter, "turn deck").focus();
+    calm(&mut harness);
+    write(&mut harness, "0.5 rad");
+    harness.key_press(Key::Enter);
+    calm(&mut harness);
+    assert!((harness.state().scene().girders[0].heading_deg - 0.5f64.to_degrees()).abs() < 1e-9, "set");
+    undo_calmly(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "one step");
+}
+
+#[test]
+fn a_walls_handles_take_numbers_too() {
+    let mut harness = from_above(presets::OPENING, &[Target::Abutment(0)]);
+    let mut narrow = harness.state().scene().abutments[0].clone();
+    narrow.width = Some(0.15);
+    let edit = girderbench::scene::edit::Edit::ReplaceAbutment(0, Box::new(narrow));
+    harness.state_mut().apply(Command::Edit { edit, gesture: None });
+    harness.state_mut().apply(Command::Frame);
+    calm(&mut harness);
+    for (name, typed) in [("move wall sideways", "15 mm"), ("width of wall, one side", "25 cm")] {
+        harness.get_by_role_and_label(Role::Splitter, name).focus();
+        calm(&mut harness);
+        write(&mut harness, typed);
+        harness.key_press(Key::Enter);
+        calm(&mut harness);
+    }
+    let wall = &harness.state().scene().abutments[0];
+    assert!(wall.offset.is_some_and(|o| (o.abs() - 0.015).abs() < 2e-6), "sideways: {:?}", wall.offset);
+    assert_eq!(wall.width, Some(0.25), "and as wide as typed");
+}

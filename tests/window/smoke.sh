@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A real window on a display of its own: it opens, plays on a key, takes a click, rests without work, closes cleanly.
+# A real window on a display of its own: it opens, plays on a key, takes a click, takes any size and none, rests without
+# work, closes cleanly; it goes on when its graphics device is lost, and keeps unsaved work when its display is.
 #
 #   tests/window/smoke.sh [BINARY] [WIDTHxHEIGHT]
 #
@@ -38,7 +39,8 @@ finish() {
 }
 trap finish EXIT
 
-Xvfb "$DISPLAY" -noreset -screen 0 "${size}x24" >/dev/null 2>&1 &
+# Large enough for the largest size below.
+Xvfb "$DISPLAY" -noreset -screen 0 2560x1440x24 >/dev/null 2>&1 &
 server=$!
 for _ in $(seq 100); do
   [ -e "/tmp/.X11-unix/X$number" ] && break
@@ -46,21 +48,35 @@ for _ in $(seq 100); do
 done
 [ -e "/tmp/.X11-unix/X$number" ] || fail "Xvfb did not come up"
 
-"$binary" >"$seen/output.txt" 2>&1 &
-program=$!
+# Starts the program and waits for its window.
+start() {
+  "$binary" >"$seen/output.txt" 2>&1 &
+  program=$!
+  window=''
+  for _ in $(seq 200); do
+    kill -0 "$program" 2>/dev/null || fail "the program ended before it had a window: $(cat "$seen/output.txt")"
+    window=$(xdotool search --onlyvisible --name Girderbench 2>/dev/null | head -n 1) && [ -n "$window" ] && break
+    sleep 0.1
+  done
+  [ -n "$window" ] || fail "no window within 20 s"
+  # No window manager: the window is put into the corner, and given the keyboard.
+  xdotool windowmove "$window" 0 0 windowsize "$window" "${size%x*}" "${size#*x}"
+  xdotool windowfocus --sync "$window"
+  xdotool mousemove 5 5
+}
+# Waits for the program to end by itself, and keeps its status.
+ended() {
+  for _ in $(seq 100); do
+    kill -0 "$program" 2>/dev/null || break
+    sleep 0.1
+  done
+  kill -0 "$program" 2>/dev/null && fail "$1"
+  status=0
+  wait "$program" || status=$?
+  program=''
+}
 
-window=''
-for _ in $(seq 200); do
-  kill -0 "$program" 2>/dev/null || fail "the program ended before it had a window: $(cat "$seen/output.txt")"
-  window=$(xdotool search --onlyvisible --name Girderbench 2>/dev/null | head -n 1) && [ -n "$window" ] && break
-  sleep 0.1
-done
-[ -n "$window" ] || fail "no window within 20 s"
-
-# No window manager: the window is put where it fills the screen, and given the keyboard.
-xdotool windowmove "$window" 0 0 windowsize "$window" "${size%x*}" "${size#*x}"
-xdotool windowfocus --sync "$window"
-xdotool mousemove 5 5
+start
 
 look() { import -window "$window" "$seen/$1.png"; }
 # How many pixels differ; `compare` answers 1 when any does.
@@ -111,21 +127,53 @@ settle clicked
 changed=$(differ paused clicked)
 [ "$changed" -gt 1000 ] || fail "a click on Top does not turn the view: $changed pixels differ"
 
-# Smaller and back: the surface is made anew each time, and drawn on to its new edges.
-for other in 800x480 "$size"; do
+# As good as no size at all, smaller, larger than most screens, and back: the surface is made anew each time, and drawn
+# on to its new edges.
+xdotool windowsize "$window" 1 1
+sleep 0.5
+for other in 800x480 2560x1440 "$size"; do
   xdotool windowsize "$window" "${other%x*}" "${other#*x}"
   settle "resized-$other"
   [ "$(identify -format '%wx%h' "$seen/resized-$other.png")" = "$other" ] || fail "the window is not $other"
 done
 
+# Taken from the screen while it plays, as a window that is minimised, and brought back.
+xdotool key space
+sleep 0.5
+xdotool windowunmap --sync "$window"
+sleep 0.5
+xdotool windowmap --sync "$window"
+xdotool windowfocus --sync "$window"
+xdotool key space
+settle back
+
 xdotool key ctrl+q
+ended "Ctrl+Q does not close the window"
+[ "$status" = 0 ] || fail "closed with status $status: $(cat "$seen/output.txt")"
+
+# A test that takes the window's device away, in a window on this display.
+name=app::shell::tests::a_real_window_goes_on_when_its_device_is_lost
+cargo test --quiet --locked --all-features --lib -- --ignored --exact "$name" >"$seen/lost.txt" 2>&1 ||
+  fail "a lost device: $(cat "$seen/lost.txt")"
+grep -q '1 passed' "$seen/lost.txt" || fail "no test is called $name"
+
+# The display goes while something is unsaved, sooner than it is kept by itself.
+start
+settle opened
+plain=$(xdotool getwindowname "$window")
+xdotool key g
 for _ in $(seq 100); do
-  kill -0 "$program" 2>/dev/null || break
+  [ "$(xdotool getwindowname "$window")" = "$plain" ] || break
   sleep 0.1
 done
-kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not close the window"
-status=0
-wait "$program" || status=$?
-program=''
-[ "$status" = 0 ] || fail "closed with status $status: $(cat "$seen/output.txt")"
-echo "window: opened, rested ($used ticks in 2 s), played, took a click, closed ($size)"
+kill -KILL "$server"
+wait "$server" 2>/dev/null || true
+server=''
+ended "the program outlives its display"
+[ "$status" != 0 ] || fail "a display that is gone is no success"
+grep -q 'unsaved work is kept' "$seen/output.txt" || fail "unsaved work is not spoken of: $(cat "$seen/output.txt")"
+kept=$(find "$XDG_STATE_HOME" -name '*.unsaved' | wc -l)
+[ "$kept" = 1 ] || fail "$kept files of unsaved work"
+
+echo "window: opened, rested ($used ticks in 2 s), played, took a click and any size, closed ($size);" \
+  "outlived its device, kept what was unsaved when its display went"

@@ -4,7 +4,7 @@ mod fresh;
 mod pairs;
 
 pub(in crate::app) use fresh::empty;
-pub(in crate::app) use pairs::{names_of, new_pair, pair_entry};
+pub(in crate::app) use pairs::{names_of, new_pair, pair_between, pair_entry};
 
 use fresh::first_girder;
 use glam::DVec3;
@@ -120,6 +120,14 @@ pub(in crate::app) fn duration(scene: &Scene, duration: f64) -> Edit {
 /// The gap of the first facing pair, which the slider shows \[m\].
 pub(in crate::app) fn gap_of(scene: &Scene) -> Option<f64> {
     facing::find(scene).ok()?.first().map(|f| f.gap)
+}
+
+/// How far an abutment stands before its girder's end, along the girder's axis \[m\].
+pub(in crate::app) fn gap_before(scene: &Scene, abutment: &Abutment) -> Option<f64> {
+    let number = scene.abutments.iter().position(|a| a.name == abutment.name)?;
+    let pairs = facing::find(scene).ok()?;
+    let own = pairs.iter().find(|p| p.second == Side::Abutment(number))?;
+    Some(micrometres(own.gap).max(0.0))
 }
 
 /// Opens every facing pair to the same gap: abutments by their own number, girders by standing farther apart \[m\].

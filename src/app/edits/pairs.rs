@@ -32,9 +32,14 @@ pub(in crate::app) fn pair_entry(scene: &Scene, pair: &Facing) -> Option<usize> 
 
 /// An entry of `[[contact.pair]]` for this pair that says nothing yet.
 pub(in crate::app) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
+    pair_between(names_of(scene, pair).map(str::to_owned), ends_of(pair))
+}
+
+/// An entry between two bodies that says nothing yet.
+pub(in crate::app) fn pair_between(between: [String; 2], ends: Option<[End; 2]>) -> PairSettings {
     PairSettings {
-        between: names_of(scene, pair).map(str::to_owned),
-        ends: ends_of(pair),
+        between,
+        ends,
         stiffness: None,
         young_modulus: None,
         area: None,

@@ -14,7 +14,7 @@ const MOST_GAPS: usize = 24;
 
 /// One of two long sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::app) enum Flank {
+pub enum Flank {
     /// Toward `+y`.
     Left,
     /// Toward `-y`.
@@ -36,7 +36,7 @@ impl Flank {
 
 /// What a hand takes hold of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::app) enum Grip {
+pub enum Grip {
     /// All that is selected, over the ground.
     Bodies,
     /// A girder along its own axis.

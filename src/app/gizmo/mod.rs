@@ -6,12 +6,15 @@ mod grip;
 mod paint;
 mod pull;
 mod snap;
+mod typed;
 
 use egui::{CursorIcon, EventFilter, Id, Key, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo};
 use glam::{DQuat, DVec3};
 
-pub(super) use grip::{Grip, Handle, Stance};
+pub use grip::{Flank, Grip};
+pub(super) use grip::{Handle, Stance};
 pub(super) use pull::Pulled;
+pub(super) use typed::{Typing, begins_number, read as read_typed};
 
 use super::Workbench;
 use super::command::Command;
@@ -87,6 +90,8 @@ pub(super) struct Held {
     pub(super) selected: Vec<Target>,
     /// The same for all edits of this pull.
     pub(super) gesture: u64,
+    /// Whether it is held by keys alone.
+    pub(super) by_keys: bool,
 }
 
 /// What a pull comes to, with the mouse at `at`; `free` pulls do not snap.
@@ -95,7 +100,8 @@ pub(super) fn pull(held: &Held, eye: &Eye, at: Pos2, free: bool) -> Option<Pulle
     let point = eye.metres_per_point(to);
     let reach = if free { 0.0 } else { SNAP * point };
     let (scene, selected) = (&*held.scene, &held.selected[..]);
-    pull::pulled(held.grip, &Pull { scene, selected, from: held.from, to, step: snap::round_step(point), reach })
+    let step = snap::round_step(point);
+    pull::pulled(held.grip, &Pull { scene, selected, from: held.from, to, step, reach, typed: None })
 }
 
 /// How far a new girder snaps from where it stands, and to what; a `point` of the screen is so many metres.
@@ -137,6 +143,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, bench: &mut Workbench, out: &mut Vec
     let Some(camera) = bench.viewport.camera().copied() else { return };
     let eye = Eye { camera, rect };
     paint::outlines(ui, &eye, bench);
+    bench.viewport.hand.focused = None;
     if !bench.clock().playing {
         let handles = grip::handles(bench.scene(), bench.selection(), bench.overlays().gap, stance(bench));
         let crowded = is_crowded(&handles, &eye);
@@ -144,7 +151,13 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, bench: &mut Workbench, out: &mut Vec
             one(ui, &eye, handle, bench, out);
         }
     }
-    if let Some(pulled) = &bench.viewport.hand.pulled {
+    bench.viewport.hand.forget_lost(ui);
+    if let Some(words) = &bench.viewport.hand.words {
+        let at = bench.viewport.hand.held.as_ref().filter(|h| h.by_keys).and_then(|h| eye.at(h.from));
+        if let Some(at) = at.or_else(|| ui.input(|i| i.pointer.latest_pos())) {
+            say(ui, &eye, at, words);
+        }
+    } else if let Some(pulled) = &bench.viewport.hand.pulled {
         paint::pulled(ui, &eye, pulled);
     }
 }
@@ -185,6 +198,7 @@ fn one(ui: &mut Ui, eye: &Eye, handle: &Handle, bench: &mut Workbench, out: &mut
     if response.has_focus() {
         let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|m| m.set_focus_lock_filter(id, arrows));
+        bench.viewport.hand.focused = Some((handle.grip, handle.at));
         out.extend(keys(ui, bench, handle));
     }
     response.on_hover_text(&handle.name);
@@ -205,7 +219,7 @@ fn keys(ui: &Ui, bench: &Workbench, handle: &Handle) -> Option<Command> {
     let largest = scene.girders.iter().map(|g| g.length).fold(1e-3, f64::max);
     let step = snap::round_step(largest / 100.0);
     let (from, to) = (handle.at, handle.at + handle.along * (step * steps));
-    let pull = Pull { scene, selected: bench.selection(), from, to, step: step / 10.0, reach: 0.0 };
+    let pull = Pull { scene, selected: bench.selection(), from, to, step: step / 10.0, reach: 0.0, typed: None };
     let edit = pull::pulled(handle.grip, &pull)?.edit;
     Some(Command::Edit { edit, gesture: None })
 }

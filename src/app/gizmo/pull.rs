@@ -28,6 +28,8 @@ pub(in crate::app) struct Pull<'a> {
     pub(super) step: f64,
     /// How near a line must be to be snapped to \[m\]; none at all when 0.
     pub(super) reach: f64,
+    /// What was typed instead, in the unit of the scene: the numbers that are read beside the hand.
+    pub(super) typed: Option<[f64; 2]>,
 }
 
 /// What a pull comes to.
@@ -47,6 +49,16 @@ impl Pull<'_> {
         field::rounded((self.to - self.from).dot(direction), self.step)
     }
 
+    /// The number that was typed, or else what the hand pulled it to.
+    fn or_typed(&self, pulled: f64) -> f64 {
+        self.typed.map_or(pulled, |[number, _]| number)
+    }
+
+    /// Whether the hand that pulls is to snap.
+    fn snaps(&self) -> bool {
+        self.reach > 0.0 && self.typed.is_none()
+    }
+
     fn girder(&self, i: usize) -> Option<(&Girder, DVec3, DVec3)> {
         let girder = self.scene.girders.get(i)?;
         let axes = placed::axes(girder);
@@ -57,14 +69,17 @@ impl Pull<'_> {
 /// What a pull on a handle comes to; `None` when the scene has no such thing.
 pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
     match grip {
-        Grip::Bodies => bodies(pull, (pull.to - pull.from).truncate()),
+        Grip::Bodies => {
+            let way = pull.typed.map_or((pull.to - pull.from).truncate(), DVec2::from);
+            bodies(pull, way, |way| format!("Δx {}   Δy {}", text::length(way.x), text::length(way.y)))
+        }
         Grip::Along(i) => {
             let (_, x, _) = pull.girder(i)?;
-            bodies(pull, (x * pull.along(x)).truncate())
+            along(pull, x, "along")
         }
         Grip::Across(i) => {
             let (_, _, y) = pull.girder(i)?;
-            bodies(pull, (y * pull.along(y)).truncate())
+            along(pull, y, "across")
         }
         Grip::Turn(i) => turn(pull, i),
         Grip::Length(i, end) => length(pull, i, end),
@@ -80,11 +95,18 @@ fn plain(edit: Edit, words: String) -> Pulled {
     Pulled { edit, words: vec![words], guides: Vec::new() }
 }
 
+/// Moves all that is selected one way.
+fn along(pull: &Pull<'_>, axis: DVec3, word: &str) -> Option<Pulled> {
+    let way = (axis * pull.or_typed(pull.along(axis))).truncate();
+    bodies(pull, way, |way| format!("{word} {}", text::exact_length(field::rounded(way.dot(axis.truncate()), 1e-7))))
+}
+
 /// Moves all that is selected; the girder that leads is what snaps.
-fn bodies(pull: &Pull<'_>, way: DVec2) -> Option<Pulled> {
+fn bodies(pull: &Pull<'_>, way: DVec2, say: impl Fn(DVec2) -> String) -> Option<Pulled> {
     let lead = pull.selected.iter().rev().find_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
     let rounded = DVec2::new(field::rounded(way.x, pull.step), field::rounded(way.y, pull.step));
     let snapped = match lead {
+        _ if pull.typed.is_some() => snap::Snapped::free(way),
         Some(i) if pull.reach > 0.0 => {
             let gaps = snap::usual_gaps(pull.scene);
             snap::moved(pull.scene, pull.selected, i, rounded, (pull.reach, &gaps))
@@ -95,7 +117,7 @@ fn bodies(pull: &Pull<'_>, way: DVec2) -> Option<Pulled> {
     let edits = pull.selected.iter().filter_map(|t| edits::shifted(pull.scene, *t, way.to_array(), 0.0));
     let mut edits: Vec<Edit> = edits.collect();
     let edit = if edits.len() == 1 { edits.pop()? } else { Edit::Batch(edits) };
-    let mut words = vec![format!("Δx {}   Δy {}", text::length(way.x), text::length(way.y))];
+    let mut words = vec![say(way)];
     words.extend(snapped.words);
     Some(Pulled { edit, words, guides: snapped.guides })
 }
@@ -105,8 +127,8 @@ fn turn(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let middle = DVec3::from(girder.position);
     let angle = |p: DVec3| (p - middle).y.atan2((p - middle).x);
     let way = (angle(pull.to) - angle(pull.from)).to_degrees();
-    let free = field::rounded(wrapped(girder.heading_deg + way), 0.1);
-    let (heading, to) = if pull.reach > 0.0 { snap::heading(pull.scene, i, free) } else { (free, None) };
+    let free = pull.or_typed(field::rounded(wrapped(girder.heading_deg + way), 0.1));
+    let (heading, to) = if pull.snaps() { snap::heading(pull.scene, i, free) } else { (free, None) };
     let mut words = vec![format!("heading {}°", field::trimmed(heading))];
     words.extend(to);
     Some(Pulled { edit: Edit::MoveGirder(i, girder.position, heading), words, guides: Vec::new() })
@@ -121,7 +143,7 @@ fn wrapped(angle: f64) -> f64 {
 fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
     let (girder, x, _) = pull.girder(i)?;
     let outward = x * end.sign();
-    let length = (girder.length + pull.along(outward)).max(girder.length * LEAST);
+    let length = pull.or_typed((girder.length + pull.along(outward)).max(girder.length * LEAST));
     // The other end stays where it is.
     let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
     let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
@@ -130,7 +152,7 @@ fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
 
 fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (girder, _, y) = pull.girder(i)?;
-    let width = (girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST);
+    let width = pull.or_typed((girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST));
     let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
     Some(plain(edits::girder(i, new), format!("width {}", text::exact_length(width))))
 }
@@ -140,8 +162,8 @@ fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
     let half = flank.sign() * girder.width / 2.0;
     // The corner slides along the girder: cot β = (shift of the corner) / (its distance from the axis).
     let shear = girder.prism().shear() + (pull.to - pull.from).dot(x) / half;
-    let free = field::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1);
-    let (skew, to) = if pull.reach > 0.0 { snap::skew(pull.scene, i, free) } else { (free, None) };
+    let free = pull.or_typed(field::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1));
+    let (skew, to) = if pull.snaps() { snap::skew(pull.scene, i, free) } else { (free, None) };
     let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
     let mut words = vec![format!("β {}° at {}", field::trimmed(skew), end.label())];
     words.extend(to);
@@ -184,8 +206,8 @@ fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
     let Side::Girder(first, end) = pair.first else { return None };
     let (_, x, _) = pull.girder(first)?;
     let outward = x * end.sign();
-    let free = (pair.gap + pull.along(outward)).max(0.0);
-    let (gap, to) = if pull.reach > 0.0 { snap::gap(pull.scene, n, free, pull.reach) } else { (free, None) };
+    let free = pull.or_typed((pair.gap + pull.along(outward)).max(0.0));
+    let (gap, to) = if pull.snaps() { snap::gap(pull.scene, n, free, pull.reach) } else { (free, None) };
     let edit = match pair.second {
         Side::Abutment(i) => {
             edits::abutment(i, Abutment { gap: Some(edits::micrometres(gap)), ..pull.scene.abutments.get(i)?.clone() })
@@ -200,16 +222,16 @@ fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
 fn offset(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let [a, b, ..] = placed::abutment_face(pull.scene, pull.scene.abutments.get(i)?)?;
     let side = (b - a).normalize_or_zero();
-    let way = side * pull.along(side);
-    let edit = edits::shifted(pull.scene, Target::Abutment(i), way.truncate().to_array(), 0.0)?;
-    Some(plain(edit, format!("sideways {}", text::length(pull.along(side)))))
+    let far = pull.or_typed(pull.along(side));
+    let edit = edits::shifted(pull.scene, Target::Abutment(i), (side * far).truncate().to_array(), 0.0)?;
+    Some(plain(edit, format!("sideways {}", text::length(far))))
 }
 
 fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let abutment = pull.scene.abutments.get(i)?;
     let [a, b, ..] = placed::abutment_face(pull.scene, abutment)?;
     let (side, before) = ((b - a).normalize_or_zero(), (b - a).length());
-    let width = (before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST);
+    let width = pull.or_typed((before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST));
     let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
     Some(plain(edits::abutment(i, new), format!("face width {}", text::exact_length(width))))
 }

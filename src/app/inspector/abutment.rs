@@ -2,68 +2,106 @@
 
 use egui::{ComboBox, Ui};
 
-use super::{grid, note, push};
+use super::{grid, push};
 use crate::app::command::Command;
-use crate::app::field::{Change, Place, length_unit, number};
+use crate::app::field::{CLICK, Change, Place, act, length_unit, number, optional, tag};
 use crate::app::{Workbench, edits, name_field, text};
 use crate::geometry::End;
-use crate::scene::Abutment;
+use crate::scene::{Abutment, Girder, placed};
 
 /// Shows an abutment.
 pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, abutment: &Abutment, out: &mut Vec<Command>) {
     let mut new = abutment.clone();
     let table = format!("abutment.{}", abutment.name);
     let place = Place { problems: bench.problems(), table: &table };
-    let size = bench.scene().girders.iter().find(|g| g.name == abutment.faces).map_or(1.0, |g| g.length);
+    let girder = bench.scene().girders.iter().find(|g| g.name == abutment.faces);
     let change = grid(ui, "abutment", |ui| {
-        name_field::show(ui, bench.selected(), &abutment.name, out);
-        let faces = faces_row(ui, bench, &mut new);
-        if faces.is_some() {
-            return faces;
-        }
-        if abutment.polygon.is_some() { note(ui, text::POLYGON) } else { face_rows(ui, place, size, bench, &mut new) }
+        name_field::show(ui, place, bench.selected(), &abutment.name, out);
+        let faces = faces_row(ui, place, bench, &mut new);
+        let face = match &mut new.polygon {
+            Some(corners) => corner_rows(ui, place, girder, corners),
+            None => face_rows(ui, place, girder, &mut new),
+        };
+        faces.or(face).or(depth_row(ui, place, girder, &mut new))
     });
+    let change = change.or(way_of_face(ui, place, bench, &mut new));
     push(change, out, || edits::abutment(i, new));
 }
 
-fn face_rows(ui: &mut Ui, place: Place<'_>, size: f64, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
-    let unit = length_unit(size);
-    let girder = bench.scene().girders.iter().find(|g| g.name == a.faces);
+fn face_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
+    let unit = length_unit(girder.map_or(1.0, |g| g.length));
     let (wide, high) = girder.map_or((1.0, 1.0), |g| (3.0 * g.prism().end_length(), 3.0 * g.thickness));
-    let fields = [
-        ("gap_m", text::GAP, 0.0, &mut a.gap, 0.0),
-        ("offset_m", text::OFFSET, f64::NEG_INFINITY, &mut a.offset, 0.0),
-        ("width_m", text::FACE_WIDTH, 0.0, &mut a.width, wide),
-        ("height_m", text::FACE_HEIGHT, 0.0, &mut a.height, high),
-        ("depth_m", text::FACE_DEPTH, 0.0, &mut a.depth, girder.map_or(1.0, |g| g.length)),
+    let mut gap = a.gap.unwrap_or(0.0);
+    let moved = number(ui, place, ("gap_m", text::GAP), &mut gap, unit);
+    if moved.is_some() {
+        a.gap = Some(gap);
+    }
+    let rest = [
+        optional(ui, place, ("offset_m", text::OFFSET), (&mut a.offset, 0.0), unit),
+        optional(ui, place, ("width_m", text::FACE_WIDTH), (&mut a.width, wide), unit),
+        optional(ui, place, ("height_m", text::FACE_HEIGHT), (&mut a.height, high), unit),
     ];
-    let mut first = None;
-    for (key, label, least, value, default) in fields {
-        let mut number_of = value.unwrap_or(default);
-        if let Some(change) = number(ui, place, (key, label), &mut number_of, unit, least) {
-            *value = Some(number_of);
-            first = first.or(Some(change));
+    rest.into_iter().flatten().next().or(moved)
+}
+
+fn depth_row(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
+    let length = girder.map_or(1.0, |g| g.length);
+    optional(ui, place, ("depth_m", text::FACE_DEPTH), (&mut a.depth, length), length_unit(length))
+}
+
+/// The face by its corners in the world.
+fn corner_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, corners: &mut [[f64; 3]]) -> Option<Change> {
+    let unit = length_unit(girder.map_or(1.0, |g| g.length));
+    let mut change = None;
+    for (n, corner) in corners.iter_mut().enumerate() {
+        let key = format!("polygon_m[{n}]");
+        for (value, axis) in corner.iter_mut().zip(["x", "y", "z"]) {
+            let label = format!("{} {} {axis}", text::CORNER, n + 1);
+            change = change.or(number(ui, place, (&key, &label), value, unit));
         }
     }
-    first
+    change
+}
+
+/// The other way to say where the face is; the face stays where it is.
+fn way_of_face(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
+    let scene = bench.scene();
+    if a.polygon.is_some() {
+        if !act(ui, place, "gap_m", text::FACE_BY_GAP) {
+            return None;
+        }
+        (a.gap, a.polygon) = (edits::gap_before(scene, a).or(edits::gap_of(scene)).or(Some(0.0)), None);
+        return CLICK;
+    }
+    if !act(ui, place, "polygon_m", text::FACE_BY_CORNERS) {
+        return None;
+    }
+    let corners = placed::abutment_face(scene, a)?;
+    (a.gap, a.width, a.height, a.offset) = (None, None, None, None);
+    a.polygon = Some(corners.map(edits::tidy).to_vec());
+    CLICK
 }
 
 /// Which girder's end it stands before.
-fn faces_row(ui: &mut Ui, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
+fn faces_row(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
     let before = (a.faces.clone(), a.end);
     let label = ui.label(text::FACES);
-    let words = format!("{} {}", a.faces, a.end.label());
-    let combo = ComboBox::from_id_salt("faces").width(96.0).selected_text(words).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("faces").width(79.0).selected_text(a.faces.as_str()).show_ui(ui, |ui| {
         for girder in &bench.scene().girders {
-            for end in End::BOTH {
-                let here = a.faces == girder.name && a.end == end;
-                if ui.selectable_label(here, format!("{} {}", girder.name, end.label())).clicked() {
-                    (a.faces, a.end) = (girder.name.clone(), end);
-                }
+            if ui.selectable_label(a.faces == girder.name, &girder.name).clicked() {
+                a.faces.clone_from(&girder.name);
             }
         }
     });
-    combo.response.labelled_by(label.id);
+    tag(ui, &combo.response.labelled_by(label.id), place, ("faces", text::FACES));
     ui.end_row();
-    ((a.faces.as_str(), a.end) != (before.0.as_str(), before.1)).then_some(Change { gesture: None })
+    let label = ui.label(text::END);
+    ui.horizontal(|ui| {
+        for end in End::BOTH {
+            let response = ui.selectable_value(&mut a.end, end, end.label()).labelled_by(label.id);
+            tag(ui, &response, place, ("end", end.label()));
+        }
+    });
+    ui.end_row();
+    if (a.faces.as_str(), a.end) == (before.0.as_str(), before.1) { None } else { CLICK }
 }

@@ -3,22 +3,21 @@
 use egui::{RichText, Ui};
 
 use super::{grid, note};
-use crate::app::field::{Change, HERTZ, PURE, Place, Unit, damping_unit, length_unit, number, stiffness_unit};
-use crate::app::text;
+use crate::app::field::{
+    CLICK, Change, HERTZ, PURE, Place, Unit, act, damping_unit, length_unit, number, optional, stiffness_unit, tag,
+};
+use crate::app::{edits, text};
 use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, SharedBearings};
-
-/// Something done by a button or a box.
-const CLICK: Option<Change> = Some(Change { gesture: None });
 
 /// Shows a girder's bearings.
 pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
-    let length = length_unit(g.length);
+    let (length, shear) = (length_unit(g.length), g.prism().shear());
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
             let numbers = grid(ui, "bearings", |ui| shared_rows(ui, place, kind, shared));
-            let places = places(ui, place, length, shared);
+            let places = places(ui, place, length, shear, shared);
             let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
-            let gone = ui.button(text::BEARINGS_REMOVE).clicked();
+            let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
             if each {
                 g.bearings = Some(one_by_one(g, kind));
             } else if gone {
@@ -35,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
         }
         None => {
             grid(ui, "no bearings", |ui| note(ui, text::BEARINGS_NONE));
-            if !ui.button(text::BEARINGS_ADD).clicked() {
+            if !act(ui, place, "bearings", text::BEARINGS_ADD) {
                 return None;
             }
             g.bearings = Some(Bearings::Shared(four_below(g)));
@@ -46,19 +45,20 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
 
 /// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
 fn four_below(g: &Girder) -> SharedBearings {
-    let (a, b) = (0.37 * g.length, 0.36 * g.width);
+    let round = |v: f64| (v * 1e4).round() / 1e4;
+    let (a, b) = (round(0.37 * g.length), round(0.36 * g.width));
     SharedBearings {
         frequency_hz: PerDirection::Both(2.6),
         damping_ratio: PerDirection::Both(0.28),
         vertical_frequency_hz: None,
         vertical_damping_ratio: None,
-        at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]].into_iter().map(tidy).collect()),
+        at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]]),
         at: None,
     }
 }
 
 fn tidy(place: [f64; 2]) -> [f64; 2] {
-    place.map(|v| (v * 1e4).round() / 1e4)
+    place.map(edits::micrometres)
 }
 
 /// The same bearings, each with its own numbers.
@@ -73,7 +73,8 @@ fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
 }
 
 /// Places of equal bearings: in the girder's own frame, or in the frame that is skewed with it.
-fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, b: &mut SharedBearings) -> Option<Change> {
+fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, shear: f64, b: &mut SharedBearings) -> Option<Change> {
+    let follows = follows_skew(ui, place, shear, b);
     let lists = [("bearings.at_m", &mut b.at, text::AT), ("bearings.at_skewed_m", &mut b.at_skewed, text::AT_SKEWED)];
     let mut change = None;
     for (key, list, title) in lists {
@@ -81,18 +82,35 @@ fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, b: &mut SharedBearings) -> 
         ui.label(RichText::new(title).weak().small());
         change = change.or(place_rows(ui, place, unit, key, list));
     }
-    change
+    change.or(follows)
+}
+
+/// Whether the places go with the skew; switched, the bearings stay where they are.
+fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, b: &mut SharedBearings) -> Option<Change> {
+    let mut follows = b.at_skewed.is_some();
+    let response = ui.checkbox(&mut follows, text::AT_FOLLOWS);
+    let switched = tag(ui, &response, place, ("bearings.at_skewed_m", text::AT_FOLLOWS)).changed();
+    if !switched {
+        return None;
+    }
+    let moved =
+        |list: Vec<[f64; 2]>, sign: f64| list.into_iter().map(|[x, y]| tidy([x + sign * y * shear, y])).collect();
+    (b.at, b.at_skewed) = match (b.at.take(), b.at_skewed.take()) {
+        (Some(at), _) => (None, Some(moved(at, -1.0))),
+        (None, Some(at)) => (Some(moved(at, 1.0)), None),
+        (None, None) => (Some(vec![[0.0; 2]]), None),
+    };
+    CLICK
 }
 
 fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut Vec<[f64; 2]>) -> Option<Change> {
-    let free = f64::NEG_INFINITY;
     let mut change = None;
     let mut gone = None;
     grid(ui, key, |ui| {
         for (n, [x, y]) in list.iter_mut().enumerate() {
             let (name_x, name_y) = (format!("{} {} x", text::BEARING, n + 1), format!("{} {} y", text::BEARING, n + 1));
-            change = change.or(number(ui, place, (key, &name_x), x, unit, free));
-            change = change.or(number(ui, place, (key, &name_y), y, unit, free));
+            change = change.or(number(ui, place, (key, &name_x), x, unit));
+            change = change.or(number(ui, place, (key, &name_y), y, unit));
             ui.label("");
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);
@@ -136,20 +154,17 @@ fn list(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, each: &mut Vec<Be
 }
 
 fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &mut Bearing) -> Option<Change> {
-    let free = f64::NEG_INFINITY;
     let at = format!("bearings[{n}].at_m");
     let [x, y] = &mut b.at;
-    let mut changes = vec![
-        number(ui, place, (&at, text::BEARING_X), x, unit, free),
-        number(ui, place, (&at, text::BEARING_Y), y, unit, free),
-    ];
+    let mut changes =
+        vec![number(ui, place, (&at, text::BEARING_X), x, unit), number(ui, place, (&at, text::BEARING_Y), y, unit)];
     let ways = if kind == Kind::Planar { 2 } else { 3 };
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(ways) {
         let (k, c) = (&mut b.stiffness[axis], &mut b.damping[axis]);
         let key = (format!("bearings[{n}].stiffness_n_per_m"), format!("bearings[{n}].damping_n_s_per_m"));
         let (unit_k, unit_c) = (stiffness_unit(*k), damping_unit(*c));
-        changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k, 0.0));
-        changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c, 0.0));
+        changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k));
+        changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c));
     }
     changes.into_iter().flatten().next()
 }
@@ -157,12 +172,12 @@ fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &m
 fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {
     let ([mut fx, mut fy], [mut hx, mut hy]) = (b.frequency_hz.xy(), b.damping_ratio.xy());
     let frequency = [
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X), &mut fx, HERTZ, 0.0),
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y), &mut fy, HERTZ, 0.0),
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X), &mut fx, HERTZ),
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y), &mut fy, HERTZ),
     ];
     let damping = [
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X), &mut hx, PURE, 0.0),
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y), &mut hy, PURE, 0.0),
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X), &mut hx, PURE),
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y), &mut hy, PURE),
     ];
     if frequency.iter().any(Option::is_some) {
         b.frequency_hz = per_direction(b.frequency_hz, fx, fy);
@@ -170,13 +185,19 @@ fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings
     if damping.iter().any(Option::is_some) {
         b.damping_ratio = per_direction(b.damping_ratio, hx, hy);
     }
+    let vertical = if kind == Kind::Spatial { vertical_rows(ui, place, hx, b) } else { None };
+    frequency.into_iter().chain(damping).flatten().next().or(vertical)
+}
+
+fn vertical_rows(ui: &mut Ui, place: Place<'_>, hx: f64, b: &mut SharedBearings) -> Option<Change> {
     let mut fz = b.vertical_frequency_hz.unwrap_or(0.0);
     let key = ("bearings.vertical_frequency_hz", text::FREQUENCY_Z);
-    let vertical = if kind == Kind::Spatial { number(ui, place, key, &mut fz, HERTZ, 0.0) } else { None };
-    if vertical.is_some() {
+    let frequency = number(ui, place, key, &mut fz, HERTZ);
+    if frequency.is_some() {
         b.vertical_frequency_hz = Some(fz);
     }
-    frequency.into_iter().chain(damping).flatten().next().or(vertical)
+    let key = ("bearings.vertical_damping_ratio", text::DAMPING_Z);
+    frequency.or(optional(ui, place, key, (&mut b.vertical_damping_ratio, hx), PURE))
 }
 
 /// One number stays one number as long as both directions agree.

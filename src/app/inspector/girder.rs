@@ -4,7 +4,9 @@ use egui::Ui;
 
 use super::{bearings, grid, push, section};
 use crate::app::command::Command;
-use crate::app::field::{Change, DEGREES, MOMENTS, Place, SPEED, TURNING, force_unit, length_unit, mass_unit, number};
+use crate::app::field::{
+    Change, DEGREES, MOMENTS, Place, SPEED, TURNING, force_unit, length_unit, mass_unit, number, tag,
+};
 use crate::app::{Workbench, computed, edits, name_field, text};
 use crate::geometry::End;
 use crate::scene::{Direction, Girder, Kind};
@@ -16,15 +18,15 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, ou
     let table = format!("girder.{}", girder.name);
     let place = Place { problems: bench.problems(), table: &table };
     let first = grid(ui, "girder", |ui| {
-        name_field::show(ui, bench.selected(), &girder.name, out);
+        name_field::show(ui, place, bench.selected(), &girder.name, out);
         let shape = shape_rows(ui, place, &mut new);
-        shape.or(stance_rows(ui, place, kind, &mut new))
+        shape.or(stance_rows(ui, place, &mut new))
     });
     let stands = section(ui, text::BEARINGS, true, |ui| bearings::show(ui, place, kind, &mut new)).flatten();
     let more = section(ui, text::START_SECTION, false, |ui| {
         grid(ui, "start", |ui| {
             let start = start_rows(ui, place, kind, &mut new);
-            start.or(push_rows(ui, place, kind, &mut new)).or(held_rows(ui, kind, &mut new))
+            start.or(push_rows(ui, place, kind, &mut new)).or(held_rows(ui, place, kind, &mut new))
         })
     });
     let seat = section(ui, text::SEAT_SECTION, false, |ui| grid(ui, "seat", |ui| seat_rows(ui, place, &mut new)));
@@ -36,66 +38,62 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, ou
 fn shape_rows(ui: &mut Ui, place: Place<'_>, g: &mut Girder) -> Option<Change> {
     let (unit, mass) = (length_unit(g.length), mass_unit(g.mass));
     let changes = [
-        number(ui, place, ("length_m", text::LENGTH), &mut g.length, unit, 0.0),
-        number(ui, place, ("width_m", text::WIDTH), &mut g.width, unit, 0.0),
-        number(ui, place, ("thickness_m", text::THICKNESS), &mut g.thickness, unit, 0.0),
-        number(ui, place, ("skew_deg", text::SKEW), &mut g.skew_deg, DEGREES, 0.0),
-        number(ui, place, ("mass_kg", text::MASS), &mut g.mass, mass, 0.0),
+        number(ui, place, ("length_m", text::LENGTH), &mut g.length, unit),
+        number(ui, place, ("width_m", text::WIDTH), &mut g.width, unit),
+        number(ui, place, ("thickness_m", text::THICKNESS), &mut g.thickness, unit),
+        number(ui, place, ("skew_deg", text::SKEW), &mut g.skew_deg, DEGREES),
+        number(ui, place, ("mass_kg", text::MASS), &mut g.mass, mass),
     ];
     changes.into_iter().flatten().next()
 }
 
-fn stance_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+fn stance_rows(ui: &mut Ui, place: Place<'_>, g: &mut Girder) -> Option<Change> {
     let unit = length_unit(g.length);
     let [x, y, z] = &mut g.position;
-    let free = f64::NEG_INFINITY;
-    let mut changes = vec![
-        number(ui, place, ("position_m", text::POSITION_X), x, unit, free),
-        number(ui, place, ("position_m", text::POSITION_Y), y, unit, free),
+    let changes = [
+        number(ui, place, ("position_m", text::POSITION_X), x, unit),
+        number(ui, place, ("position_m", text::POSITION_Y), y, unit),
+        number(ui, place, ("position_m", text::POSITION_Z), z, unit),
+        number(ui, place, ("heading_deg", text::HEADING), &mut g.heading_deg, DEGREES),
     ];
-    if kind == Kind::Spatial {
-        changes.push(number(ui, place, ("position_m", text::POSITION_Z), z, unit, free));
-    }
-    changes.push(number(ui, place, ("heading_deg", text::HEADING), &mut g.heading_deg, DEGREES, free));
     changes.into_iter().flatten().next()
 }
 
 fn start_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
-    let free = f64::NEG_INFINITY;
     let unit = length_unit(g.length);
     let start = &mut g.initial;
     let ([x, y, z], [vx, vy, vz]) = (&mut start.displacement, &mut start.velocity);
     let mut changes = vec![
-        number(ui, place, ("initial.displacement_m", text::START_X), x, unit, free),
-        number(ui, place, ("initial.displacement_m", text::START_Y), y, unit, free),
-        number(ui, place, ("initial.rotation_deg", text::START_TURN), &mut start.rotation_deg, DEGREES, free),
-        number(ui, place, ("initial.velocity_m_s", text::START_VX), vx, SPEED, free),
-        number(ui, place, ("initial.velocity_m_s", text::START_VY), vy, SPEED, free),
-        number(ui, place, ("initial.spin_deg_s", text::START_SPIN), &mut start.spin_deg_s, TURNING, free),
+        number(ui, place, ("initial.displacement_m", text::START_X), x, unit),
+        number(ui, place, ("initial.displacement_m", text::START_Y), y, unit),
+        number(ui, place, ("initial.rotation_deg", text::START_TURN), &mut start.rotation_deg, DEGREES),
+        number(ui, place, ("initial.velocity_m_s", text::START_VX), vx, SPEED),
+        number(ui, place, ("initial.velocity_m_s", text::START_VY), vy, SPEED),
+        number(ui, place, ("initial.spin_deg_s", text::START_SPIN), &mut start.spin_deg_s, TURNING),
     ];
     if kind == Kind::Spatial {
-        changes.push(number(ui, place, ("initial.displacement_m", text::START_Z), z, unit, free));
-        changes.push(number(ui, place, ("initial.velocity_m_s", text::START_VZ), vz, SPEED, free));
+        changes.push(number(ui, place, ("initial.displacement_m", text::START_Z), z, unit));
+        changes.push(number(ui, place, ("initial.velocity_m_s", text::START_VZ), vz, SPEED));
     }
     changes.into_iter().flatten().next()
 }
 
 fn push_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
-    let (free, unit) = (f64::NEG_INFINITY, force_unit(g.mass));
+    let unit = force_unit(g.mass);
     let [fx, fy, fz] = &mut g.push.force;
     let mut changes = vec![
-        number(ui, place, ("push.force_n", text::PUSH_X), fx, unit, free),
-        number(ui, place, ("push.force_n", text::PUSH_Y), fy, unit, free),
-        number(ui, place, ("push.moment_n_m", text::PUSH_MOMENT), &mut g.push.moment, MOMENTS, free),
+        number(ui, place, ("push.force_n", text::PUSH_X), fx, unit),
+        number(ui, place, ("push.force_n", text::PUSH_Y), fy, unit),
+        number(ui, place, ("push.moment_n_m", text::PUSH_MOMENT), &mut g.push.moment, MOMENTS),
     ];
     if kind == Kind::Spatial {
-        changes.push(number(ui, place, ("push.force_n", text::PUSH_Z), fz, unit, free));
+        changes.push(number(ui, place, ("push.force_n", text::PUSH_Z), fz, unit));
     }
     changes.into_iter().flatten().next()
 }
 
 /// Which ways it is held.
-fn held_rows(ui: &mut Ui, kind: Kind, g: &mut Girder) -> Option<Change> {
+fn held_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
     let planar = [Direction::X, Direction::Y, Direction::Yaw];
     let spatial = [Direction::X, Direction::Y, Direction::Z, Direction::Roll, Direction::Pitch, Direction::Yaw];
     let ways: &[Direction] = if kind == Kind::Planar { &planar } else { &spatial };
@@ -104,7 +102,9 @@ fn held_rows(ui: &mut Ui, kind: Kind, g: &mut Girder) -> Option<Change> {
     ui.vertical(|ui| {
         for way in ways {
             let mut held = g.held.contains(way);
-            if ui.checkbox(&mut held, text::direction(*way)).changed() {
+            let label = text::direction(*way);
+            let response = ui.checkbox(&mut held, label);
+            if tag(ui, &response, place, ("held", label)).changed() {
                 g.held.retain(|h| h != way);
                 if held {
                     g.held.push(*way);
@@ -126,13 +126,14 @@ fn seat_rows(ui: &mut Ui, place: Place<'_>, g: &mut Girder) -> Option<Change> {
             End::Minus => (&mut g.seat.minus, "seat_m.-x", text::SEAT_MINUS),
         };
         let mut given = seat.is_some();
-        if ui.checkbox(&mut given, label).on_hover_text(text::SEAT_HINT).changed() {
+        let response = ui.checkbox(&mut given, label).on_hover_text(text::SEAT_HINT);
+        if tag(ui, &response, place, (key, label)).changed() {
             *seat = given.then_some(g.length * 0.05);
             change = Some(Change { gesture: None });
         }
         ui.end_row();
         if let Some(seat) = seat {
-            change = number(ui, place, (key, text::SEAT_LENGTH), seat, unit, 0.0).or(change);
+            change = number(ui, place, (key, text::SEAT_LENGTH), seat, unit).or(change);
         }
     }
     change

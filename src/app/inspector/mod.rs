@@ -2,9 +2,11 @@
 
 mod abutment;
 mod bearings;
+mod declared;
 mod girder;
 mod pairs;
 mod scene;
+mod stiffness;
 
 use egui::{CollapsingHeader, Grid, RichText, Ui};
 

@@ -2,10 +2,10 @@
 
 use egui::{RichText, Ui};
 
-use super::{grid, section};
+use super::{grid, section, stiffness};
 use crate::app::command::Command;
 use crate::app::edits;
-use crate::app::field::{Change, MODULUS, PURE, Place, number, stiffness_unit};
+use crate::app::field::{Change, PURE, Place, choice, laid_over};
 use crate::app::{Workbench, text};
 use crate::scene::facing::{self, Facing};
 use crate::scene::{ContactSettings, PairSettings, Scene};
@@ -40,9 +40,11 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
     contacts(ui, bench, pair, out);
     let entry = edits::pair_entry(scene, pair);
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
-    let table = entry.map_or_else(String::new, |n| format!("contact.pair[{n}]"));
+    let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
     let place = Place { problems: bench.problems(), table: &table };
-    let change = grid(ui, &format!("own {}", pair.name), |ui| own_rows(ui, place, pair, &mut own));
+    // Pairs without an entry have no place of their own in the file that could tell their lists apart.
+    let own_id = ("pair", &pair.name);
+    let change = ui.push_id(own_id, |ui| grid(ui, "own", |ui| own_rows(ui, place, pair, &mut own))).inner;
     if let Some(change) = change {
         out.push(Command::Edit { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture });
     }
@@ -115,31 +117,32 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
     });
 }
 
-/// Numbers that the pair has instead of the scene's.
+/// What the pair has instead of the scene's numbers.
 fn own_rows(ui: &mut Ui, place: Place<'_>, pair: &Facing, own: &mut PairSettings) -> Option<Change> {
     let c = &pair.contact;
     let name = |words: &str| format!("{words} {}", text::OF_PAIR);
-    let mut change = None;
-    let mut modulus = own.young_modulus.unwrap_or(facing::DEFAULT_YOUNG_MODULUS);
     let fields = [
-        ("stiffness_n_per_m", "K", &mut own.stiffness, c.stiffness, stiffness_unit(c.stiffness)),
-        ("restitution_normal", "e n", &mut own.restitution_normal, c.restitution_normal, PURE),
-        ("restitution_tangential", "e t", &mut own.restitution_tangential, c.restitution_tangential, PURE),
-        ("mu_static", "μ s", &mut own.mu_static, c.mu_static, PURE),
-        ("mu_kinetic", "μ k", &mut own.mu_kinetic, c.mu_kinetic, PURE),
+        ("restitution_normal", "e n", &mut own.restitution_normal, c.restitution_normal),
+        ("restitution_tangential", "e t", &mut own.restitution_tangential, c.restitution_tangential),
+        ("mu_static", "μ s", &mut own.mu_static, c.mu_static),
+        ("mu_kinetic", "μ k", &mut own.mu_kinetic, c.mu_kinetic),
     ];
-    for (key, label, value, now, unit) in fields {
-        let mut shown = value.unwrap_or(now);
-        if let Some(done) = number(ui, place, (key, &name(label)), &mut shown, unit, 0.0) {
-            *value = Some(shown);
-            change = change.or(Some(done));
-        }
+    let mut change = None;
+    for (key, label, value, now) in fields {
+        change = change.or(laid_over(ui, place, (key, &name(label)), (value, now), PURE));
     }
-    if own.stiffness.is_none()
-        && let Some(done) = number(ui, place, ("young_modulus_pa", &name("E")), &mut modulus, MODULUS, 0.0)
-    {
-        own.young_modulus = Some(modulus);
-        change = change.or(Some(done));
-    }
-    change
+    let given = stiffness::Given { k: &mut own.stiffness, e: &mut own.young_modulus, a: &mut own.area };
+    let stiff = stiffness::rows(ui, place, text::OF_PAIR, given, (c.stiffness, None));
+    let law = choice(ui, place, ("law", &name(text::LAW_SHORT)), &mut own.law, &as_scene(stiffness::LAWS));
+    let sharing =
+        choice(ui, place, ("sharing", &name(text::SHARING)), &mut own.sharing, &as_scene(stiffness::SHARINGS));
+    let tension =
+        choice(ui, place, ("tension", &name(text::TENSION)), &mut own.tension, &as_scene(stiffness::TENSIONS));
+    change.or(stiff).or(law).or(sharing).or(tension)
+}
+
+/// The same choices, and that of having none.
+fn as_scene<T: Copy>(options: [(T, &'static str); 2]) -> [(Option<T>, &'static str); 3] {
+    let [a, b] = options.map(|(value, word)| (Some(value), word));
+    [(None, text::THE_SCENES), a, b]
 }

@@ -1,8 +1,10 @@
 //! Every word the window shows, and how numbers are written.
 
+mod fields;
 mod numbers;
 mod readings;
 
+pub(super) use fields::*;
 pub(super) use numbers::*;
 pub(super) use readings::*;
 
@@ -112,6 +114,7 @@ pub(super) const FREQUENCY_Y: &str = "Bearings f y";
 pub(super) const DAMPING_X: &str = "Bearings h x";
 pub(super) const DAMPING_Y: &str = "Bearings h y";
 pub(super) const FREQUENCY_Z: &str = "Bearings f z";
+pub(super) const DAMPING_Z: &str = "Bearings h z";
 pub(super) const BEARINGS: &str = "Bearings";
 pub(super) const BEARINGS_NONE: &str = "No bearings: it slides freely.";
 pub(super) const BEARINGS_ADD: &str = "Put it on four bearings";
@@ -125,6 +128,7 @@ pub(super) const BEARING_X: &str = "At x";
 pub(super) const BEARING_Y: &str = "At y";
 pub(super) const AT: &str = "Places, from the middle of the girder";
 pub(super) const AT_SKEWED: &str = "Places, from the middle, x along the skewed plan";
+pub(super) const AT_FOLLOWS: &str = "Places go with the skew";
 pub(super) const START_SECTION: &str = "Start, push, held";
 pub(super) const START_X: &str = "Starts at x";
 pub(super) const START_Y: &str = "Starts at y";
@@ -148,7 +152,9 @@ pub(super) const KIND: &str = "Motion in";
 pub(super) const PLANAR: &str = "plan";
 pub(super) const SPATIAL: &str = "space";
 pub(super) const GRAVITY: &str = "Gravity";
-pub(super) const TOLERANCE: &str = "Tolerance 1e-n, n";
+pub(super) const TOLERANCE: &str = "Tolerance";
+pub(super) const METHOD: &str = "Method";
+pub(super) const EVENT_DRIVEN: &str = "event-driven";
 pub(super) const PAIRS_SECTION: &str = "Contact pairs";
 pub(super) const PAIR: &str = "Pair";
 pub(super) const OF_PAIR: &str = "of pair";
@@ -167,7 +173,10 @@ pub(super) const OFFSET: &str = "Sideways";
 pub(super) const FACES: &str = "Stands before";
 pub(super) const FACE_WIDTH: &str = "Face width";
 pub(super) const FACE_HEIGHT: &str = "Face height";
-pub(super) const POLYGON: &str = "The face is given as a polygon in the file; drag it to move it.";
+pub(super) const END: &str = "End";
+pub(super) const CORNER: &str = "Corner";
+pub(super) const FACE_BY_GAP: &str = "Give the face by its gap";
+pub(super) const FACE_BY_CORNERS: &str = "Give the face by its corners";
 pub(super) const COMPUTED: &str = "Computed";
 pub(super) const CONTACT_OPEN: &str = "Open at this time.";
 
@@ -178,10 +187,6 @@ pub(super) const MU_STATIC: &str = "μ static";
 pub(super) const MU_KINETIC: &str = "μ kinetic";
 pub(super) const E_NORMAL: &str = "e normal";
 pub(super) const E_TANGENTIAL: &str = "e tangential";
-pub(super) const AMPLITUDE: &str = "Amplitude";
-pub(super) const FREQUENCY: &str = "Frequency";
-pub(super) const ANGLE: &str = "Angle α";
-pub(super) const RECORD_SCALE: &str = "Record scale";
 pub(super) const DURATION: &str = "Duration";
 pub(super) const LAW: &str = "Friction law";
 pub(super) const LAW_PAPER: &str = "paper";
@@ -252,11 +257,9 @@ pub(super) const FOLLOW_NOTHING: &str = "nothing";
 pub(super) const SIZE: &str = "Size of everything";
 pub(super) const EXAGGERATION: &str = "Motion shown";
 pub(super) const PLAN: &str = "Plan";
-pub(super) const NO_MOTION: &str = "The ground stands still.";
-pub(super) const SHAKE: &str = "Shake it";
 pub(super) const CONTACT_SECTION: &str = "Contact";
-pub(super) const MOTION_SECTION: &str = "Ground motion";
 pub(super) const SHOW_SECTION: &str = "Show";
+pub(super) const FIRST_VIEW: &str = "Opens in";
 pub(super) const FORCE_SCALE: &str = "Force scale";
 pub(super) const AUTO_SCALE: &str = "Scale from peak";
 
@@ -336,6 +339,14 @@ pub(super) const RELOAD: &str = "Reload";
 pub(super) const KEEP_MINE: &str = "Keep mine";
 pub(super) const FILE_GONE: &str = "the file is no longer there; save to write it again";
 pub(super) const NOT_KEPT: &str = "Unsaved work cannot be kept:";
+/// On the terminal: the window's display has gone, and with it the process ends.
+pub(super) const CUT_OFF: &str = "error: the display is gone, and the window with it; nothing was unsaved";
+/// The same with unsaved work.
+pub(super) const CUT_OFF_KEPT: &str = "error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened \
+                                      again";
+/// The graphics device was lost, and everything is drawn on another.
+pub(super) const DRAWN_ANEW: &str =
+    "The graphics device was lost; everything is drawn anew, and nothing of the work is lost.";
 
 /// Every key, for the help.
 pub(super) const KEYS: &[(&str, &str)] = &[
@@ -357,6 +368,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl or Shift click", "select more, or fewer"),
     ("Ctrl A", "select every girder and abutment"),
     ("drag a handle", "move, turn, length, width, skew, gap; with Ctrl without snapping"),
+    ("digits on a handle", "type its number, also while dragging it: 12.5 mm, 60°; Enter sets it, Esc puts it back"),
     ("Tab, arrows", "to the next handle or control; pull a handle, with Shift ten times as far"),
     ("Alt arrows", "move what is selected by a small step; with Shift ten"),
     ("[ ]", "turn what is selected by 1°; with Shift by 15°"),

@@ -53,6 +53,32 @@ pub(in crate::app) fn exact_length(metres: f64) -> String {
     }
 }
 
+/// How many samples, how far apart \[s\], how strong \[m/s²\].
+pub(in crate::app) fn record(samples: usize, dt: f64, peak: f64) -> String {
+    let (length, g) = (dt * (samples.max(1) - 1) as f64, peak / crate::scene::STANDARD_GRAVITY);
+    format!("{samples} samples, {} s apart, {} s; peak {} m/s² ({} g)", short(dt), short(length), short(peak), short(g))
+}
+
+/// An entry about a pair.
+pub(in crate::app) fn entry(number: usize) -> String {
+    format!("Entry {number}")
+}
+
+/// A button that takes an entry about a pair away.
+pub(in crate::app) fn remove_entry(number: usize) -> String {
+    format!("Remove entry {number}")
+}
+
+/// Which body of an entry a list chooses.
+pub(in crate::app) fn body_of_entry(number: usize, side: usize) -> String {
+    format!("Body {side} of entry {number}")
+}
+
+/// A box that tells an entry to be about two ends only.
+pub(in crate::app) fn ends_of_entry(number: usize) -> String {
+    format!("Entry {number}: these ends only")
+}
+
 /// How many are selected, and what that means for what is typed.
 pub(in crate::app) fn several(count: usize) -> String {
     format!("{count} selected: what is changed here goes to all girders among them")

@@ -63,6 +63,19 @@ impl UndoStack {
         }
     }
 
+    /// Takes back what a drag has done, as if it had never begun; false when the last step is not this drag.
+    ///
+    /// # Errors
+    /// As [`undo`](Self::undo).
+    pub fn abandon(&mut self, scene: &mut Scene, key: &str) -> Result<bool, EditError> {
+        let Some(step) = self.done.last().filter(|step| step.dragging.as_deref() == Some(key)) else {
+            return Ok(false);
+        };
+        step.edit.clone().apply(scene)?;
+        self.done.pop();
+        Ok(true)
+    }
+
     /// Undoes the last step; false when there is none.
     ///
     /// # Errors

@@ -14,6 +14,8 @@ pub(super) const CLAIM: &str = "no node is deeper than 1e-9 of the face's size b
 const DEPTH: f64 = 1e-9;
 /// A node is in front again when it is so far off, in parts of the face's size.
 const FRONT: f64 = 1e-12;
+/// Rounding of a gap, in parts of how far its two sides have come.
+const PLACES: f64 = 16.0 * f64::EPSILON;
 /// Rounding of an event's time, in parts of it.
 const CLOCK: f64 = 16.0 * f64::EPSILON;
 
@@ -42,9 +44,11 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
         history.events().iter().filter(|e| e.contact == contact && passes(e.kind)).map(|e| e.t).collect();
     let (mut ignored, mut next, mut worst) = (false, 0, None::<(f64, f64)>);
     for (i, (&t, all)) in times.iter().zip(frames).enumerate() {
-        let here: Local = locate(site.point, &side(site.node_body, all), &site.face, &side(site.face_body, all));
+        let (node, face) = (side(site.node_body, all), side(site.face_body, all));
+        let here: Local = locate(site.point, &node, &site.face, &face);
         // Rounding at the crossing, of places or of the clock, makes a node neither before the face nor behind it.
-        let front = FRONT * size + CLOCK * t * here.gap_rate.abs();
+        let moved = node.shift.length() + face.shift.length();
+        let front = FRONT * size + PLACES * moved + CLOCK * t * here.gap_rate.abs();
         ignored = (ignored || (i == 0 && here.gap < 0.0)) && here.gap <= front;
         while passed.get(next).is_some_and(|at| *at <= t) {
             (ignored, next) = (here.gap <= front, next + 1);

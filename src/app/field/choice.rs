@@ -1,0 +1,91 @@
+//! One of a few, by name.
+
+use egui::{ComboBox, Response, Ui};
+
+use super::frame::{self, SIGN};
+use super::{CLICK, Change, Place, complain, line, reset_sign};
+use crate::app::text;
+use crate::scene::keys;
+
+/// What can be chosen, each with the word for it.
+pub(in crate::app) type Choice<'a, T> = &'a [(T, &'a str)];
+
+/// A row of a two-column grid with a list to choose from.
+pub(in crate::app) fn choice<T: Copy + PartialEq + Default>(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (key, label): (&str, &str),
+    value: &mut T,
+    options: Choice<'_, T>,
+) -> Option<Change> {
+    let (before, complaint) = (*value, place.complaint(key));
+    let name = ui.label(frame::named(ui, label, complaint.is_some()));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        list(ui, (&place.path(key), label), value, options, 79.0).labelled_by(name.id);
+        let differs = (before != T::default()).then(|| word(T::default(), options));
+        if reset_sign(ui, label, differs) {
+            *value = T::default();
+        }
+    });
+    ui.end_row();
+    if let Some(complaint) = complaint {
+        complain(ui, &complaint);
+        ui.end_row();
+    }
+    if *value == before { None } else { CLICK }
+}
+
+/// The same as a row of a panel.
+pub(in crate::app) fn choice_line<T: Copy + PartialEq + Default>(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (key, label): (&str, &str),
+    value: &mut T,
+    options: Choice<'_, T>,
+) -> Option<Change> {
+    let (before, complaint) = (*value, place.complaint(key));
+    let name = frame::named(ui, label, complaint.is_some());
+    let path = place.path(key);
+    let differs = (before != T::default()).then(|| word(T::default(), options));
+    let (_, pressed) = line(ui, name, (label, differs), |ui| {
+        let wide = ui.available_width() - SIGN - 8.0;
+        list(ui, (&path, label), value, options, wide)
+    });
+    if pressed {
+        *value = T::default();
+    }
+    if let Some(complaint) = complaint {
+        complain(ui, &complaint);
+    }
+    if *value == before { None } else { CLICK }
+}
+
+fn word<T: PartialEq + Copy>(value: T, options: Choice<'_, T>) -> &str {
+    options.iter().find(|(option, _)| *option == value).map_or("", |(_, word)| word)
+}
+
+fn list<T: Copy + PartialEq + Default>(
+    ui: &mut Ui,
+    (path, label): (&str, &str),
+    value: &mut T,
+    options: Choice<'_, T>,
+    width: f32,
+) -> Response {
+    let shown = word(*value, options);
+    let quiet = ui.visuals().override_text_color;
+    let combo = ComboBox::from_id_salt((path, label)).width(width).selected_text(shown).truncate();
+    let response = combo
+        .show_ui(ui, |ui| {
+            ui.visuals_mut().override_text_color = quiet;
+            for (option, word) in options {
+                ui.selectable_value(value, *option, *word);
+            }
+        })
+        .response;
+    frame::say(ui, &response, path, label, || {
+        let known = keys::of_place(path).map(|(_, key)| key);
+        let words: Vec<&str> = options.iter().map(|(_, word)| *word).collect();
+        frame::in_lines(known, &words.join(", "), &format!("{}: {}", text::DEFAULT, word(T::default(), options)))
+    })
+}

@@ -1,0 +1,203 @@
+//! A number that can be typed or dragged, in a row of a two-column grid.
+
+use std::cell::RefCell;
+
+use egui::{DragValue, Id, Response, Ui, vec2};
+
+use super::frame::{self, Own, SIGN};
+use super::{CLICK, Change, Done, Field, Place, Unit, change, complain, reset_sign};
+use crate::app::theme::Palette;
+use crate::app::{text, units};
+use crate::scene::keys::Key;
+
+/// Width of a number with the sign behind it \[points\].
+const WIDTH: f32 = 96.0;
+
+/// A number that the scene always has.
+pub(in crate::app) fn number(
+    ui: &mut Ui,
+    place: Place<'_>,
+    names: (&str, &str),
+    value: &mut f64,
+    unit: Unit,
+) -> Option<Change> {
+    let field = Field::new(ui, place, names, unit);
+    let default = field.known.and_then(Key::number);
+    let own = Own { words: default.map(|v| unit.words(v)), differs: default.is_some_and(|v| v != *value) };
+    match field.row(ui, *value, &own, true)? {
+        Done::Set(new, change) => {
+            *value = new;
+            Some(change)
+        }
+        Done::Reset => {
+            *value = default?;
+            CLICK
+        }
+    }
+}
+
+/// A number that the scene may have; without it, it is `reckoned`.
+pub(in crate::app) fn optional(
+    ui: &mut Ui,
+    place: Place<'_>,
+    names: (&str, &str),
+    (value, reckoned): (&mut Option<f64>, f64),
+    unit: Unit,
+) -> Option<Change> {
+    let field = Field::new(ui, place, names, unit);
+    let own = Own { words: Some(unit.words(reckoned)), differs: value.is_some() };
+    field.option(ui, (value, reckoned), &own)
+}
+
+/// A number that an entry may have instead of what it is laid over; without it, it is `under`.
+pub(in crate::app) fn laid_over(
+    ui: &mut Ui,
+    place: Place<'_>,
+    names: (&str, &str),
+    (value, under): (&mut Option<f64>, f64),
+    unit: Unit,
+) -> Option<Change> {
+    let field = Field::new(ui, place, names, unit);
+    // What it would be without its own is known only where it has none.
+    let words = if value.is_some() { text::THE_SCENES.to_owned() } else { unit.words(under) };
+    let own = Own { words: Some(words), differs: value.is_some() };
+    field.option(ui, (value, under), &own)
+}
+
+/// What was typed into a field: a number in its unit, nothing at all, or something else, with what is wrong.
+pub(super) type Typed = RefCell<Option<Result<Option<f64>, String>>>;
+
+/// Reads what is typed and keeps it, also where it is no number.
+pub(super) fn reader(typed: &Typed, unit: Unit) -> impl Fn(&str) -> Option<f64> + '_ {
+    move |text| {
+        let read = units::read(text, unit);
+        let number = read.clone().ok().flatten();
+        *typed.borrow_mut() = Some(read);
+        number
+    }
+}
+
+impl Field<'_> {
+    fn option(&self, ui: &mut Ui, (value, without): (&mut Option<f64>, f64), own: &Own) -> Option<Change> {
+        match self.row(ui, value.unwrap_or(without), own, value.is_some())? {
+            Done::Set(new, change) => {
+                *value = Some(new);
+                Some(change)
+            }
+            Done::Reset => {
+                *value = None;
+                CLICK
+            }
+        }
+    }
+
+    /// The row; `given` numbers are written plainly, reckoned ones quietly.
+    fn row(&self, ui: &mut Ui, value: f64, own: &Own, given: bool) -> Option<Done> {
+        let complaint = self.place.complaint(self.key);
+        let name = ui.label(frame::named(ui, self.label, complaint.is_some()));
+        let (done, refusal) = ui
+            .horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 2.0;
+                let (response, shown, typed) = self.drag(ui, value, given);
+                let response = response.labelled_by(name.id);
+                let menu = frame::menu(&response, own);
+                let sign = reset_sign(ui, self.label, own.words.as_deref().filter(|_| own.differs));
+                let done =
+                    if menu || sign { Some(Done::Reset) } else { self.done(ui, &response, (value, shown), own, typed) };
+                (done, refusal(ui, self.refused()))
+            })
+            .inner;
+        ui.end_row();
+        for words in refusal.into_iter().chain(complaint) {
+            complain(ui, &words);
+            ui.end_row();
+        }
+        done
+    }
+
+    /// Under what a refusal is remembered; a slider and its number are two widgets, of which one or the other answers.
+    pub(super) fn refused(&self) -> Id {
+        self.scope.with(("refused", self.place.path(self.key), self.label))
+    }
+
+    fn drag(&self, ui: &mut Ui, value: f64, given: bool) -> (Response, f64, Typed) {
+        let (unit, typed) = (self.unit, Typed::default());
+        let mut shown = value * unit.factor;
+        // A part of a part is dragged by parts of itself.
+        let speed = if unit.decimals > 6 { (shown.abs() * 0.02).max(1e-15) } else { unit.speed };
+        let drag = DragValue::new(&mut shown)
+            .speed(speed)
+            .suffix(unit.suffix)
+            .max_decimals(unit.decimals)
+            .custom_formatter(|v, _| unit.written(v))
+            .custom_parser(reader(&typed, unit))
+            .clamp_existing_to_range(false)
+            .update_while_editing(false);
+        let response = ui
+            .scope(|ui| {
+                if !given {
+                    ui.visuals_mut().override_text_color = Some(Palette::of(ui).weak);
+                }
+                ui.add_sized(vec2(WIDTH - SIGN - 2.0, 20.0), drag)
+            })
+            .inner;
+        (response, shown, typed)
+    }
+
+    /// What the hand did: typed numbers are taken as they are, and complained about; a drag stops at the limit.
+    pub(super) fn done(
+        &self,
+        ui: &Ui,
+        response: &Response,
+        (before, shown): (f64, f64),
+        own: &Own,
+        typed: Typed,
+    ) -> Option<Done> {
+        let taken = change(ui, response);
+        let path = self.place.path(self.key);
+        frame::say(ui, response, &path, self.label, || self.hint(own));
+        let wanted = shown / self.unit.factor;
+        match typed.into_inner() {
+            Some(Ok(Some(number))) => {
+                forget(ui, self.refused());
+                let number = number / self.unit.factor;
+                (!same(number, before)).then_some(Done::Set(number, Change { gesture: None }))
+            }
+            Some(Ok(None)) if own.words.is_some() => own.differs.then_some(Done::Reset),
+            Some(Ok(None)) => {
+                refuse(ui, self.refused(), text::MUST_BE_GIVEN.to_owned());
+                None
+            }
+            Some(Err(why)) => {
+                refuse(ui, self.refused(), why);
+                None
+            }
+            None => {
+                if response.gained_focus() || taken.is_some() {
+                    forget(ui, self.refused());
+                }
+                let number = self.range().nearest(wanted, before);
+                let moved = wanted.is_finite() && !same(number, before);
+                taken.filter(|_| moved).map(|change| Done::Set(number, change))
+            }
+        }
+    }
+}
+
+/// The same but for the rounding of two conversions.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-13 * b.abs()
+}
+
+fn refuse(ui: &Ui, id: Id, why: String) {
+    ui.data_mut(|d| d.insert_temp(id, why));
+}
+
+fn forget(ui: &Ui, id: Id) {
+    ui.data_mut(|d| d.remove::<String>(id));
+}
+
+/// Why the text that was typed last was not taken.
+pub(super) fn refusal(ui: &Ui, id: Id) -> Option<String> {
+    ui.data(|d| d.get_temp::<String>(id))
+}

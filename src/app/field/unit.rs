@@ -1,0 +1,107 @@
+//! How numbers are shown: in which unit, how fast a drag changes them.
+
+use super::trimmed;
+use crate::app::units::Dimension;
+
+/// How a number is shown: `shown = SI × factor`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Unit {
+    /// Shown units per SI unit.
+    pub factor: f64,
+    /// Written after the number.
+    pub suffix: &'static str,
+    /// Change per point of dragging, shown units.
+    pub speed: f64,
+    /// What may be typed into it.
+    pub dimension: Dimension,
+    /// Most decimals that are kept of a number that is dragged.
+    pub decimals: usize,
+}
+
+impl Unit {
+    const fn new(dimension: Dimension, factor: f64, suffix: &'static str, speed: f64) -> Self {
+        Self { factor, suffix, speed, dimension, decimals: 6 }
+    }
+
+    /// A number of the scene as it is shown, with its unit.
+    pub(in crate::app) fn words(&self, value: f64) -> String {
+        format!("{}{}", self.written(value * self.factor), self.suffix)
+    }
+
+    /// A shown number.
+    pub(super) fn written(&self, shown: f64) -> String {
+        if self.decimals > 6 && shown != 0.0 { format!("{shown:e}") } else { trimmed(shown) }
+    }
+}
+
+/// A pure number.
+pub(in crate::app) const PURE: Unit = Unit::new(Dimension::Pure, 1.0, "", 0.005);
+/// A small part, written with its power of ten.
+pub(in crate::app) const PARTS: Unit = Unit { decimals: 15, ..Unit::new(Dimension::Pure, 1.0, "", 1e-11) };
+/// Degrees that are degrees in the scene too.
+pub(in crate::app) const DEGREES: Unit = Unit::new(Dimension::Angle, 1.0, "°", 0.25);
+/// Hertz.
+pub(in crate::app) const HERTZ: Unit = Unit::new(Dimension::Frequency, 1.0, " Hz", 0.01);
+/// Seconds.
+pub(in crate::app) const SECONDS: Unit = Unit::new(Dimension::Time, 1.0, " s", 0.05);
+/// Metres a second.
+pub(in crate::app) const SPEED: Unit = Unit::new(Dimension::Speed, 1.0, " m/s", 0.01);
+/// Millimetres a second.
+pub(in crate::app) const SLOW: Unit = Unit::new(Dimension::Speed, 1e3, " mm/s", 0.01);
+/// Degrees a second.
+pub(in crate::app) const TURNING: Unit = Unit::new(Dimension::Turning, 1.0, " °/s", 0.1);
+/// Multiples of standard gravity.
+pub(in crate::app) const GRAVITIES: Unit = Unit::new(Dimension::Acceleration, 1.0, " g", 0.005);
+/// Metres a second squared.
+pub(in crate::app) const ACCELERATION: Unit = Unit::new(Dimension::Metric, 1.0, " m/s²", 0.05);
+/// Newton metres.
+pub(in crate::app) const MOMENTS: Unit = Unit::new(Dimension::Moment, 1.0, " N m", 1.0);
+/// Pascals, in thousands of millions.
+pub(in crate::app) const MODULUS: Unit = Unit::new(Dimension::Pressure, 1e-9, " GPa", 0.1);
+
+/// Lengths of a scene: millimetres on the bench, metres at a bridge.
+pub(in crate::app) fn length_unit(size: f64) -> Unit {
+    if size < 2.0 {
+        Unit::new(Dimension::Length, 1e3, " mm", 0.1)
+    } else {
+        Unit::new(Dimension::Length, 1.0, " m", 0.01)
+    }
+}
+
+/// Areas of a scene: square millimetres on the bench, square metres at a bridge.
+pub(in crate::app) fn area_unit(area: f64) -> Unit {
+    if area < 0.05 {
+        Unit::new(Dimension::Area, 1e6, " mm²", 10.0)
+    } else {
+        Unit::new(Dimension::Area, 1.0, " m²", 0.01)
+    }
+}
+
+/// Masses of a scene: kilograms or tonnes.
+pub(in crate::app) fn mass_unit(mass: f64) -> Unit {
+    if mass < 5e3 { Unit::new(Dimension::Mass, 1.0, " kg", 0.01) } else { Unit::new(Dimension::Mass, 1e-3, " t", 1.0) }
+}
+
+/// Forces: newtons or kilonewtons, as the weight of the body is.
+pub(in crate::app) fn force_unit(mass: f64) -> Unit {
+    if mass < 5e3 { Unit::new(Dimension::Force, 1.0, " N", 0.1) } else { Unit::new(Dimension::Force, 1e-3, " kN", 1.0) }
+}
+
+/// Stiffnesses: as readable as they come.
+pub(in crate::app) fn stiffness_unit(k: f64) -> Unit {
+    match k.abs() {
+        k if k >= 1e9 => Unit::new(Dimension::Stiffness, 1e-9, " GN/m", 0.01),
+        k if k >= 1e6 => Unit::new(Dimension::Stiffness, 1e-6, " MN/m", 0.01),
+        k if k >= 1e4 => Unit::new(Dimension::Stiffness, 1e-3, " kN/m", 0.1),
+        _ => Unit::new(Dimension::Stiffness, 1.0, " N/m", 1.0),
+    }
+}
+
+/// Dashpots: as readable as they come.
+pub(in crate::app) fn damping_unit(c: f64) -> Unit {
+    if c.abs() >= 1e4 {
+        Unit::new(Dimension::Damping, 1e-3, " kN s/m", 0.1)
+    } else {
+        Unit::new(Dimension::Damping, 1.0, " N s/m", 0.1)
+    }
+}

@@ -1,0 +1,53 @@
+//! Words around fields: what they say of themselves, the ground motion, contact numbers of all pairs.
+
+// What a field says of itself.
+pub(in crate::app) const ALLOWED: &str = "Allowed";
+pub(in crate::app) const DEFAULT: &str = "Default";
+pub(in crate::app) const NO_DEFAULT: &str = "No default";
+pub(in crate::app) const MUST_BE_GIVEN: &str = "It must be given: it stays as it was.";
+pub(in crate::app) const NO_NUMBER: &str = "is no number here: write one alone or with";
+pub(in crate::app) const RESET_VALUE: &str = "Reset";
+pub(in crate::app) const RESET_TO: &str = "Reset to";
+pub(in crate::app) const ON: &str = "on";
+pub(in crate::app) const OFF: &str = "off";
+pub(in crate::app) const TYPED: &str = "Enter: set   Esc: put back";
+pub(in crate::app) const TYPED_TWO: &str = "Tab: the other   Enter: set   Esc: put back";
+
+// How the ground moves.
+pub(in crate::app) const GROUND: &str = "Ground";
+pub(in crate::app) const STILL: &str = "still";
+pub(in crate::app) const SINE: &str = "sine";
+pub(in crate::app) const RECORD: &str = "record";
+pub(in crate::app) const AMPLITUDE_IN: &str = "Given in";
+pub(in crate::app) const PHASE: &str = "Phase φ0";
+pub(in crate::app) const RECORD_FILE: &str = "Record file";
+pub(in crate::app) const RECORD_IN_SCENE: &str = "in the scene itself";
+pub(in crate::app) const CHOOSE: &str = "Choose…";
+pub(in crate::app) const CHOOSE_HINT: &str = "A table of two columns: time in s, acceleration in m/s²";
+pub(in crate::app) const KEEP_RECORD: &str = "Keep its samples in the scene";
+pub(in crate::app) const KEEP_RECORD_HINT: &str = "The file is not needed then";
+pub(in crate::app) const RECORD_DT: &str = "Interval";
+pub(in crate::app) const SAMPLES_FOLD: &str = "Samples";
+pub(in crate::app) const SAMPLES: &str = "Samples, m/s²";
+pub(in crate::app) const TOO_MANY_SAMPLES: &str = "Too many to be written out: choose a file.";
+pub(in crate::app) const NO_SAMPLE: &str = "is no number: write accelerations in m/s², with spaces between them";
+pub(in crate::app) const AMPLITUDE: &str = "Amplitude";
+pub(in crate::app) const FREQUENCY: &str = "Frequency";
+pub(in crate::app) const ANGLE: &str = "Angle α";
+pub(in crate::app) const RECORD_SCALE: &str = "Record scale";
+pub(in crate::app) const SHAKE: &str = "Shake it";
+pub(in crate::app) const MOTION_SECTION: &str = "Ground motion";
+
+// Contact of all pairs, and pairs by name.
+pub(in crate::app) const ALL_PAIRS_SECTION: &str = "Contact of all pairs";
+pub(in crate::app) const OF_ALL: &str = "of all";
+pub(in crate::app) const THE_SCENES: &str = "the scene's";
+pub(in crate::app) const LAW_SHORT: &str = "Law";
+pub(in crate::app) const SHARING: &str = "Sharing";
+pub(in crate::app) const SHARING_TRIBUTARY: &str = "tributary";
+pub(in crate::app) const SHARING_PER_NODE: &str = "per node";
+pub(in crate::app) const TENSION: &str = "Tension";
+pub(in crate::app) const TENSION_KEEP: &str = "keep";
+pub(in crate::app) const TENSION_CLAMP: &str = "clamp";
+pub(in crate::app) const DECLARED_SECTION: &str = "Pairs by name";
+pub(in crate::app) const ADD_ENTRY: &str = "Name a pair";

@@ -1,0 +1,400 @@
+//! Every key of the scene has a field in the window, and every field says what is allowed and what it is by itself.
+
+use std::collections::BTreeMap;
+
+use super::harness::{open, press, settle};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
+use girderbench::app::{Command, Workbench};
+use girderbench::scene::edit::Edit;
+use girderbench::scene::keys::{self, Fallback, Range, TABLES};
+use girderbench::scene::{ModelKind, Motion, PlotSettings, Scene, overrides, presets};
+use girderbench::view::Target;
+
+type Window = Harness<'static, Workbench>;
+
+/// Keys without a field, and why.
+const NO_FIELD: &[(&str, &str, &str)] = &[("", "format", "the program writes its own version")];
+
+/// Sections that are folded away at first.
+const FOLDED: [&str; 5] = ["Start, push, held", "Seats", "Contact of all pairs", "Pairs by name", "Samples"];
+
+fn show(scene: Scene, select: Option<Target>) -> Window {
+    let mut harness = open(presets::OPENING);
+    let edit = Edit::Scene(Box::new(scene));
+    harness.state_mut().apply(Command::Edit { edit, gesture: None });
+    harness.state_mut().apply(Command::Select(select));
+    settle(&mut harness);
+    for label in FOLDED {
+        if let Some(header) = harness.query_by_label(label) {
+            header.click_accesskit();
+            harness.run_steps(20);
+        }
+    }
+    harness.run_steps(4);
+    harness
+}
+
+/// Every field in the window: the place that it is for, and what it says of itself.
+fn fields(harness: &Window) -> Vec<(String, String)> {
+    let with_place = by().predicate(|node| node.author_id().is_some_and(|id| id.contains('/')));
+    let said = harness.query_all(with_place).map(|node| {
+        let node = node.accesskit_node();
+        (node.author_id().unwrap_or_default().to_owned(), node.description().unwrap_or_default())
+    });
+    said.collect()
+}
+
+/// Windows that show between them everything that can be edited.
+fn windows() -> Vec<Window> {
+    let planar = presets::load(presets::OPENING).expect("ships");
+    let with = |scene: &Scene, sets: &[&str]| overrides::apply_all(scene, sets).expect("fits");
+    let mut both = with(&planar, &["girder.deck.seat_m={ \"+x\" = 0.01, \"-x\" = 0.01 }", "limits.drift_m=0.1"]);
+    both = with(&both, &["limits.rotation_deg=1", "limits.remaining_seat_m=0", "limits.force_n=10"]);
+    both.model.kind = ModelKind::Both;
+    both.view.plots = vec![PlotSettings { x: None, y: vec!["deck.x".into()] }];
+    let named = with(&planar, &["contact.pair=[{ between = [\"deck\", \"wall\"] }]"]);
+    let record = ["motion.kind=record", "motion.samples_m_s2=[0, 1, 0]", "motion.dt_s=0.1"];
+    let record = with(&planar, &record);
+    let deck = presets::load("deck-30m").expect("ships");
+    let each =
+        "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0] }]";
+    let each = with(&deck, &[each]);
+    let metric = with(&planar, &["motion.amplitude_m_s2=4"]);
+    let corners = "[[0.2, -0.1, -0.03], [0.2, 0.1, -0.03], [0.2, 0.1, 0.03], [0.2, -0.1, 0.03]]";
+    let corners = with(&planar, &["girder.deck.skew_deg=90", &format!("abutment.wall.polygon_m={corners}")]);
+    let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
+    vec![
+        show(both.clone(), None),
+        show(both, Some(Target::Girder(0))),
+        show(named.clone(), None),
+        show(named, Some(Target::Abutment(0))),
+        show(record, None),
+        show(deck, Some(Target::Girder(0))),
+        show(each, Some(Target::Girder(0))),
+        show(metric, None),
+        show(corners, Some(Target::Abutment(0))),
+        show(places, Some(Target::Girder(0))),
+    ]
+}
+
+#[test]
+fn every_key_of_the_scene_file_has_a_field_that_says_its_range_and_default() {
+    let mut found: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
+    for harness in windows() {
+        for (id, said) in fields(&harness) {
+            let place = id.split('/').next().unwrap_or_default();
+            let (table, key) = keys::of_place(place).unwrap_or_else(|| panic!("a field of no key: {id}"));
+            found.entry((table.path, key.name)).or_default().push(said);
+        }
+    }
+    let (mut missing, mut silent) = (Vec::new(), Vec::new());
+    for (table, key) in TABLES.iter().flat_map(|t| t.keys.iter().map(move |key| (t.path, key))) {
+        let path = if table.is_empty() { key.name.to_owned() } else { format!("{table}.{}", key.name) };
+        let is_table = TABLES.iter().any(|t| t.path.split(" kind").next() == Some(path.as_str()));
+        let excused = NO_FIELD.iter().any(|(t, name, _)| (*t, *name) == (table, key.name));
+        // A sine and a record have an angle each: one place in the file.
+        let twin = if table.ends_with("record") { "motion kind = sine" } else { table };
+        let Some(said) = found.get(&(table, key.name)).or_else(|| found.get(&(twin, key.name))) else {
+            if !is_table && !excused {
+                missing.push(path);
+            }
+            continue;
+        };
+        // A list of things has buttons that add to it, and a name what is wrong with it.
+        let plain = matches!(key.range, Range::Free | Range::Like(_)) && !matches!(key.fallback, Fallback::Zeros(_));
+        let speaks = |words: &String| words.contains("Allowed: ") && words.to_lowercase().contains("default");
+        // A button to the other way of saying it says where it leads.
+        let mut fields = said.iter().filter(|words| !words.is_empty()).peekable();
+        if !plain && (fields.peek().is_none() || !fields.all(speaks)) {
+            silent.push((path, said.clone()));
+        }
+    }
+    assert!(missing.is_empty(), "keys that cannot be edited in the window: {missing:?}");
+    assert!(silent.is_empty(), "fields that do not say what is allowed and what they are by themselves: {silent:#?}");
+}
+
+fn reach(harness: &mut Window, role: Role, label: &str) {
+    harness.get_by_role_and_label(role, label).scroll_to_me();
+    harness.run_steps(40);
+}
+
+/// Types a text into a field.
+fn type_in(harness: &mut Window, label: &str, text: &str) {
+    reach(harness, Role::SpinButton, label);
+    harness.get_by_role_and_label(Role::SpinButton, label).click();
+    settle(harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    if text.is_empty() {
+        harness.key_press(Key::Delete);
+    } else {
+        harness.event(egui::Event::Text(text.into()));
+    }
+    settle(harness);
+    harness.key_press(Key::Enter);
+    settle(harness);
+}
+
+fn undo(harness: &mut Window) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(harness);
+}
+
+fn deck() -> Window {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    settle(&mut harness);
+    harness
+}
+
+#[test]
+fn what_is_not_the_default_can_be_taken_back_by_sign_by_menu_and_by_emptying_it() {
+    let skew = |h: &Window| h.state().scene().girders[0].skew_deg;
+    let mut harness = deck();
+    assert_eq!(skew(&harness), 45.0, "not straight, to begin with");
+    // Sign: it is in both panels, at the number and at the slider.
+    let signs = harness.query_all_by_role_and_label(Role::Button, "Reset Skew β").count();
+    assert_eq!(signs, 2, "a sign at each");
+    let sign = harness.query_all_by_role_and_label(Role::Button, "Reset Skew β").next().expect("there");
+    sign.click();
+    settle(&mut harness);
+    assert_eq!(skew(&harness), 90.0, "straight");
+    harness.run_steps(4);
+    assert!(harness.query_by_role_and_label(Role::Button, "Reset Skew β").is_none(), "nothing to take back any more");
+    undo(&mut harness);
+    assert_eq!(skew(&harness), 45.0, "one step");
+    // The context menu; the number is the first of its name, the one behind the slider the second.
+    let number = harness.query_all_by_role_and_label(Role::SpinButton, "Skew β").next().expect("there");
+    number.click_secondary();
+    harness.run_steps(10);
+    press(&mut harness, "Reset to 90°");
+    assert_eq!(skew(&harness), 90.0, "by the menu");
+    undo(&mut harness);
+    let number = harness.query_all_by_role_and_label(Role::SpinButton, "Skew β").next().expect("there");
+    number.click();
+    settle(&mut harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.key_press(Key::Backspace);
+    settle(&mut harness);
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    assert_eq!(skew(&harness), 90.0, "emptied");
+    assert_eq!(harness.state().selection().len(), 1, "the key was the field's");
+    assert_eq!(harness.state().scene().girders.len(), 1, "nothing was removed");
+}
+
+#[test]
+fn a_number_out_of_its_range_is_marked_with_the_reason_and_undone() {
+    let mut harness = deck();
+    let before = harness.state().scene().clone();
+    type_in(&mut harness, "Mass m", "-2");
+    assert_eq!(harness.state().scene().girders[0].mass, -2.0, "as typed: invalid while editing is allowed");
+    let problems = harness.state().problems().expect("no mass is negative").clone();
+    let remedy = keys::find(keys::GIRDER, "mass_kg").and_then(|key| key.range.fault(-2.0)).expect("a reason");
+    assert_eq!(problems.0[0].remedy, remedy, "the range's own words");
+    assert!(harness.query_all_by_label_contains(&remedy).count() >= 2, "at the field too");
+    undo(&mut harness);
+    assert_eq!(*harness.state().scene(), before, "one step");
+    type_in(&mut harness, "Mass m", "12 mm");
+    assert_eq!(*harness.state().scene(), before, "no mass: refused");
+    assert!(harness.query_by_label_contains("\u{201c}12 mm\u{201d} is no number here").is_some(), "with the reason");
+    type_in(&mut harness, "Amplitude", "0.4 kg");
+    assert_eq!(*harness.state().scene(), before, "the number behind a slider refuses too");
+    assert!(harness.query_by_label_contains("\u{201c}0.4 kg\u{201d} is no number here").is_some(), "with the reason");
+    type_in(&mut harness, "Amplitude", "1.5 g");
+    let beyond = matches!(&harness.state().scene().motion, Motion::Sine(s) if s.amplitude_g == Some(1.5));
+    assert!(beyond, "and takes what lies beyond the slider");
+    undo(&mut harness);
+    type_in(&mut harness, "Mass m", "");
+    assert_eq!(*harness.state().scene(), before, "it has no default");
+    assert!(harness.query_by_label_contains("It must be given").is_some(), "with the reason");
+    type_in(&mut harness, "Mass m", "3");
+    assert!(harness.query_by_label_contains("It must be given").is_none(), "a number ends the complaint");
+    assert_eq!(harness.state().scene().girders[0].mass, 3.0, "taken");
+}
+
+#[test]
+fn a_reckoned_number_is_given_and_reckoned_again() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::Select(Some(Target::Abutment(0))));
+    settle(&mut harness);
+    let width = |h: &Window| h.state().scene().abutments[0].width;
+    let before = width(&harness);
+    type_in(&mut harness, "Face width", "0.5 m");
+    assert_eq!(width(&harness), Some(0.5), "given");
+    reach(&mut harness, Role::Button, "Reset Face width");
+    press(&mut harness, "Reset Face width");
+    assert_eq!(width(&harness), None, "reckoned from the girder");
+    undo(&mut harness);
+    undo(&mut harness);
+    assert_eq!(width(&harness), before, "as it was");
+}
+
+#[test]
+fn the_face_of_a_wall_is_given_by_its_corners_and_back() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::Select(Some(Target::Abutment(0))));
+    settle(&mut harness);
+    let digest = |h: &Window| h.state().answer().expect("run").history.digest();
+    let gap = harness.state().scene().abutments[0].gap.expect("given");
+    super::harness::reach(&mut harness, "Give the face by its corners");
+    press(&mut harness, "Give the face by its corners");
+    let corners = harness.state().scene().abutments[0].polygon.clone().expect("four corners");
+    assert_eq!(corners.len(), 4, "four");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+    type_in(&mut harness, "Corner 1 z", "-25 mm");
+    assert_eq!(harness.state().scene().abutments[0].polygon.as_ref().expect("still")[0][2], -0.025, "as typed");
+    undo(&mut harness);
+    let by_corners = digest(&harness);
+    super::harness::reach(&mut harness, "Give the face by its gap");
+    press(&mut harness, "Give the face by its gap");
+    let again = harness.state().scene().abutments[0].gap.expect("given");
+    assert!((again - gap).abs() < 2e-6, "where it was, to the micrometre: {again}");
+    assert_ne!(by_corners, 0, "it ran");
+}
+
+/// Opens a list by its name and takes one of its choices.
+fn choose(harness: &mut Window, list: &str, choice: &str) {
+    reach(harness, Role::ComboBox, list);
+    harness.get_by_role_and_label(Role::ComboBox, list).click();
+    harness.run_steps(20);
+    let choices: Vec<_> = harness.query_all_by_role_and_label(Role::Button, choice).collect();
+    choices.last().expect("in the list").click();
+    harness.run_steps(20);
+    settle(harness);
+}
+
+#[test]
+fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("quake.csv");
+    std::fs::write(&file, "t_s,a_m_s2\n0.0,0.0\n0.1,2.0\n0.2,-1.0\n0.3,0.0\n").expect("written");
+    let mut harness = open(presets::OPENING);
+    super::harness::slide(&mut harness, "Angle α", 30.0);
+    super::harness::slide(&mut harness, "Phase φ0", 90.0);
+    assert!(matches!(&harness.state().scene().motion, Motion::Sine(s) if s.phase_deg == 90.0), "the phase");
+    choose(&mut harness, "Given in", "m/s²");
+    let Motion::Sine(sine) = harness.state().scene().motion.clone() else { panic!("a sine") };
+    assert!(sine.amplitude_g.is_none() && (sine.amplitude.expect("given") - 3.92266).abs() < 1e-9, "the same in m/s²");
+    choose(&mut harness, "Ground", "record");
+    assert!(matches!(&harness.state().scene().motion, Motion::Record(r) if r.angle_deg == 30.0), "the angle stays");
+    assert_eq!(harness.state().problems(), None, "silence runs");
+    harness.state_mut().apply(Command::Record(file.clone()));
+    settle(&mut harness);
+    let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
+    let (dt, samples) = record.series().expect("read");
+    assert!((dt - 0.1).abs() < 1e-12, "every 0.1 s, got {dt}");
+    assert_eq!(samples, [0.0, 2.0, -1.0, 0.0], "as written");
+    assert_eq!((record.angle_deg, record.samples), (30.0, None), "from the file");
+    assert_eq!(harness.state().problems(), None, "and run");
+    assert!(harness.query_by_label_contains("4 samples, 0.1 s apart").is_some(), "said in the panel");
+    super::harness::slide(&mut harness, "Record scale", 2.0);
+    super::harness::reach(&mut harness, "Keep its samples in the scene");
+    press(&mut harness, "Keep its samples in the scene");
+    let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
+    assert_eq!((record.scale, record.file.clone(), record.dt), (2.0, None, Some(dt)), "without the file");
+    let kept = harness.state().scene().clone();
+    harness.state_mut().apply(Command::Record(folder.path().join("nothing.csv")));
+    settle(&mut harness);
+    assert!(harness.state().notice().is_some_and(|n| n.contains("nothing.csv")), "a missing file is named");
+    assert_eq!(*harness.state().scene(), kept, "and changes nothing");
+    choose(&mut harness, "Ground", "still");
+    assert_eq!(harness.state().scene().motion, Motion::None, "still");
+    while harness.state().undo_label().is_some() {
+        undo(&mut harness);
+    }
+    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("ships"), "every step undone");
+}
+
+#[test]
+fn a_record_that_was_chosen_is_saved_with_the_scene_and_opened_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (scene, quake) = (folder.path().join("mine.toml"), folder.path().join("quake.csv"));
+    std::fs::write(&quake, "0,0\n0.1,2\n0.2,0\n").expect("written");
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(Command::SaveFile(scene.clone()));
+    harness.state_mut().apply(Command::Record(quake));
+    settle(&mut harness);
+    assert!(
+        matches!(&harness.state().scene().motion, Motion::Record(r) if r.file.as_deref() == Some("quake.csv")),
+        "named from the scene's folder on"
+    );
+    harness.state_mut().apply(Command::SaveFile(scene.clone()));
+    let saved = harness.state().scene().clone();
+    harness.state_mut().apply(Command::New);
+    harness.state_mut().apply(Command::OpenFile(scene));
+    settle(&mut harness);
+    assert_eq!(harness.state().scene().motion, saved.motion, "the record with it");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+}
+
+#[test]
+fn samples_are_typed_and_nonsense_among_them_is_said() {
+    let mut harness = open(presets::OPENING);
+    choose(&mut harness, "Ground", "record");
+    let fold = harness.get_by_label("Samples");
+    fold.scroll_to_me();
+    fold.click_accesskit();
+    harness.run_steps(40);
+    let write = |harness: &mut Window, words: &str| {
+        reach(harness, Role::MultilineTextInput, "Samples, m/s²");
+        harness.get_by_role_and_label(Role::MultilineTextInput, "Samples, m/s²").focus();
+        settle(harness);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(egui::Event::Text(words.into()));
+        settle(harness);
+    };
+    write(&mut harness, "0 1.5 nonsense");
+    assert!(harness.query_by_label_contains("nonsense").is_some(), "said at once");
+    write(&mut harness, "0 1.5 -2; 0");
+    harness.key_press(Key::Tab);
+    settle(&mut harness);
+    assert!(
+        matches!(&harness.state().scene().motion, Motion::Record(r) if r.samples == Some(vec![0.0, 1.5, -2.0, 0.0])),
+        "{:?}",
+        harness.state().scene().motion
+    );
+}
+
+#[test]
+fn a_pair_that_is_not_found_by_itself_is_declared() {
+    let mut harness = open("straight-straight");
+    let unfold = harness.get_by_label("Pairs by name");
+    unfold.scroll_to_me();
+    unfold.click_accesskit();
+    harness.run_steps(40);
+    super::harness::reach(&mut harness, "Name a pair");
+    press(&mut harness, "Name a pair");
+    let pairs = |h: &Window| h.state().scene().contact.pairs.clone();
+    assert_eq!(pairs(&harness).len(), 1, "an entry");
+    reach(&mut harness, Role::CheckBox, "Entry 1: these ends only");
+    harness.get_by_role_and_label(Role::CheckBox, "Entry 1: these ends only").click();
+    settle(&mut harness);
+    assert!(pairs(&harness)[0].ends.is_some(), "with its ends");
+    super::harness::reach(&mut harness, "Remove entry 1");
+    press(&mut harness, "Remove entry 1");
+    assert!(pairs(&harness).is_empty(), "gone");
+}
+
+#[test]
+fn stiffness_is_given_one_way_at_a_time() {
+    let mut harness = open(presets::OPENING);
+    let unfold = harness.get_by_label("Contact of all pairs");
+    unfold.scroll_to_me();
+    unfold.click_accesskit();
+    harness.run_steps(40);
+    let given = |h: &Window| (h.state().scene().contact.stiffness, h.state().scene().contact.young_modulus);
+    assert_eq!(given(&harness), (Some(1.55e5), None), "the preset gives K");
+    type_in(&mut harness, "E of all", "20 GPa");
+    assert_eq!(given(&harness), (None, Some(2e10)), "E takes its place");
+    assert_eq!(harness.state().problems(), None, "and it runs");
+    choose(&mut harness, "Sharing of all", "per node");
+    choose(&mut harness, "Tension of all", "clamp");
+    let contact = harness.state().scene().contact.clone();
+    assert_eq!(format!("{:?} {:?}", contact.sharing, contact.tension), "PerNode Clamp", "chosen");
+    reach(&mut harness, Role::Button, "Reset Tension of all");
+    press(&mut harness, "Reset Tension of all");
+    assert_eq!(format!("{:?}", harness.state().scene().contact.tension), "Keep", "taken back");
+}
