@@ -214,7 +214,7 @@ pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
 }
 
 /// The same where the values at both ends are known: secants, weighed as Anderson and Björck do where one end stays, and
-/// halvings where four of them have not done as much.
+/// four halvings where four of them have not done as much.
 pub(super) fn root_between(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2], [fa, fb]: [f64; 2]) -> f64 {
     let (mut fa, mut fb) = (fa, fb);
     if fa >= 0.0 {
@@ -253,8 +253,9 @@ pub(super) fn root_between(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 
         if b - a <= f64::EPSILON * a.abs().max(b.abs()) {
             break;
         }
-        slow = count % 4 == 0 && b - a > width / 16.0;
-        width = if count % 4 == 0 { b - a } else { width };
+        if count % 4 == 0 {
+            (slow, width) = (!slow && b - a > width / 16.0, b - a);
+        }
     }
     b
 }
@@ -321,8 +322,27 @@ mod tests {
     }
 
     #[test]
-    fn roots_come_to_the_last_bits() {
-        let t = root(|t| t * t - 2.0, 0.0, 2.0);
+    fn roots_come_to_the_last_bits_in_a_dozen_looks() {
+        let mut count = 0;
+        let t = root(
+            |t| {
+                count += 1;
+                t * t - 2.0
+            },
+            0.0,
+            2.0,
+        );
         assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{t}");
+        assert!(count <= 14, "{count} looks");
+        count = 0;
+        let flat = root(
+            |t| {
+                count += 1;
+                (t - 1e-3).powi(3)
+            },
+            0.0,
+            1.0,
+        );
+        assert!((flat - 1e-3).abs() < 1e-12 && count <= 120, "a threefold root at {flat}, {count} looks");
     }
 }
