@@ -406,9 +406,10 @@ fn a_walls_handles_take_numbers_too() {
     narrow.width = Some(0.15);
     let edit = girderbench::scene::edit::Edit::ReplaceAbutment(0, Box::new(narrow));
     harness.state_mut().apply(Command::Edit { edit, gesture: None });
-    harness.state_mut().apply(Command::Frame);
-    calm(&mut harness);
     for (name, typed) in [("move wall sideways", "15 mm"), ("width of wall, one side", "25 cm")] {
+        // Each edit makes the scene another size.
+        harness.state_mut().apply(Command::Frame);
+        calm(&mut harness);
         harness.get_by_role_and_label(Role::Splitter, name).focus();
         calm(&mut harness);
         write(&mut harness, typed);
