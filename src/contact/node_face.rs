@@ -97,6 +97,13 @@ pub fn locate(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) ->
     measure(node, node_body, face, face_body).here
 }
 
+/// The gap and its rate alone.
+#[inline]
+pub fn gap(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> [f64; 2] {
+    let here = measure(node, node_body, face, face_body).here;
+    [here.gap, here.gap_rate]
+}
+
 /// The same, with the node's levers.
 #[inline]
 pub fn measure(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
@@ -111,10 +118,15 @@ pub fn measure(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -
 fn measure_in_space(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
     let arm = node_body.rotation * node;
     let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
-    let to_face = face_body.rotation.transpose();
-    let from_corner = to_face * apart - face.corners[0];
-    let velocity = to_face * (node_body.velocity_at(arm) - face_body.velocity_at(apart));
-    let spin = to_face * face_body.spin;
+    let velocity = node_body.velocity_at(arm) - face_body.velocity_at(apart);
+    // An abutment's axes are the world's: the products with 0 and 1 left out, not a bit differs.
+    let (place, velocity, spin) = if face_body.rotation == DMat3::IDENTITY {
+        (apart, velocity, face_body.spin)
+    } else {
+        let to_face = face_body.rotation.transpose();
+        (to_face * apart, to_face * velocity, to_face * face_body.spin)
+    };
+    let from_corner = place - face.corners[0];
     let here = Local {
         gap: from_corner.dot(face.normal),
         gap_rate: velocity.dot(face.normal),

@@ -123,16 +123,30 @@ pub fn spatial_slope(
 
 /// What the bearings do to a body together: the forces of [`bearing_forces`], summed in their axes.
 fn on_bearings(body: &Body, here: &Frame) -> Wrench {
+    // Axes along the world's: the products with 0 and 1 left out, not a bit differs.
+    if body.axes == DMat3::IDENTITY {
+        return in_axes(body, &here.rotation, [here.shift, here.velocity, here.spin], |preload| preload);
+    }
     let into_axes = body.axes.transpose();
-    let turned = into_axes * here.rotation;
-    let (shift, velocity, spin) = (into_axes * here.shift, into_axes * here.velocity, into_axes * here.spin);
+    let motion = [here.shift, here.velocity, here.spin].map(|v| into_axes * v);
+    let sum = in_axes(body, &(into_axes * here.rotation), motion, |preload| into_axes * preload);
+    Wrench { force: body.axes * sum.force, moment: body.axes * sum.moment }
+}
+
+#[inline]
+fn in_axes(
+    body: &Body,
+    turned: &DMat3,
+    [shift, velocity, spin]: [DVec3; 3],
+    into_axes: impl Fn(DVec3) -> DVec3,
+) -> Wrench {
     let mut sum = Wrench::default();
     for b in &body.bearings {
-        let arm = turned * b.place;
+        let arm = *turned * b.place;
         let (moved, speed) = (shift + (arm - b.place), velocity + spin.cross(arm));
-        sum.push(into_axes * b.preload - b.stiffness * moved - b.damping * speed, arm);
+        sum.push(into_axes(b.preload) - b.stiffness * moved - b.damping * speed, arm);
     }
-    Wrench { force: body.axes * sum.force, moment: body.axes * sum.moment }
+    sum
 }
 
 /// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.

@@ -26,6 +26,20 @@ pub trait System {
     fn is_held(&self, _i: usize) -> bool {
         false
     }
+    /// Width of the blocks of the leading components and how many of each are places, if they are such: the rates of a
+    /// block's places are linear in the rest of it, its speeds, by columns that are orthogonal, and nothing answers to
+    /// changes of places that speeds cannot bring about.
+    fn bodies(&self) -> Option<(usize, usize)> {
+        None
+    }
+    /// A rate that nothing but what follows or slides exceeds by much \[1/s\].
+    fn quickest(&self) -> f64 {
+        f64::INFINITY
+    }
+    /// What an error of 1 is in parts of the motion.
+    fn tolerance(&self) -> f64 {
+        0.0
+    }
     /// How many of the last components follow the others, each by one of the channels.
     fn followers(&self) -> usize {
         0
@@ -45,7 +59,7 @@ pub trait System {
     /// Whether from now on they keep the direction that they had there.
     fn hold(&mut self, _held: bool) {}
     /// Rates of the leading components per unit of a slider's force, and its velocity per unit of those components, at
-    /// `y`: two columns and two rows, both 0 as given.
+    /// `y`: two columns and two rows, both 0 as given, and 0 for places.
     fn slider(&self, _slider: usize, _y: &[f64], _push: &mut [f64], _view: &mut [f64]) {}
 }
 

@@ -16,6 +16,7 @@ use super::event::{Event, Stop};
 use super::flight::{Flight, System};
 use super::island::Island;
 use super::path::BodyPath;
+use super::radau::Radau;
 use super::replay::Replay;
 use super::stepper::Pace;
 use super::track::Contact;
@@ -112,6 +113,9 @@ pub struct Engine {
     pub(super) islands: Vec<Option<Box<Island>>>,
     /// Numbers of islands that are no more.
     pub(super) vacant: Vec<usize>,
+    /// What their integrators have left.
+    #[expect(clippy::vec_box, reason = "handed on in their boxes")]
+    pub(super) spare: Vec<Box<Radau>>,
     pub(super) agenda: Agenda,
     pub(super) events: Vec<Event>,
     stop: Option<Stop>,
@@ -153,6 +157,7 @@ impl Engine {
             contacts: Vec::new(),
             islands: Vec::new(),
             vacant: Vec::new(),
+            spare: Vec::new(),
             agenda: Agenda::default(),
             events: Vec::new(),
             stop: None,

@@ -3,11 +3,13 @@
 
 use glam::{DVec2, DVec3};
 
+use super::Model;
 use super::body_state::{self, Wrench};
 use super::dop853::System;
+use super::fastest::quickest;
+use super::penalty3d::{self, Action};
 use super::slides::Channel;
 use super::track::Closed;
-use super::{Model, penalty3d};
 use crate::contact::{Forces, Frame, Local, Mode, law::Friction, locate};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
@@ -122,13 +124,17 @@ const TURN: f64 = 1e-6;
 
 impl Sliding {
     /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
-    fn follows(&mut self, slider: usize, follower: usize, closed: &Closed, here: &Local, forces: &Forces, length: f64) {
-        let Mode::Slip { direction } = closed.mode else { return };
-        let turned = Closed {
-            mode: Mode::Slip { direction: (direction + direction.perp() * TURN) / TURN.hypot(1.0) },
-            ..*closed
-        };
-        let force = (turned.forces(here).tangential_total() - forces.tangential_total()) / TURN;
+    fn follows(
+        &mut self,
+        [slider, follower]: [usize; 2],
+        closed: &Closed,
+        direction: DVec2,
+        action: &Action,
+        length: f64,
+    ) {
+        let turned = Mode::Slip { direction: (direction + direction.perp() * TURN) / (1.0 + TURN * TURN).sqrt() };
+        let turned = closed.forces_in(&turned, &action.here);
+        let force = (turned.tangential_total() - action.forces.tangential_total()) / TURN;
         self.channels.push(Channel { slider, force, speed: direction.perp() / length, follower: Some(follower) });
     }
 
@@ -168,27 +174,25 @@ impl Field<'_> {
             let node = active.node.map_or(&site.stand, |i| &self.frames[i]);
             let face = active.face.map_or(&site.stand, |i| &self.frames[i]);
             let at_once = active.turns_at_once();
-            // A copy only where something differs from the state that the contact is in.
-            let mut copy = active.angle.map(|_| active.turned(y));
+            let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
+            let (mut held, mut closed) = (active.closed, &active.closed);
             if at_once && self.sliding.held {
-                let mut held = active.closed;
-                held.mode = Mode::Slip { direction: self.sliding.against[slider] };
+                mode = Mode::Slip { direction: self.sliding.against[slider] };
                 held.law.v_stick = 0.0;
-                copy = Some(held);
+                closed = &held;
             }
-            let closed = copy.as_ref().unwrap_or(&active.closed);
-            let action = penalty3d::act(site, closed, node, face);
+            let action = penalty3d::act_in(site, closed, &mode, node, face);
             if let Some(i) = active.node {
                 self.wrenches[i].push(action.force, action.node_arm);
             }
             if let Some(i) = active.face {
                 self.wrenches[i].push(-action.force, action.face_arm);
             }
-            if let (Some(at), Mode::Slip { direction }) = (active.angle, closed.mode) {
+            if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
                 let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
                 out[at] = direction.perp_dot(action.here.rate) / length;
                 self.rates.push(-direction.dot(action.here.rate) / length);
-                self.sliding.follows(slider, self.rates.len() - 1, closed, &action.here, &action.forces, length);
+                self.sliding.follows([slider, self.rates.len() - 1], closed, direction, &action, length);
                 slider += 1;
             } else if at_once {
                 if !self.sliding.held {
@@ -257,6 +261,21 @@ impl System for Field<'_> {
             (Kind::Spatial, i @ 0..3) => !free[i],
             (Kind::Spatial, i) => !free[i - 7],
         }
+    }
+
+    fn bodies(&self) -> Option<(usize, usize)> {
+        Some(match self.model.kind {
+            Kind::Planar => (body_state::PLANAR, 3),
+            Kind::Spatial => (body_state::SPATIAL, 7),
+        })
+    }
+
+    fn quickest(&self) -> f64 {
+        self.scale.omega.max(quickest(self.model, self.active))
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.model.tolerance
     }
 
     fn followers(&self) -> usize {

@@ -68,7 +68,9 @@ impl Engine {
             self.end_flight(slot, t);
             self.bodies[slot].now = Trajectory::Island { island: number, index };
         }
-        self.islands[number] = Some(Box::new(self.assemble(members, y, t, pace)));
+        let mut island = Box::new(self.assemble(members, y, t, pace));
+        island.borrow(self.spare.pop());
+        self.islands[number] = Some(island);
         number
     }
 

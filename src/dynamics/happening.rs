@@ -80,6 +80,7 @@ impl Engine {
         for Due { number, reason } in std::mem::take(&mut island.due) {
             self.change(island.contacts[number], reason, &now);
         }
+        self.spare.extend(island.give_back());
         self.form(now, island.pace());
     }
 
@@ -162,6 +163,7 @@ impl Engine {
                 for n in 0..island.contacts.len() {
                     self.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
                 }
+                self.spare.extend(island.give_back());
             }
         }
     }

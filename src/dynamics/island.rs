@@ -7,6 +7,7 @@ use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
 use super::flight::Planar;
 use super::piece::Piece;
+use super::radau::Radau;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
@@ -226,9 +227,13 @@ impl Island {
         }
     }
 
-    /// Poses of all its bodies within the planned step.
-    pub(super) fn frames(&self, model: &Model, t: f64) -> Vec<Frame> {
-        (0..self.bodies.len()).map(|index| self.frame(model, index, t)).collect()
+    /// Poses of all its bodies within the planned step, time after time.
+    pub(super) fn frames(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
+        let mut frames = Vec::with_capacity(times.len() * self.bodies.len());
+        for &t in times {
+            frames.extend((0..self.bodies.len()).map(|index| self.frame(model, index, t)));
+        }
+        frames
     }
 
     /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
@@ -300,6 +305,16 @@ impl Island {
     /// How its integrator would go on.
     pub(super) fn pace(&self) -> Pace {
         self.stepper.pace()
+    }
+
+    /// Takes over the memory of an integrator that is no longer in use.
+    pub(super) fn borrow(&mut self, spare: Option<Box<Radau>>) {
+        self.stepper.borrow(spare);
+    }
+
+    /// Gives its own away at its end.
+    pub(super) fn give_back(&mut self) -> Option<Box<Radau>> {
+        self.stepper.give_back()
     }
 
     /// Fastest circular frequency of its contacts and bearings \[rad/s\].

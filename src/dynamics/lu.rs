@@ -7,7 +7,8 @@ pub(super) trait Entry:
     Copy
     + std::ops::Sub<Output = Self>
     + std::ops::Mul<Output = Self>
-    + std::ops::Div<Output = Self>
+    + std::ops::Mul<f64, Output = Self>
+    + std::ops::AddAssign
     + std::ops::SubAssign
     + PartialEq
 {
@@ -15,6 +16,10 @@ pub(super) trait Entry:
     const ZERO: Self;
     /// Size, for choosing a pivot.
     fn size(self) -> f64;
+    /// `1/self`.
+    fn recip(self) -> Self;
+    /// `self − x`.
+    fn less(self, x: f64) -> Self;
 }
 
 impl Entry for f64 {
@@ -22,6 +27,14 @@ impl Entry for f64 {
 
     fn size(self) -> f64 {
         self.abs()
+    }
+
+    fn recip(self) -> Self {
+        self.recip()
+    }
+
+    fn less(self, x: f64) -> Self {
+        self - x
     }
 }
 
@@ -31,9 +44,17 @@ impl Entry for Complex64 {
     fn size(self) -> f64 {
         self.re.abs() + self.im.abs()
     }
+
+    fn recip(self) -> Self {
+        self.inv()
+    }
+
+    fn less(self, x: f64) -> Self {
+        self - x
+    }
 }
 
-/// A factored matrix, rows after one another, with the order of its rows.
+/// A factored matrix, rows after one another, with the order of its rows; its pivots stand in it as their reciprocals.
 #[derive(Clone, Debug)]
 pub(super) struct Lu<T> {
     entries: Vec<T>,
@@ -50,7 +71,9 @@ impl<T: Entry> Lu<T> {
     /// Factors the matrix of `n` rows that `entry(row, column)` describes; `false` when it is singular or not finite.
     pub(super) fn factor(&mut self, n: usize, entry: impl Fn(usize, usize) -> T) -> bool {
         self.entries.clear();
-        self.entries.extend((0..n * n).map(|i| entry(i / n, i % n)));
+        for i in 0..n {
+            self.entries.extend((0..n).map(|j| entry(i, j)));
+        }
         self.rows.clear();
         self.rows.extend(0..n);
         (0..n).all(|k| self.eliminate(n, k))
@@ -75,10 +98,12 @@ impl<T: Entry> Lu<T> {
             self.rows.swap(k, pivot);
         }
         let (above, below) = self.entries.split_at_mut((k + 1) * n);
-        let row = &above[k * n..];
+        let row = &mut above[k * n..];
+        row[k] = row[k].recip();
+        let row = &*row;
         for other in below.chunks_exact_mut(n) {
             if other[k] != T::ZERO {
-                let factor = other[k] / row[k];
+                let factor = other[k] * row[k];
                 other[k] = factor;
                 for (entry, pivot) in other[k + 1..].iter_mut().zip(&row[k + 1..]) {
                     *entry -= factor * *pivot;
@@ -91,7 +116,7 @@ impl<T: Entry> Lu<T> {
     /// Size of the smallest pivot: how far the matrix is from singular.
     pub(super) fn least_pivot(&self) -> f64 {
         let n = self.rows.len();
-        (0..n).map(|k| self.entries[k * n + k].size()).fold(f64::INFINITY, f64::min)
+        (0..n).map(|k| self.entries[k * n + k].size()).fold(0.0, f64::max).recip()
     }
 
     /// Solves for `right`; the answer goes to `out`.
@@ -109,9 +134,33 @@ impl<T: Entry> Lu<T> {
             for (entry, x) in self.entries[i * n + i + 1..(i + 1) * n].iter().zip(&out[i + 1..]) {
                 sum -= *entry * *x;
             }
-            out[i] = sum / self.entries[i * n + i];
+            out[i] = sum * self.entries[i * n + i];
         }
     }
+}
+
+/// Solves as many equations as there are rows at once: the right-hand side stands behind the matrix in each, and then the
+/// answer; `false` where they are singular.
+pub(super) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> bool {
+    let n = rows.len();
+    for k in 0..n {
+        let pivot = (k..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
+        rows.swap(k, pivot);
+        let row = rows[k];
+        let inverse = row[k].recip();
+        if !inverse.is_finite() {
+            return false;
+        }
+        for other in &mut rows[k + 1..] {
+            let factor = other[k] * inverse;
+            other[k + 1..=n].iter_mut().zip(&row[k + 1..=n]).for_each(|(entry, above)| *entry -= factor * above);
+        }
+    }
+    for k in (0..n).rev() {
+        let sum: f64 = (k + 1..n).map(|j| rows[k][j] * rows[j][n]).sum();
+        rows[k][n] = (rows[k][n] - sum) / rows[k][k];
+    }
+    true
 }
 
 #[cfg(test)]
@@ -137,6 +186,18 @@ mod tests {
         let complex = |i: usize, j: usize| Complex64::new(real(i, j), real(j, i) + if i == j { 2.0 } else { 0.0 });
         let right: Vec<Complex64> = (0..9).map(|i| Complex64::new(f64::from(i), 1.0)).collect();
         assert!(residual(9, complex, &right) < 1e-12, "complex");
+    }
+
+    #[test]
+    fn both_eliminations_agree() {
+        let (mut lu, mut x) = (Lu::default(), [0.0; 3]);
+        let rows = [[0.0, 2.0, 1.0, 5.0], [3.0, 1.0, -1.0, 2.0], [1.0, -2.0, 4.0, -7.0]];
+        assert!(lu.factor(3, |i, j| rows[i][j]), "regular");
+        lu.solve(&rows.map(|row| row[3]), &mut x);
+        let mut at_once = rows;
+        assert!(eliminate(&mut at_once), "regular at once");
+        (0..3).for_each(|i| assert!((at_once[i][3] - x[i]).abs() < 1e-14, "{at_once:?} against {x:?}"));
+        assert!(!eliminate(&mut [[1.0, 2.0, 0.0], [2.0, 4.0, 0.0]]), "rows that are one");
     }
 
     #[test]

@@ -38,6 +38,7 @@ mod radau_coefficients;
 mod relative;
 pub mod replay;
 pub mod search;
+mod shifted;
 mod slides;
 mod soon;
 mod stepper;

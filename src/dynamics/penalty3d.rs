@@ -3,11 +3,11 @@
 //! `R_k` acts at the node `X_k`, `−R_k` at the point `X_p` that holds it (physics section 4), so a pair keeps its momentum
 //! exactly and its angular momentum up to the couple `(X_k − X_p) × R_k,t`.
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use super::ContactSite;
 use super::track::Closed;
-use crate::contact::{Forces, Frame, Local, Measured, measure};
+use crate::contact::{Forces, Frame, Local, Measured, Mode, measure};
 
 /// A contact's forces and where they act, world frame.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +27,14 @@ pub struct Action {
 /// Forces of a closed contact.
 #[inline]
 pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> Action {
+    act_in(site, closed, &closed.mode, node, face)
+}
+
+/// Forces of a contact that is closed but for its mode.
+#[inline]
+pub fn act_in(site: &ContactSite, closed: &Closed, mode: &Mode, node: &Frame, face: &Frame) -> Action {
     let Measured { here, arm, apart } = measure(site.point, node, &site.face, face);
-    let forces = closed.forces(&here);
+    let forces = closed.forces_in(mode, &here);
     let force = to_world(site, face, forces.tangential_total(), forces.normal_total());
     let offset = to_world(site, face, forces.stretch, here.gap);
     Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
@@ -46,5 +52,6 @@ pub fn to_world(site: &ContactSite, face: &Frame, along: DVec2, normal: f64) -> 
         let [first, second] = [face.rotation.x_axis, face.rotation.y_axis];
         return DVec3::new(first.x * x + second.x * y, first.y * x + second.y * y, site.face.bitangent.z * along.y);
     }
-    face.rotation * (site.face.tangent * along.x + site.face.bitangent * along.y + site.face.normal * normal)
+    let here = site.face.tangent * along.x + site.face.bitangent * along.y + site.face.normal * normal;
+    if face.rotation == DMat3::IDENTITY { here } else { face.rotation * here }
 }

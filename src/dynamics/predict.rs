@@ -7,7 +7,7 @@ use super::engine::{Engine, Trajectory};
 use super::prowl::{Look, Prowl};
 use super::swing::Swing;
 use super::track::Contact;
-use crate::contact::{Frame, Local, locate};
+use crate::contact::{Frame, Local, gap, locate};
 
 /// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
 pub(super) const RESOLUTION: f64 = 4e-16;
@@ -17,7 +17,7 @@ pub(super) const ARMED: f64 = 64.0;
 /// Rounding of a time, with room for that of a root.
 const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Looks at a gap per planned step.
-const LOOKS: usize = 5;
+const LOOKS: usize = 3;
 
 /// Looks at a pair anew from `t` and enters what is due.
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
@@ -62,11 +62,10 @@ fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64) -> f64 {
     if too_short(engine, pair, &views) {
         return f64::INFINITY;
     }
-    views.fill(engine);
     let mut first = f64::INFINITY;
     for contact in contacts {
         let (closing, out) =
-            open(engine, contact, t).map_or((None, None), |armed| in_step(engine, contact, &views, armed));
+            open(engine, contact, t).map_or((None, None), |armed| in_step(engine, contact, &mut views, armed));
         (engine.contacts[contact].closing, engine.contacts[contact].out) = (closing, out);
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
@@ -132,6 +131,8 @@ fn resolution(engine: &Engine, contact: usize, t: f64) -> f64 {
 struct Views {
     times: [f64; LOOKS],
     frames: [[Frame; 2]; LOOKS],
+    /// Whether the frames are those of all looks, not of the first alone.
+    filled: bool,
     slots: [Option<usize>; 2],
 }
 
@@ -141,11 +142,14 @@ impl Views {
         let slots = engine.pairs[pair].slots;
         let part = |i: usize| (until - t) * i as f64 / (LOOKS - 1) as f64;
         let times = std::array::from_fn(|i| if i == LOOKS - 1 { until } else { t + part(i) });
-        Self { times, frames: [Self::frames(engine, slots, t); LOOKS], slots }
+        Self { times, frames: [Self::frames(engine, slots, t); LOOKS], filled: false, slots }
     }
 
     /// The other looks.
     fn fill(&mut self, engine: &Engine) {
+        if std::mem::replace(&mut self.filled, true) {
+            return;
+        }
         for i in 1..LOOKS {
             self.frames[i] = Self::frames(engine, self.slots, self.times[i]);
         }
@@ -155,19 +159,35 @@ impl Views {
         slots.map(|slot| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| engine.frame(slot, t)))
     }
 
-    fn look(&self, engine: &Engine, contact: usize, i: usize) -> Local {
+    /// Pose of one of the pair's bodies at a look.
+    fn side(&self, slot: Option<usize>, i: usize) -> &Frame {
+        &self.frames[i][usize::from(slot == self.slots[1])]
+    }
+
+    /// Poses of a contact's node and face at a look.
+    fn sides<'a>(&'a self, engine: &'a Engine, contact: usize, i: usize) -> [&'a Frame; 2] {
         let track = &engine.contacts[contact];
         let site = &engine.model.contacts[track.site];
-        let side = |slot: Option<usize>| match slot {
-            Some(_) => &self.frames[i][usize::from(slot == self.slots[1])],
-            None => &site.stand,
-        };
-        locate(site.point, side(track.slots[0]), &site.face, side(track.slots[1]))
+        track.slots.map(|slot| if slot.is_some() { self.side(slot, i) } else { &site.stand })
+    }
+
+    fn look(&self, engine: &Engine, contact: usize, i: usize) -> Local {
+        let (site, [node, face]) =
+            (&engine.model.contacts[engine.contacts[contact].site], self.sides(engine, contact, i));
+        locate(site.point, node, &site.face, face)
+    }
+
+    /// The gap alone.
+    fn gap(&self, engine: &Engine, contact: usize, i: usize) -> Look {
+        let (site, [node, face]) =
+            (&engine.model.contacts[engine.contacts[contact].site], self.sides(engine, contact, i));
+        let [gap, rate] = gap(site.point, node, &site.face, face);
+        Look { t: self.times[i], gap, rate }
     }
 }
 
 /// A contact's node as its own body carries it, and as the face's body would: distances from G \[m\].
-fn arms(site: &ContactSite, here: &Local) -> [f64; 2] {
+pub(super) fn arms(site: &ContactSite, here: &Local) -> [f64; 2] {
     [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()]
 }
 
@@ -190,7 +210,7 @@ fn excursion(engine: &Engine, slot: usize, arm: f64, from: f64, until: f64) -> f
 
 /// A side is in a planned step: looks at gap and rate, as many as it takes to know that nothing hides between two; one
 /// look where the steps are too short to close the gap. When it closes, and when it comes out in front if it was behind.
-fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> (Option<f64>, Option<f64>) {
+fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (Option<f64>, Option<f64>) {
     let (t, until) = (views.times[0], views.times[LOOKS - 1]);
     if until <= t {
         return (None, None);
@@ -203,25 +223,37 @@ fn in_step(engine: &Engine, contact: usize, views: &Views, armed: bool) -> (Opti
     if armed && before.gap > far.sum() {
         return (None, None);
     }
-    let resolution = resolution(engine, contact, t);
+    let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| views.side(slot, 0).shift.length())).sum();
+    let resolution = RESOLUTION * (track.spot.size + moved);
     if armed && before.gap <= resolution && before.gap_rate < 0.0 {
         return (Some(t), None);
     }
     let node = usize::from(track.slots[0].is_some() && track.slots[0] == views.slots[1]);
-    let seen = |t: f64, here: &Local| Look { t, gap: here.gap, rate: here.gap_rate };
-    let whole = Swing::of(engine, views.slots, t, until);
+    let slots = views.slots;
+    let whole = Swing::of(engine, slots, t, until);
+    let span = until - t;
     // Over the whole step a node is no further from its face's G than that and all its way.
-    let most = whole.curvature(node, arms, until - t);
+    let most = whole.curvature(node, arms, span);
+    if armed && whole.holds(span) && before.gap > resolution + span * ((-before.gap_rate).max(0.0) + 0.5 * most * span)
+    {
+        return (None, None);
+    }
     let bend = |from: &Look, to: f64| {
-        if whole.holds(until - t) {
+        if whole.holds(span) {
             return most;
         }
-        let part = Swing::of(engine, views.slots, from.t, to);
+        let part = Swing::of(engine, slots, from.t, to);
         let arms = self::arms(&engine.model.contacts[track.site], &look(engine, contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };
-    let mut prowl = Prowl::new(|at| seen(at, &look(engine, contact, at)), bend, armed, resolution);
-    let looks: [Look; LOOKS] = std::array::from_fn(|i| seen(views.times[i], &views.look(engine, contact, i)));
+    let site = &engine.model.contacts[track.site];
+    let ask = |at: f64| {
+        let [gap, rate] = gap(site.point, &engine.side(contact, 0, at), &site.face, &engine.side(contact, 1, at));
+        Look { t: at, gap, rate }
+    };
+    views.fill(engine);
+    let looks: [Look; LOOKS] = std::array::from_fn(|i| views.gap(engine, contact, i));
+    let mut prowl = Prowl::new(ask, bend, armed, resolution);
     let closing = prowl.closing(&looks);
     (closing, prowl.out())
 }

@@ -1,25 +1,23 @@
-//! Radau IIA with seven stages: implicit, of order 13, for what an explicit method follows only in steps far shorter than
-//! the motion (Hairer and Wanner, section IV.8): a stiff contact that lasts, the turning of a fast slip.
+//! Radau IIA: implicit, for what an explicit method follows only in steps far shorter than the motion (Hairer and Wanner,
+//! section IV.8): a stiff contact that lasts, the turning of a fast slip. Seven stages (order 13) as a rule; fewer where
+//! a step is short.
 //!
 //! The stages are found by Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
-//! method's matrix: one real and three complex systems of the size of one state. What turns too much within a step for one
-//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`Slides`]. The continuous answer is the collocation polynomial itself, of degree seven.
+//! method's matrix: one real and a complex system for every two further stages. What turns too much within a step for one
+//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`Slides`]. The continuous
+//! answer is the collocation polynomial itself.
 
-use num_complex::Complex64;
-
-use super::dop853::{Dense, System};
-use super::lu::Lu;
-use super::radau_coefficients::{
-    C, COMPLEX, COMPLEX_LEFT, COMPLEX_RIGHT, DENSE, E, INVERSE, REAL, REAL_LEFT, REAL_RIGHT,
-};
+use super::dop853::{DENSE, Dense, System};
+use super::radau_coefficients::{FIVE, SEVEN, THREE, Table};
+use super::shifted::Systems;
 use super::slides::Slides;
 
-/// Stages.
-const STAGES: usize = 7;
+/// Most stages, and as many coefficients of the continuous answer beyond its start.
+const STAGES: usize = DENSE - 1;
 /// Newton iterations before the step is shortened.
 const PATIENCE: usize = 12;
 /// What may be left of the stages' equations, in parts of the tolerance.
-const LEFT: f64 = 1e-2;
+const LEFT: f64 = 5e-2;
 /// Corrections that no longer shrink are rounding; it is let pass up to this part of the tolerance.
 const STALLED: f64 = 0.2;
 /// Newton's method that converges better than this keeps its Jacobian.
@@ -28,28 +26,39 @@ const GOOD: f64 = 0.1;
 const SAME: f64 = 1e-6;
 /// Rounds of the power method for the fastest rate.
 const ROUNDS: usize = 12;
+/// A polynomial begins no step that is so many times longer than its own.
+const FARTHEST: f64 = 10.0;
+/// From this tolerance on fewer stages are cheaper.
+const COARSE: f64 = 1e-6;
+/// Steps shorter than this part of the fastest time constant, and than the next by the fourth root of the tolerance, take
+/// three stages and no Jacobian.
+const QUIET: f64 = 0.3;
+/// See [`QUIET`].
+const SHORT: f64 = 3.5;
 
 /// The integrator's memory for systems of one size.
 #[derive(Debug, Default)]
 pub(super) struct Radau {
+    table: &'static Table,
     size: usize,
     /// Components before those that follow.
     leading: usize,
-    jacobian: Vec<f64>,
-    real: Lu<f64>,
+    systems: Systems,
     slides: Slides,
-    complex: [Lu<Complex64>; 3],
-    /// Step for which the matrices are factored; 0 when they are not.
-    factored: f64,
+    /// Step and stages for which the matrices are factored; 0 when they are not.
+    factored: (f64, usize),
     /// Whether the Jacobian is of the state at hand, and whether there is one.
     fresh: bool,
     known: bool,
+    /// Whether the step is so short that nothing changes within it but what follows or slides.
+    quiet: bool,
     /// How well the last solution converged.
     rate: f64,
     stages: Vec<f64>,
     slopes: Vec<f64>,
-    /// Rates of the components that follow, stage by stage.
+    /// Rates of the components that follow, stage by stage, and what is left of their equations.
     rates: Vec<f64>,
+    follow: Vec<f64>,
     scratch: Scratch,
     /// Length of the last accepted step, and its polynomial in increments.
     last: Option<(f64, Vec<[f64; STAGES]>)>,
@@ -60,42 +69,31 @@ struct Scratch {
     state: Vec<f64>,
     slope: Vec<f64>,
     correction: Vec<f64>,
-    real: [Vec<f64>; 2],
-    complex: [Vec<Complex64>; 2],
+    error: Vec<f64>,
 }
 
 impl Radau {
-    /// For systems of `size` components.
-    pub(super) fn new(size: usize) -> Self {
-        let mut radau = Self::default();
-        radau.resize(size);
-        radau
-    }
-
     /// Makes room for a system of `size` components and forgets the last.
     pub(super) fn resize(&mut self, size: usize) {
         self.size = size;
         self.slides.forget();
-        (self.factored, self.fresh, self.known, self.last) = (0.0, false, false, None);
-        self.jacobian.resize(size * size, 0.0);
-        for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
-            stages.resize(STAGES * size, 0.0);
-        }
-        for one in [&mut self.scratch.state, &mut self.scratch.slope] {
+        (self.rate, self.quiet) = (0.0, false);
+        self.rates.clear();
+        (self.factored, self.fresh, self.known, self.last) = ((0.0, 0), false, false, None);
+        for one in [&mut self.scratch.state, &mut self.scratch.slope, &mut self.scratch.error] {
             one.resize(size, 0.0);
         }
-        self.scratch.real.iter_mut().for_each(|v| v.resize(size, 0.0));
-        self.scratch.complex.iter_mut().for_each(|v| v.resize(size, Complex64::ZERO));
     }
 
     /// Tries a step of length `h` from `(t, y)`, where the slope is `slope`; returns the error, 1 being the tolerance,
     /// infinite where Newton's method fails.
     pub(super) fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64], h: f64) -> f64 {
         self.leading = self.size - system.followers();
+        self.choose(system, h);
         if !self.known || !self.fresh && self.rate > GOOD {
             self.differentiate(system, t, y, slope);
         }
-        if (self.factored - h).abs() > SAME * h && !self.factor(h) {
+        if !self.factor(h) {
             return f64::INFINITY;
         }
         self.guess(h);
@@ -113,53 +111,65 @@ impl Radau {
         error
     }
 
-    /// The Jacobian by differences: each component moves by what changes the state by the root of a rounding.
+    /// With how many stages a step of length `h` is taken.
+    fn choose(&mut self, system: &impl System, h: f64) {
+        let tolerance = system.tolerance();
+        let short = QUIET.min(SHORT * tolerance.sqrt().sqrt());
+        self.quiet = h * system.quickest() < short;
+        self.table = match self.quiet {
+            true => &THREE,
+            false if tolerance >= COARSE => &FIVE,
+            false => &SEVEN,
+        };
+        let length = self.table.stages() * self.size;
+        for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
+            stages.resize(length, 0.0);
+        }
+    }
+
+    /// The Jacobian at the start of a step; none where nothing changes within it.
     fn differentiate(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64]) {
         let n = self.leading;
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
-        state.copy_from_slice(y);
+        self.systems.linear.quiet(system, n);
         if self.slides.together(system) {
+            state.copy_from_slice(y);
             system.slope(t, y, moved);
-            self.slides.gather(system, y, n);
+            self.slides.gather(system, &self.systems.linear, y, n);
             system.hold(true);
         }
-        for j in 0..n {
-            let step = f64::EPSILON.sqrt() * system.extent(j, y[j]);
-            state[j] = y[j] + step;
-            let step = state[j] - y[j];
-            system.slope(t, state, moved);
-            for i in 0..n {
-                self.jacobian[i * n + j] = (moved[i] - slope[i]) / step;
-            }
-            state[j] = y[j];
+        if !self.quiet {
+            self.systems.linear.differentiate(system, t, [y, slope], [state, moved], n);
         }
         system.hold(false);
-        (self.known, self.fresh, self.factored) = (true, true, 0.0);
+        (self.known, self.fresh, self.factored) = (!self.quiet, true, (0.0, 0));
     }
 
+    /// Factors the systems for a step of length `h`, if they are not.
     fn factor(&mut self, h: f64) -> bool {
-        let (n, jacobian) = (self.leading, &self.jacobian);
-        let diagonal = |i: usize, j: usize, value: f64| if i == j { value / h } else { 0.0 };
-        let mut done = self.real.factor(n, |i, j| diagonal(i, j, REAL) - jacobian[i * n + j]);
-        for (lu, (re, im)) in self.complex.iter_mut().zip(COMPLEX) {
-            done &= lu.factor(n, |i, j| Complex64::new(diagonal(i, j, re) - jacobian[i * n + j], diagonal(i, j, im)));
+        let (table, stages) = (self.table, self.table.stages());
+        if self.factored.1 == stages && (self.factored.0 - h).abs() <= SAME * h {
+            return true;
         }
+        let done = self.systems.factor(table, h);
         if done {
-            self.slides.factor(&self.real, &self.complex);
+            self.slides.factor(table, &self.systems);
         }
-        self.factored = if done { h } else { 0.0 };
+        self.factored = if done { (h, stages) } else { (0.0, 0) };
         done
     }
 
     /// Increments of the stages to begin with: the last step's polynomial, continued.
     fn guess(&mut self, h: f64) {
-        let n = self.size;
-        self.stages.fill(0.0);
-        let Some((before, polynomial)) = &self.last else { return };
-        for (stage, c) in C.iter().enumerate() {
-            let x = 1.0 + c * h / before;
-            for (z, p) in self.stages[stage * n..].iter_mut().zip(polynomial) {
-                *z = increment(p, x) - increment(p, 1.0);
+        // Far beyond its step a polynomial tells nothing.
+        let Some((before, polynomial)) = self.last.as_ref().filter(|(before, _)| h < FARTHEST * before) else {
+            return self.stages.fill(0.0);
+        };
+        for (stage, c) in self.stages.chunks_exact_mut(self.size).zip(self.table.c) {
+            let weights = increments(1.0 + c * h / before);
+            for (z, p) in stage.iter_mut().zip(polynomial) {
+                let there: f64 = weights.iter().zip(p).map(|(w, p)| w * p).sum();
+                *z = there - p[0];
             }
         }
     }
@@ -167,29 +177,27 @@ impl Radau {
     /// Newton's method for the stages.
     fn solve(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> bool {
         let (n, mut before, mut rate) = (self.size, 0.0f64, 0.0f64);
-        let followers = n - self.leading;
-        self.rates.resize(STAGES * followers, 0.0);
+        let (followers, stages) = (n - self.leading, self.table.stages());
+        self.rates.resize(stages * followers, 0.0);
+        self.follow.resize(stages * followers, 0.0);
         for round in 0..PATIENCE {
-            for (stage, c) in C.iter().enumerate() {
+            for (stage, c) in self.table.c.iter().enumerate() {
                 let range = stage * n..(stage + 1) * n;
                 let state = &mut self.scratch.state;
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
                 self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
-                self.slides.record(stage, n - followers, system.channels());
+                self.slides.record(stage, system.channels());
             }
-            self.correct(h);
-            (0..followers).for_each(|follower| self.residual(follower, h));
-            let (rates, correction) = (&self.rates, &mut self.scratch.correction);
-            if !self.slides.complete(correction, n, h, |k, follower| rates[k * followers + follower]) {
+            if !self.correct(h) {
                 return false;
             }
             // Elimination leaves rounding where nothing may move.
             for i in (0..self.leading).filter(|&i| system.is_held(i)) {
-                (0..STAGES).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
+                (0..stages).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
             }
             let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
-            let size = (size2 / STAGES as f64).sqrt();
+            let size = (size2 / stages as f64).sqrt();
             if !size.is_finite() {
                 return false;
             }
@@ -198,10 +206,11 @@ impl Radau {
                 rate = size / before;
             }
             self.rate = rate;
-            // What is left is what a geometric series of corrections would still add; two corrections tell its ratio only
-            // where nothing turns.
-            let sure = round > 1 || round == 1 && followers == 0;
-            if size == 0.0 || (sure && rate < 1.0 && rate / (1.0 - rate) * size <= LEFT) || size <= 1e-2 * LEFT {
+            // What is left is what a geometric series of corrections would still add; where something turns, two corrections
+            // tell half of the digits of its ratio.
+            let ratio = if round == 1 && followers > 0 { rate.sqrt() } else { rate };
+            if size == 0.0 || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= LEFT) || size <= 2e-3 * LEFT
+            {
                 return true;
             }
             if round > 1 && rate >= 1.0 {
@@ -212,49 +221,28 @@ impl Radau {
         before <= STALLED
     }
 
-    /// One Newton correction of the leading components from the stages and their slopes, eigenvector by eigenvector.
-    fn correct(&mut self, h: f64) {
-        let (n, leading) = (self.size, self.leading);
-        let (stages, slopes) = (&self.stages, &self.slopes);
-        let Scratch { correction, real: [right, found], complex: [complex_right, complex_found], .. } =
-            &mut self.scratch;
-        // f − (λ/h) z of every stage, for the real eigenvalue.
-        right[..leading].fill(0.0);
-        for (k, left) in REAL_LEFT.iter().enumerate() {
-            let rows = slopes[k * n..].iter().zip(&stages[k * n..]);
-            right[..leading].iter_mut().zip(rows).for_each(|(r, (f, z))| *r += left * (f - REAL / h * z));
-        }
-        self.real.solve(&right[..leading], found);
-        for (row, right) in correction.chunks_exact_mut(n).zip(&REAL_RIGHT) {
-            row[..leading].iter_mut().zip(found.iter()).for_each(|(d, w)| *d = right * w);
-        }
-        for (m, &(re, im)) in COMPLEX.iter().enumerate() {
-            let (re, im) = (re / h, im / h);
-            complex_right[..leading].fill(Complex64::ZERO);
-            for (k, &(a, b)) in COMPLEX_LEFT[m].iter().enumerate() {
-                let rows = slopes[k * n..].iter().zip(&stages[k * n..]);
-                for (r, (f, z)) in complex_right[..leading].iter_mut().zip(rows) {
-                    let (x, y) = (f - re * z, im * z);
-                    r.re += a * x + b * y;
-                    r.im += b * x - a * y;
-                }
-            }
-            self.complex[m].solve(&complex_right[..leading], complex_found);
-            for (row, &(a, b)) in correction.chunks_exact_mut(n).zip(&COMPLEX_RIGHT[m]) {
-                // The conjugate eigenvector adds the conjugate.
-                let sums = row[..leading].iter_mut().zip(complex_found.iter());
-                sums.for_each(|(d, w)| *d += 2.0 * (a * w.re - b * w.im));
+    /// One Newton correction from the stages and their slopes, eigenvector by eigenvector, and of what follows.
+    fn correct(&mut self, h: f64) -> bool {
+        let (n, leading, table) = (self.size, self.leading, self.table);
+        let followers = n - leading;
+        self.systems.project(table, h, [&self.slopes, &self.stages], [n, leading]);
+        for (k, row) in table.inverse.iter().enumerate() {
+            for (i, left) in (leading..n).zip(&mut self.follow[k * followers..]) {
+                let moved: f64 = row.iter().enumerate().map(|(l, a)| a * self.stages[l * n + i]).sum();
+                *left = self.slopes[k * n + i] - moved / h;
             }
         }
-    }
-
-    /// What is left of the stages' equations of a component that follows.
-    fn residual(&mut self, follower: usize, h: f64) {
-        let (n, i) = (self.size, self.leading + follower);
-        for (k, row) in INVERSE.iter().enumerate() {
-            let moved = row.iter().enumerate().map(|(l, a)| a * self.stages[l * n + i]).sum::<f64>();
-            self.scratch.correction[k * n + i] = self.slopes[k * n + i] - moved / h;
+        let rates = &self.rates;
+        let rate = |k: usize, follower: usize| rates[k * followers + follower];
+        if !self.slides.complete(table, &mut self.systems, &mut self.follow, h, rate) {
+            return false;
         }
+        let correction = &mut self.scratch.correction;
+        self.systems.expand(table, correction, n);
+        for (row, follow) in correction.chunks_exact_mut(n).zip(self.follow.chunks_exact(followers.max(1))) {
+            row[leading..].copy_from_slice(&follow[..followers]);
+        }
+        true
     }
 
     /// Error of the stages just found: the embedded formula, filtered so that what decays at once does not count.
@@ -264,7 +252,7 @@ impl Radau {
             return error;
         }
         let (mut state, mut again) = (std::mem::take(&mut self.scratch.state), std::mem::take(&mut self.scratch.slope));
-        state.iter_mut().zip(y).zip(&self.scratch.real[1]).for_each(|((s, y), e)| *s = y + e);
+        state.iter_mut().zip(y).zip(&self.scratch.error).for_each(|((s, y), e)| *s = y + e);
         system.slope(t, &state, &mut again);
         let error = self.filtered(system, &again, h);
         (self.scratch.state, self.scratch.slope) = (state, again);
@@ -272,30 +260,44 @@ impl Radau {
     }
 
     fn filtered(&mut self, system: &impl System, slope: &[f64], h: f64) -> f64 {
-        let (n, leading) = (self.size, self.leading);
-        let stages = &self.stages;
-        let embedded = |i: usize| E.iter().enumerate().map(|(k, e)| e * stages[k * n + i]).sum::<f64>() * REAL / h;
-        let [right, found] = &mut self.scratch.real;
-        (0..n).for_each(|i| right[i] = slope[i] + embedded(i));
-        self.real.solve(&right[..leading], &mut found[..leading]);
-        found[leading..].copy_from_slice(&right[leading..]);
+        let (n, leading, shift) = (self.size, self.leading, self.table.real / h);
+        let found = &mut self.scratch.error;
+        found.fill(0.0);
+        for (e, stage) in self.table.error.iter().zip(self.stages.chunks_exact(n)) {
+            found.iter_mut().zip(stage).for_each(|(x, z)| *x += e * z);
+        }
+        found.iter_mut().zip(slope).for_each(|(x, f)| *x = f + *x * shift);
+        let (first, follow) = found.split_at_mut(leading);
+        self.systems.real.solve(&self.systems.linear, first);
         let rates = &self.rates;
-        self.slides.filter(found, h, |follower| rates[follower]);
+        if !self.slides.filter(shift, &mut self.systems.real, follow, |follower| rates[follower]) {
+            return f64::INFINITY;
+        }
+        self.systems.real.complete(&self.systems.linear, first);
         let error = system.size2(found).sqrt();
         if error.is_nan() { f64::INFINITY } else { error }
+    }
+
+    /// Factor for the next step from the error of the last: the estimate is of the order of the stages' number, kept between
+    /// a fifth and eight.
+    pub(super) fn next_factor(&self, error: f64) -> f64 {
+        let order = self.table.stages() as f64;
+        if error == 0.0 { 8.0 } else { (0.9 * error.powf(-1.0 / (order + 1.0))).clamp(0.2, 8.0) }
     }
 
     /// Accepts the step just tried: its continuous answer; `y` becomes the state at its end.
     pub(super) fn accept(&mut self, t: f64, y: &mut [f64], h: f64) -> Dense {
         let n = self.size;
-        let polynomial: Vec<[f64; STAGES]> = (0..n)
-            .map(|i| DENSE.map(|row| row.iter().enumerate().map(|(k, d)| d * self.stages[k * n + i]).sum::<f64>()))
-            .collect();
+        let mut polynomial = vec![[0.0; STAGES]; n];
+        for (k, stage) in self.stages.chunks_exact(n).enumerate() {
+            for (p, z) in polynomial.iter_mut().zip(stage) {
+                p.iter_mut().zip(self.table.dense).for_each(|(p, row)| *p += row[k] * z);
+            }
+        }
         let coefficients =
             polynomial.iter().zip(y.iter()).map(|(p, &y)| [y, p[0], p[1], p[2], p[3], p[4], p[5], p[6]]).collect();
-        for (i, y) in y.iter_mut().enumerate() {
-            *y += self.stages[(STAGES - 1) * n + i];
-        }
+        let last = self.stages.len() - n;
+        y.iter_mut().zip(&self.stages[last..]).for_each(|(y, z)| *y += z);
         (self.last, self.fresh) = (Some((h, polynomial)), false);
         Dense::new(t, h, coefficients)
     }
@@ -309,9 +311,7 @@ impl Radau {
         slope.fill(0.0);
         state[..n].fill(1.0);
         for round in 0..ROUNDS {
-            for (i, out) in slope[..n].iter_mut().enumerate() {
-                *out = self.jacobian[i * n..(i + 1) * n].iter().zip(state.iter()).map(|(a, x)| a * x).sum();
-            }
+            self.systems.linear.times(&state[..n], &mut slope[..n]);
             let (before, after) = (system.size2(state).sqrt(), system.size2(slope).sqrt());
             if !(before > 0.0 && after > 0.0 && after.is_finite()) {
                 return rate;
@@ -331,15 +331,13 @@ impl Radau {
     }
 }
 
-/// The collocation polynomial's increment at `x`, nested as in [`Dense`].
-fn increment(p: &[f64; STAGES], x: f64) -> f64 {
-    let y = 1.0 - x;
-    x * (p[0] + y * (p[1] + x * (p[2] + y * (p[3] + x * (p[4] + y * (p[5] + x * p[6]))))))
-}
-
-/// Factor for the next step from the error of the last: the estimate is of order seven, kept between a fifth and eight.
-pub(super) fn next_factor(error: f64) -> f64 {
-    if error == 0.0 { 8.0 } else { (0.9 * error.powf(-0.125)).clamp(0.2, 8.0) }
+/// Factors of the collocation polynomial's coefficients in its increment at `x`, nested as in [`Dense`].
+fn increments(x: f64) -> [f64; STAGES] {
+    let (mut factor, y) = (1.0, 1.0 - x);
+    std::array::from_fn(|k| {
+        factor *= if k % 2 == 0 { x } else { y };
+        factor
+    })
 }
 
 #[cfg(test)]
@@ -367,7 +365,9 @@ mod tests {
     /// Largest errors over three units of time: of the circle and of what decays, at the ends of steps and between them.
     fn errors(steps: u32, stiffness: f64) -> [f64; 3] {
         let (mut system, h) = (Stiff(stiffness), 3.0 / f64::from(steps));
-        let (mut radau, mut y, mut slope, mut worst) = (Radau::new(3), vec![0.0, 1.0, 1.0], vec![0.0; 3], [0.0f64; 3]);
+        let (mut radau, mut y, mut slope, mut worst) =
+            (Radau::default(), vec![0.0, 1.0, 1.0], vec![0.0; 3], [0.0f64; 3]);
+        radau.resize(3);
         for i in 0..steps {
             let t = f64::from(i) * h;
             system.slope(t, &y, &mut slope);

@@ -10,10 +10,11 @@ use glam::DVec2;
 use num_complex::Complex64;
 
 use super::dop853::System;
-use super::lu::Lu;
-use super::radau_coefficients::{COMPLEX_LEFT, COMPLEX_RIGHT, INVERSE, REAL, REAL_LEFT, REAL_RIGHT};
+use super::lu::{self, Lu};
+use super::radau_coefficients::Table;
+use super::shifted::{Linear, Shifted, Systems};
 
-/// Stages of the method.
+/// Most stages of a method.
 const STAGES: usize = 7;
 
 /// One way in which a slider's force answers to its velocity.
@@ -29,18 +30,19 @@ pub struct Channel {
     pub follower: Option<usize>,
 }
 
-/// Sliders of a system with their responses, and the channels of all stages.
+/// Sliders of a system with their responses, and the channels of all stages. A slider's force acts on speeds, and its
+/// velocity shows in them: of the state, all here concerns the unknowns of [`Linear`] alone.
 #[derive(Debug, Default)]
 pub(super) struct Slides {
     sliders: usize,
     size: usize,
     /// Whether what follows is solved together with the rest: where it turns slowly against it, each by itself will do.
     together: bool,
-    /// Rates of the state per unit of force, column by column, two a slider.
+    /// Rates of the speeds per unit of force, column by column, two a slider.
     push: Vec<f64>,
-    /// Velocities per unit of the state, row by row, two a slider.
+    /// Velocities per unit of the speeds, row by row, two a slider.
     view: Vec<f64>,
-    /// Responses of the method's four systems to the columns of `push`.
+    /// Responses of the method's systems to the columns of `push`.
     real: Vec<f64>,
     complex: [Vec<Complex64>; 3],
     /// Velocities at each stage per unit of force at another: `[stage][stage][row][column]`.
@@ -49,28 +51,34 @@ pub(super) struct Slides {
     within: Vec<f64>,
     at_once: Vec<f64>,
     channels: [Vec<Channel>; STAGES],
-    /// Channels that do anything.
+    /// Channels that do anything, and the same stage after stage, as `(stage, which of them, channel)`.
     live: Vec<usize>,
+    unknowns: Vec<(usize, usize, Channel)>,
     lu: Lu<f64>,
     right: Vec<f64>,
     found: Vec<f64>,
+    /// Velocities in the method's systems.
+    seen: Vec<f64>,
+    seen_complex: [Vec<Complex64>; 3],
 }
 
 impl Slides {
-    /// Looks at the sliders of a system of `size` leading components whose state is `y`.
-    pub(super) fn gather(&mut self, system: &impl System, y: &[f64], size: usize) {
-        (self.sliders, self.size) = (system.sliders(), size);
-        let length = 2 * self.sliders * size;
+    /// Looks at the sliders of a system of `n` leading components whose state is `y`.
+    pub(super) fn gather(&mut self, system: &impl System, linear: &Linear, y: &[f64], n: usize) {
+        (self.sliders, self.size) = (system.sliders(), linear.size());
         self.push.clear();
-        self.push.resize(length, 0.0);
         self.view.clear();
-        self.view.resize(length, 0.0);
-        for (slider, (push, view)) in
-            self.push.chunks_exact_mut(2 * size).zip(self.view.chunks_exact_mut(2 * size)).enumerate()
-        {
-            system.slider(slider, y, push, view);
+        let (mut push, mut view) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
+        for slider in 0..self.sliders {
+            push.fill(0.0);
+            view.fill(0.0);
+            system.slider(slider, y, &mut push, &mut view);
+            for column in 0..2 {
+                self.push.extend(linear.gather(&push[column * n..]));
+                self.view.extend(linear.gather(&view[column * n..]));
+            }
         }
-        self.at_once = product(&self.view, &self.push, size);
+        product(&self.view, &self.push, self.size, &mut self.at_once);
     }
 
     /// Whether the sliders are solved together with the rest: always those that answer at once.
@@ -91,133 +99,138 @@ impl Slides {
     }
 
     /// Responses of the factored systems to forces on the sliders.
-    pub(super) fn factor(&mut self, real: &Lu<f64>, complex: &[Lu<Complex64>; 3]) {
-        let (n, columns) = (self.size, 2 * self.sliders);
+    pub(super) fn factor(&mut self, table: &Table, systems: &Systems) {
+        let (real, complex) = (&systems.real, &systems.complex[..table.complex.len()]);
+        let (n, columns, stages) = (self.size, 2 * self.sliders, table.stages());
         if columns == 0 || !self.together {
             return;
         }
         self.real.resize(columns * n, 0.0);
         for (push, found) in self.push.chunks_exact(n).zip(self.real.chunks_exact_mut(n)) {
-            real.solve(push, found);
+            real.respond(push, found);
         }
-        self.within = product(&self.view, &self.real, n);
+        product(&self.view, &self.real, n, &mut self.within);
         let mut right = vec![Complex64::ZERO; n];
         self.between.clear();
-        self.between.resize(STAGES * STAGES * columns * columns, 0.0);
-        for (responses, lu) in self.complex.iter_mut().zip(complex) {
+        self.between.resize(stages * stages * columns * columns, 0.0);
+        for (responses, system) in self.complex.iter_mut().zip(complex) {
             responses.resize(columns * n, Complex64::ZERO);
             for (push, found) in self.push.chunks_exact(n).zip(responses.chunks_exact_mut(n)) {
                 right.iter_mut().zip(push).for_each(|(r, p)| *r = Complex64::new(*p, 0.0));
-                lu.solve(&right, found);
+                system.respond(&right, found);
             }
         }
-        // Parts apart, so that whole rows are added at a time.
-        let parts: [[Vec<f64>; 2]; 3] = std::array::from_fn(|m| {
-            let kernel = product(&self.view, &self.complex[m], n);
-            [kernel.iter().map(|z| 2.0 * z.re).collect(), kernel.iter().map(|z| -2.0 * z.im).collect()]
-        });
+        for (kernel, responses) in self.seen_complex.iter_mut().zip(&self.complex[..complex.len()]) {
+            product(&self.view, responses, n, kernel);
+        }
         for (kl, out) in self.between.chunks_exact_mut(columns * columns).enumerate() {
-            let (k, l) = (kl / STAGES, kl % STAGES);
-            add(out, REAL_RIGHT[k] * REAL_LEFT[l], &self.within);
-            for (m, [re, im]) in parts.iter().enumerate() {
-                let (a, b) = (COMPLEX_RIGHT[m][k], COMPLEX_LEFT[m][l]);
-                add(out, a.0 * b.0 - a.1 * b.1, re);
-                add(out, a.0 * b.1 + a.1 * b.0, im);
+            let (k, l) = (kl / stages, kl % stages);
+            let weight = table.real_right[k] * table.real_left[l];
+            out.iter_mut().zip(&self.within).for_each(|(o, r)| *o += weight * r);
+            for (m, kernel) in self.seen_complex[..complex.len()].iter().enumerate() {
+                let (a, b) = (table.complex_right[m][k], table.complex_left[m][l]);
+                let (re, im) = (2.0 * (a.0 * b.0 - a.1 * b.1), -2.0 * (a.0 * b.1 + a.1 * b.0));
+                out.iter_mut().zip(kernel).for_each(|(o, z)| *o += re * z.re + im * z.im);
             }
         }
     }
 
     /// Takes the channels of a stage as the system has them where its slope was last asked for.
-    pub(super) fn record(&mut self, stage: usize, leading: usize, channels: &[Channel]) {
-        self.size = leading;
+    pub(super) fn record(&mut self, stage: usize, channels: &[Channel]) {
         self.channels[stage].clear();
         self.channels[stage].extend_from_slice(channels);
     }
 
-    /// Completes a Newton correction of the stages: `correction` holds, stage by stage, what the frozen Jacobian alone
-    /// gives, and in the components that follow what is left of their own equations. `rate(stage, follower)` is theirs.
+    /// Completes a Newton correction of the stages: the systems have found what the frozen Jacobian alone gives; `follow`
+    /// holds what is left of the equations of the components that follow, stage by stage, and then their corrections.
+    /// `rate(stage, follower)` is theirs.
     pub(super) fn complete(
         &mut self,
-        correction: &mut [f64],
-        width: usize,
+        table: &Table,
+        systems: &mut Systems,
+        follow: &mut [f64],
         h: f64,
         rate: impl Fn(usize, usize) -> f64,
     ) -> bool {
-        let n = self.size;
+        let stages = table.stages();
+        let width = follow.len() / stages;
         self.live.clear();
-        let channels = &self.channels;
+        let channels = &self.channels[..stages];
         let lives = |c: &usize| channels.iter().any(|stage| stage[*c].force != DVec2::ZERO);
-        self.live.extend((0..self.channels[0].len()).filter(|c| self.channels[0][*c].follower.is_some() || lives(c)));
+        self.live.extend((0..channels[0].len()).filter(|c| channels[0][*c].follower.is_some() || lives(c)));
         let (count, columns) = (self.live.len(), 2 * self.sliders);
         if !self.together {
-            return (0..count).all(|follower| self.alone(correction, width, follower, h, &rate));
+            return (0..width).all(|follower| Self::alone(table, follow, follower, h, &rate));
         }
         if count == 0 {
             return true;
         }
-        let live = &self.live;
-        let channel = |i: usize| (i / count, &channels[i / count][live[i % count]]);
-        let between = &self.between;
-        let done = self.lu.factor(STAGES * count, |i, j| {
-            let ((k, to), (l, from)) = (channel(i), channel(j));
-            let own = if i % count != j % count {
+        self.unknowns.clear();
+        for (k, stage) in channels.iter().enumerate() {
+            self.unknowns.extend(self.live.iter().enumerate().map(|(c, &number)| (k, c, stage[number])));
+        }
+        let (between, unknowns) = (&self.between, &self.unknowns);
+        let done = self.lu.factor(stages * count, |i, j| {
+            let ((k, which, ref to), (l, other, ref from)) = (unknowns[i], unknowns[j]);
+            let own = if which != other {
                 0.0
             } else if let Some(follower) = to.follower {
-                INVERSE[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
+                table.inverse[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
             } else {
                 f64::from(u8::from(k == l))
             };
-            own - through(&between[(k * STAGES + l) * columns * columns..], columns, to, from)
+            own - through(&between[(k * stages + l) * columns * columns..], columns, to, from)
         });
         if !done {
             return false;
         }
-        self.right.clear();
-        for i in 0..STAGES * count {
-            let (k, to) = channel(i);
-            let row = &correction[k * width..];
-            let left = to.follower.map_or(0.0, |follower| row[n + follower]);
-            self.right.push(left + to.speed.dot(seen(&self.view, n, to.slider, row)));
+        product(&self.view, &systems.real.found, self.size, &mut self.seen);
+        for (seen, system) in self.seen_complex.iter_mut().zip(&systems.complex[..table.complex.len()]) {
+            product(&self.view, &system.found, self.size, seen);
         }
-        self.found.resize(STAGES * count, 0.0);
+        self.right.clear();
+        for &(k, _, to) in &self.unknowns {
+            let left = to.follower.map_or(0.0, |follower| follow[k * width + follower]);
+            let velocity = |row: usize| {
+                let turning = self.seen_complex.iter().zip(table.complex_right);
+                turning.fold(table.real_right[k] * self.seen[row], |sum, (seen, right)| {
+                    sum + 2.0 * (right[k].0 * seen[row].re - right[k].1 * seen[row].im)
+                })
+            };
+            self.right.push(left + to.speed.x * velocity(2 * to.slider) + to.speed.y * velocity(2 * to.slider + 1));
+        }
+        self.found.resize(stages * count, 0.0);
         self.lu.solve(&self.right, &mut self.found);
-        for i in 0..STAGES * count {
-            let (k, channel) = channel(i);
+        for ((k, _, channel), found) in self.unknowns.iter().zip(&self.found) {
             if let Some(follower) = channel.follower {
-                correction[k * width + n + follower] = self.found[i];
+                follow[k * width + follower] = *found;
             }
         }
-        self.respond(correction, width);
+        self.respond(table, systems);
         true
     }
 
     /// A component that follows by itself, all of its stages at once.
-    fn alone(
-        &mut self,
-        correction: &mut [f64],
-        width: usize,
-        follower: usize,
-        h: f64,
-        rate: impl Fn(usize, usize) -> f64,
-    ) -> bool {
-        let i = self.size + follower;
-        let rate = |k: usize| rate(k, follower);
-        if !self.lu.factor(STAGES, |k, l| INVERSE[k][l] / h - if k == l { rate(k) } else { 0.0 }) {
-            return false;
+    fn alone(table: &Table, follow: &mut [f64], follower: usize, h: f64, rate: impl Fn(usize, usize) -> f64) -> bool {
+        let stages = table.stages();
+        let width = follow.len() / stages;
+        let mut rows = [[0.0; STAGES + 1]; STAGES];
+        for (k, row) in rows[..stages].iter_mut().enumerate() {
+            row.iter_mut().zip(table.inverse[k]).for_each(|(entry, a)| *entry = a / h);
+            row[k] -= rate(k, follower);
+            row[stages] = follow[k * width + follower];
         }
-        let right: [f64; STAGES] = std::array::from_fn(|k| correction[k * width + i]);
-        let mut found = [0.0; STAGES];
-        self.lu.solve(&right, &mut found);
-        found.iter().enumerate().for_each(|(k, d)| correction[k * width + i] = *d);
-        true
+        let found = lu::eliminate(&mut rows[..stages]);
+        (0..stages).for_each(|k| follow[k * width + follower] = rows[k][stages]);
+        found
     }
 
-    /// Adds the response of all stages to the forces that the channels just found carry.
-    fn respond(&self, correction: &mut [f64], width: usize) {
+    /// Adds the response to the forces that the channels just found carry at all stages.
+    fn respond(&self, table: &Table, Systems { real, complex, .. }: &mut Systems) {
         let (n, count) = (self.size, self.live.len());
         for column in 0..2 * self.sliders {
             let mut forces = [0.0; STAGES];
-            for (k, force) in forces.iter_mut().enumerate() {
+            for (k, force) in forces[..table.stages()].iter_mut().enumerate() {
                 for (c, &number) in self.live.iter().enumerate() {
                     let channel = &self.channels[k][number];
                     if channel.slider == column / 2 {
@@ -225,58 +238,60 @@ impl Slides {
                     }
                 }
             }
-            let real = REAL_LEFT.iter().zip(&forces).map(|(left, force)| left * force).sum::<f64>();
-            let complex: [Complex64; 3] = std::array::from_fn(|m| {
-                COMPLEX_LEFT[m].iter().zip(&forces).map(|(&(a, b), force)| Complex64::new(a, b) * *force).sum()
-            });
             let range = column * n..(column + 1) * n;
-            for (k, row) in correction.chunks_exact_mut(width).enumerate() {
-                let weight = REAL_RIGHT[k] * real;
-                row.iter_mut().zip(&self.real[range.clone()]).for_each(|(d, r)| *d += weight * r);
-                for m in 0..3 {
-                    let (a, b) = COMPLEX_RIGHT[m][k];
-                    let weight = 2.0 * Complex64::new(a, b) * complex[m];
-                    row.iter_mut().zip(&self.complex[m][range.clone()]).for_each(|(d, r)| *d += (weight * r).re);
-                }
+            let sum = table.real_left.iter().zip(&forces).map(|(left, force)| left * force).sum::<f64>();
+            real.found.iter_mut().zip(&self.real[range.clone()]).for_each(|(d, r)| *d += sum * r);
+            for ((system, responses), left) in complex.iter_mut().zip(&self.complex).zip(table.complex_left) {
+                let sum: Complex64 = left.iter().zip(&forces).map(|(&(a, b), f)| Complex64::new(a, b) * *f).sum();
+                system.found.iter_mut().zip(&responses[range.clone()]).for_each(|(d, r)| *d += sum * r);
             }
         }
     }
 
-    /// The same for the error's filter, with the channels of the first stage: `found` holds what the real system alone
-    /// gives, and in the components that follow what drives them.
-    pub(super) fn filter(&mut self, found: &mut [f64], h: f64, rate: impl Fn(usize) -> f64) {
+    /// The same for the error's filter, with the channels of the first stage: the real system has found what it alone
+    /// gives, and `follow` holds what drives the components that follow, and then what they come to.
+    pub(super) fn filter(
+        &mut self,
+        shift: f64,
+        real: &mut Shifted<f64>,
+        follow: &mut [f64],
+        rate: impl Fn(usize) -> f64,
+    ) -> bool {
         let (n, columns, count) = (self.size, 2 * self.sliders, self.channels[0].len());
-        if count == 0 {
-            return;
-        }
         if !self.together {
-            return (0..count).for_each(|follower| found[n + follower] /= REAL / h - rate(follower));
+            follow.iter_mut().enumerate().for_each(|(follower, f)| *f /= shift - rate(follower));
+            return true;
+        }
+        if count == 0 {
+            return true;
         }
         let (channels, within) = (&self.channels[0], &self.within);
-        let own = |c: &Channel| c.follower.map_or(1.0, |follower| REAL / h - rate(follower));
+        let own = |c: &Channel| c.follower.map_or(1.0, |follower| shift - rate(follower));
         let done = self.lu.factor(count, |i, j| {
             let (to, from) = (&channels[i], &channels[j]);
             (if i == j { own(to) } else { 0.0 }) - through(within, columns, to, from)
         });
+        if !done {
+            return false;
+        }
+        product(&self.view, &real.found, n, &mut self.seen);
         self.right.clear();
-        for channel in channels {
-            let left = channel.follower.map_or(0.0, |follower| found[n + follower]);
-            self.right.push(left + channel.speed.dot(seen(&self.view, n, channel.slider, found)));
+        for to in channels {
+            let left = to.follower.map_or(0.0, |follower| follow[follower]);
+            self.right.push(left + to.speed.dot(DVec2::from_slice(&self.seen[2 * to.slider..])));
         }
         self.found.resize(count, 0.0);
-        if !done {
-            return found.fill(f64::NAN);
-        }
-        self.lu.solve(&self.right, &mut self.found);
+        self.lu.solve(&self.right, &mut self.found[..count]);
         for (channel, carried) in channels.iter().zip(&self.found) {
             for (axis, force) in (channel.force * *carried).to_array().into_iter().enumerate() {
                 let column = &self.real[(2 * channel.slider + axis) * n..][..n];
-                found.iter_mut().zip(column).for_each(|(d, r)| *d += force * r);
+                real.found.iter_mut().zip(column).for_each(|(d, r)| *d += force * r);
             }
             if let Some(follower) = channel.follower {
-                found[n + follower] = *carried;
+                follow[follower] = *carried;
             }
         }
+        true
     }
 
     /// The fastest rate at which a channel of the first stage answers at once \[1/s\].
@@ -287,10 +302,6 @@ impl Slides {
     }
 }
 
-fn add(out: &mut [f64], weight: f64, row: &[f64]) {
-    out.iter_mut().zip(row).for_each(|(o, r)| *o += weight * r);
-}
-
 /// What a unit in the channel `from` adds to the channel `to`, by velocities per unit of force.
 fn through(velocities: &[f64], columns: usize, to: &Channel, from: &Channel) -> f64 {
     let entry = |row: usize, column: usize| velocities[(2 * to.slider + row) * columns + 2 * from.slider + column];
@@ -298,20 +309,16 @@ fn through(velocities: &[f64], columns: usize, to: &Channel, from: &Channel) -> 
     to.speed.x * row(0) + to.speed.y * row(1)
 }
 
-/// A slider's velocity in a change of the state.
-fn seen(view: &[f64], n: usize, slider: usize, state: &[f64]) -> DVec2 {
-    let row = |row: usize| view[(2 * slider + row) * n..][..n].iter().zip(state).map(|(v, s)| v * s).sum();
-    DVec2::new(row(0), row(1))
-}
-
 /// Rows times columns, each `n` long.
-fn product<T>(rows: &[f64], columns: &[T], n: usize) -> Vec<T>
+fn product<T>(rows: &[f64], columns: &[T], n: usize, out: &mut Vec<T>)
 where
     T: Copy + std::ops::Mul<f64, Output = T> + std::iter::Sum,
 {
-    let columns: Vec<&[T]> = columns.chunks_exact(n.max(1)).collect();
-    let entry = |row: &[f64], column: &[T]| column.iter().zip(row).map(|(c, r)| *c * *r).sum();
-    rows.chunks_exact(n.max(1)).flat_map(|row| columns.iter().map(move |column| entry(row, column))).collect()
+    out.clear();
+    let columns = || columns.chunks_exact(n.max(1));
+    for row in rows.chunks_exact(n.max(1)) {
+        out.extend(columns().map(|column| column.iter().zip(row).map(|(c, r)| *c * *r).sum::<T>()));
+    }
 }
 
 #[cfg(test)]
@@ -371,7 +378,8 @@ mod tests {
     #[test]
     fn creeping_friction_is_stepped_over_in_a_billion_of_its_time_constants() {
         let mut system = Creep { channels: Vec::new(), held: None };
-        let (mut radau, mut y, mut slope) = (Radau::new(2), vec![0.9 * LEAST, 0.0], vec![0.0; 2]);
+        let (mut radau, mut y, mut slope) = (Radau::default(), vec![0.9 * LEAST, 0.0], vec![0.0; 2]);
+        radau.resize(2);
         for i in 0..10 {
             let (t, h) = (0.1 * f64::from(i), 0.1);
             system.slope(t, &y, &mut slope);

@@ -5,7 +5,7 @@ use super::engine::Engine;
 use super::island::Island;
 use super::track::Contact;
 use super::watch::{Reason, function, reasons};
-use crate::contact::{Frame, locate};
+use crate::contact::{Frame, Local, locate};
 
 /// How far ahead the slopes are asked, in radians of the fastest motion.
 const AHEAD: f64 = 1e-4;
@@ -26,21 +26,30 @@ enum Change {
 /// within `horizon`; infinite where they point to none \[s\]. A guess: whatever the step meets is found as ever.
 pub(super) fn soonest(engine: &Engine, island: &Island, horizon: f64) -> f64 {
     let (dt, horizon) = (AHEAD / island.omega(), horizon.min(FAR / island.omega()));
+    if horizon <= dt {
+        return f64::INFINITY;
+    }
     let [now, then] = [0.0, dt].map(|ahead| island.frames_after(&engine.model, ahead));
     let mut likely: Vec<(f64, f64, Change)> = Vec::new();
     for change in changes(engine, island) {
-        let value = |frames: &[Frame]| value(engine, island, change, frames);
-        if let (Some(start), Some(next)) = (value(&now), value(&then))
-            && start < 0.0
-            && next > start
-            && dt * start / (start - next) < horizon
-        {
-            likely.push((dt * start / (start - next), start, change));
+        let Some(here) = look(engine, island, change, &now) else { continue };
+        let start = value(engine, island, change, &here);
+        // What is told by the look alone needs no second one.
+        let rise = match change {
+            Change::Closing(_) => -here.gap_rate,
+            Change::State(_, Reason::Opening) => here.gap_rate,
+            Change::State(_, Reason::Edge) if start + horizon * (here.rate.length() + here.gap_rate.abs()) < 0.0 => 0.0,
+            Change::State(..) => look(engine, island, change, &then)
+                .map_or(0.0, |there| (value(engine, island, change, &there) - start) / dt),
+        };
+        if start < 0.0 && rise > 0.0 && -start / rise < horizon {
+            likely.push((-start / rise, start, change));
         }
     }
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
     let comes = |&(after, start, change): &(f64, f64, Change)| {
-        let there = value(engine, island, change, &island.frames_after(&engine.model, after))?;
+        let there = look(engine, island, change, &island.frames_after(&engine.model, after))?;
+        let there = value(engine, island, change, &there);
         (there > NEARER * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
     likely.iter().find_map(comes).unwrap_or(f64::INFINITY)
@@ -56,21 +65,24 @@ fn changes(engine: &Engine, island: &Island) -> Vec<Change> {
     states.chain(closings).collect()
 }
 
-/// What is negative while nothing has changed; nothing for a contact with somebody who is not in the island.
-fn value(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> Option<f64> {
+/// The node against its face; nothing for a contact with somebody who is not in the island.
+fn look(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
+    let contact = match change {
+        Change::State(number, _) => return Some(island.active[number].look(&engine.model, frames)),
+        Change::Closing(contact) => &engine.contacts[contact],
+    };
+    let site = &engine.model.contacts[contact.site];
+    let frame = |slot: Option<usize>| match slot {
+        Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| frames.get(i)),
+        None => Some(&site.stand),
+    };
+    Some(locate(site.point, frame(contact.slots[0])?, &site.face, frame(contact.slots[1])?))
+}
+
+/// What is negative while nothing has changed.
+fn value(engine: &Engine, island: &Island, change: Change, here: &Local) -> f64 {
     match change {
-        Change::State(number, reason) => {
-            let look = island.active[number].look(&engine.model, frames);
-            Some(function(&engine.model, island, number, reason, &look, island.until))
-        }
-        Change::Closing(contact) => {
-            let track = &engine.contacts[contact];
-            let site = &engine.model.contacts[track.site];
-            let frame = |slot: Option<usize>| match slot {
-                Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| frames.get(i)),
-                None => Some(&site.stand),
-            };
-            Some(-locate(site.point, frame(track.slots[0])?, &site.face, frame(track.slots[1])?).gap)
-        }
+        Change::State(number, reason) => function(&engine.model, island, number, reason, here, island.until),
+        Change::Closing(_) => -here.gap,
     }
 }

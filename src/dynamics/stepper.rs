@@ -2,7 +2,7 @@
 //! the explicit ones are held short by their stability or by noise. Knows no physics.
 
 use super::dop853::{self, Dense, Dop853, System};
-use super::radau::{self, Radau};
+use super::radau::Radau;
 
 /// Explicit steps that span more time constants of the fastest motion than this, though their error is less than
 /// [`SPARE`], are held short by their stability.
@@ -73,6 +73,8 @@ pub(super) struct Stepper {
     size: usize,
     rk: Dop853,
     radau: Option<Box<Radau>>,
+    /// Memory that another one has left.
+    spare: Option<Box<Radau>>,
     pace: Pace,
     /// Steps in a row that spoke against the method in use.
     doubts: u32,
@@ -88,6 +90,16 @@ impl Stepper {
         let mut stepper = Self { size, pace, trial: TRIAL, ..Self::default() };
         stepper.rk.resize(size);
         stepper
+    }
+
+    /// Takes over the memory of an implicit method that is no longer in use.
+    pub(super) fn borrow(&mut self, spare: Option<Box<Radau>>) {
+        self.spare = spare;
+    }
+
+    /// Gives its own away at its end.
+    pub(super) fn give_back(&mut self) -> Option<Box<Radau>> {
+        self.spare.take().or_else(|| self.radau.take())
     }
 
     /// Evaluates the slope at the start of the next step anew: at a start, and after a kink.
@@ -144,9 +156,14 @@ impl Stepper {
     /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
     fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.pace.stiff {
-            let radau = self.radau.get_or_insert_with(|| Box::new(Radau::new(self.size)));
+            let spare = &mut self.spare;
+            let radau = self.radau.get_or_insert_with(|| {
+                let mut radau = spare.take().unwrap_or_default();
+                radau.resize(self.size);
+                radau
+            });
             let error = radau.attempt(system, t, y, self.rk.slope(), h);
-            (error, if error.is_finite() { radau::next_factor(error) } else { 0.25 })
+            (error, if error.is_finite() { radau.next_factor(error) } else { 0.25 })
         } else {
             let error = self.rk.attempt(system, t, y, h);
             (error, if error.is_finite() { dop853::next_factor(error) } else { 0.1 })

@@ -63,8 +63,14 @@ impl Closed {
     /// Forces on the node.
     #[inline]
     pub fn forces(&self, here: &Local) -> Forces {
-        let mut forces = self.law.forces(&self.mode, here);
-        if let (Mode::Slip { direction }, true) = (self.mode, self.ease > 0.0) {
+        self.forces_in(&self.mode, here)
+    }
+
+    /// The same in another mode.
+    #[inline]
+    pub fn forces_in(&self, mode: &Mode, here: &Local) -> Forces {
+        let mut forces = self.law.forces(mode, here);
+        if let (Mode::Slip { direction }, true) = (*mode, self.ease > 0.0) {
             // The stretch turns as well as it grows; p lags by less.
             let length = (self.law.mu_k * here.penetration()).max(0.0);
             let across = direction.perp();

@@ -4,6 +4,7 @@
 //! is caught where three looks bend towards 0.
 
 use super::island::Island;
+use super::predict::arms;
 use super::search::{root, root_between};
 use super::track::Closed;
 use super::{ContactSite, Model};
@@ -13,6 +14,8 @@ use crate::contact::{Local, Mode, locate};
 const LOOKS: usize = 5;
 /// Looks per implicit step, which may span several swings of a contact.
 const CLOSE_LOOKS: usize = 17;
+/// Implicit steps that span no more of the fastest motion than explicit ones do, or than two of them \[rad\].
+const SHORT: [f64; 2] = [2.5, 5.0];
 /// Projections this far outside a face, in parts of its size, still count as on its edge.
 pub(super) const EDGE: f64 = 1e-9;
 /// Rounding of a node's coordinates on a face, in parts of its reach: a stretch is no better known.
@@ -65,18 +68,20 @@ pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Loc
 /// The switching functions of a closed contact: each is negative while the state lasts.
 pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local, t: f64) -> f64 {
     let active = &island.active[number];
-    // A copy only where the slip's direction has moved on.
-    let turned = active.angle.map(|_| island.closed_at(number, t));
-    let closed = turned.as_ref().unwrap_or(&active.closed);
-    let site: &ContactSite = &model.contacts[active.site];
     match reason {
         Reason::Opening => here.gap,
-        Reason::Switching => closed.law.switch(&closed.mode, here) - eased(closed, here),
         Reason::Edge => {
+            let site: &ContactSite = &model.contacts[active.site];
             let outside = -(site.face.inset_at(here.at) + EDGE * site.face.size());
             outside.max(here.penetration() - site.face.depth)
         }
-        Reason::Kink => {
+        Reason::Switching | Reason::Kink => {
+            // A copy only where the slip's direction has moved on.
+            let turned = active.angle.map(|_| island.closed_at(number, t));
+            let closed = turned.as_ref().unwrap_or(&active.closed);
+            if reason == Reason::Switching {
+                return closed.law.switch(&closed.mode, here) - eased(closed, here);
+            }
             let pull = closed.pull(here);
             if closed.slack { -pull } else { pull }
         }
@@ -95,10 +100,13 @@ pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Re
 /// The first events within the planned step and when; contacts whose event comes within `together` of the first change
 /// with it.
 pub(super) fn first_due(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
-    if island.pace().stiff {
-        first_of::<CLOSE_LOOKS>(model, island, together)
-    } else {
+    let phase = (island.until - island.from) * island.omega();
+    if !island.pace().stiff || phase <= SHORT[0] {
         first_of::<LOOKS>(model, island, together)
+    } else if phase <= SHORT[1] {
+        first_of::<{ 2 * LOOKS - 1 }>(model, island, together)
+    } else {
+        first_of::<CLOSE_LOOKS>(model, island, together)
     }
 }
 
@@ -106,10 +114,13 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
-    let frames = times.map(|t| island.frames(model, t));
+    let (frames, bodies) = (island.frames(model, &times), island.slots.len());
     for number in 0..island.active.len() {
-        let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
+        let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * bodies..]));
         for reason in reasons(island, number) {
+            if reason == Reason::Edge && is_inside(model, island, number, &looks[0]) {
+                continue;
+            }
             let first = First { at: earliest, together };
             let hair = hair(model, island, number, reason, &looks[0]) + reluctance(island, number, reason, &looks);
             let values: [f64; N] =
@@ -140,6 +151,15 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     also_due(model, island, earliest + together, &mut due);
     due.dedup_by_key(|d| d.number);
     Some((earliest, due))
+}
+
+/// Whether a node stays on its face for the whole step, however it moves.
+fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
+    let active = &island.active[number];
+    let arms = arms(&model.contacts[active.site], here);
+    let far = [active.node, active.face].into_iter().zip(arms);
+    let far = far.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.from)));
+    function(model, island, number, Reason::Edge, here, island.from) < -far.sum::<f64>()
 }
 
 /// How far sliding that began again and again at one instant may go back along itself: as fast as its anchor, eased, moves
