@@ -20,6 +20,10 @@ pub(super) trait Entry:
     fn recip(self) -> Self;
     /// `self − x`.
     fn less(self, x: f64) -> Self;
+    /// What [`Self::over`] divides by a pivot with.
+    fn divisor(self) -> Self;
+    /// Divided by the pivot that this is the divisor of.
+    fn over(self, divisor: Self) -> Self;
 }
 
 impl Entry for f64 {
@@ -35,6 +39,14 @@ impl Entry for f64 {
 
     fn less(self, x: f64) -> Self {
         self - x
+    }
+
+    fn divisor(self) -> Self {
+        self
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        self / divisor
     }
 }
 
@@ -52,9 +64,18 @@ impl Entry for Complex64 {
     fn less(self, x: f64) -> Self {
         self - x
     }
+
+    /// A complex division costs as much as four products.
+    fn divisor(self) -> Self {
+        self.inv()
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        self * divisor
+    }
 }
 
-/// A factored matrix, rows after one another, with the order of its rows; its pivots stand in it as their reciprocals.
+/// A factored matrix, rows after one another, with the order of its rows; its pivots stand in it as their divisors.
 #[derive(Clone, Debug)]
 pub(super) struct Lu<T> {
     entries: Vec<T>,
@@ -99,11 +120,11 @@ impl<T: Entry> Lu<T> {
         }
         let (above, below) = self.entries.split_at_mut((k + 1) * n);
         let row = &mut above[k * n..];
-        row[k] = row[k].recip();
+        row[k] = row[k].divisor();
         let row = &*row;
         for other in below.chunks_exact_mut(n) {
             if other[k] != T::ZERO {
-                let factor = other[k] * row[k];
+                let factor = other[k].over(row[k]);
                 other[k] = factor;
                 for (entry, pivot) in other[k + 1..].iter_mut().zip(&row[k + 1..]) {
                     *entry -= factor * *pivot;
@@ -111,12 +132,6 @@ impl<T: Entry> Lu<T> {
             }
         }
         true
-    }
-
-    /// Size of the smallest pivot: how far the matrix is from singular.
-    pub(super) fn least_pivot(&self) -> f64 {
-        let n = self.rows.len();
-        (0..n).map(|k| self.entries[k * n + k].size()).fold(0.0, f64::max).recip()
     }
 
     /// Solves for `right`; the answer goes to `out`.
@@ -134,8 +149,16 @@ impl<T: Entry> Lu<T> {
             for (entry, x) in self.entries[i * n + i + 1..(i + 1) * n].iter().zip(&out[i + 1..]) {
                 sum -= *entry * *x;
             }
-            out[i] = sum * self.entries[i * n + i];
+            out[i] = sum.over(self.entries[i * n + i]);
         }
+    }
+}
+
+impl Lu<f64> {
+    /// Size of the smallest pivot: how far the matrix is from singular.
+    pub(super) fn least_pivot(&self) -> f64 {
+        let n = self.rows.len();
+        (0..n).map(|k| self.entries[k * n + k].abs()).fold(f64::INFINITY, f64::min)
     }
 }
 

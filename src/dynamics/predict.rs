@@ -17,7 +17,7 @@ pub(super) const ARMED: f64 = 64.0;
 /// Rounding of a time, with room for that of a root.
 const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Looks at a gap per planned step.
-const LOOKS: usize = 3;
+const LOOKS: usize = 5;
 
 /// Looks at a pair anew from `t` and enters what is due.
 pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
