@@ -226,8 +226,8 @@ impl Engine {
     /// Length below which a turning direction of slip is eased: a part of the depth that the speed and the push at the
     /// entry lead to, or of the overlap, whichever is deepest \[m\].
     fn ease(&self, contact: usize, law: &Law, here: &Local, now: &Juncture) -> f64 {
-        // Without friction there is no force whose direction could turn.
-        if law.v_stick == 0.0 || law.friction == Friction::Paper || !law.has_friction() {
+        // Without sliding friction there is no force whose direction could turn.
+        if law.v_stick == 0.0 || law.friction == Friction::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
         let radian = self.pairs[self.contacts[contact].pair].together * 1e9;
