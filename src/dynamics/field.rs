@@ -133,12 +133,12 @@ impl Sliding {
     }
 
     /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
-    fn turns(&mut self, slider: usize, closed: &Closed, forces: &Forces) {
+    fn turns(&mut self, slider: usize, closed: &Closed, here: &Local, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
         let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
-        let friction = closed.law.mu_k * forces.normal;
+        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
         let slowing = if speed < least { -friction / least } else { 0.0 };
         self.against[slider] = against;
         self.channels.push(Channel {
@@ -192,7 +192,7 @@ impl Field<'_> {
                 slider += 1;
             } else if at_once {
                 if !self.sliding.held {
-                    self.sliding.turns(slider, closed, &action.forces);
+                    self.sliding.turns(slider, closed, &action.here, &action.forces);
                 }
                 slider += 1;
             }

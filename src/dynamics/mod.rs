@@ -5,6 +5,7 @@
 //! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
 
 mod agenda;
+mod allowance;
 mod approach;
 pub mod bearing;
 pub mod body_state;

@@ -132,7 +132,7 @@ pub struct Model {
     pub kind: Kind,
     /// How long \[s\].
     pub duration: f64,
-    /// Local error per step, relative.
+    /// Local error per step, relative; less per step in runs of many thousands, whose errors add up.
     pub tolerance: f64,
     /// Numbers of the impact model.
     pub impact: ImpactSettings,

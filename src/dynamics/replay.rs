@@ -203,7 +203,8 @@ fn landed(member: Member, t: f64, past: &Past<'_>) -> Planar {
 fn active(seat: Seat, bodies: &[usize], past: &Past<'_>) -> Option<Active> {
     let site = &past.model.contacts[seat.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
-    let closed: Closed = past.logs[seat.site as usize].closed(seat.entry)?;
+    // Steps that begin at a face are kept as they were.
+    let closed = Closed { at_face: false, ..past.logs[seat.site as usize].closed(seat.entry)? };
     Some(Active {
         site: seat.site as usize,
         node: index(site.node_body),

@@ -144,6 +144,15 @@ impl Stepper {
         }
     }
 
+    /// Takes an explicit step that is part of one within the tolerance: its continuous answer; `y` becomes the state at its
+    /// end.
+    pub(super) fn again(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Dense {
+        self.rk.start(system, t, y);
+        // Its estimate is known to be small enough.
+        let _ = self.rk.attempt(system, t, y, h);
+        self.rk.accept(system, t, y, h)
+    }
+
     /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
     fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.pace.stiff {

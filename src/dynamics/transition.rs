@@ -95,7 +95,7 @@ impl Engine {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let ease = self.ease(contact, &law, &here, now);
-        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
+        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -127,7 +127,7 @@ impl Engine {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
+                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
                 closed.slack = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {

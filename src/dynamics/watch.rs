@@ -167,6 +167,12 @@ fn is_sticking(island: &Island, number: usize) -> bool {
     matches!(island.active[number].closed.mode, Mode::Stick { .. })
 }
 
+/// Whether a node is within rounding of its face and, at its speed, stays there for a radian.
+pub(super) fn is_at_face(site: &ContactSite, here: &Local, omega: f64) -> bool {
+    let entry = ENTRY * site.reach();
+    here.gap > -entry && here.gap_rate > -entry * omega
+}
+
 /// Whether a node has just come through the face: its gap is rounding of either sign, and so are its forces.
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let size = model.contacts[island.active[number].site].reach();
