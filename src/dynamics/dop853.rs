@@ -83,6 +83,12 @@ impl Dense {
         }
     }
 
+    /// One component at `t`.
+    #[inline]
+    pub(super) fn component(&self, i: usize, t: f64) -> f64 {
+        Self::value(&self.coefficients[i], (t - self.from) / self.step)
+    }
+
     /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
     #[inline]
     pub(super) fn value(c: &[f64; DENSE], x: f64) -> f64 {

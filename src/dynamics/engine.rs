@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Model;
+use super::abreast::Abreast;
 use super::agenda::{Agenda, Item};
 use super::approach::Spot;
 use super::body_state;
@@ -66,6 +67,8 @@ pub(super) struct PairTrack {
     pub sharers: usize,
     /// Two events closer than this are one \[s\].
     pub together: f64,
+    /// Its one gap, where it has one as long as its bodies move along an axis.
+    pub abreast: Option<Abreast>,
 }
 
 /// A contact of the group.
@@ -205,7 +208,8 @@ impl Engine {
             let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
             let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
             let contacts = from..self.contacts.len();
-            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together });
+            let abreast = Abreast::of(&model, number, &self.contacts[from..]);
+            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, abreast });
         }
         for same in nodes.values().filter(|same| same.len() > 1) {
             for &contact in same {

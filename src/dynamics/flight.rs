@@ -170,9 +170,16 @@ impl System {
     /// The same by the ground's phase.
     fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
         let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
-        let q = |d: &Dof| d.steady.0 * s + d.steady.1 * c;
-        let v = |d: &Dof| omega * (d.steady.0 * c - d.steady.1 * s);
-        [q(&dof[0]), q(&dof[1]), q(&dof[2]), v(&dof[0]), v(&dof[1]), v(&dof[2])]
+        let [x, y, turn] = [0, 1, 2].map(|i| dof[i].steady([s, c], omega));
+        [x[0], y[0], turn[0], x[1], y[1], turn[1]]
+    }
+
+    /// One direction of a flight whose free motion and steady response are parted, and its free part at the start.
+    pub(super) fn along(&self, flight: &Flight, i: usize) -> Option<(&Dof, [f64; 2])> {
+        match (&flight.form, &self.form) {
+            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => Some((&dof[i], parts[i])),
+            _ => None,
+        }
     }
 
     fn augmented(&self, t: f64, state: &Planar) -> coupled::State {
@@ -325,8 +332,15 @@ impl System {
 }
 
 impl Dof {
+    /// Steady response and its rate by sine and cosine of the ground's phase.
     #[inline]
-    fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
+    pub(super) fn steady(&self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
+        let (re, im) = self.steady;
+        [re * s + im * c, drive * (re * c - im * s)]
+    }
+
+    #[inline]
+    pub(super) fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
         if self.free { self.oscillator.advance(part, force, tau) } else { part }
     }
 

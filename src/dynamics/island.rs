@@ -6,6 +6,7 @@ use super::dop853::{self, Dense};
 use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
 use super::flight::Planar;
+use super::line::Line;
 use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
@@ -59,6 +60,9 @@ pub(super) struct Island {
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
     sliding: Sliding,
+    line: Option<Line>,
+    /// Whether its bodies are in that line as it stands.
+    in_line: bool,
 }
 
 /// Why a step could not be made.
@@ -110,8 +114,12 @@ impl Island {
             wrenches: Vec::new(),
             rates: Vec::new(),
             sliding: Sliding::default(),
+            line: None,
+            in_line: false,
         };
         island.sliding = Sliding::of(&island.active);
+        island.line = Line::of(model, &island.bodies, &island.active);
+        island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
     }
@@ -132,6 +140,7 @@ impl Island {
             active: &self.active,
             piece,
             scale,
+            line: self.line.as_ref(),
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,
             rates: &mut self.rates,
@@ -264,6 +273,18 @@ impl Island {
         self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
     }
 
+    /// The first of the contacts that are as deep as this one all along.
+    pub(super) fn first_like(&self, contact: usize) -> usize {
+        self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
+    }
+
+    /// The planned step's answer where its bodies are in line with an axis, and where the place of one of them along it
+    /// stands in it.
+    pub(super) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize)> {
+        let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
+        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * body_state::PLANAR + axis))
+    }
+
     /// A contact's state with its slip direction as it is at `t`.
     pub(super) fn closed_at(&self, number: usize, t: f64) -> Closed {
         let active = &self.active[number];
@@ -325,7 +346,10 @@ impl Island {
         if !self.active.is_empty() {
             speed2 = 0.0;
         }
-        for active in &self.active {
+        for (number, active) in self.active.iter().enumerate() {
+            if self.first_like(number) != number {
+                continue;
+            }
             let here = active.look(model, &self.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {

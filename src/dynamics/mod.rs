@@ -4,6 +4,7 @@
 //! behind. A girder that touches nothing flies in closed form ([`flight`]); girders that touch are integrated together
 //! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
 
+mod abreast;
 mod agenda;
 mod approach;
 pub mod bearing;
@@ -24,6 +25,7 @@ mod happening;
 pub mod impact2d;
 mod island;
 mod keeping;
+mod line;
 mod lu;
 mod model;
 pub mod oscillator;

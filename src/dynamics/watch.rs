@@ -107,7 +107,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let frames = times.map(|t| island.frames(model, t));
-    for number in 0..island.active.len() {
+    for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
             let first = First { at: earliest, together };
@@ -137,6 +137,12 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
         return None;
     }
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + together).map(|(_, due)| *due).collect();
+    let like = |d: &Due| {
+        let Due { number, reason } = *d;
+        let others = (number + 1..island.active.len()).filter(move |&other| island.first_like(other) == number);
+        others.map(move |number| Due { number, reason })
+    };
+    due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
     also_due(model, island, earliest + together, &mut due);
     due.dedup_by_key(|d| d.number);
     Some((earliest, due))
