@@ -5,12 +5,12 @@
 //! ([`search`], [`prowl`](super::prowl)). Pairs of which a side turns or moves across, or of which some contacts are
 //! closed or behind the face, are for [`predict`](super::predict).
 
+use super::dof::Dof;
 use super::dop853::Dense;
 use super::engine::{ContactTrack, Engine, Trajectory};
-use super::flight::Dof;
 use super::predict::RESOLUTION;
 use super::prowl::{Look, Prowl};
-use super::search::{Found, Outlook, first_crossing};
+use super::search::{Found, Outlook, first_crossing_from};
 use super::track::Contact;
 use super::{Model, approach, line, relative};
 use crate::scene::Kind;
@@ -184,7 +184,8 @@ impl<'a> Gauge<'a> {
     fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
         let model = &self.engine.model;
         let until = approach::horizon(&model.ground, t, model.duration);
-        if self.outlook(t, model.duration).out_of_reach {
+        let here = self.outlook(t, model.duration);
+        if here.out_of_reach {
             return (f64::INFINITY, None, 1);
         }
         let mut looks = 1;
@@ -192,7 +193,7 @@ impl<'a> Gauge<'a> {
             looks += 1;
             self.outlook(at, until)
         };
-        match first_crossing(ask, t, until, true, resolution) {
+        match first_crossing_from(here, ask, [t, until], true, resolution) {
             Found::Crossing(at) => (at, Some(at), looks),
             Found::NoneUntil(at) if at >= model.duration => (f64::INFINITY, None, looks),
             Found::NoneUntil(at) => (at, None, looks),

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::flight::{Dof, Planar, System, SystemForm};
+use super::dof::Dof;
+use super::flight::{Planar, System, SystemForm};
 
 /// Bounds on a motion over `[t, t + window]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

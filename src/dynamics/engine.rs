@@ -173,6 +173,10 @@ impl Engine {
     fn gather(&mut self, number: usize) {
         let model = Arc::clone(&self.model);
         let group = model.groups[number].as_slice();
+        let pairs = model.group_pairs[number].as_slice();
+        self.bodies.reserve_exact(group.len());
+        self.pairs.reserve_exact(pairs.len());
+        self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             let planar = model.kind == Kind::Planar;
@@ -181,14 +185,12 @@ impl Engine {
             let now = Trajectory::Flight(rest);
             self.bodies.push(BodyTrack { body, system, now, path: BodyPath::default(), pairs: Vec::new() });
         }
-        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
-        for &number in &model.group_pairs[number] {
+        for &number in pairs {
             let pair = &model.pairs[number];
             let slots = pair.bodies.map(slot);
             let from = self.contacts.len();
             for site in pair.contacts.clone() {
                 let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
-                nodes.entry((owners[0], &model.contacts[site].node)).or_default().push(self.contacts.len());
                 self.contacts.push(ContactTrack {
                     site,
                     pair: self.pairs.len(),
@@ -210,6 +212,21 @@ impl Engine {
             let contacts = from..self.contacts.len();
             let abreast = Abreast::of(&model, number, &self.contacts[from..]);
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, abreast });
+        }
+        self.find_rivals(pairs);
+    }
+
+    /// Tells the contacts of each node of one another, where a side is in more than one pair.
+    fn find_rivals(&mut self, pairs: &[usize]) {
+        let model = Arc::clone(&self.model);
+        let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
+        sides.sort_unstable();
+        if sides.windows(2).all(|two| two[0] != two[1]) {
+            return;
+        }
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for (contact, track) in self.contacts.iter().enumerate() {
+            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
         }
         for same in nodes.values().filter(|same| same.len() > 1) {
             for &contact in same {

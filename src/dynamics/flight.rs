@@ -11,6 +11,7 @@ use super::Body;
 use super::bearing::is_diagonal;
 use super::bound::Bound;
 use super::coupled::{self, Coupled};
+use super::dof::{Dof, PieceStep};
 use super::oscillator::{Free, Oscillator};
 use crate::motion::{Ground, LinearPiece};
 
@@ -41,25 +42,6 @@ pub struct System {
 pub(super) enum SystemForm {
     Split { dof: [Dof; 3], step: Option<Box<[PieceStep; 3]>> },
     Coupled(Box<Coupled>),
-}
-
-/// One direction of a girder without eccentricity.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Dof {
-    pub(super) oscillator: Oscillator,
-    pub(super) free: bool,
-    /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
-    pub(super) steady: (f64, f64),
-    /// Its amplitude.
-    pub(super) amplitude: f64,
-}
-
-/// Factors that carry one direction across a whole interval of a record.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PieceStep {
-    free: Free,
-    s1: f64,
-    s2: f64,
 }
 
 /// One stretch of free motion.
@@ -331,31 +313,6 @@ impl System {
     }
 }
 
-impl Dof {
-    /// Steady response and its rate by sine and cosine of the ground's phase.
-    #[inline]
-    pub(super) fn steady(&self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
-        let (re, im) = self.steady;
-        [re * s + im * c, drive * (re * c - im * s)]
-    }
-
-    #[inline]
-    pub(super) fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
-        if self.free { self.oscillator.advance(part, force, tau) } else { part }
-    }
-
-    fn step(&self, step: &PieceStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
-        if !self.free {
-            return [q, v];
-        }
-        let f = &step.free;
-        [
-            q * f.c + v * f.s + c0 * step.s1 + c1 * step.s2,
-            -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
-        ]
-    }
-}
-
 fn first_six(z: &coupled::State) -> Planar {
     [z[0], z[1], z[2], z[3], z[4], z[5]]
 }
@@ -399,11 +356,7 @@ fn split(
             }
         }
         Ground::Record { dt, .. } => {
-            step = Some(Box::new(dof.map(|d| {
-                let free = d.oscillator.free(*dt);
-                let (s1, s2) = d.oscillator.forced(*dt, &free);
-                PieceStep { free, s1, s2 }
-            })));
+            step = Some(Box::new(dof.map(|d| PieceStep::of(&d.oscillator, *dt))));
         }
     }
     Some(SystemForm::Split { dof, step })

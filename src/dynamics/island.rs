@@ -11,7 +11,7 @@ use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
-use crate::contact::{Frame, Mode, law::Friction};
+use crate::contact::{Frame, Mode};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -85,7 +85,7 @@ impl Island {
     ) -> Self {
         let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
-            if let Some(angle) = turning(&a.closed) {
+            if let Some(angle) = a.closed.turning() {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
@@ -375,16 +375,6 @@ impl Island {
 fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
     let (from, [place, turn]) = (index * body_state::width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
     [from..from + place, from + place..from + turn]
-}
-
-/// Angle of a slip whose direction turns on its own, which the integrator must carry.
-fn turning(closed: &Closed) -> Option<f64> {
-    match closed.mode {
-        Mode::Slip { direction } if closed.ease > 0.0 && closed.law.friction == Friction::ReturnMapping => {
-            Some(direction.to_angle())
-        }
-        _ => None,
-    }
 }
 
 /// Keeps the quaternions of spatial bodies at length 1.

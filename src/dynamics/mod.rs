@@ -13,6 +13,7 @@ pub mod bound;
 pub mod contact_log;
 pub mod coupled;
 mod declare;
+mod dof;
 pub mod dop853;
 mod dop853_coefficients;
 pub mod engine;

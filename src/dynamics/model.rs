@@ -1,5 +1,7 @@
 //! A scene compiled for computing: bodies, faces, facing pairs, contacts, ground.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec3};
 
 use super::bearing::{Bearing, PlanarBearings, Quantities, carry};
@@ -103,7 +105,7 @@ pub struct ContactSite {
     /// `deck.corner1`, as tables call the node.
     pub node: String,
     /// Name of the face, `wall` or `deck-x`.
-    pub face_name: String,
+    pub face_name: Arc<str>,
     /// Its pair.
     pub pair: usize,
     /// The body that owns the node; nothing for an abutment's corner.
@@ -180,11 +182,11 @@ impl Model {
         };
         let bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
         let mut pairs = Vec::with_capacity(facings.len());
-        let mut contacts = Vec::new();
+        let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
         for facing in facings {
             let from = contacts.len();
             let number = pairs.len();
-            contacts.extend(declare::contacts(scene, &bodies, &facing, number)?);
+            declare::contacts(scene, &bodies, &facing, number, &mut contacts)?;
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
         }

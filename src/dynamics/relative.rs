@@ -5,7 +5,8 @@
 //! look at it is needed until somebody is hit.
 
 use super::bound::Bound;
-use super::flight::{Dof, Planar, System, SystemForm};
+use super::dof::Dof;
+use super::flight::{Planar, System, SystemForm};
 
 /// Oscillators that differ by no more than this part are one but for rounding.
 const ALIKE: f64 = 1e-12;

@@ -3,7 +3,7 @@
 use super::flight::Flight;
 use super::impact2d::slide::Slide;
 use super::piece::Piece;
-use crate::contact::{Forces, Law, Local, Mode};
+use crate::contact::{Forces, Law, Local, Mode, law::Friction};
 
 /// One stretch of a body's path.
 #[derive(Clone, Debug)]
@@ -75,6 +75,16 @@ impl Closed {
             forces.normal_damping = -forces.normal;
         }
         forces
+    }
+
+    /// Angle of a slip whose direction turns on its own, which an integrator must carry \[rad\].
+    pub fn turning(&self) -> Option<f64> {
+        match self.mode {
+            Mode::Slip { direction } if self.ease > 0.0 && self.law.friction == Friction::ReturnMapping => {
+                Some(direction.to_angle())
+            }
+            _ => None,
+        }
     }
 
     /// How much the dashpot out-pulls the spring \[N\].

@@ -2,14 +2,14 @@
 
 use glam::{DMat2, DVec2};
 
-use super::engine::Engine;
+use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, ROUNDING, Reason};
 use super::{body_state, penalty3d};
 use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
-use crate::scene::{FrictionLaw, Sharing, Tension};
+use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
 /// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
 pub(super) const V_STICK: f64 = 1e-6;
@@ -110,7 +110,13 @@ impl Engine {
     /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
     /// ignored.
     pub(super) fn close_overlapping(&mut self, now: &Juncture) {
+        let at_home: Vec<bool> = now.frames.iter().zip(&now.slots).map(|(f, &slot)| self.stands(slot, f)).collect();
         for contact in 0..self.contacts.len() {
+            let ContactTrack { slots, spot, .. } = &self.contacts[contact];
+            // The slots are all there are, so their numbers are their places.
+            if spot.home_gap >= 0.0 && slots.iter().flatten().all(|&slot| at_home[slot]) {
+                continue;
+            }
             let here = self.local(contact, now);
             let face = &self.model.contacts[self.contacts[contact].site].face;
             if here.gap >= 0.0 {
@@ -136,6 +142,12 @@ impl Engine {
             self.contacts[contact].state = state;
             self.contacts[contact].log.push(0.0, state);
         }
+    }
+
+    /// Whether a body stands in plan as it was placed.
+    fn stands(&self, slot: usize, frame: &Frame) -> bool {
+        let body = &self.model.bodies[self.bodies[slot].body];
+        self.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.rotation == body.axes
     }
 
     /// Events 2–4 of a closed contact.
