@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use girderbench::scene::{format, validate};
-use girderbench::study::stability::{self, Check, Outcome, examine, family};
+use girderbench::study::stability::{self, Check, Limits, Outcome, examine, family};
 
 /// Seeds examined here; `GIRDERBENCH_SEEDS` asks for another number, `GIRDERBENCH_FROM` for another first one.
 const SEEDS: u64 = 500;
@@ -19,6 +19,11 @@ const SLOW: &[u64] = &[7, 49, 58, 126, 128, 192, 321, 471, 478];
 /// steps of what it holds (1192, 7360), millions of looks at girders that swing together (3729).
 const ONCE: &[u64] = &[776, 1040, 1150, 1192, 1274, 1502, 1570, 1794, 1807, 2238, 3552, 3729, 7285, 7360, 7434, 7617];
 
+/// No end of patience; as many events as the command asks for by itself.
+const ENOUGH: Limits = Limits { patience: f64::INFINITY, events: 20_000 };
+/// Two ticks of a clock.
+const PATIENT: Limits = Limits { patience: 2.0, events: 20_000 };
+
 fn asked_by(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
 }
@@ -33,7 +38,7 @@ fn every_seed_passes_every_check() {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let (from, seeds) = (asked_by("GIRDERBENCH_FROM", 0), asked_by("GIRDERBENCH_SEEDS", SEEDS));
     let wanted: Vec<u64> = (from..from + seeds).filter(|seed| !SLOW.contains(seed)).collect();
-    let verdicts = stability::run_seeds(&wanted, threads, f64::INFINITY, &no_clock, &|_| ());
+    let verdicts = stability::run_seeds(&wanted, threads, ENOUGH, &no_clock, &|_| ());
     let said = |v: &stability::Verdict| format!("seed {} ({}): {:?}", v.seed, v.family, v.examined.outcome);
     let failed: Vec<String> = verdicts.iter().filter(|v| v.examined.outcome != Outcome::Passed).map(said).collect();
     let touches: usize = verdicts.iter().map(|v| v.examined.figures.touches).sum();
@@ -44,7 +49,7 @@ fn every_seed_passes_every_check() {
 #[test]
 fn seeds_that_failed_once_pass() {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    for verdict in stability::run_seeds(ONCE, threads, f64::INFINITY, &no_clock, &|_| ()) {
+    for verdict in stability::run_seeds(ONCE, threads, ENOUGH, &no_clock, &|_| ()) {
         assert_eq!(verdict.examined.outcome, Outcome::Passed, "seed {} ({})", verdict.seed, verdict.family);
     }
 }
@@ -99,12 +104,24 @@ fn impatience_panics_and_nonsense_are_told_apart() {
     };
     let ticks = std::sync::atomic::AtomicU32::new(0);
     let racing = || f64::from(ticks.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
-    assert_eq!(first(examine(&scene, &racing, 2.0).outcome), Some(Check::Time), "a clock that races");
+    assert_eq!(first(examine(&scene, &racing, PATIENT).outcome), Some(Check::Time), "a clock that races");
     let broken = || panic!("the clock is broken");
-    assert_eq!(first(examine(&scene, &broken, 2.0).outcome), Some(Check::Panic), "a clock that panics");
+    assert_eq!(first(examine(&scene, &broken, PATIENT).outcome), Some(Check::Panic), "a clock that panics");
     let mut nonsense = scene;
     nonsense.girders[0].mass = -1.0;
-    assert!(matches!(examine(&nonsense, &no_clock, 2.0).outcome, Outcome::Refused(_)), "no mass");
+    assert!(matches!(examine(&nonsense, &no_clock, PATIENT).outcome, Outcome::Refused(_)), "no mass");
+}
+
+#[test]
+fn a_scene_of_many_events_is_examined_up_to_those_asked_for() {
+    let (_, scene) = family::scene(13);
+    let whole = examine(&scene, &no_clock, ENOUGH);
+    assert!(whole.until.total_cmp(&scene.duration).is_eq() && whole.figures.events > 40, "{whole:?}");
+    let part = examine(&scene, &no_clock, Limits { events: 20, ..ENOUGH });
+    assert_eq!(part.outcome, Outcome::Passed, "its beginning");
+    assert!(part.until < whole.until && (20..40).contains(&part.figures.events), "{part:?}");
+    let alone = examine(&scene, &no_clock, Limits { events: whole.figures.events, ..ENOUGH });
+    assert_eq!(alone, whole, "as many as there are");
 }
 
 #[test]

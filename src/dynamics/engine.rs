@@ -251,6 +251,11 @@ impl Engine {
         if self.stop.is_some() { f64::INFINITY } else { self.agenda.first_time() }
     }
 
+    /// How many events have come up.
+    pub fn events(&self) -> usize {
+        self.events.len()
+    }
+
     /// How far the run has come \[s\].
     pub fn now(&self) -> f64 {
         if self.stop.is_none() && self.agenda.first_time() > self.model.duration {

@@ -103,7 +103,8 @@ impl Engine {
         let cap = model.duration.min(model.ground.next_kink(from));
         self.effort.steps += 1;
         let pace = island.pace();
-        let soon = if pace.stiff { soonest(self, &island, WORTHWHILE * pace.step) } else { f64::INFINITY };
+        let going_on = pace.stiff && pace.step > 0.0;
+        let soon = if going_on { soonest(self, &island, WORTHWHILE * pace.step) } else { f64::INFINITY };
         let outcome = island.plan(&model, cap, soon);
         if let Err(error) = outcome {
             let names: Vec<&str> =

@@ -88,6 +88,14 @@ impl Session {
         }
     }
 
+    /// How many events [`History::events`] would hold by now; the impact model keeps a record instead.
+    pub fn events(&self) -> usize {
+        match &self.engines {
+            Engines::Contact(engines) => engines.iter().map(Engine::events).sum(),
+            Engines::Impact(_) => 0,
+        }
+    }
+
     /// What is computed so far.
     pub fn finish(self) -> History {
         let beside = self.beside.map(|beside| beside.finish());

@@ -3,10 +3,15 @@
 //! CPU time of the process, all its threads together, and not the clock on the wall: a machine that others work on too
 //! gives the same figure, and a run on several threads is charged for all of them.
 
-use cpu_time::ProcessTime;
+use cpu_time::{ProcessTime, ThreadTime};
 
 /// Once a measurement has taken this long, it is not repeated any more \[s\].
 const ENOUGH: f64 = 1.5;
+
+/// Processor time that this thread has used \[s\]; not a number where the system keeps no such clock.
+pub fn thread_seconds() -> f64 {
+    ThreadTime::try_now().map_or(f64::NAN, |time| time.as_duration().as_secs_f64())
+}
 
 /// A value and how long it takes to get.
 #[derive(Clone, Copy, Debug)]

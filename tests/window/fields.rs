@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::harness::{open, press, settle};
+use super::harness::{open, press, reach_as, settle, type_in};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -116,27 +116,6 @@ fn every_key_of_the_scene_file_has_a_field_that_says_its_range_and_default() {
     assert!(silent.is_empty(), "fields that do not say what is allowed and what they are by themselves: {silent:#?}");
 }
 
-fn reach(harness: &mut Window, role: Role, label: &str) {
-    harness.get_by_role_and_label(role, label).scroll_to_me();
-    harness.run_steps(40);
-}
-
-/// Types a text into a field.
-fn type_in(harness: &mut Window, label: &str, text: &str) {
-    reach(harness, Role::SpinButton, label);
-    harness.get_by_role_and_label(Role::SpinButton, label).click();
-    settle(harness);
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    if text.is_empty() {
-        harness.key_press(Key::Delete);
-    } else {
-        harness.event(egui::Event::Text(text.into()));
-    }
-    settle(harness);
-    harness.key_press(Key::Enter);
-    settle(harness);
-}
-
 fn undo(harness: &mut Window) {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(harness);
@@ -224,7 +203,7 @@ fn a_reckoned_number_is_given_and_reckoned_again() {
     let before = width(&harness);
     type_in(&mut harness, "Face width", "0.5 m");
     assert_eq!(width(&harness), Some(0.5), "given");
-    reach(&mut harness, Role::Button, "Reset Face width");
+    reach_as(&mut harness, Role::Button, "Reset Face width");
     press(&mut harness, "Reset Face width");
     assert_eq!(width(&harness), None, "reckoned from the girder");
     undo(&mut harness);
@@ -257,7 +236,7 @@ fn the_face_of_a_wall_is_given_by_its_corners_and_back() {
 
 /// Opens a list by its name and takes one of its choices.
 fn choose(harness: &mut Window, list: &str, choice: &str) {
-    reach(harness, Role::ComboBox, list);
+    reach_as(harness, Role::ComboBox, list);
     harness.get_by_role_and_label(Role::ComboBox, list).click();
     harness.run_steps(20);
     let choices: Vec<_> = harness.query_all_by_role_and_label(Role::Button, choice).collect();
@@ -339,7 +318,7 @@ fn samples_are_typed_and_nonsense_among_them_is_said() {
     fold.click_accesskit();
     harness.run_steps(40);
     let write = |harness: &mut Window, words: &str| {
-        reach(harness, Role::MultilineTextInput, "Samples, m/s²");
+        reach_as(harness, Role::MultilineTextInput, "Samples, m/s²");
         harness.get_by_role_and_label(Role::MultilineTextInput, "Samples, m/s²").focus();
         settle(harness);
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -369,7 +348,7 @@ fn a_pair_that_is_not_found_by_itself_is_declared() {
     press(&mut harness, "Name a pair");
     let pairs = |h: &Window| h.state().scene().contact.pairs.clone();
     assert_eq!(pairs(&harness).len(), 1, "an entry");
-    reach(&mut harness, Role::CheckBox, "Entry 1: these ends only");
+    reach_as(&mut harness, Role::CheckBox, "Entry 1: these ends only");
     harness.get_by_role_and_label(Role::CheckBox, "Entry 1: these ends only").click();
     settle(&mut harness);
     assert!(pairs(&harness)[0].ends.is_some(), "with its ends");
@@ -394,7 +373,7 @@ fn stiffness_is_given_one_way_at_a_time() {
     choose(&mut harness, "Tension of all", "clamp");
     let contact = harness.state().scene().contact.clone();
     assert_eq!(format!("{:?} {:?}", contact.sharing, contact.tension), "PerNode Clamp", "chosen");
-    reach(&mut harness, Role::Button, "Reset Tension of all");
+    reach_as(&mut harness, Role::Button, "Reset Tension of all");
     press(&mut harness, "Reset Tension of all");
     assert_eq!(format!("{:?}", harness.state().scene().contact.tension), "Keep", "taken back");
 }

@@ -1,7 +1,7 @@
 //! What the window tests share: the whole workbench in a harness, and the mouse in its 3D view.
 
 use egui::accesskit::Role;
-use egui::{Pos2, Rect};
+use egui::{Key, Modifiers, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::Workbench;
@@ -57,8 +57,29 @@ pub(crate) fn press(harness: &mut Harness<'_, Workbench>, label: &str) {
 
 /// Scrolls a button into sight and lets its panel come to rest.
 pub(crate) fn reach(harness: &mut Harness<'_, Workbench>, label: &str) {
-    harness.get_by_role_and_label(Role::Button, label).scroll_to_me();
+    reach_as(harness, Role::Button, label);
+}
+
+/// Scrolls what is called so and has this role into sight.
+pub(crate) fn reach_as(harness: &mut Harness<'_, Workbench>, role: Role, label: &str) {
+    harness.get_by_role_and_label(role, label).scroll_to_me();
     harness.run_steps(40);
+}
+
+/// Types a text into a field.
+pub(crate) fn type_in(harness: &mut Harness<'_, Workbench>, label: &str, text: &str) {
+    reach_as(harness, Role::SpinButton, label);
+    harness.get_by_role_and_label(Role::SpinButton, label).click();
+    settle(harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    if text.is_empty() {
+        harness.key_press(Key::Delete);
+    } else {
+        harness.event(egui::Event::Text(text.into()));
+    }
+    settle(harness);
+    harness.key_press(Key::Enter);
+    settle(harness);
 }
 
 /// The 3D view on the screen.

@@ -1,6 +1,6 @@
 //! Every number of a scene in the inspector: bearings one by one, pairs, seats, pushes, the scene's own.
 
-use super::harness::{open, press, settle};
+use super::harness::{open, press, reach_as, settle, type_in};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -20,12 +20,6 @@ fn with(preset: &str, select: &[Target]) -> Window {
     harness
 }
 
-/// Scrolls to something and lets the panel come to rest.
-fn reach(harness: &mut Window, role: Role, label: &str) {
-    harness.get_by_role_and_label(role, label).scroll_to_me();
-    harness.run_steps(40);
-}
-
 fn button(harness: &mut Window, label: &str) {
     super::harness::reach(harness, label);
     press(harness, label);
@@ -37,18 +31,6 @@ fn unfold(harness: &mut Window, label: &str) {
     harness.run_steps(40);
     harness.get_by_label(label).click_accesskit();
     harness.run_steps(40);
-}
-
-/// Types a number into a field.
-fn type_in(harness: &mut Window, label: &str, text: &str) {
-    reach(harness, Role::SpinButton, label);
-    harness.get_by_role_and_label(Role::SpinButton, label).click();
-    settle(harness);
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    harness.event(egui::Event::Text(text.into()));
-    settle(harness);
-    harness.key_press(Key::Enter);
-    settle(harness);
 }
 
 #[test]
@@ -117,7 +99,7 @@ fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
     let mut harness = with(presets::OPENING, &[]);
     type_in(&mut harness, "Tolerance", "1e-8");
     assert!((harness.state().scene().solver.tolerance - 1e-8).abs() < 1e-20, "10⁻⁸");
-    reach(&mut harness, Role::ComboBox, "Motion in");
+    reach_as(&mut harness, Role::ComboBox, "Motion in");
     harness.get_by_role_and_label(Role::ComboBox, "Motion in").click();
     harness.run_steps(20);
     press(&mut harness, "space");
@@ -135,13 +117,13 @@ fn starts_pushes_and_seats_have_their_fields() {
     unfold(&mut harness, "Start, push, held");
     type_in(&mut harness, "Push moment", "0.2 N m");
     assert_eq!(harness.state().scene().girders[0].push.moment, 0.2, "as typed");
-    reach(&mut harness, Role::CheckBox, "held in yaw");
+    reach_as(&mut harness, Role::CheckBox, "held in yaw");
     harness.get_by_role_and_label(Role::CheckBox, "held in yaw").click();
     settle(&mut harness);
     let turned = harness.state().answer().expect("run").summary.max_rotation;
     assert_eq!(turned, 0.0, "held, it does not turn");
     unfold(&mut harness, "Seats");
-    reach(&mut harness, Role::CheckBox, "seat at +x");
+    reach_as(&mut harness, Role::CheckBox, "seat at +x");
     harness.get_by_role_and_label(Role::CheckBox, "seat at +x").click();
     settle(&mut harness);
     type_in(&mut harness, "Seat length", "8 mm");

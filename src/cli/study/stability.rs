@@ -8,7 +8,8 @@ use crate::cli::progress::{Progress, Timer};
 use crate::cli::{Console, Failure};
 use crate::files;
 use crate::scene::format;
-use crate::study::stability::{self, Asked, Verdict};
+use crate::study::clock::thread_seconds;
+use crate::study::stability::{self, Asked, Limits, Verdict};
 
 /// Random scenes over wide ranges: does every run end, balance, miss nothing and converge?
 #[derive(Clone, Debug, clap::Args)]
@@ -25,7 +26,10 @@ pub(in crate::cli) struct StabilityArgs {
     /// Seeds at once [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     threads: Option<u32>,
-    /// Longest that the runs of one seed may take [s]
+    /// Events after which a scene is long enough (not for those that shake for an hour)
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
+    events: u32,
+    /// Most processor time that the runs of one seed may take [s]
     #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive, allow_negative_numbers = true)]
     patience: f64,
 }
@@ -38,9 +42,10 @@ pub(in crate::cli) fn run(args: &StabilityArgs, console: &mut Console) -> Result
     let timer = Timer::start();
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.threads.map_or(cores, |n| n as usize);
-    let asked = Asked { from: args.from, seeds: args.seeds, threads, patience: args.patience };
+    let limits = Limits { patience: args.patience, events: args.events as usize };
+    let asked = Asked { from: args.from, seeds: args.seeds, threads, limits };
     let progress = Mutex::new((Progress::over(args.seeds as f64, "seeds"), 0.0));
-    let verdicts = stability::run(&asked, &|| timer.seconds(), &|_| {
+    let verdicts = stability::run(&asked, &thread_seconds, &|_| {
         if let Ok(mut shown) = progress.lock() {
             shown.1 += 1.0;
             let done = shown.1;

@@ -1,8 +1,9 @@
 //! One scene under examination: run it, and put every check to the answer.
 
 use super::check::{self, Check, Complaint, Figures};
-use super::watch::{Clock, NoAnswer, Watch};
+use super::watch::{Clock, Limits, NoAnswer, Watch};
 use crate::scene::Scene;
+use crate::sim::History;
 
 /// What came out for a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,16 +23,38 @@ pub struct Examined {
     pub outcome: Outcome,
     /// What was measured.
     pub figures: Figures,
+    /// How long the examined scene lasts: as it is, or until as many events have come up as were asked for \[s\].
+    pub until: f64,
 }
 
-/// Examines a scene within `patience` seconds; a panic is a failure like any other.
-pub fn examine(scene: &Scene, clock: Clock<'_>, patience: f64) -> Examined {
-    let watched = std::panic::AssertUnwindSafe(|| checked(scene, &Watch::new(clock, patience)));
-    std::panic::catch_unwind(watched).unwrap_or_else(|panic| failed(Check::Panic, message(panic.as_ref())))
+/// Examines a scene within limits; a panic is a failure like any other.
+///
+/// A scene with more events than asked for is examined as one that ends with the last of them: where contacts chatter or
+/// creep in jerks, millions of events say no more than the first ten thousands. What does not get that far fails.
+pub fn examine(scene: &Scene, clock: Clock<'_>, limits: Limits) -> Examined {
+    let watched = std::panic::AssertUnwindSafe(|| {
+        let watch = Watch::new(clock, limits.patience);
+        let first = watch.run_to(scene, limits.events);
+        match first.as_ref().ok().and_then(|history| enough(history, limits.events)) {
+            Some(duration) => {
+                let scene = Scene { duration, ..scene.clone() };
+                checked(&scene, watch.run(&scene), &watch)
+            }
+            None => checked(scene, first, &watch),
+        }
+    });
+    let panicked = |panic: Box<dyn std::any::Any + Send>| failed(scene, Check::Panic, message(panic.as_ref()));
+    std::panic::catch_unwind(watched).unwrap_or_else(panicked)
 }
 
-fn failed(check: Check, detail: String) -> Examined {
-    Examined { outcome: Outcome::Failed(vec![Complaint::new(check, detail)]), figures: Figures::default() }
+/// When the last event came that was asked for \[s\], in a run that goes on beyond it.
+fn enough(history: &History, events: usize) -> Option<f64> {
+    history.stop().is_none().then(|| history.events().get(events).map(|event| event.t))?
+}
+
+fn failed(scene: &Scene, check: Check, detail: String) -> Examined {
+    let outcome = Outcome::Failed(vec![Complaint::new(check, detail)]);
+    Examined { outcome, figures: Figures::default(), until: scene.duration }
 }
 
 /// What a panic said.
@@ -40,16 +63,17 @@ fn message(panic: &(dyn std::any::Any + Send)) -> String {
     text.unwrap_or("a panic without a message").to_owned()
 }
 
-fn checked(scene: &Scene, watch: &Watch<'_>) -> Examined {
-    let history = match watch.run(scene) {
+fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> Examined {
+    let until = scene.duration;
+    let history = match ran {
         Ok(history) => history,
         Err(NoAnswer::Refused(errors)) => {
-            return Examined { outcome: Outcome::Refused(errors.to_string()), figures: Figures::default() };
+            return Examined { outcome: Outcome::Refused(errors.to_string()), figures: Figures::default(), until };
         }
-        Err(NoAnswer::Slow(t)) => return failed(Check::Time, format!("came to {t} s of {} s", scene.duration)),
+        Err(NoAnswer::Slow(t)) => return failed(scene, Check::Time, format!("came to {t} s of {} s", scene.duration)),
     };
     if let Some(stop) = history.stop() {
-        return failed(Check::Finishes, format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
+        return failed(scene, Check::Finishes, format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
     }
     let (mut complaints, mut figures) = (Vec::new(), Figures::default());
     check::answer(&history, &mut figures, &mut complaints);
@@ -57,5 +81,5 @@ fn checked(scene: &Scene, watch: &Watch<'_>) -> Examined {
         check::convergence(&history, watch, &mut figures, &mut complaints);
     }
     let outcome = if complaints.is_empty() { Outcome::Passed } else { Outcome::Failed(complaints) };
-    Examined { outcome, figures }
+    Examined { outcome, figures, until }
 }

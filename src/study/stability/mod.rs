@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub use check::{Check, Complaint, Figures};
 pub use examine::{Examined, Outcome, examine};
 pub use report::{csv, markdown};
-pub use watch::Clock;
+pub use watch::{Clock, Limits};
 
 use crate::scene::{Kind, Scene};
 
@@ -31,8 +31,8 @@ pub struct Asked {
     pub seeds: u64,
     /// How many at once.
     pub threads: usize,
-    /// Longest that the runs of one seed may take \[s\].
-    pub patience: f64,
+    /// What the runs of one seed may take.
+    pub limits: Limits,
 }
 
 /// What came out for a seed.
@@ -46,7 +46,7 @@ pub struct Verdict {
     pub kind: Kind,
     /// How many girders.
     pub girders: usize,
-    /// How long its scene lasts \[s\].
+    /// How long its scene lasts \[s\]; what was examined of it is shorter where very many events come up.
     pub duration: f64,
     /// Its tolerance.
     pub tolerance: f64,
@@ -58,17 +58,19 @@ pub struct Verdict {
     pub seconds: f64,
 }
 
-/// Examines one seed, and shrinks its scene where it fails.
-pub fn seed(seed: u64, clock: Clock<'_>, patience: f64) -> Verdict {
+/// Examines one seed, and shrinks its scene where it fails. The hours last an hour, whatever comes up in them.
+pub fn seed(seed: u64, clock: Clock<'_>, limits: Limits) -> Verdict {
     let (family, scene) = family::scene(seed);
+    let events = if family == family::HOURS { usize::MAX } else { limits.events };
+    let limits = Limits { events, ..limits };
     let started = clock();
-    let examined = examine(&scene, clock, patience);
+    let examined = examine(&scene, clock, limits);
     let seconds = clock() - started;
     let small = match &examined.outcome {
         Outcome::Failed(complaints) => complaints.first().map(|complaint| {
             let mut failing = scene.clone();
             failing.solver.tolerance = complaint.tolerance.unwrap_or(scene.solver.tolerance);
-            shrink::shrink(&failing, complaint.check, clock, patience)
+            shrink::shrink(&failing, complaint.check, clock, limits)
         }),
         _ => None,
     };
@@ -88,32 +90,36 @@ pub fn seed(seed: u64, clock: Clock<'_>, patience: f64) -> Verdict {
 /// Examines what was asked for, in the order of the seeds whoever does them; `told` hears of each.
 pub fn run(asked: &Asked, clock: Clock<'_>, told: &(dyn Fn(&Verdict) + Sync)) -> Vec<Verdict> {
     let seeds: Vec<u64> = (0..asked.seeds).map(|number| asked.from.wrapping_add(number)).collect();
-    run_seeds(&seeds, asked.threads, asked.patience, clock, told)
+    run_seeds(&seeds, asked.threads, asked.limits, clock, told)
 }
 
 /// The same for any seeds.
 pub fn run_seeds(
     seeds: &[u64],
     threads: usize,
-    patience: f64,
+    limits: Limits,
     clock: Clock<'_>,
     told: &(dyn Fn(&Verdict) + Sync),
 ) -> Vec<Verdict> {
     let next = AtomicUsize::new(0);
     let verdicts = Mutex::new(Vec::new());
-    // Threads of their own: one of a pool that waits for a part of its run would take up another seed meanwhile, and
-    // that seed's time would count as its own.
+    // Each thread is a pool of its own, so that the clock of a thread sees all that its seed does and nothing else.
+    let alone = || rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let work = || {
+        while let Some(&number) = seeds.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let verdict = seed(number, clock, limits);
+            told(&verdict);
+            if let Ok(mut all) = verdicts.lock() {
+                all.push(verdict);
+            }
+        }
+    };
     std::thread::scope(|scope| {
         for _ in 0..threads.max(1) {
-            scope.spawn(|| {
-                loop {
-                    let Some(&number) = seeds.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
-                    let verdict = seed(number, clock, patience);
-                    told(&verdict);
-                    if let Ok(mut all) = verdicts.lock() {
-                        all.push(verdict);
-                    }
-                }
+            scope.spawn(|| match alone() {
+                Ok(pool) => pool.install(work),
+                // No thread is left: this one does it, and groups of bodies ask the common pool.
+                Err(_) => work(),
             });
         }
     });
@@ -126,6 +132,11 @@ impl Verdict {
     /// Whether a check failed.
     pub fn failed(&self) -> bool {
         matches!(self.examined.outcome, Outcome::Failed(_))
+    }
+
+    /// Whether only the beginning of its scene was examined, for its many events.
+    pub fn cut(&self) -> bool {
+        self.examined.until < self.duration
     }
 
     /// Complaints, if there are any.

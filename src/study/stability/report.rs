@@ -12,7 +12,7 @@ const SLOWEST: usize = 10;
 /// Every seed in a row of comma-separated values.
 pub fn csv(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
-        "seed,family,kind,girders,duration_s,tolerance,outcome,checks,touches,events,residual,missed_m,cone,creates,gives_back,error_m,finer_error_m,trusted_s,seconds\n",
+        "seed,family,kind,girders,duration_s,examined_s,tolerance,outcome,checks,touches,events,residual,missed_m,cone,creates,gives_back,error_m,finer_error_m,trusted_s,seconds\n",
     );
     for v in verdicts {
         let f = &v.examined.figures;
@@ -20,12 +20,13 @@ pub fn csv(verdicts: &[Verdict]) -> String {
         // Writing to a string does not fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{:?},{:e},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
+            "{},{},{},{},{:?},{:e},{:e},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
             v.seed,
             v.family,
             if v.kind == Kind::Planar { "planar" } else { "spatial" },
             v.girders,
             v.duration,
+            v.examined.until,
             v.tolerance,
             outcome(v),
             checks.join(" "),
@@ -59,7 +60,7 @@ pub fn markdown(asked: &Asked, verdicts: &[Verdict], wall: f64) -> String {
     let cpu: f64 = verdicts.iter().map(|v| v.seconds).sum();
     let mut page = format!(
         "# Stability: {} seeds from {}\n\n{} passed, {} failed, {} refused by validation; {:.1} s on {} threads, {:.4} s a \
-         seed, {} s of patience each.\n",
+         seed, {} s of patience each. Of {} only the first {} events were examined.\n",
         verdicts.len(),
         asked.from,
         count("passed"),
@@ -68,7 +69,9 @@ pub fn markdown(asked: &Asked, verdicts: &[Verdict], wall: f64) -> String {
         wall,
         asked.threads,
         cpu / (verdicts.len().max(1)) as f64,
-        asked.patience,
+        asked.limits.patience,
+        verdicts.iter().filter(|v| v.cut()).count(),
+        asked.limits.events,
     );
     families(&mut page, verdicts);
     checks(&mut page, verdicts);

@@ -3,7 +3,7 @@
 use super::check::Check;
 use super::dice::three_digits;
 use super::examine::{Outcome, examine};
-use super::watch::{Clock, Watch};
+use super::watch::{Clock, Limits, Watch};
 use crate::scene::{Bearings, Initial, Motion, Push, Scene};
 
 /// Examinations that one shrinking may take.
@@ -32,13 +32,13 @@ const STEPS: &[Step] = &[
 ];
 
 /// The smallest scene found that fails in the same check.
-pub(super) fn shrink(scene: &Scene, check: Check, clock: Clock<'_>, patience: f64) -> Scene {
-    let watch = Watch::new(clock, PATIENCES * patience);
+pub(super) fn shrink(scene: &Scene, check: Check, clock: Clock<'_>, limits: Limits) -> Scene {
+    let watch = Watch::new(clock, PATIENCES * limits.patience);
     let mut left = MOST;
     smallest(scene, |smaller| {
         let go_on = left > 0 && !watch.is_over();
         left = left.saturating_sub(1);
-        go_on && fails(smaller, check, clock, patience)
+        go_on && fails(smaller, check, clock, limits)
     })
 }
 
@@ -62,8 +62,8 @@ fn smallest(scene: &Scene, mut still_fails: impl FnMut(&Scene) -> bool) -> Scene
     }
 }
 
-fn fails(scene: &Scene, check: Check, clock: Clock<'_>, patience: f64) -> bool {
-    match examine(scene, clock, patience).outcome {
+fn fails(scene: &Scene, check: Check, clock: Clock<'_>, limits: Limits) -> bool {
+    match examine(scene, clock, limits).outcome {
         Outcome::Failed(complaints) => complaints.iter().any(|c| c.check == check),
         _ => false,
     }

@@ -1,4 +1,5 @@
-//! A wall-clock watch over runs: what takes too long is ended and said so. The physics itself knows no clock.
+//! A watch over runs: what takes too long is ended and said so, and what has seen enough is cut. The physics itself
+//! knows no clock.
 
 use crate::scene::{Scene, SceneErrors};
 use crate::sim::{History, Session};
@@ -6,8 +7,20 @@ use crate::sim::{History, Session};
 /// Seconds since some start; who may look at a clock passes it in.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 
-/// Portions after which a run looks at the clock; [`Session::advance`] divides each by 200 more.
-const PORTIONS: u32 = 50;
+/// What the runs of one seed may take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Seconds of the clock.
+    pub patience: f64,
+    /// Events after which a run is long enough.
+    pub events: usize,
+}
+
+/// Portions of a run, each [`GROWTH`] times the one before it: whatever its pace, few more events come up than are
+/// asked for. [`Session::advance`] looks at the clock 200 times in each.
+const PORTIONS: i32 = 100;
+/// How fast portions grow: the first is 1e-8 of the run.
+const GROWTH: f64 = 1.2;
 
 /// A clock and the time until which there is patience.
 #[derive(Clone, Copy)]
@@ -47,10 +60,18 @@ impl<'a> Watch<'a> {
     /// # Errors
     /// A scene that validation refuses, or a run that took too long.
     pub fn run(&self, scene: &Scene) -> Result<History, NoAnswer> {
+        self.run_to(scene, usize::MAX)
+    }
+
+    /// Runs a scene while there is patience, and no further than a little beyond so many events.
+    ///
+    /// # Errors
+    /// A scene that validation refuses, or a run that took too long.
+    pub fn run_to(&self, scene: &Scene, events: usize) -> Result<History, NoAnswer> {
         let mut session = Session::new(scene).map_err(NoAnswer::Refused)?;
         let mut slow = None;
         for portion in 1..=PORTIONS {
-            let until = scene.duration * f64::from(portion) / f64::from(PORTIONS);
+            let until = scene.duration * GROWTH.powi(portion - PORTIONS);
             session.advance(until, &mut |reached| {
                 if self.is_over() {
                     slow = Some(reached);
@@ -59,6 +80,9 @@ impl<'a> Watch<'a> {
             });
             if let Some(reached) = slow {
                 return Err(NoAnswer::Slow(reached));
+            }
+            if session.events() > events {
+                break;
             }
         }
         Ok(session.finish())

@@ -4,24 +4,19 @@ use super::{Check, Complaint, Figures};
 use crate::scene::FrictionLaw;
 use crate::sim::{History, Ledger};
 
-pub(super) const LEDGER: &str = "the ledger's residual is below 100 tolerances, one more for every 100 steps (each may \
-                                 lose one, nearly all lose far less), 1e-11, 256 ε of weights lifted by a girder's \
-                                 size, and 256 ε of places over the deepest penetration, one more for every 4 steps, of \
-                                 the largest energy in play";
+pub(super) const LEDGER: &str = "the ledger's residual is below 100 tolerances, 1e-11 and 256 ε (of places over the \
+                                 deepest penetration, and of weights lifted by a girder's size), of the largest energy \
+                                 in play";
 pub(super) const CREATES: &str = "what bearings, normal and tangential dashpots and jumps have lost never shrinks, nor, \
                                   under the paper's law, what contacts have lost altogether from one instant without \
                                   contact to a later one, by more than the ledger's bound";
 
 /// Residual per tolerance.
 const PER_TOLERANCE: f64 = 1e2;
-/// The same per step: errors of a long run add up.
-const PER_STEP: f64 = 1e-2;
 /// Residual that rounding may leave.
 const ROUNDING: f64 = 1e-11;
 /// Rounding of a place against the depth of a contact, whose force it changes by as much.
 const PLACES: f64 = 256.0 * f64::EPSILON;
-/// The same per step: places round by up to 4 ε in each.
-const ROUNDING_STEP: f64 = 0.25 * f64::EPSILON;
 /// Instants at which the ledger is read, evenly, and as many between touches.
 const READINGS: usize = 40;
 
@@ -31,11 +26,8 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
     // Bearings carry the weight: a place's rounding lifts it.
     let model = history.model();
     let lifted: f64 = model.bodies.iter().map(|b| b.mass * model.gravity * b.radius).sum();
-    let steps = history.effort().steps as f64;
-    let bound = (PER_TOLERANCE + PER_STEP * steps) * model.tolerance
-        + ROUNDING
-        + (PLACES + ROUNDING_STEP * steps) * shallowness(history, times)
-        + PLACES * lifted / scale;
+    let bound =
+        PER_TOLERANCE * history.model().tolerance + ROUNDING + PLACES * (shallowness(history, times) + lifted / scale);
     balance(&readings, scale, bound, figures, complaints);
     let open: Vec<(f64, Ledger)> = readings.iter().filter(|(t, _)| history.contacts(*t).is_empty()).copied().collect();
     let paper = history.model().pairs.iter().all(|pair| pair.contact.law == FrictionLaw::Paper);

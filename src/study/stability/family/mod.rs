@@ -31,6 +31,8 @@ const FAMILIES: &[(&str, Maker)] = &[
     ("spatial", shaken::spatial),
 ];
 
+/// The family that shakes for an hour.
+pub const HOURS: &str = "hour";
 /// One seed in this many shakes for an hour: ten in ten thousand.
 const HOUR_EVERY: u64 = 1000;
 /// Which of them.
@@ -40,7 +42,7 @@ const HOUR: u64 = 7;
 pub fn scene(seed: u64) -> (&'static str, Scene) {
     let mut dice = Dice::new(seed);
     let (family, maker) = if seed % HOUR_EVERY == HOUR {
-        ("hour", shaken::hour as Maker)
+        (HOURS, shaken::hour as Maker)
     } else {
         #[expect(clippy::cast_possible_truncation, reason = "below the number of families")]
         let number = (seed % FAMILIES.len() as u64) as usize;
@@ -53,5 +55,5 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
 
 /// Names of all families.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FAMILIES.iter().map(|(name, _)| *name).chain(["hour"])
+    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS])
 }
