@@ -55,6 +55,8 @@ pub struct Dop853 {
     slopes: Vec<f64>,
     stage: Vec<f64>,
     end: Vec<f64>,
+    /// The higher coefficients of the continuous answer per length of the step.
+    upper: Vec<f64>,
     size: usize,
 }
 
@@ -145,6 +147,7 @@ impl Dop853 {
         self.slopes.resize(16 * size, 0.0);
         self.stage.resize(size, 0.0);
         self.end.resize(size, 0.0);
+        self.upper.resize(D.len() * size, 0.0);
     }
 
     /// Sets the slope at the start of the next step.
@@ -199,12 +202,15 @@ impl Dop853 {
         for stage in 13..16 {
             self.evaluate(system, stage, t, y, h);
         }
+        for (row, upper) in self.upper.chunks_exact_mut(n.max(1)).enumerate() {
+            difference(upper, D[row], &self.slopes, n);
+        }
         let k = |stage: usize, i: usize| self.slopes[stage * n + i];
         let coefficients = (0..n)
             .map(|i| {
                 let delta = self.end[i] - y[i];
                 let (first, last) = (h * k(0, i), h * k(12, i));
-                let upper = |row: usize| h * D[row].iter().map(|&(j, f)| f * k(j, i)).sum::<f64>();
+                let upper = |row: usize| h * self.upper[row * n + i];
                 [y[i], delta, first - delta, 2.0 * delta - (last + first), upper(0), upper(1), upper(2), upper(3)]
             })
             .collect();

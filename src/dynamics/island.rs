@@ -1,5 +1,7 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
+use smallvec::SmallVec;
+
 use super::body_state::{self, Wrench};
 use super::bound::Bound;
 use super::dop853::{self, Dense};
@@ -236,7 +238,7 @@ impl Island {
     }
 
     /// Poses of all its bodies within the planned step.
-    pub(super) fn frames(&self, model: &Model, t: f64) -> Vec<Frame> {
+    pub(super) fn frames(&self, model: &Model, t: f64) -> SmallVec<[Frame; 2]> {
         (0..self.bodies.len()).map(|index| self.frame(model, index, t)).collect()
     }
 
@@ -271,6 +273,11 @@ impl Island {
     pub(super) fn apart(&self, model: &Model, [a, b]: [usize; 2]) -> [f64; 2] {
         let [place, _] = parts(model.kind, a);
         self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
+    }
+
+    /// Whether its bodies move along one axis: nothing slides and nothing turns.
+    pub(super) fn is_in_line(&self) -> bool {
+        self.in_line
     }
 
     /// The first of the contacts that are as deep as this one all along.

@@ -85,7 +85,8 @@ pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Re
 
 pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.active[number].closed;
-    let switches = closed.law.has_friction();
+    // In line a spring along the face is never stretched: breakaway comes with the opening.
+    let switches = closed.law.has_friction() && !island.is_in_line();
     let kinks = closed.law.clamp && closed.law.c_n > 0.0;
     [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
         .into_iter()
