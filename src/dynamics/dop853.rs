@@ -7,6 +7,9 @@ use super::slides::Channel;
 /// Coefficients of the interpolant per component.
 pub const DENSE: usize = 8;
 
+/// Slopes of a step with those that its continuous answer needs.
+const STAGES: usize = 16;
+
 /// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
 /// \[0, 1\], rounded up.
 const STEEPEST: [[f64; DENSE - 1]; 2] =
@@ -52,11 +55,10 @@ pub trait System {
 /// The integrator's memory for systems of one size.
 #[derive(Clone, Debug, Default)]
 pub struct Dop853 {
+    /// Row by row: of the stages, and the last four coefficients of the continuous answer per length of the step.
     slopes: Vec<f64>,
     stage: Vec<f64>,
     end: Vec<f64>,
-    /// The higher coefficients of the continuous answer per length of the step.
-    upper: Vec<f64>,
     size: usize,
 }
 
@@ -144,10 +146,9 @@ impl Dop853 {
     pub fn resize(&mut self, size: usize) {
         self.size = size;
         self.slopes.clear();
-        self.slopes.resize(16 * size, 0.0);
+        self.slopes.resize((STAGES + D.len()) * size, 0.0);
         self.stage.resize(size, 0.0);
         self.end.resize(size, 0.0);
-        self.upper.resize(D.len() * size, 0.0);
     }
 
     /// Sets the slope at the start of the next step.
@@ -202,15 +203,15 @@ impl Dop853 {
         for stage in 13..16 {
             self.evaluate(system, stage, t, y, h);
         }
-        for (row, upper) in self.upper.chunks_exact_mut(n.max(1)).enumerate() {
-            difference(upper, D[row], &self.slopes, n);
+        let (slopes, upper) = self.slopes.split_at_mut(STAGES * n);
+        for (row, upper) in D.iter().zip(upper.chunks_exact_mut(n.max(1))) {
+            difference(upper, row, slopes, n);
         }
-        let k = |stage: usize, i: usize| self.slopes[stage * n + i];
         let coefficients = (0..n)
             .map(|i| {
                 let delta = self.end[i] - y[i];
-                let (first, last) = (h * k(0, i), h * k(12, i));
-                let upper = |row: usize| h * self.upper[row * n + i];
+                let (first, last) = (h * slopes[i], h * slopes[12 * n + i]);
+                let upper = |row: usize| h * upper[row * n + i];
                 [y[i], delta, first - delta, 2.0 * delta - (last + first), upper(0), upper(1), upper(2), upper(3)]
             })
             .collect();

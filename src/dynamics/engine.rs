@@ -4,7 +4,6 @@
 //! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only
 //! the bodies it concerns get new trajectories, and only their pairs are looked at again. Nobody else notices.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Model;
@@ -214,25 +213,6 @@ impl Engine {
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, abreast });
         }
         self.find_rivals(pairs);
-    }
-
-    /// Tells the contacts of each node of one another, where a side is in more than one pair.
-    fn find_rivals(&mut self, pairs: &[usize]) {
-        let model = Arc::clone(&self.model);
-        let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
-        sides.sort_unstable();
-        if sides.windows(2).all(|two| two[0] != two[1]) {
-            return;
-        }
-        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
-        for (contact, track) in self.contacts.iter().enumerate() {
-            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
-        }
-        for same in nodes.values().filter(|same| same.len() > 1) {
-            for &contact in same {
-                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
-            }
-        }
     }
 
     /// States at t = 0: nodes that overlap start in stick, everyone gets a trajectory.

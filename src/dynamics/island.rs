@@ -1,7 +1,5 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
-use smallvec::SmallVec;
-
 use super::body_state::{self, Wrench};
 use super::bound::Bound;
 use super::dop853::{self, Dense};
@@ -238,7 +236,7 @@ impl Island {
     }
 
     /// Poses of all its bodies within the planned step.
-    pub(super) fn frames(&self, model: &Model, t: f64) -> SmallVec<[Frame; 2]> {
+    pub(super) fn frames(&self, model: &Model, t: f64) -> Vec<Frame> {
         (0..self.bodies.len()).map(|index| self.frame(model, index, t)).collect()
     }
 

@@ -1,5 +1,8 @@
 //! What an event makes of a contact (physics section 4, events 1–4).
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use glam::{DMat2, DVec2};
 
 use super::engine::{ContactTrack, Engine};
@@ -78,6 +81,25 @@ impl Engine {
         self.log(contact, now.t, Contact::Open { armed: false }, EventKind::Missed, 0.0);
         self.contacts[contact].counted.0 = 0;
         false
+    }
+
+    /// Tells the contacts of each node of one another, where a side is in more than one pair.
+    pub(super) fn find_rivals(&mut self, pairs: &[usize]) {
+        let model = Arc::clone(&self.model);
+        let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
+        sides.sort_unstable();
+        if sides.windows(2).all(|two| two[0] != two[1]) {
+            return;
+        }
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for (contact, track) in self.contacts.iter().enumerate() {
+            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
+        }
+        for same in nodes.values().filter(|same| same.len() > 1) {
+            for &contact in same {
+                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+            }
+        }
     }
 
     /// Whether the same node is in another face already: it touches one at a time.
