@@ -17,9 +17,13 @@ const SLOW: &[u64] = &[58, 126, 128, 192, 321, 478];
 /// and went in again between the looks at a step (1570), sliding that went on within rounding too coarse for its steps
 /// (7434), blows that one implicit step went over (7285, 7617), a first step beyond its estimate (1502), a ground faster than the
 /// steps of what it holds (1192, 7360), millions of looks at girders that swing together (3729), a stretch that
-/// shrinks along the edge of its cone (5447), sliding without friction that stopped (5472).
-const ONCE: &[u64] =
-    &[776, 1040, 1150, 1192, 1274, 1502, 1570, 1794, 1807, 2238, 3552, 3729, 5447, 5472, 7285, 7360, 7434, 7617];
+/// shrinks along the edge of its cone (5447), sliding without friction that stopped (5472), friction by a node that hangs
+/// before its face (1002, 7625), losses of thousands of steps that add up (647, 7375, 8039, 8076), a slip's angle followed
+/// to where it has no meaning (3329).
+const ONCE: &[u64] = &[
+    647, 776, 1002, 1040, 1150, 1192, 1274, 1502, 1570, 1794, 1807, 2238, 3329, 3552, 3729, 5447, 5472, 7285, 7360,
+    7375, 7434, 7617, 7625, 8039, 8076,
+];
 
 /// No end of patience; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { patience: f64::INFINITY, events: 20_000 };

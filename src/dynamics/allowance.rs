@@ -36,7 +36,10 @@ impl Island {
         if !self.active.is_empty() {
             speed2 = 0.0;
         }
-        for active in &self.active {
+        for (number, active) in self.active.iter().enumerate() {
+            if self.first_like(number) != number {
+                continue;
+            }
             let here = active.look(model, &self.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {

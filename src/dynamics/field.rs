@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 
 use super::body_state::{self, Wrench};
 use super::dop853::System;
+use super::line::Line;
 use super::slides::Channel;
 use super::track::Closed;
 use super::{Model, penalty3d};
@@ -85,6 +86,8 @@ pub(super) struct Field<'a> {
     pub piece: LinearPiece,
     /// Error scale.
     pub scale: Scale,
+    /// Its one line, where it may have one.
+    pub line: Option<&'a Line>,
     /// Scratch.
     pub frames: &'a mut Vec<Frame>,
     /// Scratch.
@@ -207,6 +210,10 @@ impl System for Field<'_> {
         self.wrenches.clear();
         self.rates.clear();
         self.sliding.channels.clear();
+        if let Some(line) = self.line.filter(|line| line.holds(y)) {
+            line.slope(model, self.bodies, self.ground(t), y, out);
+            return;
+        }
         for (i, &body) in self.bodies.iter().enumerate() {
             self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
             self.wrenches.push(Wrench::default());

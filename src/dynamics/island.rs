@@ -6,11 +6,12 @@ use super::dop853::{self, Dense};
 use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
 use super::flight::Planar;
+use super::line::Line;
 use super::piece::Piece;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
-use crate::contact::{Frame, Mode, law::Friction};
+use crate::contact::{Frame, Mode};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -62,6 +63,9 @@ pub(super) struct Island {
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
     sliding: Sliding,
+    line: Option<Line>,
+    /// Whether its bodies are in that line as it stands.
+    in_line: bool,
 }
 
 /// Why a step could not be made.
@@ -84,7 +88,7 @@ impl Island {
     ) -> Self {
         let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
-            if let Some(angle) = turning(&a.closed) {
+            if let Some(angle) = a.closed.turning() {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
@@ -115,8 +119,12 @@ impl Island {
             wrenches: Vec::new(),
             rates: Vec::new(),
             sliding: Sliding::default(),
+            line: None,
+            in_line: false,
         };
         island.sliding = Sliding::of(&island.active);
+        island.line = Line::of(model, &island.bodies, &island.active);
+        island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
     }
@@ -137,6 +145,7 @@ impl Island {
             active: &self.active,
             piece,
             scale,
+            line: self.line.as_ref(),
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,
             rates: &mut self.rates,
@@ -295,6 +304,23 @@ impl Island {
         self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
     }
 
+    /// Whether its bodies move along one axis: nothing slides and nothing turns.
+    pub(super) fn is_in_line(&self) -> bool {
+        self.in_line
+    }
+
+    /// The first of the contacts that are as deep as this one all along.
+    pub(super) fn first_like(&self, contact: usize) -> usize {
+        self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
+    }
+
+    /// The planned step's answer where its bodies are in line with an axis, and where the place of one of them along it
+    /// stands in it.
+    pub(super) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize)> {
+        let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
+        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * body_state::PLANAR + axis))
+    }
+
     /// A contact's state with its slip direction as it is at `t`.
     pub(super) fn closed_at(&self, number: usize, t: f64) -> Closed {
         let active = &self.active[number];
@@ -343,16 +369,6 @@ impl Island {
 fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
     let (from, [place, turn]) = (index * body_state::width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
     [from..from + place, from + place..from + turn]
-}
-
-/// Angle of a slip whose direction turns on its own, which the integrator must carry.
-fn turning(closed: &Closed) -> Option<f64> {
-    match closed.mode {
-        Mode::Slip { direction } if closed.ease > 0.0 && closed.law.friction == Friction::ReturnMapping => {
-            Some(direction.to_angle())
-        }
-        _ => None,
-    }
 }
 
 /// Keeps the quaternions of spatial bodies at length 1.

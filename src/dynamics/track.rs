@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::flight::Flight;
 use super::impact2d::slide::Slide;
 use super::piece::Piece;
-use crate::contact::{Forces, Law, Local, Mode};
+use crate::contact::{Forces, Law, Local, Mode, law::Friction};
 
 /// One stretch of a body's path.
 #[derive(Clone, Debug)]
@@ -93,6 +93,16 @@ impl Closed {
     #[inline]
     pub fn is_loose(&self, here: &Local) -> bool {
         self.at_face && here.gap > 0.0 && matches!(self.mode, Mode::Slip { .. })
+    }
+
+    /// Angle of a slip whose direction turns on its own, which an integrator must carry \[rad\].
+    pub fn turning(&self) -> Option<f64> {
+        match self.mode {
+            Mode::Slip { direction } if self.ease > 0.0 && self.law.friction == Friction::ReturnMapping => {
+                Some(direction.to_angle())
+            }
+            _ => None,
+        }
     }
 
     /// How much the dashpot out-pulls the spring \[N\].

@@ -85,7 +85,8 @@ pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Re
 
 pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.active[number].closed;
-    let switches = closed.law.has_friction();
+    // In line a spring along the face is never stretched: breakaway comes with the opening.
+    let switches = closed.law.has_friction() && !island.is_in_line();
     let kinks = closed.law.clamp && closed.law.c_n > 0.0;
     [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
         .into_iter()
@@ -107,7 +108,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let frames = times.map(|t| island.frames(model, t));
-    for number in 0..island.active.len() {
+    for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i]));
         for reason in reasons(island, number) {
             let first = First { at: earliest, together };
@@ -130,6 +131,12 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
         return None;
     }
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + together).map(|(_, due)| *due).collect();
+    let like = |d: &Due| {
+        let Due { number, reason } = *d;
+        let others = (number + 1..island.active.len()).filter(move |&other| island.first_like(other) == number);
+        others.map(move |number| Due { number, reason })
+    };
+    due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
     also_due(model, island, earliest + together, &mut due);
     due.dedup_by_key(|d| d.number);
     Some((earliest, due))
