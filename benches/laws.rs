@@ -57,7 +57,14 @@ fn forces(bencher: Bencher<'_, '_>, case: &str) {
 #[divan::bench]
 fn one_contact(bencher: Bencher<'_, '_>) {
     let (site, [node, face]) = touching();
-    let closed =
-        Closed { law: law(Friction::ReturnMapping), mode: SLIP, ease: 0.0, passing: false, again: 0, slack: false };
+    let closed = Closed {
+        law: law(Friction::ReturnMapping),
+        mode: SLIP,
+        ease: 0.0,
+        passing: false,
+        again: 0,
+        slack: false,
+        at_face: false,
+    };
     bencher.bench(|| act(&site, black_box(&closed), black_box(&node), black_box(&face)));
 }

@@ -5,6 +5,7 @@
 mod rows;
 mod support;
 
+use girderbench::motion::Ground;
 use girderbench::scene::facing;
 use girderbench::scene::{Motion, Scene, presets};
 use girderbench::sim::History;
@@ -95,6 +96,43 @@ fn the_answer_is_the_same_to_the_last_bit_for_any_number_of_threads() {
     assert_eq!(one.digest(), five.digest(), "five threads");
     assert_eq!(one.events(), five.events(), "events in the same order");
     assert_eq!(one.effort(), five.effort(), "by the same work");
+}
+
+/// The same row along another direction.
+fn turned(scene: &Scene, degrees: f64) -> Scene {
+    let mut turned = scene.clone();
+    let along = Ground::direction(degrees);
+    for girder in &mut turned.girders {
+        girder.heading_deg += degrees;
+        let x = girder.position[0];
+        (girder.position[0], girder.position[1]) = (x * along.x, x * along.y);
+    }
+    if let Motion::Sine(sine) = &mut turned.motion {
+        sine.angle_deg += degrees;
+    }
+    turned
+}
+
+#[test]
+fn a_row_in_line_with_an_axis_moves_as_one_that_is_computed_in_the_plan() {
+    // Along x and along y all is one coordinate; along any other direction nodes and faces are told apart.
+    let scene = Row { duration: 0.6, ..Row::many(8) }.scene();
+    let along_x = run(&scene);
+    assert!(along_x.summary().hits > 10, "neighbours collide: {:?}", along_x.summary());
+    for (degrees, bound) in [(90.0, 1e-13), (180.0, 1e-13), (-90.0, 1e-13), (30.0, 1e-11), (-137.0, 1e-11)] {
+        let other = run(&turned(&scene, degrees));
+        let along = Ground::direction(degrees);
+        let apart = (0..=600).flat_map(|k| (0..8).map(move |n| (n, f64::from(k) * 1e-3))).map(|(n, t)| {
+            let (one, two) = (along_x.motion(n, t), other.motion(n, t));
+            let moved = two.displacement;
+            let [forth, aside] = [moved.dot(along), along.x * moved.y - along.y * moved.x];
+            (forth - one.displacement.x).abs().max(aside.abs()).max(0.1 * two.theta.abs())
+        });
+        // Rounding of places in the plan, some hundred times larger after the hits.
+        within("a row in another direction", apart.fold(0.0, f64::max), bound);
+        assert_eq!(other.events().len(), along_x.events().len(), "the same events along {degrees}°");
+        assert_eq!(other.effort().steps, along_x.effort().steps, "the same steps along {degrees}°");
+    }
 }
 
 #[test]

@@ -8,16 +8,22 @@ use girderbench::study::stability::{self, Check, Limits, Outcome, examine, famil
 /// Seeds examined here; `GIRDERBENCH_SEEDS` asks for another number, `GIRDERBENCH_FROM` for another first one.
 const SEEDS: u64 = 500;
 
-/// Seeds whose runs take longer than about 10 s together: an hour of touches, chatter of elastic contacts, creep in the
-/// paper's law.
-const SLOW: &[u64] = &[7, 49, 58, 126, 128, 192, 321, 471, 478];
+/// Seeds whose runs take longer than about 8 s together: chatter of elastic contacts, creep in the paper's law. The study
+/// itself examines them.
+const SLOW: &[u64] = &[58, 126, 128, 192, 321, 478];
 
 /// Seeds that used to fail: sliding that stopped and began again without end (1040, 1794, 1807, 2238), grazes within
 /// rounding (1274), steps too small (3552), slides that turned too fast for their steps (776, 1150), nodes that came out
 /// and went in again between the looks at a step (1570), sliding that went on within rounding too coarse for its steps
 /// (7434), blows that one implicit step went over (7285, 7617), a first step beyond its estimate (1502), a ground faster than the
-/// steps of what it holds (1192, 7360), millions of looks at girders that swing together (3729).
-const ONCE: &[u64] = &[776, 1040, 1150, 1192, 1274, 1502, 1570, 1794, 1807, 2238, 3552, 3729, 7285, 7360, 7434, 7617];
+/// steps of what it holds (1192, 7360), millions of looks at girders that swing together (3729), a stretch that
+/// shrinks along the edge of its cone (5447), sliding without friction that stopped (5472), friction by a node that hangs
+/// before its face (1002, 7625), losses of thousands of steps that add up (647, 7375, 8039, 8076), a slip's angle followed
+/// to where it has no meaning (3329).
+const ONCE: &[u64] = &[
+    647, 776, 1002, 1040, 1150, 1192, 1274, 1502, 1570, 1794, 1807, 2238, 3329, 3552, 3729, 5447, 5472, 7285, 7360,
+    7375, 7434, 7617, 7625, 8039, 8076,
+];
 
 /// No end of patience; as many events as the command asks for by itself.
 const ENOUGH: Limits = Limits { patience: f64::INFINITY, events: 20_000 };

@@ -26,7 +26,13 @@ pub(super) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
 }
 
 /// Rises through 0 when the plastic rate `λ = q̇·d` returns to 0 (event 3).
+///
+/// With `μ_k = 0` there is no stretch to give d: it is where the node slides to, and in two directions of sliding nothing
+/// comes to rest.
 pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
+    if law.mu_k == 0.0 && law.v_stick > 0.0 {
+        return -here.rate.length();
+    }
     -(here.rate.dot(direction) + law.mu_k * here.gap_rate)
 }
 

@@ -152,7 +152,7 @@ pub(super) fn search(engine: &mut Engine, pair: usize, t: f64) -> f64 {
 }
 
 /// How far one search goes \[s\].
-fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
+pub(super) fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
         Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,

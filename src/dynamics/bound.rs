@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::flight::{Dof, Planar, System, SystemForm};
-use crate::motion::Ground;
+use super::dof::Dof;
+use super::flight::{Planar, System, SystemForm};
 
 /// Bounds on a motion over `[t, t + window]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl System {
 
     /// From the free parts, three displacements and their rates.
     fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
-        let drive = if let Ground::Sine { omega, .. } = self.ground { omega } else { 0.0 };
+        let drive = self.ground.drive();
         let limits: [[f64; 3]; 3] =
             std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));
         let plan = |k: usize| length(limits[0][k], limits[1][k]);

@@ -73,7 +73,7 @@ impl ContactLog {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { law, mode, passing, slack } => {
                 let (law, ease) = self.laws[law as usize];
-                Contact::Closed(Closed { law, mode, ease, passing, again: 0, slack })
+                Contact::Closed(Closed { law, mode, ease, passing, again: 0, slack, at_face: true })
             }
         }
     }

@@ -1,6 +1,8 @@
 //! Which nodes are declared against which faces (Fig. 24): both ways between girders, one way against a backwall unless a
 //! corner of the backwall can enter the girder's face.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{Body, ContactSite};
@@ -9,12 +11,14 @@ use crate::geometry::{End, Face, Prism};
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
+/// What a planar girder's nodes are called after it.
+const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 /// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
 const OVERHANG: f64 = 0.75;
 
 /// One side of a pair as the other sees it: nodes, and the face they may enter.
 struct Facade {
-    name: String,
+    name: Arc<str>,
     body: Option<usize>,
     /// Node names and places, in the frame of the body (about `fixed`, for an abutment).
     nodes: Vec<(String, DVec3)>,
@@ -23,7 +27,7 @@ struct Facade {
     fixed: DVec3,
 }
 
-/// All contacts of a facing pair: nodes of the first against the face of the second, then back.
+/// Declares all contacts of a facing pair: nodes of the first against the face of the second, then back.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
@@ -32,34 +36,30 @@ pub(super) fn contacts(
     bodies: &[Body],
     facing: &Facing,
     pair: usize,
-) -> Result<Vec<ContactSite>, SceneErrors> {
-    let first = facade(scene, bodies, facing.first)?;
+    sites: &mut Vec<ContactSite>,
+) -> Result<(), SceneErrors> {
+    let mut first = facade(scene, bodies, facing.first)?;
     let mut second = facade(scene, bodies, facing.second)?;
     if let (Some(girder), None) = (first.body, second.body) {
         let fixed = second.fixed;
         second.nodes.retain(|(_, point)| can_enter(&bodies[girder], &first.face, fixed + *point));
     }
-    let declare = |nodes: &Facade, face: &Facade| -> Vec<ContactSite> {
-        let fixed = if nodes.body.is_none() { nodes.fixed } else { face.fixed };
-        nodes
-            .nodes
-            .iter()
-            .map(|(name, point)| ContactSite {
-                node: name.clone(),
-                face_name: face.name.clone(),
-                pair,
-                node_body: nodes.body,
-                point: *point,
-                face_body: face.body,
-                face: face.face.clone(),
-                fixed,
-                stand: Frame::fixed(fixed),
-            })
-            .collect()
-    };
-    let mut sites = declare(&first, &second);
-    sites.extend(declare(&second, &first));
-    Ok(sites)
+    let fixed = if first.body.is_none() { first.fixed } else { second.fixed };
+    let nodes = [std::mem::take(&mut first.nodes), std::mem::take(&mut second.nodes)];
+    for (nodes, [own, face]) in nodes.into_iter().zip([[&first, &second], [&second, &first]]) {
+        sites.extend(nodes.into_iter().map(|(node, point)| ContactSite {
+            node,
+            face_name: Arc::clone(&face.name),
+            pair,
+            node_body: own.body,
+            point,
+            face_body: face.body,
+            face: face.face.clone(),
+            fixed,
+            stand: Frame::fixed(fixed),
+        }));
+    }
+    Ok(())
 }
 
 fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
@@ -78,7 +78,7 @@ fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> Facade {
     let corners = body.prism.corners();
     let plan = Prism::end_corners(end);
     let nodes = match kind {
-        Kind::Planar => plan.iter().map(|&c| (format!("{}.corner{c}", body.name), corners[c].with_z(0.0))).collect(),
+        Kind::Planar => plan.iter().map(|&c| ([&body.name, CORNERS[c]].concat(), corners[c].with_z(0.0))).collect(),
         Kind::Spatial => plan
             .iter()
             .flat_map(|&c| {
@@ -99,7 +99,7 @@ fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> Facade {
         bitangent,
         depth: body.prism.depth_behind_end(),
     };
-    Facade { name: format!("{}{}", body.name, end.label()), body: Some(number), nodes, face, fixed: DVec3::ZERO }
+    Facade { name: [&body.name, end.label()].concat().into(), body: Some(number), nodes, face, fixed: DVec3::ZERO }
 }
 
 fn abutment_facade(scene: &Scene, number: usize) -> Result<Facade, SceneErrors> {
@@ -127,5 +127,5 @@ fn abutment_facade(scene: &Scene, number: usize) -> Result<Facade, SceneErrors> 
         ],
         Kind::Spatial => (0..4).map(|i| (format!("{}.corner{i}", abutment.name), corners[i])).collect(),
     };
-    Ok(Facade { name: abutment.name.clone(), body: None, nodes, face, fixed })
+    Ok(Facade { name: abutment.name.as_str().into(), body: None, nodes, face, fixed })
 }

@@ -7,6 +7,9 @@ use super::slides::Channel;
 /// Coefficients of the interpolant per component.
 pub const DENSE: usize = 8;
 
+/// Slopes of a step with those that its continuous answer needs.
+const STAGES: usize = 16;
+
 /// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
 /// \[0, 1\], rounded up.
 const STEEPEST: [[f64; DENSE - 1]; 2] =
@@ -66,6 +69,7 @@ pub trait System {
 /// The integrator's memory for systems of one size.
 #[derive(Clone, Debug, Default)]
 pub struct Dop853 {
+    /// Row by row: of the stages, and the last four coefficients of the continuous answer per length of the step.
     slopes: Vec<f64>,
     stage: Vec<f64>,
     end: Vec<f64>,
@@ -95,6 +99,12 @@ impl Dense {
         for (value, c) in out.iter_mut().zip(&self.coefficients[range]) {
             *value = Self::value(c, x);
         }
+    }
+
+    /// One component at `t`.
+    #[inline]
+    pub(super) fn component(&self, i: usize, t: f64) -> f64 {
+        Self::value(&self.coefficients[i], (t - self.from) / self.step)
     }
 
     /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
@@ -150,7 +160,7 @@ impl Dop853 {
     pub fn resize(&mut self, size: usize) {
         self.size = size;
         self.slopes.clear();
-        self.slopes.resize(16 * size, 0.0);
+        self.slopes.resize((STAGES + D.len()) * size, 0.0);
         self.stage.resize(size, 0.0);
         self.end.resize(size, 0.0);
     }
@@ -207,12 +217,15 @@ impl Dop853 {
         for stage in 13..16 {
             self.evaluate(system, stage, t, y, h);
         }
-        let k = |stage: usize, i: usize| self.slopes[stage * n + i];
+        let (slopes, upper) = self.slopes.split_at_mut(STAGES * n);
+        for (row, upper) in D.iter().zip(upper.chunks_exact_mut(n.max(1))) {
+            difference(upper, row, slopes, n);
+        }
         let coefficients = (0..n)
             .map(|i| {
                 let delta = self.end[i] - y[i];
-                let (first, last) = (h * k(0, i), h * k(12, i));
-                let upper = |row: usize| h * D[row].iter().map(|&(j, f)| f * k(j, i)).sum::<f64>();
+                let (first, last) = (h * slopes[i], h * slopes[12 * n + i]);
+                let upper = |row: usize| h * upper[row * n + i];
                 [y[i], delta, first - delta, 2.0 * delta - (last + first), upper(0), upper(1), upper(2), upper(3)]
             })
             .collect();

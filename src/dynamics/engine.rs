@@ -4,10 +4,10 @@
 //! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only
 //! the bodies it concerns get new trajectories, and only their pairs are looked at again. Nobody else notices.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Model;
+use super::abreast::Abreast;
 use super::agenda::{Agenda, Item};
 use super::approach::Spot;
 use super::body_state;
@@ -67,6 +67,8 @@ pub(super) struct PairTrack {
     pub sharers: usize,
     /// Two events closer than this are one \[s\].
     pub together: f64,
+    /// Its one gap, where it has one as long as its bodies move along an axis.
+    pub abreast: Option<Abreast>,
 }
 
 /// A contact of the group.
@@ -175,6 +177,10 @@ impl Engine {
     fn gather(&mut self, number: usize) {
         let model = Arc::clone(&self.model);
         let group = model.groups[number].as_slice();
+        let pairs = model.group_pairs[number].as_slice();
+        self.bodies.reserve_exact(group.len());
+        self.pairs.reserve_exact(pairs.len());
+        self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             let planar = model.kind == Kind::Planar;
@@ -183,14 +189,12 @@ impl Engine {
             let now = Trajectory::Flight(rest);
             self.bodies.push(BodyTrack { body, system, now, path: BodyPath::default(), pairs: Vec::new() });
         }
-        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
-        for &number in &model.group_pairs[number] {
+        for &number in pairs {
             let pair = &model.pairs[number];
             let slots = pair.bodies.map(slot);
             let from = self.contacts.len();
             for site in pair.contacts.clone() {
                 let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
-                nodes.entry((owners[0], &model.contacts[site].node)).or_default().push(self.contacts.len());
                 self.contacts.push(ContactTrack {
                     site,
                     pair: self.pairs.len(),
@@ -210,13 +214,10 @@ impl Engine {
             let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
             let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
             let contacts = from..self.contacts.len();
-            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together });
+            let abreast = Abreast::of(&model, number, &self.contacts[from..]);
+            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, abreast });
         }
-        for same in nodes.values().filter(|same| same.len() > 1) {
-            for &contact in same {
-                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
-            }
-        }
+        self.find_rivals(pairs);
     }
 
     /// States at t = 0: nodes that overlap start in stick, everyone gets a trajectory.

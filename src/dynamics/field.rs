@@ -7,6 +7,7 @@ use super::Model;
 use super::body_state::{self, Wrench};
 use super::dop853::System;
 use super::fastest::quickest;
+use super::line::Line;
 use super::penalty3d::{self, Action};
 use super::slides::Channel;
 use super::track::Closed;
@@ -87,6 +88,8 @@ pub(super) struct Field<'a> {
     pub piece: LinearPiece,
     /// Error scale.
     pub scale: Scale,
+    /// Its one line, where it may have one.
+    pub line: Option<&'a Line>,
     /// Scratch.
     pub frames: &'a mut Vec<Frame>,
     /// Scratch.
@@ -139,12 +142,12 @@ impl Sliding {
     }
 
     /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
-    fn turns(&mut self, slider: usize, closed: &Closed, forces: &Forces) {
+    fn turns(&mut self, slider: usize, closed: &Closed, here: &Local, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
         let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
-        let friction = closed.law.mu_k * forces.normal;
+        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
         let slowing = if speed < least { -friction / least } else { 0.0 };
         self.against[slider] = against;
         self.channels.push(Channel {
@@ -196,7 +199,7 @@ impl Field<'_> {
                 slider += 1;
             } else if at_once {
                 if !self.sliding.held {
-                    self.sliding.turns(slider, closed, &action.forces);
+                    self.sliding.turns(slider, closed, &action.here, &action.forces);
                 }
                 slider += 1;
             }
@@ -211,6 +214,10 @@ impl System for Field<'_> {
         self.wrenches.clear();
         self.rates.clear();
         self.sliding.channels.clear();
+        if let Some(line) = self.line.filter(|line| line.holds(y)) {
+            line.slope(model, self.bodies, self.ground(t), y, out);
+            return;
+        }
         for (i, &body) in self.bodies.iter().enumerate() {
             self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
             self.wrenches.push(Wrench::default());

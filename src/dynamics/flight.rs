@@ -11,6 +11,7 @@ use super::Body;
 use super::bearing::is_diagonal;
 use super::bound::Bound;
 use super::coupled::{self, Coupled};
+use super::dof::{Dof, PieceStep};
 use super::oscillator::{Free, Oscillator};
 use crate::motion::{Ground, LinearPiece};
 
@@ -41,25 +42,6 @@ pub struct System {
 pub(super) enum SystemForm {
     Split { dof: [Dof; 3], step: Option<Box<[PieceStep; 3]>> },
     Coupled(Box<Coupled>),
-}
-
-/// One direction of a girder without eccentricity.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Dof {
-    pub(super) oscillator: Oscillator,
-    pub(super) free: bool,
-    /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
-    pub(super) steady: (f64, f64),
-    /// Its amplitude.
-    pub(super) amplitude: f64,
-}
-
-/// Factors that carry one direction across a whole interval of a record.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PieceStep {
-    free: Free,
-    s1: f64,
-    s2: f64,
 }
 
 /// One stretch of free motion.
@@ -170,9 +152,16 @@ impl System {
     /// The same by the ground's phase.
     fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
         let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
-        let q = |d: &Dof| d.steady.0 * s + d.steady.1 * c;
-        let v = |d: &Dof| omega * (d.steady.0 * c - d.steady.1 * s);
-        [q(&dof[0]), q(&dof[1]), q(&dof[2]), v(&dof[0]), v(&dof[1]), v(&dof[2])]
+        let [x, y, turn] = [0, 1, 2].map(|i| dof[i].steady([s, c], omega));
+        [x[0], y[0], turn[0], x[1], y[1], turn[1]]
+    }
+
+    /// One direction of a flight whose free motion and steady response are parted, and its free part at the start.
+    pub(super) fn along(&self, flight: &Flight, i: usize) -> Option<(&Dof, [f64; 2])> {
+        match (&flight.form, &self.form) {
+            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => Some((&dof[i], parts[i])),
+            _ => None,
+        }
     }
 
     fn augmented(&self, t: f64, state: &Planar) -> coupled::State {
@@ -324,24 +313,6 @@ impl System {
     }
 }
 
-impl Dof {
-    #[inline]
-    fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
-        if self.free { self.oscillator.advance(part, force, tau) } else { part }
-    }
-
-    fn step(&self, step: &PieceStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
-        if !self.free {
-            return [q, v];
-        }
-        let f = &step.free;
-        [
-            q * f.c + v * f.s + c0 * step.s1 + c1 * step.s2,
-            -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
-        ]
-    }
-}
-
 fn first_six(z: &coupled::State) -> Planar {
     [z[0], z[1], z[2], z[3], z[4], z[5]]
 }
@@ -385,11 +356,7 @@ fn split(
             }
         }
         Ground::Record { dt, .. } => {
-            step = Some(Box::new(dof.map(|d| {
-                let free = d.oscillator.free(*dt);
-                let (s1, s2) = d.oscillator.forced(*dt, &free);
-                PieceStep { free, s1, s2 }
-            })));
+            step = Some(Box::new(dof.map(|d| PieceStep::of(&d.oscillator, *dt))));
         }
     }
     Some(SystemForm::Split { dof, step })

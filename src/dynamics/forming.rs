@@ -89,7 +89,9 @@ impl Engine {
             })
             .collect();
         let bodies = members.iter().map(|&slot| self.bodies[slot].body).collect();
-        Island::new(&self.model, members.to_vec(), bodies, active, y, t, pace)
+        let mut island = Island::new(&self.model, members.to_vec(), bodies, active, y, t, pace);
+        island.taken = members.iter().map(|&slot| self.bodies[slot].path.len()).max().unwrap_or(0);
+        island
     }
 
     /// Plans an island's next step and what is due in it.
@@ -119,7 +121,7 @@ impl Engine {
                     error.step
                 ),
             );
-        } else if let Some((t, due)) = watch::first_due(&model, &island, 1e-9 / island.omega()) {
+        } else if let Some((t, due)) = self.first_due(&mut island) {
             island.due = due;
             self.agenda.set(Item::Island(number), t.max(from));
             self.islands[number] = Some(island);
@@ -127,6 +129,17 @@ impl Engine {
         }
         self.agenda.set(Item::Island(number), island.until);
         self.islands[number] = Some(island);
+    }
+
+    /// What is due first within an island's planned step, and when.
+    fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<watch::Due>)> {
+        let (model, together) = (Arc::clone(&self.model), 1e-9 / island.omega());
+        let (t, due) = watch::first_due(&model, island, together)?;
+        if !island.end_beyond(&model, t) {
+            return Some((t, due));
+        }
+        self.effort.steps += 1;
+        watch::first_due(&model, island, together)
     }
 
     /// The pairs that bodies are in, rising.

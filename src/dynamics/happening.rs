@@ -21,7 +21,8 @@ impl Engine {
                 if let Some(system) = &track.system {
                     system.remember(&mut flight, t);
                 }
-                track.path.push(Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) });
+                let segment = Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) };
+                if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
             }
         }
         for island in 0..self.islands.len() {

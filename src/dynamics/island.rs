@@ -6,12 +6,13 @@ use super::dop853::{self, Dense};
 use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
 use super::flight::Planar;
+use super::line::Line;
 use super::piece::Piece;
 use super::radau::Radau;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
-use crate::contact::{Frame, Mode, law::Friction};
+use crate::contact::{Frame, Mode};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -19,13 +20,12 @@ use crate::scene::Kind;
 const DRIVE: f64 = 1.0;
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
+/// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
+const INSIDE: f64 = 0.03;
+/// A step taken again for an event goes this part further.
+const BEYOND: f64 = 1e-3;
 /// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
 const FIRST: f64 = 0.48;
-/// Rounding of a place over one explicit step, which spans less than a radian, in parts of its size.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
-/// what that comes to cannot be had by a shorter step.
-const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Bodies in one integrator, with the step that is planned but not yet committed.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Island {
     /// Slots of its bodies in the engine, rising.
     pub slots: Vec<usize>,
     /// Their numbers in the model.
-    bodies: Vec<usize>,
+    pub(super) bodies: Vec<usize>,
     /// Closed contacts between them.
     pub active: Vec<Active>,
     /// Numbers of those contacts in the engine.
@@ -51,15 +51,22 @@ pub(super) struct Island {
     /// What is due at `until`, if anything but the next step.
     pub due: Vec<super::watch::Due>,
     dense: Option<Dense>,
-    y: Vec<f64>,
-    stepper: Stepper,
-    omega: f64,
+    pub(super) y: Vec<f64>,
+    /// Stretches in the longest of its bodies' paths, with the planned step.
+    pub taken: usize,
+    /// Whether the planned step is an explicit one.
+    explicit: bool,
+    pub(super) stepper: Stepper,
+    pub(super) omega: f64,
     /// Largest distance of a corner from G, body by body \[m\].
-    radii: Vec<f64>,
-    frames: Vec<Frame>,
+    pub(super) radii: Vec<f64>,
+    pub(super) frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
     sliding: Sliding,
+    line: Option<Line>,
+    /// Whether its bodies are in that line as it stands.
+    in_line: bool,
 }
 
 /// Why a step could not be made.
@@ -82,7 +89,7 @@ impl Island {
     ) -> Self {
         let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
-            if let Some(angle) = turning(&a.closed) {
+            if let Some(angle) = a.closed.turning() {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
@@ -105,14 +112,20 @@ impl Island {
             sloped: (t, 0),
             again: false,
             dense: None,
+            taken: 0,
+            explicit: false,
             stepper: Stepper::new(y.len(), pace),
             y,
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
             sliding: Sliding::default(),
+            line: None,
+            in_line: false,
         };
         island.sliding = Sliding::of(&island.active);
+        island.line = Line::of(model, &island.bodies, &island.active);
+        island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
     }
@@ -133,6 +146,7 @@ impl Island {
             active: &self.active,
             piece,
             scale,
+            line: self.line.as_ref(),
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,
             rates: &mut self.rates,
@@ -165,11 +179,17 @@ impl Island {
     pub(super) fn plan(&mut self, model: &Model, cap: f64, soon: f64) -> Result<(), StepTooSmall> {
         let t = self.until;
         self.from = t;
+        self.taken += 1;
         let scale = self.scale(model);
+        if self.note_faces(model) {
+            self.rewind(model, t);
+        }
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = model.kind == Kind::Planar && self.sliding.sliders.is_empty() && self.sloped == (t, number);
-        self.again = known && !self.stepper.pace().stiff;
+        let loose = self.active.iter().any(|active| active.closed.at_face);
+        self.explicit = !self.stepper.pace().stiff;
+        self.again = known && !loose && self.explicit;
         // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
         // estimate to be judged by, which tells little far beyond stability.
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
@@ -186,6 +206,26 @@ impl Island {
         self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
+    }
+
+    /// Takes the planned step again so that it ends just beyond `t`, well inside it: between its ends the continuous answer is
+    /// an order less exact than at them, and what happens at `t` is to start from its end. Whether it did.
+    pub(super) fn end_beyond(&mut self, model: &Model, t: f64) -> bool {
+        let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
+        let part = (t - self.from) / dense.step;
+        if !self.explicit || !(INSIDE..1.0 - INSIDE).contains(&part) {
+            return false;
+        }
+        let (from, h) = (self.from, (t - self.from) * (1.0 + BEYOND));
+        let mut y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
+        let number = model.ground.piece_number(from);
+        let piece = model.ground.piece(number);
+        let mut stepper = std::mem::take(&mut self.stepper);
+        let dense = stepper.again(&mut self.field(model, piece, Scale::default()), from, &mut y, h);
+        normalise(model, &self.bodies, &mut y);
+        self.sloped = (from + dense.step, number);
+        (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
+        true
     }
 
     /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
@@ -269,6 +309,23 @@ impl Island {
         self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
     }
 
+    /// Whether its bodies move along one axis: nothing slides and nothing turns.
+    pub(super) fn is_in_line(&self) -> bool {
+        self.in_line
+    }
+
+    /// The first of the contacts that are as deep as this one all along.
+    pub(super) fn first_like(&self, contact: usize) -> usize {
+        self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
+    }
+
+    /// The planned step's answer where its bodies are in line with an axis, and where the place of one of them along it
+    /// stands in it.
+    pub(super) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize)> {
+        let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
+        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * body_state::PLANAR + axis))
+    }
+
     /// A contact's state with its slip direction as it is at `t`.
     pub(super) fn closed_at(&self, number: usize, t: f64) -> Closed {
         let active = &self.active[number];
@@ -321,61 +378,12 @@ impl Island {
     pub(super) fn omega(&self) -> f64 {
         self.omega
     }
-
-    /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
-    /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
-    fn scale(&mut self, model: &Model) -> Scale {
-        let (omega, width) = (self.omega, body_state::width(model.kind));
-        let (mut speed2, mut place) = (0.0f64, 0.0f64);
-        self.frames.clear();
-        for (i, &b) in self.bodies.iter().enumerate() {
-            let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
-            let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
-            speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
-            // Attitudes are of order 1 where they are quaternions and axes: a corner's place rounds with its lever.
-            place = place.max(here.shift.length() + self.radii[i]);
-            self.frames.push(here);
-        }
-        let mut stretch = 0.0f64;
-        if !self.active.is_empty() {
-            speed2 = 0.0;
-        }
-        for active in &self.active {
-            let here = active.look(model, &self.frames);
-            speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
-            if let Mode::Stick { anchor } = active.closed.mode {
-                speed2 = speed2.max((omega * (here.at - anchor)).length_squared() + here.rate.length_squared());
-            }
-            if active.angle.is_some() {
-                stretch = stretch.max(active.closed.law.mu_k * (here.gap.abs() + here.gap_rate.abs() / omega));
-            }
-        }
-        // From rest nothing is moving yet: what the ground does to it in one radian.
-        let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
-        let speed = speed2.sqrt().max(1e-3 * floor);
-        // No step can be made smaller than its rounding: a place's last bit, as a speed at the contact's frequency.
-        let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
-        let speed = model.tolerance * speed + rounding * omega * place;
-        // A direction counts by the place that it puts p at.
-        let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
-        Scale { speed, omega, angle, place }
-    }
 }
 
 /// Where place and attitude of a body stand in the vector.
 fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
     let (from, [place, turn]) = (index * body_state::width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
     [from..from + place, from + place..from + turn]
-}
-
-/// Angle of a slip whose direction turns on its own, which the integrator must carry.
-fn turning(closed: &Closed) -> Option<f64> {
-    match closed.mode {
-        Mode::Slip { direction } if closed.ease > 0.0 && closed.law.friction == Friction::ReturnMapping => {
-            Some(direction.to_angle())
-        }
-        _ => None,
-    }
 }
 
 /// Keeps the quaternions of spatial bodies at length 1.

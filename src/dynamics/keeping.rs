@@ -31,7 +31,7 @@ impl Engine {
         let seat = |(active, &contact): (&super::field::Active, &usize)| {
             let track = &self.contacts[contact];
             let entry = track.log.latest()?;
-            let same = track.log.closed(entry) == Some(Closed { again: 0, ..active.closed });
+            let same = track.log.closed(entry) == Some(Closed { again: 0, at_face: true, ..active.closed });
             same.then_some(Seat { site: u32::try_from(track.site).ok()?, entry })
         };
         island.active.iter().zip(&island.contacts).map(seat).collect()

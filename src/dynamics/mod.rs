@@ -4,7 +4,9 @@
 //! behind. A girder that touches nothing flies in closed form ([`flight`]); girders that touch are integrated together
 //! (`island`) by [`dop853`], with every change of a contact's state found as a root (`watch`, `predict`).
 
+mod abreast;
 mod agenda;
+mod allowance;
 mod approach;
 pub mod bearing;
 pub mod body_state;
@@ -12,6 +14,7 @@ pub mod bound;
 pub mod contact_log;
 pub mod coupled;
 mod declare;
+mod dof;
 pub mod dop853;
 mod dop853_coefficients;
 pub mod engine;
@@ -24,6 +27,7 @@ mod happening;
 pub mod impact2d;
 mod island;
 mod keeping;
+mod line;
 mod lu;
 mod model;
 pub mod oscillator;

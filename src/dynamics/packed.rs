@@ -30,6 +30,12 @@ impl Packed {
         Some(number)
     }
 
+    /// Makes room for one state, exactly.
+    pub fn reserve_one(&mut self) {
+        self.masks.reserve_exact(1);
+        self.places.reserve_exact(1);
+    }
+
     /// How many states there are.
     pub fn len(&self) -> usize {
         self.masks.len()

@@ -87,6 +87,14 @@ impl BodyPath {
         self.until = until;
     }
 
+    /// Adds the only stretch that there will be.
+    pub fn push_only(&mut self, segment: Segment) {
+        self.from.reserve_exact(1);
+        self.codes.reserve_exact(1);
+        self.starts.reserve_one();
+        self.push(segment);
+    }
+
     /// The number of a flight kept as its start; nothing where that would not do.
     fn start(&mut self, flight: &Flight, from: f64) -> Option<u32> {
         if flight.has_anchors() || flight.start.to_bits() != from.to_bits() {

@@ -2,11 +2,11 @@
 
 use super::ContactSite;
 use super::agenda::Item;
-use super::approach;
 use super::engine::{Engine, Trajectory};
 use super::prowl::{Look, Prowl};
 use super::swing::Swing;
 use super::track::Contact;
+use super::{abreast, approach};
 use crate::contact::{Frame, Local, gap, locate};
 
 /// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
@@ -25,10 +25,10 @@ pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) {
     for contact in engine.pairs[pair].contacts.clone() {
         engine.contacts[contact].take_note(t);
     }
-    let due = match planned(engine, pair) {
+    let due = abreast::search(engine, pair, t).unwrap_or_else(|| match planned(engine, pair) {
         Some(until) => in_steps(engine, pair, t, until),
         None => approach::search(engine, pair, t),
-    };
+    });
     if due.is_finite() {
         engine.agenda.set(Item::Pair(pair), due);
     } else {

@@ -5,8 +5,8 @@
 //! look at it is needed until somebody is hit.
 
 use super::bound::Bound;
-use super::flight::{Dof, Planar, System, SystemForm};
-use crate::motion::Ground;
+use super::dof::Dof;
+use super::flight::{Planar, System, SystemForm};
 
 /// Oscillators that differ by no more than this part are one but for rounding.
 const ALIKE: f64 = 1e-12;
@@ -62,17 +62,19 @@ impl Apart {
             let free = dofs[0].free && dofs[1].free;
             let like = dofs[0].oscillator == dofs[1].oscillator && free;
             *limit = match (&a.free, &b.free) {
-                (Some(p), Some(q)) if like => difference(dofs, [p, q], i, pushes, drive(a.system), horizon),
+                (Some(p), Some(q)) if like => {
+                    difference(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon)
+                }
                 // Under one ground motion its force itself cancels.
                 _ if like => {
                     let plain = [&Dof { steady: (0.0, 0.0), ..*dofs[0] }, &Dof { steady: (0.0, 0.0), ..*dofs[1] }];
-                    difference(plain, [&a.state, &b.state], i, pushes, 0.0, horizon)
+                    difference(plain, [part(&a.state, i), part(&b.state, i)], pushes, 0.0, horizon)
                 }
                 _ if free && alike(dofs) => {
                     window = window.min(b.bound.window);
                     nearly(dofs, [&a.state, &b.state], i, pushes, &b.bound, window)
                 }
-                (Some(p), Some(q)) => both(dofs, [p, q], i, pushes, drive(a.system), horizon),
+                (Some(p), Some(q)) => both(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon),
                 _ => return None,
             };
         }
@@ -92,7 +94,7 @@ impl Flyer<'_> {
 }
 
 /// Whether two oscillators are the same but for rounding: girders of one frequency and other masses.
-fn alike([a, b]: [&Dof; 2]) -> bool {
+pub(super) fn alike([a, b]: [&Dof; 2]) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
     near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)
 }
@@ -110,7 +112,7 @@ fn nearly(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], secon
 }
 
 fn drive(system: &System) -> f64 {
-    if let Ground::Sine { omega, .. } = system.ground { omega } else { 0.0 }
+    system.ground.drive()
 }
 
 /// The phasors' difference as an amplitude \[m\].
@@ -118,16 +120,28 @@ fn amplitude([a, b]: [&Dof; 2]) -> f64 {
     (a.steady.0 - b.steady.0).hypot(a.steady.1 - b.steady.1)
 }
 
-fn difference(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
-    let dof = Dof { amplitude: amplitude(dofs), ..*dofs[0] };
-    dof.limits([p[i] - q[i], p[3 + i] - q[3 + i]], drive, push[0] - push[1], horizon)
+/// Displacement and speed of one direction.
+fn part(state: &Planar, i: usize) -> [f64; 2] {
+    [state[i], state[3 + i]]
 }
 
-fn both(dofs: [&Dof; 2], parts: [&Planar; 2], i: usize, push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+/// Bounds on the difference of two flights along one direction, from the free parts of both: displacement, speed,
+/// acceleration.
+pub(super) fn limits(dofs: [&Dof; 2], free: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+    let like = dofs[0].oscillator == dofs[1].oscillator && dofs[0].free && dofs[1].free;
+    if like { difference(dofs, free, push, drive, horizon) } else { both(dofs, free, push, drive, horizon) }
+}
+
+fn difference(dofs: [&Dof; 2], [p, q]: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+    let dof = Dof { amplitude: amplitude(dofs), ..*dofs[0] };
+    dof.limits([p[0] - q[0], p[1] - q[1]], drive, push[0] - push[1], horizon)
+}
+
+fn both(dofs: [&Dof; 2], free: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
     let steady = amplitude(dofs);
     let mut sum = [steady, drive * steady, drive * drive * steady];
-    for ((dof, part), push) in dofs.into_iter().zip(parts).zip(push) {
-        let free = Dof { amplitude: 0.0, ..*dof }.limits([part[i], part[3 + i]], drive, push, horizon);
+    for ((dof, part), push) in dofs.into_iter().zip(free).zip(push) {
+        let free = Dof { amplitude: 0.0, ..*dof }.limits(part, drive, push, horizon);
         (0..3).for_each(|k| sum[k] += free[k]);
     }
     sum

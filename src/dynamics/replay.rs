@@ -10,6 +10,7 @@ use super::contact_log::ContactLog;
 use super::dop853::{Dense, Dop853};
 use super::field::{Active, Field, Scale, Sliding};
 use super::flight::{Planar, System};
+use super::line::Line;
 use super::packed::Packed;
 use super::path::{BodyPath, Kept};
 use super::piece::Piece;
@@ -145,6 +146,7 @@ impl Replay {
         };
         let mut y: Vec<f64> = (0..).zip(members).flat_map(state).collect();
         let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
+        let line = Line::of(past.model, &bodies, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = Field {
             model: past.model,
@@ -152,6 +154,7 @@ impl Replay {
             active: &active,
             piece,
             scale: Scale::default(),
+            line: line.as_ref(),
             frames: &mut frames,
             wrenches: &mut wrenches,
             rates: &mut rates,
@@ -203,7 +206,8 @@ fn landed(member: Member, t: f64, past: &Past<'_>) -> Planar {
 fn active(seat: Seat, bodies: &[usize], past: &Past<'_>) -> Option<Active> {
     let site = &past.model.contacts[seat.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
-    let closed: Closed = past.logs[seat.site as usize].closed(seat.entry)?;
+    // Steps that begin at a face are kept as they were.
+    let closed = Closed { at_face: false, ..past.logs[seat.site as usize].closed(seat.entry)? };
     Some(Active {
         site: seat.site as usize,
         node: index(site.node_body),

@@ -136,7 +136,19 @@ impl Hunt {
 /// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
 /// is above 0 again.
 pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, armed: bool, resolution: f64) -> Found {
-    let (mut t, mut hunt) = (from, Hunt::begin(ask(from), armed, resolution));
+    let here = ask(from);
+    first_crossing_from(here, ask, [from, to], armed, resolution)
+}
+
+/// The same where the first look is known.
+pub(super) fn first_crossing_from(
+    here: Outlook,
+    mut ask: impl FnMut(f64) -> Outlook,
+    [from, to]: [f64; 2],
+    armed: bool,
+    resolution: f64,
+) -> Found {
+    let (mut t, mut hunt) = (from, Hunt::begin(here, armed, resolution));
     if hunt.at_once() {
         return Found::Crossing(t);
     }

@@ -26,6 +26,8 @@ const GROWING: f64 = 0.2;
 const BEYOND: f64 = 1.5;
 /// See [`BEYOND`].
 pub(super) const WORTHWHILE: f64 = 0.3;
+/// A change so soon is now, in parts of the time: a step to it would be lost in the rounding of its ends.
+const INSTANT: f64 = 64.0 * f64::EPSILON;
 /// Components beyond which elimination costs more than short steps.
 const LARGEST: usize = 160;
 
@@ -60,10 +62,11 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// How far a step of length `h` is worth taking: not far beyond what is likely to end it \[s\].
-    fn reach(&self, h: f64) -> f64 {
+    /// How far a step of length `h` from `t` is worth taking: not far beyond what is likely to end it \[s\].
+    fn reach(&self, t: f64, h: f64) -> f64 {
         let enough = BEYOND * self.soon;
-        if enough < WORTHWHILE * h && enough > self.smallest { enough } else { h }
+        let room = self.smallest.max(INSTANT * t);
+        if enough < WORTHWHILE * h && enough > room { enough } else { h }
     }
 }
 
@@ -134,7 +137,7 @@ impl Stepper {
         let mut h = if self.pace.step > 0.0 { self.pace.step } else { limits.first };
         let mut refused = false;
         loop {
-            let reach = limits.reach(h);
+            let reach = limits.reach(t, h);
             // A last sliver would cost as much as a step: stretch to the cap.
             let end = if t + 1.05 * reach >= limits.cap { limits.cap } else { t + reach };
             let taken = end - t;
@@ -151,6 +154,15 @@ impl Stepper {
                 return Err(h);
             }
         }
+    }
+
+    /// Takes an explicit step that is part of one within the tolerance: its continuous answer; `y` becomes the state at its
+    /// end.
+    pub(super) fn again(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Dense {
+        self.rk.start(system, t, y);
+        // Its estimate is known to be small enough.
+        let _ = self.rk.attempt(system, t, y, h);
+        self.rk.accept(system, t, y, h)
     }
 
     /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
@@ -204,5 +216,18 @@ impl Stepper {
         if let Some(radau) = &mut self.radau {
             radau.resize(self.size);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_ends_soon_after_a_likely_change_but_not_at_once() {
+        let limits = |soon: f64| Limits { cap: 1.0, first: 1e-9, soon, smallest: 1e-18 };
+        assert_eq!(limits(1e-6).reach(9.0, 1e-4), BEYOND * 1e-6, "a little beyond the change");
+        assert_eq!(limits(9e-5).reach(9.0, 1e-4), 1e-4, "not worth a step of its own");
+        assert_eq!(limits(5e-16).reach(9.0, 1e-4), 1e-4, "less than a bit of the time it would end at");
     }
 }

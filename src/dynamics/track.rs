@@ -1,9 +1,11 @@
 //! What a run keeps: the path of every body and the states of every contact, exact at any time.
 
+use glam::DVec2;
+
 use super::flight::Flight;
 use super::impact2d::slide::Slide;
 use super::piece::Piece;
-use crate::contact::{Forces, Law, Local, Mode};
+use crate::contact::{Forces, Law, Local, Mode, law::Friction};
 
 /// One stretch of a body's path.
 #[derive(Clone, Debug)]
@@ -57,6 +59,10 @@ pub struct Closed {
     pub again: u32,
     /// Under `clamp`: the dashpot out-pulls the spring, the normal force is held at 0.
     pub slack: bool,
+    /// It began its step within rounding of the face and does not go in: where it is before the face, nothing presses it and
+    /// friction has nothing to act by. A node that comes out from within is not cut off so: its last step would meet a kink
+    /// beyond its end.
+    pub at_face: bool,
 }
 
 impl Closed {
@@ -80,7 +86,29 @@ impl Closed {
         if self.slack {
             forces.normal_damping = -forces.normal;
         }
+        if self.is_loose(here) {
+            forces.tangential = DVec2::ZERO;
+            forces.tangential_damping = DVec2::ZERO;
+            forces.stretch = DVec2::ZERO;
+            forces.anchor_rate = forces.sliding;
+        }
         forces
+    }
+
+    /// Whether it slides without friction: a hair before the face, where its spring would pull it back.
+    #[inline]
+    pub fn is_loose(&self, here: &Local) -> bool {
+        self.at_face && here.gap > 0.0 && matches!(self.mode, Mode::Slip { .. })
+    }
+
+    /// Angle of a slip whose direction turns on its own, which an integrator must carry \[rad\].
+    pub fn turning(&self) -> Option<f64> {
+        match self.mode {
+            Mode::Slip { direction } if self.ease > 0.0 && self.law.friction == Friction::ReturnMapping => {
+                Some(direction.to_angle())
+            }
+            _ => None,
+        }
     }
 
     /// How much the dashpot out-pulls the spring \[N\].
@@ -97,5 +125,42 @@ impl Contact {
             Self::Closed(closed) => Some(closed),
             Self::Open { .. } => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::contact::law::Friction;
+
+    #[test]
+    fn a_slider_that_hangs_before_its_face_has_no_friction() {
+        let law = Law {
+            k: 1e9,
+            c_n: 10.0,
+            c_t: 3.0,
+            mu_s: 0.5,
+            mu_k: 0.4,
+            friction: Friction::Paper,
+            clamp: false,
+            v_stick: 0.0,
+        };
+        let mode = Mode::Slip { direction: DVec2::X };
+        let hanging = Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: true };
+        let coming_out = Closed { at_face: false, ..hanging };
+        let here = |gap: f64| Local { gap, gap_rate: 0.0, at: DVec2::ZERO, rate: DVec2::X, spin: DVec3::ZERO };
+        let (before, behind) = (here(1e-12), here(-1e-12));
+        assert_eq!(hanging.forces(&before).tangential_total(), DVec2::ZERO, "nothing presses it");
+        assert_eq!(
+            hanging.forces(&before).normal_total(),
+            coming_out.forces(&before).normal_total(),
+            "the spring pulls"
+        );
+        // No kink beyond the end of a step that ends a touch.
+        assert!(coming_out.forces(&before).tangential.x > 0.0, "as it goes on from behind");
+        assert_eq!(hanging.forces(&behind), coming_out.forces(&behind), "behind the face friction is friction");
+        assert!(hanging.forces(&behind).tangential.x < 0.0, "against the sliding");
     }
 }

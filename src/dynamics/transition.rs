@@ -1,15 +1,18 @@
 //! What an event makes of a contact (physics section 4, events 1–4).
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use glam::{DMat2, DVec2};
 
-use super::engine::Engine;
+use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, ROUNDING, Reason};
 use super::{body_state, penalty3d};
 use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
-use crate::scene::{FrictionLaw, Sharing, Tension};
+use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
 /// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
 pub(super) const V_STICK: f64 = 1e-6;
@@ -80,6 +83,25 @@ impl Engine {
         false
     }
 
+    /// Tells the contacts of each node of one another, where a side is in more than one pair.
+    pub(super) fn find_rivals(&mut self, pairs: &[usize]) {
+        let model = Arc::clone(&self.model);
+        let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
+        sides.sort_unstable();
+        if sides.windows(2).all(|two| two[0] != two[1]) {
+            return;
+        }
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for (contact, track) in self.contacts.iter().enumerate() {
+            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
+        }
+        for same in nodes.values().filter(|same| same.len() > 1) {
+            for &contact in same {
+                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+            }
+        }
+    }
+
     /// Whether the same node is in another face already: it touches one at a time.
     fn touches_elsewhere(&self, contact: usize) -> bool {
         self.contacts[contact].rivals.iter().any(|&other| self.contacts[other].state.closed().is_some())
@@ -95,7 +117,7 @@ impl Engine {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let ease = self.ease(contact, &law, &here, now);
-        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
+        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -110,7 +132,13 @@ impl Engine {
     /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
     /// ignored.
     pub(super) fn close_overlapping(&mut self, now: &Juncture) {
+        let at_home: Vec<bool> = now.frames.iter().zip(&now.slots).map(|(f, &slot)| self.stands(slot, f)).collect();
         for contact in 0..self.contacts.len() {
+            let ContactTrack { slots, spot, .. } = &self.contacts[contact];
+            // The slots are all there are, so their numbers are their places.
+            if spot.home_gap >= 0.0 && slots.iter().flatten().all(|&slot| at_home[slot]) {
+                continue;
+            }
             let here = self.local(contact, now);
             let face = &self.model.contacts[self.contacts[contact].site].face;
             if here.gap >= 0.0 {
@@ -127,7 +155,7 @@ impl Engine {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false };
+                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
                 closed.slack = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {
@@ -136,6 +164,12 @@ impl Engine {
             self.contacts[contact].state = state;
             self.contacts[contact].log.push(0.0, state);
         }
+    }
+
+    /// Whether a body stands in plan as it was placed.
+    fn stands(&self, slot: usize, frame: &Frame) -> bool {
+        let body = &self.model.bodies[self.bodies[slot].body];
+        self.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.rotation == body.axes
     }
 
     /// Events 2–4 of a closed contact.
@@ -226,8 +260,8 @@ impl Engine {
     /// Length below which a turning direction of slip is eased: a part of the depth that the speed and the push at the
     /// entry lead to, or of the overlap, whichever is deepest \[m\].
     fn ease(&self, contact: usize, law: &Law, here: &Local, now: &Juncture) -> f64 {
-        // Without friction there is no force whose direction could turn.
-        if law.v_stick == 0.0 || law.friction == Friction::Paper || !law.has_friction() {
+        // Without sliding friction there is no force whose direction could turn.
+        if law.v_stick == 0.0 || law.friction == Friction::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
         let radian = self.pairs[self.contacts[contact].pair].together * 1e9;

@@ -90,7 +90,8 @@ pub(super) fn function(model: &Model, island: &Island, number: usize, reason: Re
 
 pub(super) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.active[number].closed;
-    let switches = closed.law.has_friction();
+    // In line a spring along the face is never stretched: breakaway comes with the opening.
+    let switches = closed.law.has_friction() && !island.is_in_line();
     let kinks = closed.law.clamp && closed.law.c_n > 0.0;
     [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
         .into_iter()
@@ -115,7 +116,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let (frames, bodies) = (island.frames(model, &times), island.slots.len());
-    for number in 0..island.active.len() {
+    for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * bodies..]));
         for reason in reasons(island, number) {
             if reason == Reason::Edge && is_inside(model, island, number, &looks[0]) {
@@ -128,14 +129,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
             let entering = is_entering(model, island, number, &looks[0]);
-            let rounding = ROUNDING * model.contacts[island.active[number].site].reach();
-            let zero = match reason {
-                _ if entering => f64::INFINITY,
-                Reason::Switching if is_sticking(island, number) => {
-                    ZERO * scale(island, number, reason, &looks) + rounding
-                }
-                _ => ZERO * scale(island, number, reason, &looks),
-            };
+            let zero = if entering { f64::INFINITY } else { ZERO * scale(island, number, reason, &looks) };
             let first = if entering { First::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], zero, passing, first, ask) {
                 let t = if entering && reason == Reason::Opening { turned(model, island, number, t) } else { t };
@@ -148,6 +142,12 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
         return None;
     }
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + together).map(|(_, due)| *due).collect();
+    let like = |d: &Due| {
+        let Due { number, reason } = *d;
+        let others = (number + 1..island.active.len()).filter(move |&other| island.first_like(other) == number);
+        others.map(move |number| Due { number, reason })
+    };
+    due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
     also_due(model, island, earliest + together, &mut due);
     due.dedup_by_key(|d| d.number);
     Some((earliest, due))
@@ -194,19 +194,27 @@ fn is_sticking(island: &Island, number: usize) -> bool {
     matches!(island.active[number].closed.mode, Mode::Stick { .. })
 }
 
+/// Whether a node is within rounding of its face and, at its speed, stays there for a radian.
+pub(super) fn is_at_face(site: &ContactSite, here: &Local, omega: f64) -> bool {
+    let entry = ENTRY * site.reach();
+    here.gap > -entry && here.gap_rate > -entry * omega
+}
+
 /// Whether a node has just come through the face: its gap is rounding of either sign, and so are its forces.
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let size = model.contacts[island.active[number].site].reach();
     here.gap_rate < 0.0 && here.gap > -ENTRY * size
 }
 
-/// What a switching function of a node that is hardly in must exceed: at rest there, its gap, its stretch and their rates
-/// are rounding of either sign.
+/// What a switching function must exceed: a stretch its rounding; all of them, where the node is hardly in and at rest,
+/// what its gap, its stretch and their rates come to, which is rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
-    let entry = ENTRY * model.contacts[island.active[number].site].reach();
+    let reach = model.contacts[island.active[number].site].reach();
+    let entry = ENTRY * reach;
     if here.gap <= -entry {
-        return 0.0;
+        // A stretch that goes along the edge of its cone, as where both decay at one rate, would cross it with every bit.
+        return if reason == Reason::Switching && is_sticking(island, number) { ROUNDING * reach } else { 0.0 };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.

@@ -1,7 +1,8 @@
 //! Who is near whom among many: a tree of boxes (parry's Bvh), so that a row of a thousand is not asked a million times.
 //!
 //! The tree only says who may matter; whoever asks decides by its own rule. Answers come in rising order of number, so
-//! that nothing depends on how the tree was built.
+//! that nothing depends on how the tree was built. Asked once about all, a row is cheaper gone along ([`pairs`],
+//! [`Along`]): a tree takes longer to build than to walk past everyone's neighbours.
 
 use glam::DVec3;
 use parry3d::bounding_volume::Aabb;
@@ -74,9 +75,109 @@ impl Broad {
     }
 }
 
+/// Boxes met per box, going along, before a tree is built after all.
+const CROWD: usize = 32;
+
+/// Every two of these boxes that meet, borders included: the lower number first, in rising order.
+pub fn pairs(boxes: &[AlignedBox]) -> Vec<(usize, usize)> {
+    let along = Along::of(boxes.iter().map(|b| b.min));
+    let (axis, mut left) = (along.axis, CROWD * boxes.len());
+    let meet = |a: &AlignedBox, b: &AlignedBox| a.min.cmple(b.max).all() && b.min.cmple(a.max).all();
+    let mut found = Vec::new();
+    for (n, &(_, one)) in along.order.iter().enumerate() {
+        for &(from, other) in &along.order[n + 1..] {
+            if from > boxes[one].max[axis] {
+                break;
+            }
+            if left == 0 {
+                return Broad::of(boxes.iter().copied()).pairs();
+            }
+            left -= 1;
+            if meet(&boxes[one], &boxes[other]) {
+                found.push((one.min(other), one.max(other)));
+            }
+        }
+    }
+    found.sort_unstable();
+    found
+}
+
+/// Numbered places in order along the axis along which they spread most.
+#[derive(Debug)]
+pub struct Along {
+    /// That axis: 0 is x.
+    pub axis: usize,
+    /// Coordinate and number, rising.
+    order: Vec<(f64, usize)>,
+    /// Where in the order each number stands.
+    place: Vec<usize>,
+}
+
+impl Along {
+    /// Of places that are numbered from 0.
+    pub fn of(places: impl Iterator<Item = DVec3> + Clone) -> Self {
+        let spread = AlignedBox::around_all(places.clone());
+        let spread = spread.max - spread.min;
+        let axis = if spread.x >= spread.y && spread.x >= spread.z { 0 } else { 1 + usize::from(spread.z > spread.y) };
+        let mut order: Vec<(f64, usize)> = places.enumerate().map(|(n, place)| (place[axis], n)).collect();
+        order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut place = vec![0; order.len()];
+        order.iter().enumerate().for_each(|(at, (_, n))| place[*n] = at);
+        Self { axis, order, place }
+    }
+
+    /// Everybody else and how far along the axis, nearest first.
+    pub fn outward(&self, number: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let at = self.place[number];
+        let here = self.order[at].0;
+        let (mut below, mut above) = (at, at + 1);
+        std::iter::from_fn(move || {
+            let down = below.checked_sub(1).map(|at| (self.order[at].1, here - self.order[at].0));
+            let up = self.order.get(above).map(|(to, n)| (*n, to - here));
+            match (down, up) {
+                (Some(down), up) if up.is_none_or(|up| down.1 <= up.1) => {
+                    below -= 1;
+                    Some(down)
+                }
+                (_, up) => {
+                    above += 1;
+                    up
+                }
+            }
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn going_along_finds_whom_a_tree_finds() {
+        // A row, a stack, a lattice, and a crowd of boxes as long as all of it.
+        let row = |n: i32| unit(f64::from(n) * 0.7, 0.0);
+        let stack = |n: i32| unit(0.0, f64::from(n) * 0.4);
+        let lattice = |n: i32| unit(f64::from(n % 7) * 0.9 + f64::from(n) * 0.05, f64::from(n % 11) * 1.3);
+        let crowd = |n: i32| {
+            let AlignedBox { min, max } = unit(f64::from(n) * 0.01, f64::from(n % 90) * 0.6);
+            AlignedBox { min, max: max.with_x(max.x + 50.0) }
+        };
+        for of in [row, stack, lattice, crowd] {
+            let boxes: Vec<AlignedBox> = (0..300).map(of).collect();
+            let tree = Broad::of(boxes.iter().copied()).pairs();
+            assert!(tree.len() > 250, "they overlap: {}", tree.len());
+            assert_eq!(pairs(&boxes), tree, "by numbers, in order");
+        }
+        assert_eq!(pairs(&[]), [], "nobody there");
+    }
+
+    #[test]
+    fn the_nearest_along_the_axis_come_first() {
+        let along = Along::of([3.0, -1.0, 2.5, 9.0].into_iter().map(|y| DVec3::new(0.1 * y, y, 0.0)));
+        assert_eq!(along.axis, 1, "they spread along y");
+        let seen: Vec<(usize, f64)> = along.outward(0).collect();
+        assert_eq!(seen, [(2, 0.5), (1, 4.0), (3, 6.0)], "everyone but oneself");
+    }
 
     fn unit(at: f64, beside: f64) -> AlignedBox {
         let min = DVec3::new(at, beside, 0.0);

@@ -40,9 +40,13 @@ pub struct AlignedBox {
 impl AlignedBox {
     /// The smallest around some points.
     pub fn around(points: &[DVec3]) -> Self {
-        let least = |a: DVec3, b: &DVec3| a.min(*b);
-        let most = |a: DVec3, b: &DVec3| a.max(*b);
-        Self { min: points.iter().fold(DVec3::INFINITY, least), max: points.iter().fold(DVec3::NEG_INFINITY, most) }
+        Self::around_all(points.iter().copied())
+    }
+
+    /// The same.
+    pub fn around_all(points: impl Iterator<Item = DVec3>) -> Self {
+        let none = Self { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
+        points.fold(none, |hull, p| Self { min: hull.min.min(p), max: hull.max.max(p) })
     }
 }
 

@@ -79,6 +79,11 @@ impl Ground {
         [s, c]
     }
 
+    /// Circular frequency of a sine; 0 where there is none \[rad/s\].
+    pub fn drive(&self) -> f64 {
+        if let Self::Sine { omega, .. } = self { *omega } else { 0.0 }
+    }
+
     /// `a_g(t)` \[m/s²\].
     pub fn acceleration(&self, t: f64) -> DVec3 {
         match self {

@@ -57,7 +57,7 @@ fn row(history: &History, t: f64, why: &str, contact: &ContactNow) -> Vec<String
     let (pair, site) = (&model.pairs[contact.pair], &model.contacts[contact.contact]);
     let state = contact.state.label().to_owned();
     [
-        vec![number(t), why.to_owned(), pair.name.clone(), site.node.clone(), site.face_name.clone(), state],
+        vec![number(t), why.to_owned(), pair.name.clone(), site.node.clone(), site.face_name.to_string(), state],
         xyz(contact.point).into(),
         xyz(contact.anchor).into(),
         xyz(contact.normal).into(),

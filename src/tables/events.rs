@@ -19,7 +19,7 @@ fn row(history: &History, event: &Event) -> Vec<String> {
         pair.name.clone(),
         event.kind.label().to_owned(),
         site.node.clone(),
-        site.face_name.clone(),
+        site.face_name.to_string(),
         number(event.released),
         law_of(history, event.pair).to_owned(),
     ]

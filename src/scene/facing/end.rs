@@ -1,10 +1,12 @@
 //! Which ends of girders look at each other.
 
+use std::cell::OnceCell;
+
 use glam::DVec3;
 
 use super::{LARGEST_TURN_DEG, Walls};
 use crate::geometry::End;
-use crate::geometry::broad::Broad;
+use crate::geometry::broad::{Along, Broad};
 use crate::geometry::shape::AlignedBox;
 use crate::scene::{Scene, placed};
 
@@ -63,6 +65,17 @@ impl EndFace {
             && beside.abs() - wide <= f64::midpoint(self.length, longest) + slack
     }
 
+    /// How far along a world axis an end at most `longest` long that this one sees can be at most \[m\].
+    fn farthest(&self, axis: usize, longest: f64) -> f64 {
+        if axis == 2 || self.wall.is_infinite() {
+            return f64::INFINITY;
+        }
+        let slack = SAME * (self.length + longest);
+        let beside = f64::midpoint(self.length, longest);
+        let [ahead, aside] = [self.normal[axis].abs(), DVec3::Z.cross(self.normal)[axis].abs()];
+        (self.wall.max(slack) * ahead + beside * aside) * (1.0 + SAME) + slack
+    }
+
     /// Whether this end looks at that one, and how far it is.
     fn sees(&self, other: &Self) -> Option<f64> {
         let across = other.centre - self.centre;
@@ -84,10 +97,16 @@ pub(super) fn all(scene: &Scene, walls: &Walls<'_>) -> Vec<EndFace> {
     girders.flat_map(|n| End::BOTH.map(|end| EndFace::of(scene, walls, n, end))).collect()
 }
 
-/// Ends of girders and who they look at, asked through a tree: a row of n costs about n, not n³.
+/// So many ends are looked at along the row before the tree is asked.
+const PATIENCE: usize = 64;
+
+/// Ends of girders and who they look at, asked along the row, and of a tree where that is of no use: a row of n costs
+/// about n, not n³.
 pub(super) struct Lookout<'a> {
     ends: &'a [EndFace],
-    tree: Broad,
+    along: Along,
+    tree: OnceCell<Broad>,
+    longest: f64,
     /// Distance from each end to the nearest that it sees \[m\].
     nearest: Vec<f64>,
 }
@@ -95,25 +114,50 @@ pub(super) struct Lookout<'a> {
 impl<'a> Lookout<'a> {
     /// Finds what is nearest to every end.
     pub(super) fn over(ends: &'a [EndFace]) -> Self {
-        let tree = Broad::of(ends.iter().map(|end| AlignedBox { min: end.centre, max: end.centre }));
+        let along = Along::of(ends.iter().map(|end| end.centre));
         let longest = ends.iter().fold(0.0f64, |most, end| most.max(end.length));
-        let nearest = |from: &EndFace| {
-            let seen = |n: usize| (ends[n].girder != from.girder).then(|| from.sees(&ends[n])).flatten();
-            tree.least(from.centre, |part| from.may_see(part, longest), seen)
-        };
-        let nearest = ends.iter().map(nearest).collect();
-        Self { ends, tree, nearest }
+        let mut lookout = Self { ends, along, tree: OnceCell::new(), longest, nearest: Vec::new() };
+        lookout.nearest = (0..ends.len()).map(|n| lookout.nearest_of(n)).collect();
+        lookout
+    }
+
+    fn tree(&self) -> &Broad {
+        let boxes = || self.ends.iter().map(|end| AlignedBox { min: end.centre, max: end.centre });
+        self.tree.get_or_init(|| Broad::of(boxes()))
+    }
+
+    fn nearest_of(&self, number: usize) -> f64 {
+        let (ends, from) = (self.ends, &self.ends[number]);
+        let seen = |n: usize| (ends[n].girder != from.girder).then(|| from.sees(&ends[n])).flatten();
+        let mut best = f64::INFINITY;
+        let farthest = from.farthest(self.along.axis, self.longest);
+        for (other, far) in self.along.outward(number).take(PATIENCE) {
+            if far > best.min(farthest) {
+                return best;
+            }
+            best = seen(other).map_or(best, |distance| best.min(distance));
+        }
+        if ends.len() <= PATIENCE {
+            return best;
+        }
+        self.tree().least(from.centre, |part| from.may_see(part, self.longest), seen)
     }
 
     /// Ends of later girders that an end pairs up with: each sees the other with nobody nearer to either.
     pub(super) fn partners(&self, number: usize) -> impl Iterator<Item = &'a EndFace> {
         let (ends, here) = (self.ends, &self.ends[number]);
-        let reach = DVec3::splat(self.nearest[number] * (1.0 + 2.0 * SAME));
-        let mut near = Vec::new();
+        let reach = self.nearest[number] * (1.0 + 2.0 * SAME);
+        let mut near: Vec<usize> = Vec::new();
         if reach.is_finite() {
-            self.tree.meeting(&AlignedBox { min: here.centre - reach, max: here.centre + reach }, &mut near);
+            let within = self.along.outward(number).take_while(|(_, far)| *far <= reach);
+            near.extend(within.map(|(other, _)| other).take(PATIENCE));
+            if near.len() == PATIENCE {
+                let reach = DVec3::splat(reach);
+                self.tree().meeting(&AlignedBox { min: here.centre - reach, max: here.centre + reach }, &mut near);
+            }
         }
         near.retain(|&other| here.girder < ends[other].girder && self.pair_up(number, other));
+        near.sort_unstable();
         near.into_iter().map(|other| &ends[other])
     }
 

@@ -148,7 +148,7 @@ pub(super) fn names(scene: &Scene) -> String {
 
 fn facing(scene: &Scene, first: Side, second: Side) -> Facing {
     Facing {
-        name: format!("{}|{}", side_name(scene, first), side_name(scene, second)),
+        name: pair_name(scene, first, second),
         first,
         second,
         contact: numbers::in_force(scene, first, second),
@@ -156,11 +156,21 @@ fn facing(scene: &Scene, first: Side, second: Side) -> Facing {
     }
 }
 
+/// `deck+x|wall`.
+fn pair_name(scene: &Scene, first: Side, second: Side) -> String {
+    let ([body, end], [other, there]) = (name_of(scene, first), name_of(scene, second));
+    [body, end, "|", other, there].concat()
+}
+
 /// `deck+x`, or the abutment's name.
 pub fn side_name(scene: &Scene, side: Side) -> String {
+    name_of(scene, side).concat()
+}
+
+fn name_of(scene: &Scene, side: Side) -> [&str; 2] {
     match side {
-        Side::Girder(n, end) => format!("{}{}", scene.girders[n].name, end.label()),
-        Side::Abutment(n) => scene.abutments[n].name.clone(),
+        Side::Girder(n, end) => [&scene.girders[n].name, end.label()],
+        Side::Abutment(n) => [&scene.abutments[n].name, ""],
     }
 }
 

@@ -95,9 +95,7 @@ fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
     if places.is_empty() {
         at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
     }
-    for (n, place) in places.iter().enumerate() {
-        at.each(&format!("{key}[{n}]"), place);
-    }
+    at.each_of(key, places.iter().map(<[f64; 2]>::as_slice));
 }
 
 fn per_direction(key: &str, value: PerDirection, at: &mut At<'_>) {
@@ -112,7 +110,8 @@ fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
         at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
     }
     for (n, bearing) in bearings.iter().enumerate() {
-        let mut at = at.below(&format!("bearings[{n}]"), keys::BEARING);
+        let key = format!("bearings[{n}]");
+        let mut at = at.below(&key, keys::BEARING);
         at.each("at_m", &bearing.at);
         at.each("stiffness_n_per_m", &bearing.stiffness);
         at.each("damping_n_s_per_m", &bearing.damping);
@@ -141,9 +140,7 @@ fn polygon(abutment: &Abutment, corners: &[[f64; 3]], at: &mut At<'_>) {
     if corners.len() != 4 {
         at.add("polygon_m", format!("{} corners", corners.len()), "give four corners [x, y, z]");
     }
-    for (n, corner) in corners.iter().enumerate() {
-        at.each(&format!("polygon_m[{n}]"), corner);
-    }
+    at.each_of("polygon_m", corners.iter().map(<[f64; 3]>::as_slice));
     let beside = [("width_m", abutment.width), ("height_m", abutment.height), ("offset_m", abutment.offset)];
     for (key, value) in beside {
         if let Some(value) = value {

@@ -47,7 +47,12 @@ pub(super) struct Complaints(Vec<SceneError>);
 impl Complaints {
     /// Complaints about what stands under `table`, whose keys are these.
     pub(super) fn at(&mut self, table: impl Into<String>, keys: &'static [Key]) -> At<'_> {
-        At { complaints: self, table: table.into(), keys }
+        At { complaints: self, table: Table::Called(table.into()), keys }
+    }
+
+    /// Complaints about a body: `girder` or `abutment`, and its name.
+    pub(super) fn of<'a>(&'a mut self, kind: &'a str, name: &'a str, keys: &'static [Key]) -> At<'a> {
+        At { complaints: self, table: Table::Body(kind, name), keys }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -63,17 +68,36 @@ impl Complaints {
     }
 }
 
+/// What a table is called; put together for a complaint only.
+#[derive(Debug)]
+enum Table<'a> {
+    Called(String),
+    Body(&'a str, &'a str),
+    Below(&'a Table<'a>, &'a str),
+}
+
+impl Display for Table<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Called(name) => f.write_str(name),
+            Self::Body(kind, name) => write!(f, "{kind}.{name}"),
+            Self::Below(table, key) => write!(f, "{table}.{key}"),
+        }
+    }
+}
+
 /// A table of the scene, being checked.
 #[derive(Debug)]
 pub(super) struct At<'a> {
     complaints: &'a mut Complaints,
-    table: String,
+    table: Table<'a>,
     keys: &'static [Key],
 }
 
 impl At<'_> {
     pub(super) fn add(&mut self, key: &str, value: impl Display, remedy: impl Into<String>) {
-        let dot = if self.table.is_empty() || key.is_empty() { "" } else { "." };
+        let top = matches!(&self.table, Table::Called(name) if name.is_empty());
+        let dot = if top || key.is_empty() { "" } else { "." };
         self.complaints.0.push(SceneError {
             file: "scene".to_owned(),
             place: format!("{}{dot}{key}", self.table),
@@ -83,8 +107,8 @@ impl At<'_> {
     }
 
     /// A table below this one, with keys of its own.
-    pub(super) fn below(&mut self, key: &str, keys: &'static [Key]) -> At<'_> {
-        At { table: format!("{}.{key}", self.table), complaints: self.complaints, keys }
+    pub(super) fn below<'b>(&'b mut self, key: &'b str, keys: &'static [Key]) -> At<'b> {
+        At { table: Table::Below(&self.table, key), complaints: self.complaints, keys }
     }
 
     /// The rule of a key of this table.
@@ -112,12 +136,24 @@ impl At<'_> {
         }
     }
 
-    /// Complains about each number of the list under a key; a list in a list follows in brackets: `at_m[2]`.
+    /// Complains about each number of the list under a key.
     pub(super) fn each(&mut self, key: &str, values: &[f64]) {
-        let range = self.range(key.split('[').next().unwrap_or(key));
+        let range = self.range(key);
         for (n, value) in values.iter().enumerate() {
             if let Some(fault) = range.fault(*value) {
                 self.add(&format!("{key}[{n}]"), number(*value), fault);
+            }
+        }
+    }
+
+    /// The same of the lists in the list under a key: `at_m[2][0]`.
+    pub(super) fn each_of<'l>(&mut self, key: &str, lists: impl IntoIterator<Item = &'l [f64]>) {
+        let range = self.range(key);
+        for (n, values) in lists.into_iter().enumerate() {
+            for (i, value) in values.iter().enumerate() {
+                if let Some(fault) = range.fault(*value) {
+                    self.add(&format!("{key}[{n}][{i}]"), number(*value), fault);
+                }
             }
         }
     }

@@ -31,10 +31,10 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     top(scene, &mut complaints);
     placing::names(scene, &mut complaints);
     for girder in &scene.girders {
-        bodies::girder(girder, scene.kind, &mut complaints.at(format!("girder.{}", girder.name), keys::GIRDER));
+        bodies::girder(girder, scene.kind, &mut complaints.of("girder", &girder.name, keys::GIRDER));
     }
     for abutment in &scene.abutments {
-        bodies::abutment(abutment, &mut complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT));
+        bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));
     }
     numbers::contact(&scene.contact, &mut complaints);
     numbers::model(scene, &mut complaints);

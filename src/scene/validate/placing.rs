@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::Complaints;
 use super::complaints::numbers;
 use crate::geometry::Face;
-use crate::geometry::broad::Broad;
+use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
 use crate::scene::{Abutment, Kind, Scene, facing, keys, placed};
 
@@ -62,7 +62,7 @@ fn in_force(pair: &facing::Facing, complaints: &mut Complaints) {
 
 fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
     let Some(corners) = placed::abutment_face(scene, abutment) else { return };
-    let mut at = complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT);
+    let mut at = complaints.of("abutment", &abutment.name, keys::ABUTMENT);
     let key = if abutment.polygon.is_some() { "polygon_m" } else { "width_m" };
     let value = || corners.map(|c| numbers(&c.to_array())).join(", ");
     match Face::new(corners, placed::abutment_depth(scene, abutment)) {
@@ -102,13 +102,11 @@ enum Body {
 /// Bodies that reach into each other as placed; what `initial` does is a pressed start, and allowed.
 pub(super) fn overlaps(scene: &Scene, complaints: &mut Complaints) {
     let bodies: Vec<Placed> = girders(scene).chain(abutments(scene)).collect();
-    let (tree, mut near) = (Broad::of(bodies.iter().map(|body| body.hull)), Vec::new());
-    for (n, later) in bodies.iter().enumerate() {
-        tree.meeting(&later.hull, &mut near);
-        for earlier in near.iter().take_while(|&&other| other < n).map(|&other| &bodies[other]) {
-            if let Some(depth) = overlap(earlier, later) {
-                complain(scene, [earlier, later], depth, complaints);
-            }
+    let mut pairs = broad::pairs(&bodies.iter().map(|body| body.hull).collect::<Vec<_>>());
+    pairs.sort_unstable_by_key(|&(earlier, later)| (later, earlier));
+    for [earlier, later] in pairs.into_iter().map(|(earlier, later)| [&bodies[earlier], &bodies[later]]) {
+        if let Some(depth) = overlap(earlier, later) {
+            complain(scene, [earlier, later], depth, complaints);
         }
     }
 }
@@ -122,7 +120,7 @@ fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaint
     match later.side {
         Body::Girder(n) => {
             let girder = &scene.girders[n];
-            let at = &mut complaints.at(format!("girder.{}", girder.name), keys::GIRDER);
+            let at = &mut complaints.of("girder", &girder.name, keys::GIRDER);
             at.add("position_m", numbers(&girder.position), remedy);
         }
         Body::Abutment(n) => {
@@ -133,7 +131,7 @@ fn complain(scene: &Scene, [earlier, later]: [&Placed; 2], depth: f64, complaint
                 let face = placed::abutment_face(scene, abutment).unwrap_or_default();
                 ("polygon_m", face.map(|c| numbers(&c.to_array())).join(", "))
             };
-            complaints.at(format!("abutment.{}", abutment.name), keys::ABUTMENT).add(key, value, remedy);
+            complaints.of("abutment", &abutment.name, keys::ABUTMENT).add(key, value, remedy);
         }
     }
 }

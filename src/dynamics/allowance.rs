@@ -1,0 +1,82 @@
+//! What a step of an island may err by, and what its contacts are where it begins.
+
+use super::Model;
+use super::body_state;
+use super::field::Scale;
+use super::island::Island;
+use super::watch::is_at_face;
+use crate::contact::{Mode, law::Friction};
+
+/// Rounding of a place over one explicit step, which spans less than a radian, in parts of its size: the estimate's own
+/// noise is half of it. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
+const ROUNDING: f64 = f64::EPSILON;
+/// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
+/// what that comes to cannot be had by a shorter step.
+const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
+/// one sign where it swings, and so come to no more than their logarithm.
+const LONG: f64 = 1000.0;
+
+impl Island {
+    /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
+    /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
+    pub(super) fn scale(&mut self, model: &Model) -> Scale {
+        let (omega, width) = (self.omega, body_state::width(model.kind));
+        let (mut speed2, mut place) = (0.0f64, 0.0f64);
+        self.frames.clear();
+        for (i, &b) in self.bodies.iter().enumerate() {
+            let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
+            let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
+            speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
+            // Attitudes are of order 1 where they are quaternions and axes: a corner's place rounds with its lever.
+            place = place.max(here.shift.length() + self.radii[i]);
+            self.frames.push(here);
+        }
+        let mut stretch = 0.0f64;
+        if !self.active.is_empty() {
+            speed2 = 0.0;
+        }
+        for (number, active) in self.active.iter().enumerate() {
+            if self.first_like(number) != number {
+                continue;
+            }
+            let here = active.look(model, &self.frames);
+            speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
+            if let Mode::Stick { anchor } = active.closed.mode {
+                speed2 = speed2.max((omega * (here.at - anchor)).length_squared() + here.rate.length_squared());
+            }
+            if active.angle.is_some() {
+                // As deep as it goes from here: on the way out the direction counts for less and less.
+                let inwards = (-here.gap_rate).max(0.0);
+                stretch = stretch.max(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
+            }
+        }
+        // From rest nothing is moving yet: what the ground does to it in one radian.
+        let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
+        let speed = speed2.sqrt().max(1e-3 * floor);
+        // No step can be made smaller than its rounding: a place's last bit, as a speed at the contact's frequency.
+        let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
+        let tolerance = model.tolerance * (LONG / self.taken as f64).min(1.0);
+        let speed = tolerance * speed + rounding * omega * place;
+        // A direction counts by the place that it puts p at.
+        let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
+        Scale { speed, omega, angle, place }
+    }
+
+    /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether
+    /// that changes a force there. Only the paper's law: the other one's spring drops with the pressure, and takes back what it
+    /// gives.
+    pub(super) fn note_faces(&mut self, model: &Model) -> bool {
+        let mut changed = false;
+        for active in &mut self.active {
+            if active.closed.law.friction != Friction::Paper {
+                continue;
+            }
+            let here = active.look(model, &self.frames);
+            let at_face = is_at_face(&model.contacts[active.site], &here, self.omega);
+            changed |= active.closed.at_face != at_face && here.gap > 0.0;
+            active.closed.at_face = at_face;
+        }
+        changed
+    }
+}
