@@ -17,7 +17,7 @@ use girderbench::sim::History;
 use rows::Row;
 
 /// A problem: what it is called, how often it is run for one figure, what time and what distance are asked for, the
-/// coarsest tolerance that reaches the distance (`TOLERANCE=1e-9` sets another for all), and the scene at a tolerance.
+/// a coarse tolerance that reaches the distance with room (`TOLERANCE=1e-9` sets another for all), and the scene at a tolerance.
 struct Problem {
     name: &'static str,
     repeats: u32,
@@ -31,16 +31,16 @@ struct Problem {
 const FIGURES: usize = 7;
 
 const PROBLEMS: &[Problem] = &[
-    Problem { name: "P1", repeats: 60, asked_ms: 1.0, asked_m: 1e-9, tolerance: 1e-6, scene: rows::p1 },
+    Problem { name: "P1", repeats: 60, asked_ms: 1.0, asked_m: 1e-9, tolerance: 5e-7, scene: rows::p1 },
     Problem { name: "P3", repeats: 200, asked_ms: 0.2, asked_m: 1e-9, tolerance: 1e-9, scene: p3 },
-    Problem { name: "P2", repeats: 60, asked_ms: 2.0, asked_m: 1e-8, tolerance: 7e-7, scene: rows::p2 },
-    Problem { name: "skew45", repeats: 60, asked_ms: 2.0, asked_m: 1e-8, tolerance: 1e-6, scene: skew45 },
+    Problem { name: "P2", repeats: 60, asked_ms: 2.0, asked_m: 1e-8, tolerance: 4e-6, scene: rows::p2 },
+    Problem { name: "skew45", repeats: 60, asked_ms: 2.0, asked_m: 1e-8, tolerance: 2e-6, scene: skew45 },
     Problem {
         name: "record-4000",
         repeats: 20,
         asked_ms: 5.0,
         asked_m: 1e-8,
-        tolerance: 1e-6,
+        tolerance: 4e-6,
         scene: |e| rows::record(4000, e),
     },
     Problem {
@@ -48,17 +48,31 @@ const PROBLEMS: &[Problem] = &[
         repeats: 20,
         asked_ms: 5.0,
         asked_m: 1e-8,
-        tolerance: 1e-6,
+        tolerance: 4e-6,
         scene: |e| rows::record(8000, e),
     },
     // A millionth of its peak displacement, 0.299 m.
-    Problem { name: "deck-30m", repeats: 1, asked_ms: 20.0, asked_m: 2.99e-7, tolerance: 3e-5, scene: deck },
-    Problem { name: "row-1", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| many(1, e) },
-    Problem { name: "row-10", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| many(10, e) },
-    Problem { name: "row-100", repeats: 4, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| many(100, e) },
-    Problem { name: "row-1000", repeats: 1, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| many(1000, e) },
-    Problem { name: "few-3", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| few(3, e) },
-    Problem { name: "few-1000", repeats: 1, asked_ms: 100.0, asked_m: 1e-8, tolerance: 3e-6, scene: |e| few(1000, e) },
+    Problem { name: "deck-30m", repeats: 1, asked_ms: 20.0, asked_m: 2.99e-7, tolerance: 4e-5, scene: deck },
+    Problem { name: "row-1", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| many(1, e) },
+    Problem { name: "row-10", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| many(10, e) },
+    Problem { name: "row-100", repeats: 4, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| many(100, e) },
+    Problem {
+        name: "row-1000",
+        repeats: 1,
+        asked_ms: 100.0,
+        asked_m: 1e-8,
+        tolerance: 1.5e-6,
+        scene: |e| many(1000, e),
+    },
+    Problem { name: "few-3", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| few(3, e) },
+    Problem {
+        name: "few-1000",
+        repeats: 1,
+        asked_ms: 100.0,
+        asked_m: 1e-8,
+        tolerance: 1.5e-6,
+        scene: |e| few(1000, e),
+    },
 ];
 
 fn many(count: usize, tolerance: f64) -> Scene {
@@ -138,7 +152,7 @@ fn measure(problem: &Problem) {
     let (median, apart) = (times[times.len() / 2], history.difference(&finer));
     let effort = history.effort();
     println!(
-        "{:<12} {tolerance:>10.0e} {median:>12.3} {:>10} {apart:>12.2e} {:>10.2e} {:>8} {:>8} {:>9} {:>8}",
+        "{:<12} {tolerance:>10.1e} {median:>12.3} {:>10} {apart:>12.2e} {:>10.2e} {:>8} {:>8} {:>9} {:>8}",
         problem.name,
         problem.asked_ms,
         problem.asked_m,

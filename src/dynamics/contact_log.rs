@@ -2,7 +2,7 @@
 
 use super::dop853::Dense;
 use super::track::{Closed, Contact};
-use crate::contact::{Law, Mode};
+use crate::contact::{Law, Mode, law::Friction};
 
 /// A state and when it began.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +73,15 @@ impl ContactLog {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { law, mode, passing, slack } => {
                 let (law, ease) = self.laws[law as usize];
-                Contact::Closed(Closed { law, mode, ease, passing, again: 0, slack, at_face: true })
+                Contact::Closed(Closed {
+                    law,
+                    mode,
+                    ease,
+                    passing,
+                    again: 0,
+                    slack,
+                    at_face: law.friction == Friction::Paper,
+                })
             }
         }
     }

@@ -54,7 +54,6 @@ pub(super) struct Island {
     pub(super) y: Vec<f64>,
     /// Stretches in the longest of its bodies' paths, with the planned step.
     pub taken: usize,
-    /// Whether the planned step is an explicit one.
     explicit: bool,
     pub(super) stepper: Stepper,
     pub(super) omega: f64,

@@ -8,6 +8,7 @@ use super::flight::Planar;
 use super::island::Island;
 use super::replay::{Member, Seat};
 use super::track::Closed;
+use crate::contact::law::Friction;
 
 impl Engine {
     /// Keeps an island's planned step by its start, where that gives the same step; its number.
@@ -31,7 +32,8 @@ impl Engine {
         let seat = |(active, &contact): (&super::field::Active, &usize)| {
             let track = &self.contacts[contact];
             let entry = track.log.latest()?;
-            let same = track.log.closed(entry) == Some(Closed { again: 0, at_face: true, ..active.closed });
+            let same = track.log.closed(entry)
+                == Some(Closed { again: 0, at_face: active.closed.law.friction == Friction::Paper, ..active.closed });
             same.then_some(Seat { site: u32::try_from(track.site).ok()?, entry })
         };
         island.active.iter().zip(&island.contacts).map(seat).collect()

@@ -9,13 +9,15 @@ use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
-use super::watch::{EDGE, ROUNDING, Reason};
+use super::watch::{EDGE, PATIENCE, ROUNDING, Reason};
 use super::{body_state, penalty3d};
 use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
 use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
 /// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
 pub(super) const V_STICK: f64 = 1e-6;
+/// Changes in one touch after which a stick breaks away no more by rounding.
+const WORN: usize = 100;
 /// Where a slip's direction turns on its own, it is eased below this part of the entry's depth.
 const EASE: f64 = 1e-3;
 /// With less friction than this the direction matters less than it costs to follow.
@@ -214,6 +216,7 @@ impl Engine {
                 }
                 closed.passing = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
+                closed.again = if self.contacts[contact].counted.0 > WORN { PATIENCE } else { 0 };
                 self.log(contact, now.t, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }

@@ -29,7 +29,7 @@ const PARTING: f64 = 0.1;
 /// At the start of a step, values below this part of their scale are the zero that the last event left.
 const ZERO: f64 = 1e-10;
 /// Sliding that began again so often at one instant ends there less easily each time, doubled so many times at most.
-const PATIENCE: u32 = 4;
+pub(super) const PATIENCE: u32 = 4;
 const MOST: u32 = 36;
 
 /// What ends a contact's state.
@@ -129,7 +129,14 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
             let entering = is_entering(model, island, number, &looks[0]);
-            let zero = if entering { f64::INFINITY } else { ZERO * scale(island, number, reason, &looks) };
+            let rounding = ROUNDING * model.contacts[island.active[number].site].reach();
+            let zero = match reason {
+                _ if entering => f64::INFINITY,
+                Reason::Switching if is_sticking(island, number) => {
+                    ZERO * scale(island, number, reason, &looks) + rounding
+                }
+                _ => ZERO * scale(island, number, reason, &looks),
+            };
             let first = if entering { First::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], zero, passing, first, ask) {
                 let t = if entering && reason == Reason::Opening { turned(model, island, number, t) } else { t };
@@ -206,15 +213,17 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
     here.gap_rate < 0.0 && here.gap > -ENTRY * size
 }
 
-/// What a switching function must exceed: a stretch its rounding; all of them, where the node is hardly in and at rest,
+/// What a switching function must exceed: a stretch that breaks away again and again its rounding; all of them, where the
+/// node is hardly in and at rest,
 /// what its gap, its stretch and their rates come to, which is rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
     let reach = model.contacts[island.active[number].site].reach();
     let entry = ENTRY * reach;
     if here.gap <= -entry {
-        // A stretch that goes along the edge of its cone, as where both decay at one rate, would cross it with every bit.
-        return if reason == Reason::Switching && is_sticking(island, number) { ROUNDING * reach } else { 0.0 };
+        // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
+        let crosses = reason == Reason::Switching && is_sticking(island, number) && closed.again >= PATIENCE;
+        return if crosses { ROUNDING * reach } else { 0.0 };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.
