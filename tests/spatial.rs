@@ -54,14 +54,14 @@ fn a_spatial_girder_held_flat_tends_to_the_planar_one_as_rotations_fall() {
 fn a_deck_that_slides_on_four_nodes_comes_nearer_with_the_tolerance() {
     let mut deck = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
     deck.duration = 8.0;
-    let [rough, fine, finest] = [3e-5, 1e-5, 1e-11].map(|tolerance| {
+    let [rough, fine, finest] = [2e-4, 1e-5, 1e-11].map(|tolerance| {
         deck.solver.tolerance = tolerance;
         run(&deck)
     });
     assert_eq!(fine.events().len(), finest.events().len(), "the same events");
     let (far, near) = (rough.difference(&finest), fine.difference(&finest));
     // A millionth of its peak displacement, and a sixth of that.
-    assert!(far < 2.99e-7, "{far} m at 3e-5");
+    assert!(far < 2.99e-7, "{far} m at 2e-4");
     assert!(near < 5e-8, "{near} m at 1e-5");
 }
 
