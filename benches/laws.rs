@@ -25,7 +25,7 @@ fn touching() -> (ContactSite, [Frame; 2]) {
         Frame { shift, ..body.planar_frame(&[0.0, 0.0, 1e-4, 0.1, 0.05, 0.2]) }
     };
     let face = at(site.face_body, DVec3::ZERO);
-    let gap = locate(site.point, &at(site.node_body, DVec3::ZERO), &site.face, &face).gap;
+    let gap = locate(&site.home, &at(site.node_body, DVec3::ZERO), &face).gap;
     let inwards = -(face.rotation * site.face.normal) * (gap + 1e-6);
     let node = at(site.node_body, inwards);
     (site, [node, face])
@@ -41,13 +41,13 @@ const SLIP: Mode = Mode::Slip { direction: DVec2::X };
 #[divan::bench]
 fn node_against_face(bencher: Bencher<'_, '_>) {
     let (site, [node, face]) = touching();
-    bencher.bench(|| locate(black_box(site.point), black_box(&node), &site.face, black_box(&face)));
+    bencher.bench(|| locate(black_box(&site.home), black_box(&node), black_box(&face)));
 }
 
 #[divan::bench(args = ["paper, stick", "paper, slip", "return mapping, stick", "return mapping, slip"])]
 fn forces(bencher: Bencher<'_, '_>, case: &str) {
     let (site, [node, face]) = touching();
-    let here: Local = locate(site.point, &node, &site.face, &face);
+    let here: Local = locate(&site.home, &node, &face);
     let law = law(if case.starts_with("paper") { Friction::Paper } else { Friction::ReturnMapping });
     let mode = if case.ends_with("stick") { STICK } else { SLIP };
     bencher.bench(|| black_box(&law).forces(black_box(&mode), black_box(&here)));

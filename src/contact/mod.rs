@@ -10,5 +10,5 @@ pub mod parameters;
 mod return_mapping;
 
 pub use law::{Breakaway, Forces, Law, Mode};
-pub use node_face::{Frame, Local, Measured, gap, locate, measure};
+pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
 pub use parameters::{Dashpots, damping_ratio, dashpots};

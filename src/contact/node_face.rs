@@ -4,19 +4,22 @@
 //! Velocities come twice: the rate of the node's coordinates in the face's frame, and `V = V_k − V_p` (53b), taken at the
 //! point p of the face that holds the node; on a turning face the two differ by `ω × (X_k − X_p)`.
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::geometry::Face;
 
 /// Pose and twist of a body, all in the world frame.
 ///
-/// The place is kept as home and displacement: their sum far from the origin would round away the gap's last digits.
+/// Place and attitude are kept as what they were as placed and what came since: their sum would round away the last digits
+/// of a gap, which is as small against the girder as what came since.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Where G was placed \[m\].
     pub home: DVec3,
     /// Displacement of G since \[m\].
     pub shift: DVec3,
+    /// What it has turned since, less the identity: `D` of `R = (1 + D) R₀`.
+    pub turned: DMat3,
     /// Body axes in the columns.
     pub rotation: DMat3,
     /// Velocity of G \[m/s\].
@@ -30,8 +33,13 @@ pub struct Frame {
 impl Frame {
     /// A frame at rest in the ground, world axes, about `home`.
     pub fn fixed(home: DVec3) -> Self {
+        Self::placed(home, DMat3::IDENTITY)
+    }
+
+    /// At rest as placed, `axes` in the columns.
+    pub fn placed(home: DVec3, axes: DMat3) -> Self {
         let still = DVec3::ZERO;
-        Self { home, shift: still, rotation: DMat3::IDENTITY, velocity: still, spin: still, level: true }
+        Self { home, shift: still, turned: DMat3::ZERO, rotation: axes, velocity: still, spin: still, level: true }
     }
 
     /// Where G is \[m\].
@@ -47,6 +55,57 @@ impl Frame {
     /// World velocity of what is at `arm` from G and turns with the body \[m/s\].
     pub fn velocity_at(&self, arm: DVec3) -> DVec3 {
         self.velocity + self.spin.cross(arm)
+    }
+}
+
+/// The rotation of a unit quaternion less the identity, exact to the last digits of a small one.
+pub fn turned_by(q: DQuat) -> DMat3 {
+    let (x, y, z, w) = (2.0 * q.x, 2.0 * q.y, 2.0 * q.z, q.w);
+    let (xx, yy, zz) = (x * q.x, y * q.y, z * q.z);
+    let (xy, xz, yz) = (x * q.y, x * q.z, y * q.z);
+    let (wx, wy, wz) = (w * x, w * y, w * z);
+    DMat3::from_cols(
+        DVec3::new(-(yy + zz), xy + wz, xz - wy),
+        DVec3::new(xy - wz, -(xx + zz), yz + wx),
+        DVec3::new(xz + wy, yz - wx, -(xx + yy)),
+    )
+}
+
+/// A node and a face as placed, world axes: what their motion since is counted from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Home {
+    /// The face's axes `(t1, t2, n)` in the columns.
+    axes: DMat3,
+    /// The node in them, from corner a \[m\].
+    at: DVec3,
+    /// Node from corner a \[m\].
+    apart: DVec3,
+    /// Node from its own body's G \[m\].
+    arm: DVec3,
+    /// Node from the face body's G \[m\].
+    lever: DVec3,
+    /// Corner a from the face body's G \[m\].
+    corner: DVec3,
+    /// Whether the face stands upright, its first tangent level.
+    upright: bool,
+}
+
+impl Home {
+    /// Of `node`, a fixed point of one body, and a face of another, with where both were placed and their axes there.
+    pub fn of(node: DVec3, (node_home, node_axes): (DVec3, DMat3), face: &Face, (home, axes): (DVec3, DMat3)) -> Self {
+        let (arm, corner) = (node_axes * node, axes * face.corners[0]);
+        let lever = (node_home - home) + arm;
+        let in_face = axes.transpose() * lever - face.corners[0];
+        let along = DMat3::from_cols(face.tangent, face.bitangent, face.normal);
+        Self {
+            axes: axes * along,
+            at: along.transpose() * in_face,
+            apart: lever - corner,
+            arm,
+            lever,
+            corner,
+            upright: face.is_upright(),
+        }
     }
 }
 
@@ -93,76 +152,83 @@ pub struct Measured {
 
 /// Measures a node, a fixed point of one body, against a face of another.
 #[inline]
-pub fn locate(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Local {
-    measure(node, node_body, face, face_body).here
+pub fn locate(home: &Home, node_body: &Frame, face_body: &Frame) -> Local {
+    measure(home, node_body, face_body).here
 }
 
 /// The gap and its rate alone.
 #[inline]
-pub fn gap(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> [f64; 2] {
-    let here = measure(node, node_body, face, face_body).here;
+pub fn gap(home: &Home, node_body: &Frame, face_body: &Frame) -> [f64; 2] {
+    let here = measure(home, node_body, face_body).here;
     [here.gap, here.gap_rate]
 }
 
 /// The same, with the node's levers.
+///
+/// With `D` of both bodies, `e` an axis of the face as placed and `d = Δx + D_k arm − D_p corner`, the node is at
+/// `e·r₀ + e·(d + D_pᵀ (r₀ + d))` from corner a, where `r₀` is what it was: all but the first is as small as the motion.
 #[inline]
-pub fn measure(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
-    if node_body.level && face_body.level && face.is_upright() {
-        measure_in_plan(node, node_body, face, face_body)
+pub fn measure(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
+    if node_body.level && face_body.level && home.upright {
+        measure_in_plan(home, node_body, face_body)
     } else {
-        measure_in_space(node, node_body, face, face_body)
+        measure_in_space(home, node_body, face_body)
     }
 }
 
 #[inline]
-fn measure_in_space(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
-    let arm = node_body.rotation * node;
-    let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
+fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
+    let swung = node_body.turned * home.arm;
+    let shifted = (node_body.shift - face_body.shift) + swung;
+    let (arm, apart) = (home.arm + swung, home.lever + shifted);
     let velocity = node_body.velocity_at(arm) - face_body.velocity_at(apart);
-    // An abutment's axes are the world's: the products with 0 and 1 left out, not a bit differs.
-    let (place, velocity, spin) = if face_body.rotation == DMat3::IDENTITY {
-        (apart, velocity, face_body.spin)
+    // An abutment does not turn: the products with 0 left out, not a bit differs.
+    let (moved, velocity, spin) = if face_body.turned == DMat3::ZERO {
+        (shifted, velocity, face_body.spin)
     } else {
-        let to_face = face_body.rotation.transpose();
-        (to_face * apart, to_face * velocity, to_face * face_body.spin)
+        let back = face_body.turned.transpose();
+        let moved = shifted - face_body.turned * home.corner;
+        (moved + back * (home.apart + moved), velocity + back * velocity, face_body.spin + back * face_body.spin)
     };
-    let from_corner = place - face.corners[0];
-    let here = Local {
-        gap: from_corner.dot(face.normal),
-        gap_rate: velocity.dot(face.normal),
-        at: DVec2::new(from_corner.dot(face.tangent), from_corner.dot(face.bitangent)),
-        rate: DVec2::new(velocity.dot(face.tangent), velocity.dot(face.bitangent)),
-        spin: DVec3::new(spin.dot(face.tangent), spin.dot(face.bitangent), spin.dot(face.normal)),
-    };
+    let in_face = |v: DVec3| DVec3::new(v.dot(home.axes.x_axis), v.dot(home.axes.y_axis), v.dot(home.axes.z_axis));
+    let (at, rate) = (home.at + in_face(moved), in_face(velocity));
+    let here = Local { gap: at.z, gap_rate: rate.z, at: at.truncate(), rate: rate.truncate(), spin: in_face(spin) };
     Measured { here, arm, apart }
 }
 
 /// The same sums without the terms that are 0 between upright bodies: not a bit differs, at a third of the work.
 #[inline]
-fn measure_in_plan(node: DVec3, node_body: &Frame, face: &Face, face_body: &Frame) -> Measured {
-    let (turned, facing) = (&node_body.rotation, &face_body.rotation);
-    let arm = DVec3::new(
-        turned.x_axis.x * node.x + turned.y_axis.x * node.y,
-        turned.x_axis.y * node.x + turned.y_axis.y * node.y,
-        node.z,
-    );
-    let apart = (node_body.home - face_body.home) + (node_body.shift - face_body.shift) + arm;
-    let to_face =
-        |x: f64, y: f64| (facing.x_axis.x * x + facing.x_axis.y * y, facing.y_axis.x * x + facing.y_axis.y * y);
+fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
+    let times = |m: &DMat3, v: DVec3| (m.x_axis.x * v.x + m.y_axis.x * v.y, m.x_axis.y * v.x + m.y_axis.y * v.y);
+    let facing = &face_body.turned;
+    let back = |x: f64, y: f64| {
+        (x + (facing.x_axis.x * x + facing.x_axis.y * y), y + (facing.y_axis.x * x + facing.y_axis.y * y))
+    };
     let along = |(x, y): (f64, f64), axis: DVec3| x * axis.x + y * axis.y;
-    let (x, y) = to_face(apart.x, apart.y);
-    let from_corner = (x - face.corners[0].x, y - face.corners[0].y);
+    let swung = times(&node_body.turned, home.arm);
+    let between = node_body.shift - face_body.shift;
+    let shifted = DVec3::new(between.x + swung.0, between.y + swung.1, between.z);
+    let arm = DVec3::new(home.arm.x + swung.0, home.arm.y + swung.1, home.arm.z);
+    let apart = home.lever + shifted;
+    let corner = times(facing, home.corner);
+    let (x, y) = (shifted.x - corner.0, shifted.y - corner.1);
+    let (from_x, from_y) = (home.apart.x + x, home.apart.y + y);
+    let moved = (
+        x + (facing.x_axis.x * from_x + facing.x_axis.y * from_y),
+        y + (facing.y_axis.x * from_x + facing.y_axis.y * from_y),
+    );
     let (spin, turning) = (node_body.spin.z, face_body.spin.z);
-    let velocity = to_face(
+    let velocity = back(
         (node_body.velocity.x - spin * arm.y) - (face_body.velocity.x - turning * apart.y),
         (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * apart.x),
     );
+    let [first, second, normal] = [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis];
     let here = Local {
-        gap: along(from_corner, face.normal),
-        gap_rate: along(velocity, face.normal),
-        at: DVec2::new(along(from_corner, face.tangent), (apart.z - face.corners[0].z) * face.bitangent.z),
-        rate: DVec2::new(along(velocity, face.tangent), 0.0),
-        spin: DVec3::new(0.0, turning * face.bitangent.z, 0.0),
+        gap: home.at.z + along(moved, normal),
+        gap_rate: along(velocity, normal),
+        at: DVec2::new(home.at.x + along(moved, first), home.at.y + shifted.z * second.z),
+        rate: DVec2::new(along(velocity, first), 0.0),
+        spin: DVec3::new(0.0, turning * second.z, 0.0),
     };
     Measured { here, arm, apart }
 }
@@ -171,29 +237,78 @@ fn measure_in_plan(node: DVec3, node_body: &Frame, face: &Face, face_body: &Fram
 mod tests {
     use super::*;
 
-    /// A body turned by `turn` about the vertical, moving in plan.
-    fn body(home: DVec3, turn: f64, spin: f64) -> Frame {
+    /// A body turned by `turn` about the vertical since it was placed at a heading, moving in plan.
+    fn body(home: DVec3, heading: f64, turn: f64, spin: f64) -> Frame {
+        let turned = turned_by(DQuat::from_rotation_z(turn));
+        let axes = DMat3::from_rotation_z(heading);
         Frame {
-            home,
             shift: DVec3::new(0.013, -0.021, 0.0),
-            rotation: DMat3::from_rotation_z(turn),
+            turned,
+            rotation: axes + turned * axes,
             velocity: DVec3::new(0.3, -0.7, 0.0),
             spin: DVec3::Z * spin,
-            level: true,
+            ..Frame::placed(home, axes)
+        }
+    }
+
+    fn face() -> Face {
+        let quad = [(0.5, -0.4, -0.1), (0.7, 0.3, -0.1), (0.7, 0.3, 0.2), (0.5, -0.4, 0.2)];
+        Face::new(quad.map(DVec3::from), 1.0).expect("a rectangle")
+    }
+
+    const NODE: DVec3 = DVec3::new(-0.4, 0.31, 0.02);
+
+    #[test]
+    fn in_plan_every_number_is_that_of_space() {
+        let face = face();
+        assert!(face.is_upright(), "{face:?}");
+        for turn in [0.0, 0.1, -0.37, 1.9] {
+            let owner = body(DVec3::new(1.1, 0.2, 0.05), 0.0, turn, 0.9);
+            let other = body(DVec3::ZERO, 0.0, 0.7 * turn, -2.3);
+            let home = Home::of(NODE, (owner.home, DMat3::IDENTITY), &face, (other.home, DMat3::IDENTITY));
+            let (plan, space) = (measure_in_plan(&home, &owner, &other), measure_in_space(&home, &owner, &other));
+            assert_eq!(plan, space, "turned by {turn}");
         }
     }
 
     #[test]
-    fn in_plan_every_number_is_that_of_space() {
-        let quad = [(0.5, -0.4, -0.1), (0.7, 0.3, -0.1), (0.7, 0.3, 0.2), (0.5, -0.4, 0.2)];
-        let face = Face::new(quad.map(DVec3::from), 1.0).expect("a rectangle");
-        assert!(face.is_upright(), "{face:?}");
-        for turn in [0.0, 0.1, -0.37, 1.9] {
-            let (owner, other) = (body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9), body(DVec3::ZERO, 0.7 * turn, -2.3));
-            let node = DVec3::new(-0.4, 0.31, 0.02);
-            let (plan, space) =
-                (measure_in_plan(node, &owner, &face, &other), measure_in_space(node, &owner, &face, &other));
-            assert_eq!(plan, space, "turned by {turn}");
+    fn counted_from_home_a_node_is_where_it_is() {
+        let face = face();
+        for (heading, turn) in [(0.3, 1e-9), (-1.2, 0.4), (2.9, -2.0)] {
+            let owner = body(DVec3::new(1.1, 0.2, 0.05), heading, turn, 0.9);
+            let other = body(DVec3::new(0.1, -0.3, 0.0), 1.7 * heading, 0.7 * turn, -2.3);
+            let axes = |heading| DMat3::from_rotation_z(heading);
+            let home = Home::of(NODE, (owner.home, axes(heading)), &face, (other.home, axes(1.7 * heading)));
+            let there = measure(&home, &owner, &other);
+            let apart = owner.place(NODE) - other.place(face.corners[0]);
+            let axes = [face.tangent, face.bitangent, face.normal].map(|axis| other.rotation * axis);
+            let plain = DVec3::from_array(axes.map(|axis| apart.dot(axis)));
+            let found = there.here.at.extend(there.here.gap);
+            assert!((found - plain).length() < 1e-14, "{found} against {plain}");
+            assert!((there.apart - (owner.place(NODE) - other.origin())).length() < 1e-14, "its levers");
+            let speed = owner.velocity_at(there.arm) - other.velocity_at(there.apart);
+            let rates = there.here.rate.extend(there.here.gap_rate);
+            assert!((rates - DVec3::from_array(axes.map(|axis| speed.dot(axis)))).length() < 1e-14, "its rates");
         }
+    }
+
+    #[test]
+    fn a_small_motion_moves_the_gap_by_its_own_last_digit() {
+        // As far apart as the bodies are wide, the sum of places would know 1e-16 m.
+        let face = face();
+        let still = Frame::fixed(DVec3::ZERO);
+        let placed = Frame::fixed(DVec3::new(9.0, 0.4, 0.0));
+        let home = Home::of(NODE, (placed.home, placed.rotation), &face, (still.home, still.rotation));
+        let shift = 1e-12;
+        let before = Home { at: DVec3::ZERO, ..home };
+        let moved = Frame { shift: face.normal * shift, ..placed };
+        let step = locate(&before, &moved, &still).gap;
+        assert!((step - shift).abs() < 4e-16 * shift, "{step:e}");
+        let turn = 1e-11;
+        let turned = turned_by(DQuat::from_xyzw(0.0, 0.0, 0.5 * turn, 1.0));
+        let spun = Frame { turned, ..placed };
+        let step = locate(&before, &spun, &still).gap;
+        let swung = turn * DVec3::Z.cross(NODE).dot(face.normal);
+        assert!((step - swung).abs() < 1e-10 * swung.abs(), "{step:e} against {swung:e}, to second order");
     }
 }

@@ -42,7 +42,7 @@ impl Spot {
         let apart = (node.home - face.home + node.rotation * site.point).length();
         let arm = site.point.length();
         let size = arm + apart + site.face.size();
-        Self { home_gap: locate(site.point, &node, &site.face, &face).gap, arm, apart, size }
+        Self { home_gap: locate(&site.home, &node, &face).gap, arm, apart, size }
     }
 
     /// What the gap can do at most.
@@ -107,7 +107,7 @@ struct Quarry<'a> {
 impl Quarry<'_> {
     fn look(&self, view: &View) -> Local {
         let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &view.frames[side]);
-        locate(self.site.point, frame(0), &self.site.face, frame(1))
+        locate(&self.site.home, frame(0), frame(1))
     }
 
     fn outlook(&self, view: &View) -> Outlook {

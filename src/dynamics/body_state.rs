@@ -1,12 +1,12 @@
 //! How a body stands in an integrator's vector, and what moves it.
 //!
-//! Planar: `x, y, θ, ẋ, ẏ, θ̇`. Spatial: displacement (3), attitude quaternion x, y, z, w (body to world), velocity (3),
-//! angular velocity in the world (3).
+//! Planar: `x, y, θ, ẋ, ẏ, θ̇`. Spatial: displacement (3), what the body has turned since it was placed as a quaternion x, y,
+//! z, w (world axes), velocity (3), angular velocity in the world (3).
 
 use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 
 use super::Body;
-use crate::contact::Frame;
+use crate::contact::{Frame, turned_by};
 use crate::scene::Kind;
 
 /// Components of a planar body.
@@ -28,14 +28,14 @@ pub fn initial(kind: Kind, body: &Body) -> Vec<f64> {
     match kind {
         Kind::Planar => vec![x, y, turn, vx, vy, spin],
         Kind::Spatial => {
-            let q = DQuat::from_rotation_z(turn) * DQuat::from_mat3(&body.axes);
+            let q = DQuat::from_rotation_z(turn);
             vec![x, y, z, q.x, q.y, q.z, q.w, vx, vy, vz, 0.0, 0.0, spin]
         }
     }
 }
 
-/// Attitude in a spatial state.
-pub fn attitude(state: &[f64]) -> DQuat {
+/// What a body has turned since it was placed, in a spatial state.
+pub fn turn(state: &[f64]) -> DQuat {
     let q = DQuat::from_xyzw(state[3], state[4], state[5], state[6]);
     // Kept near 1 by every accepted step; never 0.
     q * (1.0 / q.length())
@@ -46,14 +46,18 @@ pub fn attitude(state: &[f64]) -> DQuat {
 pub fn frame(kind: Kind, body: &Body, state: &[f64]) -> Frame {
     match kind {
         Kind::Planar => body.planar_frame(state),
-        Kind::Spatial => Frame {
-            home: body.home,
-            shift: DVec3::new(state[0], state[1], state[2]),
-            rotation: DMat3::from_quat(attitude(state)),
-            velocity: DVec3::new(state[7], state[8], state[9]),
-            spin: DVec3::new(state[10], state[11], state[12]),
-            level: false,
-        },
+        Kind::Spatial => {
+            let turned = turned_by(turn(state));
+            Frame {
+                home: body.home,
+                shift: DVec3::new(state[0], state[1], state[2]),
+                turned,
+                rotation: body.axes + turned * body.axes,
+                velocity: DVec3::new(state[7], state[8], state[9]),
+                spin: DVec3::new(state[10], state[11], state[12]),
+                level: false,
+            }
+        }
     }
 }
 
@@ -115,7 +119,7 @@ pub fn spatial_slope(
         out[10 + i] = spin_rate[i];
     }
     let w = here.spin;
-    let q = attitude(state);
+    let q = turn(state);
     // q̇ = ½ ω q, ω in the world.
     let rate = DQuat::from_xyzw(w.x, w.y, w.z, 0.0) * q * 0.5;
     out[3..7].copy_from_slice(&[rate.x, rate.y, rate.z, rate.w]);
@@ -125,11 +129,11 @@ pub fn spatial_slope(
 fn on_bearings(body: &Body, here: &Frame) -> Wrench {
     // Axes along the world's: the products with 0 and 1 left out, not a bit differs.
     if body.axes == DMat3::IDENTITY {
-        return in_axes(body, &here.rotation, [here.shift, here.velocity, here.spin], |preload| preload);
+        return in_axes(body, &here.turned, [here.shift, here.velocity, here.spin], |preload| preload);
     }
     let into_axes = body.axes.transpose();
     let motion = [here.shift, here.velocity, here.spin].map(|v| into_axes * v);
-    let sum = in_axes(body, &(into_axes * here.rotation), motion, |preload| into_axes * preload);
+    let sum = in_axes(body, &(into_axes * here.turned * body.axes), motion, |preload| into_axes * preload);
     Wrench { force: body.axes * sum.force, moment: body.axes * sum.moment }
 }
 
@@ -142,8 +146,9 @@ fn in_axes(
 ) -> Wrench {
     let mut sum = Wrench::default();
     for b in &body.bearings {
-        let arm = *turned * b.place;
-        let (moved, speed) = (shift + (arm - b.place), velocity + spin.cross(arm));
+        let swung = *turned * b.place;
+        let arm = b.place + swung;
+        let (moved, speed) = (shift + swung, velocity + spin.cross(arm));
         sum.push(into_axes(b.preload) - b.stiffness * moved - b.damping * speed, arm);
     }
     sum
@@ -153,8 +158,10 @@ fn in_axes(
 pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = (DVec3, DVec3)> + 'a {
     let into_axes = body.axes.transpose();
     body.bearings.iter().map(move |b| {
-        let arm = here.rotation * b.place;
-        let moved = into_axes * (here.shift + arm - body.axes * b.place);
+        let placed = body.axes * b.place;
+        let swung = here.turned * placed;
+        let arm = placed + swung;
+        let moved = into_axes * (here.shift + swung);
         let speed = into_axes * here.velocity_at(arm);
         (arm, b.preload + body.axes * (-b.stiffness * moved - b.damping * speed))
     })

@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::{Body, ContactSite};
-use crate::contact::Frame;
+use crate::contact::{Frame, Home};
 use crate::geometry::{End, Face, Prism};
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
@@ -54,12 +54,18 @@ pub(super) fn contacts(
             node_body: own.body,
             point,
             face_body: face.body,
+            home: Home::of(point, placed_at(bodies, own), &face.face, placed_at(bodies, face)),
             face: face.face.clone(),
             fixed,
             stand: Frame::fixed(fixed),
         }));
     }
     Ok(())
+}
+
+/// Where the body of a facade was placed, and its axes there.
+fn placed_at(bodies: &[Body], facade: &Facade) -> (DVec3, DMat3) {
+    facade.body.map_or((facade.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
 }
 
 fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {

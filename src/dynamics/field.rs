@@ -35,7 +35,7 @@ impl Active {
     pub(super) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
         let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
-        locate(site.point, frame(self.node), &site.face, frame(self.face))
+        locate(&site.home, frame(self.node), frame(self.face))
     }
 
     /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.

@@ -141,7 +141,7 @@ impl Touch {
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
         let normal = face.rotation * site.face.normal;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
-        let Measured { here, arm, apart } = measure(site.point, &node, &site.face, &face);
+        let Measured { here, arm, apart } = measure(&site.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.at,
@@ -196,9 +196,8 @@ mod tests {
         let model = Model::compile(scene).expect("a valid scene");
         let stick = |site: usize| {
             let here = crate::contact::locate(
-                model.contacts[site].point,
+                &model.contacts[site].home,
                 &frame(&model, model.contacts[site].node_body, site),
-                &model.contacts[site].face,
                 &frame(&model, model.contacts[site].face_body, site),
             );
             let (k, c_n, c_t) = (4e4, 11.0, 7.0);

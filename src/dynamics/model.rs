@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use super::bearing::{Bearing, PlanarBearings, Quantities, carry};
 use super::{declare, line};
 use crate::contact::parameters::reduced_mass;
-use crate::contact::{Frame, dashpots};
+use crate::contact::{Frame, Home, dashpots};
 use crate::geometry::{Face, Prism};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, PairContact, Side};
@@ -59,14 +59,21 @@ impl Body {
     /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
     #[inline]
     pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        // Most girders of a row never turn.
-        let (s, c) = if state[2] == 0.0 { (0.0, 1.0) } else { state[2].sin_cos() };
-        let turn = |v: DVec3| DVec3::new(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
-        let turned = || DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis);
+        // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.
+        let (turned, rotation) = if state[2] == 0.0 {
+            (DMat3::ZERO, self.axes)
+        } else {
+            let (s, c) = (0.5 * state[2]).sin_cos();
+            let (sine, less) = (2.0 * s * c, -2.0 * s * s);
+            let turn = |v: DVec3| DVec3::new(v.x + (less * v.x - sine * v.y), v.y + (sine * v.x + less * v.y), v.z);
+            let since = DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO);
+            (since, DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis))
+        };
         Frame {
             home: self.home,
             shift: DVec3::new(state[0], state[1], self.start[2]),
-            rotation: if state[2] == 0.0 { self.axes } else { turned() },
+            turned,
+            rotation,
             velocity: DVec3::new(state[3], state[4], 0.0),
             spin: DVec3::new(0.0, 0.0, state[5]),
             level: true,
@@ -116,6 +123,8 @@ pub struct ContactSite {
     pub face_body: Option<usize>,
     /// The face in its body's frame (about `fixed`, for an abutment).
     pub face: Face,
+    /// Both as placed.
+    pub home: Home,
     /// Where the frame of the abutment in this contact stands, if there is one \[m\].
     pub fixed: DVec3,
     /// That frame.

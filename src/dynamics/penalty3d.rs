@@ -33,7 +33,7 @@ pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> A
 /// Forces of a contact that is closed but for its mode.
 #[inline]
 pub fn act_in(site: &ContactSite, closed: &Closed, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, apart } = measure(site.point, node, &site.face, face);
+    let Measured { here, arm, apart } = measure(&site.home, node, face);
     let forces = closed.forces_in(mode, &here);
     let force = to_world(site, face, forces.tangential_total(), forces.normal_total());
     let offset = to_world(site, face, forces.stretch, here.gap);

@@ -116,7 +116,7 @@ pub(super) fn in_front(gap: f64, rate: f64, t: f64, resolution: f64) -> bool {
 
 fn look(engine: &Engine, contact: usize, t: f64) -> Local {
     let site = &engine.model.contacts[engine.contacts[contact].site];
-    locate(site.point, &engine.side(contact, 0, t), &site.face, &engine.side(contact, 1, t))
+    locate(&site.home, &engine.side(contact, 0, t), &engine.side(contact, 1, t))
 }
 
 /// Depth of a dip of a contact's gap that is rounding from `t` on \[m\].
@@ -174,14 +174,14 @@ impl Views {
     fn look(&self, engine: &Engine, contact: usize, i: usize) -> Local {
         let (site, [node, face]) =
             (&engine.model.contacts[engine.contacts[contact].site], self.sides(engine, contact, i));
-        locate(site.point, node, &site.face, face)
+        locate(&site.home, node, face)
     }
 
     /// The gap alone.
     fn gap(&self, engine: &Engine, contact: usize, i: usize) -> Look {
         let (site, [node, face]) =
             (&engine.model.contacts[engine.contacts[contact].site], self.sides(engine, contact, i));
-        let [gap, rate] = gap(site.point, node, &site.face, face);
+        let [gap, rate] = gap(&site.home, node, face);
         Look { t: self.times[i], gap, rate }
     }
 }
@@ -248,7 +248,7 @@ fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (
     };
     let site = &engine.model.contacts[track.site];
     let ask = |at: f64| {
-        let [gap, rate] = gap(site.point, &engine.side(contact, 0, at), &site.face, &engine.side(contact, 1, at));
+        let [gap, rate] = gap(&site.home, &engine.side(contact, 0, at), &engine.side(contact, 1, at));
         Look { t: at, gap, rate }
     };
     views.fill(engine);

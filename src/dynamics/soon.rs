@@ -76,7 +76,7 @@ fn look(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> O
         Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| frames.get(i)),
         None => Some(&site.stand),
     };
-    Some(locate(site.point, frame(contact.slots[0])?, &site.face, frame(contact.slots[1])?))
+    Some(locate(&site.home, frame(contact.slots[0])?, frame(contact.slots[1])?))
 }
 
 /// What is negative while nothing has changed.

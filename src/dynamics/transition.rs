@@ -51,7 +51,7 @@ fn side(engine: &Engine, contact: usize, which: usize, now: &Juncture) -> Frame 
 impl Engine {
     fn local(&self, contact: usize, now: &Juncture) -> Local {
         let site = &self.model.contacts[self.contacts[contact].site];
-        locate(site.point, &side(self, contact, 0, now), &site.face, &side(self, contact, 1, now))
+        locate(&site.home, &side(self, contact, 0, now), &side(self, contact, 1, now))
     }
 
     fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
@@ -256,7 +256,7 @@ impl Engine {
         let mut after = Juncture { t: now.t + dt, slots: now.slots.clone(), states: Vec::new(), frames: Vec::new() };
         after.frames =
             self.assemble(&now.slots, now.states.concat(), now.t, Pace::default()).frames_after(&self.model, dt);
-        let next = locate(site.point, &side(self, contact, 0, &after), &site.face, &side(self, contact, 1, &after));
+        let next = locate(&site.home, &side(self, contact, 0, &after), &side(self, contact, 1, &after));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 

@@ -62,7 +62,7 @@ pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Loc
         Some(i) => island.frame(model, i, t),
         None => site.stand,
     };
-    locate(site.point, &frame(active.node), &site.face, &frame(active.face))
+    locate(&site.home, &frame(active.node), &frame(active.face))
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.

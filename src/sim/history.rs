@@ -216,7 +216,7 @@ impl History {
     }
 
     /// Pose and twist of a body.
-    pub(super) fn frame(&self, body: usize, t: f64) -> Frame {
+    pub fn frame(&self, body: usize, t: f64) -> Frame {
         body_state::frame(self.model.kind, &self.model.bodies[body], &self.state(body, t))
     }
 
@@ -228,7 +228,7 @@ impl History {
         let (theta, attitude) = match self.model.kind {
             Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
             Kind::Spatial => {
-                let attitude = body_state::attitude(&state);
+                let attitude = body_state::turn(&state) * DQuat::from_mat3(&body.axes);
                 let x = here.rotation * (body.axes.transpose() * DVec3::X);
                 (x.y.atan2(x.x), attitude)
             }

@@ -101,7 +101,7 @@ fn corner_off_seat(history: &History, girder: usize, end: End, corner: usize, t:
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
     let [node, face] = history.sides(contact, t.clamp(0.0, history.end()));
-    let here = locate(site.point, &node, &site.face, &face);
+    let here = locate(&site.home, &node, &face);
     let level = DVec3::Z.cross(site.face.normal);
     let [u, v] = [site.face.tangent.dot(level), site.face.bitangent.dot(level)];
     [here.gap, here.at.x * u + here.at.y * v]
@@ -113,7 +113,7 @@ pub(super) fn gap(history: &History, pair: usize, t: f64) -> f64 {
     let of = |contact: usize| {
         let site = &model.contacts[contact];
         let [node, face] = history.sides(contact, t);
-        let here = locate(site.point, &node, &site.face, &face);
+        let here = locate(&site.home, &node, &face);
         (here.gap, site.face.inset_at(here.at) >= 0.0)
     };
     let all: Vec<(f64, bool)> = model.pairs[pair].contacts.clone().map(of).collect();

@@ -42,7 +42,7 @@ impl Point {
         // The node belongs to the first side unless the face does.
         let first_is_node = site.node_body == model.pairs[site.pair].bodies[0];
         let (node, face) = if first_is_node { (side(0), side(1)) } else { (side(1), side(0)) };
-        let here = locate(site.point, node, &site.face, face);
+        let here = locate(&site.home, node, face);
         let outward = (face.rotation * site.face.normal).truncate();
         let n = if first_is_node { outward } else { -outward };
         let node_arm = (node.rotation * site.point).truncate();

@@ -120,7 +120,9 @@ impl Engine {
         // Who leaves leaves from the face, not from a little behind it: else every small hop would end a little deeper.
         for edge in &moment.edges {
             let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
-            let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < 0.0);
+            // What the search left of a path's rounding is not worth a turn.
+            let near = -f64::EPSILON * self.reach(edge.pair);
+            let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < near);
             rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
         }
         if rows.is_empty() {

@@ -78,7 +78,7 @@ impl World {
     pub(super) fn settle(&mut self) -> bool {
         if self.model.kind == Kind::Spatial {
             for state in self.y.chunks_mut(body_state::SPATIAL) {
-                let q = body_state::attitude(state);
+                let q = body_state::turn(state);
                 state[3..7].copy_from_slice(&[q.x, q.y, q.z, q.w]);
             }
         }
@@ -93,7 +93,7 @@ impl World {
             match self.model.kind {
                 Kind::Planar => [state[0], state[1], body.start[2], state[2]],
                 Kind::Spatial => {
-                    let x = body_state::attitude(state) * (body.axes.transpose() * DVec3::X);
+                    let x = body_state::turn(state) * DVec3::X;
                     [state[0], state[1], state[2], x.y.atan2(x.x)]
                 }
             }

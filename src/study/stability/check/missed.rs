@@ -1,7 +1,5 @@
 //! No touch is missed: a node inside a face has a closed contact.
 
-use glam::DMat3;
-
 use super::{Check, Complaint, Figures};
 use crate::contact::{Frame, Local, locate};
 use crate::sim::{EventKind, History};
@@ -22,7 +20,7 @@ const CLOCK: f64 = 16.0 * f64::EPSILON;
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
     let model = history.model();
     let frames: Vec<Vec<Frame>> =
-        times.iter().map(|&t| (0..model.bodies.len()).map(|body| frame(history, body, t)).collect()).collect();
+        times.iter().map(|&t| (0..model.bodies.len()).map(|body| history.frame(body, t)).collect()).collect();
     for contact in 0..model.contacts.len() {
         if let Some((t, depth)) = deepest(history, contact, times, &frames) {
             figures.missed = figures.missed.max(depth);
@@ -45,7 +43,7 @@ fn deepest(history: &History, contact: usize, times: &[f64], frames: &[Vec<Frame
     let (mut ignored, mut next, mut worst) = (false, 0, None::<(f64, f64)>);
     for (i, (&t, all)) in times.iter().zip(frames).enumerate() {
         let (node, face) = (side(site.node_body, all), side(site.face_body, all));
-        let here: Local = locate(site.point, &node, &site.face, &face);
+        let here: Local = locate(&site.home, &node, &face);
         // Rounding at the crossing, of places or of the clock, makes a node neither before the face nor behind it.
         let moved = node.shift.length() + face.shift.length();
         let front = FRONT * size + PLACES * moved + CLOCK * t * here.gap_rate.abs();
@@ -82,16 +80,4 @@ fn elsewhere(history: &History, contact: usize, t: f64) -> bool {
         .iter()
         .map(|now| &sites[now.contact])
         .any(|s| s.node == mine.node && s.node_body == mine.node_body)
-}
-
-fn frame(history: &History, body: usize, t: f64) -> Frame {
-    let motion = history.motion(body, t);
-    Frame {
-        home: history.model().bodies[body].home,
-        shift: motion.displacement,
-        rotation: DMat3::from_quat(motion.attitude),
-        velocity: motion.velocity,
-        spin: motion.spin,
-        level: false,
-    }
 }
