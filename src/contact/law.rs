@@ -39,7 +39,7 @@ pub struct Law {
 /// State of a closed contact with what it remembers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// p stays at `anchor`, in the face's coordinates \[m\].
+    /// p stays at `anchor`, in the face's coordinates, from where the node projected as placed \[m\].
     Stick {
         /// Where p is.
         anchor: DVec2,
@@ -114,7 +114,7 @@ impl Law {
     #[inline]
     pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
         match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => (here.at - *anchor).length() - self.mu_s * here.penetration(),
+            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * here.penetration(),
             (Mode::Slip { direction }, Friction::Paper) => paper::stopping(self, *direction, here),
             (Mode::Slip { direction }, Friction::ReturnMapping) => return_mapping::stopping(self, *direction, here),
         }
@@ -124,7 +124,7 @@ impl Law {
     /// no normal velocity the caller passes accelerations.
     pub fn on_closing(&self, here: &Local, tangential: DVec2, normal: f64) -> Mode {
         if tangential.length() < self.mu_s * normal.abs() {
-            Mode::Stick { anchor: here.at }
+            Mode::Stick { anchor: here.way }
         } else {
             Mode::Slip { direction: tangential.try_normalize().unwrap_or(DVec2::X) }
         }
@@ -141,8 +141,8 @@ impl Law {
     /// What stopping makes of a slip (event 3).
     pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
         match self.friction {
-            Friction::Paper => Mode::Stick { anchor: here.at },
-            Friction::ReturnMapping => Mode::Stick { anchor: here.at - direction * (self.mu_k * here.penetration()) },
+            Friction::Paper => Mode::Stick { anchor: here.way },
+            Friction::ReturnMapping => Mode::Stick { anchor: here.way - direction * (self.mu_k * here.penetration()) },
         }
     }
 
@@ -154,7 +154,7 @@ impl Law {
 
 /// (57a), the same in both laws: spring to p and both dashpots.
 fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
-    let stretch = here.at - anchor;
+    let stretch = here.way - anchor;
     let (sliding, normal_velocity) = here.relative_velocity(stretch);
     Forces {
         normal: law.k * here.penetration(),

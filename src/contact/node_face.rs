@@ -52,6 +52,19 @@ impl Frame {
         self.origin() + self.rotation * point
     }
 
+    /// How far a point at this distance from G has come since it was placed, at most \[m\].
+    pub fn moved(&self, arm: f64) -> f64 {
+        // Columns of D have the length of a chord, but for that along the axis.
+        let [x, y, z] = [self.turned.x_axis, self.turned.y_axis, self.turned.z_axis];
+        let chord2 = 0.5 * (x.length_squared() + y.length_squared() + z.length_squared());
+        self.shift.length() + chord2.sqrt() * arm
+    }
+
+    /// How fast it is at most \[m/s\].
+    pub fn speed(&self, arm: f64) -> f64 {
+        self.velocity.length() + self.spin.length() * arm
+    }
+
     /// World velocity of what is at `arm` from G and turns with the body \[m/s\].
     pub fn velocity_at(&self, arm: DVec3) -> DVec3 {
         self.velocity + self.spin.cross(arm)
@@ -118,6 +131,8 @@ pub struct Local {
     pub gap_rate: f64,
     /// Projection of the node, from corner a \[m\].
     pub at: DVec2,
+    /// How far that is from where it was as placed, exact to the last digits of a small way \[m\].
+    pub way: DVec2,
     /// Its rate in the face's frame \[m/s\].
     pub rate: DVec2,
     /// Angular velocity of the face about its own axes `(t1, t2, n)` \[rad/s\].
@@ -191,8 +206,15 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
         (moved + back * (home.apart + moved), velocity + back * velocity, face_body.spin + back * face_body.spin)
     };
     let in_face = |v: DVec3| DVec3::new(v.dot(home.axes.x_axis), v.dot(home.axes.y_axis), v.dot(home.axes.z_axis));
-    let (at, rate) = (home.at + in_face(moved), in_face(velocity));
-    let here = Local { gap: at.z, gap_rate: rate.z, at: at.truncate(), rate: rate.truncate(), spin: in_face(spin) };
+    let (way, rate) = (in_face(moved), in_face(velocity));
+    let here = Local {
+        gap: home.at.z + way.z,
+        gap_rate: rate.z,
+        at: home.at.truncate() + way.truncate(),
+        way: way.truncate(),
+        rate: rate.truncate(),
+        spin: in_face(spin),
+    };
     Measured { here, arm, apart }
 }
 
@@ -223,10 +245,12 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
         (node_body.velocity.y + spin * arm.x) - (face_body.velocity.y + turning * apart.x),
     );
     let [first, second, normal] = [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis];
+    let way = DVec2::new(along(moved, first), shifted.z * second.z);
     let here = Local {
         gap: home.at.z + along(moved, normal),
         gap_rate: along(velocity, normal),
-        at: DVec2::new(home.at.x + along(moved, first), home.at.y + shifted.z * second.z),
+        at: home.at.truncate() + way,
+        way,
         rate: DVec2::new(along(velocity, first), 0.0),
         spin: DVec3::new(0.0, turning * second.z, 0.0),
     };

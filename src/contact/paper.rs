@@ -37,7 +37,7 @@ pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
 
 /// Event 2: friction opposes `V_t`, whatever its direction; where `V_t` is zero, it points along the spring's pull.
 pub(super) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
-    let stretch = here.at - anchor;
+    let stretch = here.way - anchor;
     let (sliding, normal) = here.relative_velocity(DVec2::ZERO);
     let speed = sliding.length();
     let still = STILL * (speed + normal.abs());

@@ -38,7 +38,7 @@ pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
 
 /// Breakaway: the stretch drops from `μ_s δ` to `μ_k δ`, along itself.
 pub(super) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
-    let stretch = here.at - anchor;
+    let stretch = here.way - anchor;
     // Without a stretch there is nothing to pull: it slides where it goes.
     let (sliding, _) = here.relative_velocity(stretch);
     let direction = stretch.try_normalize().or(sliding.try_normalize()).unwrap_or(DVec2::X);

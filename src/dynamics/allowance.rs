@@ -22,14 +22,14 @@ impl Island {
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega, body_state::width(model.kind));
-        let (mut speed2, mut place) = (0.0f64, 0.0f64);
+        let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
-            // Attitudes are of order 1 where they are quaternions and axes: a corner's place rounds with its lever.
             place = place.max(here.shift.length() + self.radii[i]);
+            bits = bits.max(omega * here.moved(self.radii[i]) + here.speed(self.radii[i]));
             self.frames.push(here);
         }
         let mut stretch = 0.0f64;
@@ -43,7 +43,7 @@ impl Island {
             let here = active.look(model, &self.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {
-                speed2 = speed2.max((omega * (here.at - anchor)).length_squared() + here.rate.length_squared());
+                speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
             }
             if active.angle.is_some() {
                 // As deep as it goes from here: on the way out the direction counts for less and less.
@@ -54,10 +54,11 @@ impl Island {
         // From rest nothing is moving yet: what the ground does to it in one radian.
         let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
         let speed = speed2.sqrt().max(1e-3 * floor);
-        // No step can be made smaller than its rounding: a place's last bit, as a speed at the contact's frequency.
+        // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
+        // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
         let tolerance = model.tolerance * (LONG / self.taken as f64).min(1.0);
-        let speed = tolerance * speed + rounding * omega * place;
+        let speed = tolerance * speed + rounding * bits;
         // A direction counts by the place that it puts p at.
         let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
         Scale { speed, omega, angle, place }

@@ -111,7 +111,12 @@ impl Engine {
         slots.sort_unstable();
         let frames = slots.iter().map(|&slot| self.frame(slot, t)).collect();
         let seen = Juncture { t, slots, states: Vec::new(), frames };
-        let entered: Vec<usize> = due.into_iter().filter(|&contact| self.enters(contact, &seen)).collect();
+        let mut entered = due;
+        // Who comes within that of the others comes with them, but goes by at his own time.
+        entered.retain(|&contact| {
+            let his = self.contacts[contact].closing.is_some_and(|at| at <= t);
+            if his { self.enters(contact, &seen) } else { self.is_over(contact, &seen) }
+        });
         if entered.is_empty() {
             predict::pair(self, pair, t);
             return;

@@ -144,7 +144,7 @@ impl Touch {
         let Measured { here, arm, apart } = measure(&site.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
-            Mode::Stick { anchor } => anchor == here.at,
+            Mode::Stick { anchor } => anchor == here.way,
             Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == Friction::ReturnMapping && law.v_stick == 0.0,
         };
         (square && still && active.angle.is_none()).then(|| Self {
@@ -211,7 +211,7 @@ mod tests {
                 clamp: false,
                 v_stick: 0.0,
             };
-            let mode = Mode::Stick { anchor: here.at };
+            let mode = Mode::Stick { anchor: here.way };
             let closed = Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: false };
             let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
             Active { site, node, face, closed, angle: None }

@@ -150,7 +150,14 @@ mod tests {
         let mode = Mode::Slip { direction: DVec2::X };
         let hanging = Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: true };
         let coming_out = Closed { at_face: false, ..hanging };
-        let here = |gap: f64| Local { gap, gap_rate: 0.0, at: DVec2::ZERO, rate: DVec2::X, spin: DVec3::ZERO };
+        let here = |gap: f64| Local {
+            gap,
+            gap_rate: 0.0,
+            at: DVec2::ZERO,
+            way: DVec2::ZERO,
+            rate: DVec2::X,
+            spin: DVec3::ZERO,
+        };
         let (before, behind) = (here(1e-12), here(-1e-12));
         assert_eq!(hanging.forces(&before).tangential_total(), DVec2::ZERO, "nothing presses it");
         assert_eq!(

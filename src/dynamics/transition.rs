@@ -74,15 +74,20 @@ impl Engine {
     /// Whether a node that has come through the plane of a face is inside its polygon; one that is not is logged as a
     /// miss and ignored until it is in front again.
     pub(super) fn enters(&mut self, contact: usize, now: &Juncture) -> bool {
-        let here = self.local(contact, now);
-        let face = &self.model.contacts[self.contacts[contact].site].face;
-        if face.inset_at(here.at) >= -EDGE * face.size() && !self.touches_elsewhere(contact) {
+        if self.is_over(contact, now) {
             return true;
         }
         self.contacts[contact].closing = None;
         self.log(contact, now.t, Contact::Open { armed: false }, EventKind::Missed, 0.0);
         self.contacts[contact].counted.0 = 0;
         false
+    }
+
+    /// Whether a node is over its face's polygon and touches nothing else.
+    pub(super) fn is_over(&self, contact: usize, now: &Juncture) -> bool {
+        let here = self.local(contact, now);
+        let face = &self.model.contacts[self.contacts[contact].site].face;
+        face.inset_at(here.at) >= -EDGE * face.size() && !self.touches_elsewhere(contact)
     }
 
     /// Tells the contacts of each node of one another, where a side is in more than one pair.
@@ -152,7 +157,7 @@ impl Engine {
                 let law = self.law(contact, now);
                 let ease = self.ease(contact, &law, &here, now);
                 let mode = if law.has_friction() {
-                    Mode::Stick { anchor: here.at }
+                    Mode::Stick { anchor: here.way }
                 } else {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }

@@ -57,7 +57,7 @@ impl Contacts {
                 self.states[number] = if held {
                     let law = self.law(model, number, frames);
                     self.sharers[site.pair] = Self::count(model, site.pair, frames);
-                    Contact::Closed(closed(law, Mode::Stick { anchor: here.at }))
+                    Contact::Closed(closed(law, Mode::Stick { anchor: here.way }))
                 } else {
                     Contact::Open { armed: false }
                 };
@@ -114,7 +114,7 @@ impl Contacts {
                     if self.sharers[site.pair] == 0 {
                         self.sharers[site.pair] = Self::count(model, site.pair, frames);
                     }
-                    self.anchors[number] = here.at;
+                    self.anchors[number] = here.way;
                     Contact::Closed(entered(law, &here))
                 }
                 Contact::Open { .. } => Contact::Open { armed: false },
@@ -139,14 +139,14 @@ impl Contacts {
             same => same,
         };
         if let Mode::Slip { direction } = mode {
-            self.anchors[number] = here.at - direction * (closed.law.mu_k * here.penetration());
+            self.anchors[number] = here.way - direction * (closed.law.mu_k * here.penetration());
         }
         Contact::Closed(Closed { mode, ..closed })
     }
 
     /// Discrete return mapping where sliding has two directions: the stretch from the last anchor, cut back.
     fn turned(&self, number: usize, law: &Law, direction: DVec2, here: &Local) -> Mode {
-        let trial = here.at - self.anchors[number];
+        let trial = here.way - self.anchors[number];
         let direction = match law.friction {
             Friction::ReturnMapping => trial.try_normalize().unwrap_or(direction),
             Friction::Paper => direction,
