@@ -7,15 +7,17 @@ use super::island::Island;
 use super::watch::is_at_face;
 use crate::contact::{Mode, law::Friction};
 
-/// Rounding of a place over one explicit step, which spans less than a radian, in parts of its size: the estimate's own
-/// noise is half of it. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
-const ROUNDING: f64 = f64::EPSILON;
+/// Rounding of a place and a speed over one explicit step, which spans less than a radian, in parts of how far corners have
+/// come: a gap is a sum of three. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
 /// what that comes to cannot be had by a shorter step.
 const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
 /// one sign where it swings, and so come to no more than their logarithm.
 const LONG: f64 = 1000.0;
+/// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
+const FINEST: f64 = 1e-13;
 
 impl Island {
     /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
@@ -32,7 +34,7 @@ impl Island {
             bits = bits.max(omega * here.moved(self.radii[i]) + here.speed(self.radii[i]));
             self.frames.push(here);
         }
-        let mut stretch = 0.0f64;
+        self.angles.clear();
         if !self.active.is_empty() {
             speed2 = 0.0;
         }
@@ -48,7 +50,7 @@ impl Island {
             if active.angle.is_some() {
                 // As deep as it goes from here: on the way out the direction counts for less and less.
                 let inwards = (-here.gap_rate).max(0.0);
-                stretch = stretch.max(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
+                self.angles.push(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
             }
         }
         // From rest nothing is moving yet: what the ground does to it in one radian.
@@ -57,11 +59,14 @@ impl Island {
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
-        let tolerance = model.tolerance * (LONG / self.taken as f64).min(1.0);
+        let asked = model.tolerance * (LONG / self.taken as f64).min(1.0);
+        let tolerance = asked.max(model.tolerance.min(FINEST));
         let speed = tolerance * speed + rounding * bits;
         // A direction counts by the place that it puts p at.
-        let angle = (speed / (omega * stretch)).min(model.tolerance.sqrt());
-        Scale { speed, omega, angle, place }
+        for stretch in &mut self.angles {
+            *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
+        }
+        Scale { speed, omega, place }
     }
 
     /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether

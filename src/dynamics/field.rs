@@ -69,8 +69,6 @@ pub(super) struct Scale {
     pub speed: f64,
     /// Fastest circular frequency in play \[rad/s\].
     pub omega: f64,
-    /// What the tolerance allows of a slip angle \[rad\].
-    pub angle: f64,
     /// Size of what moves \[m\].
     pub place: f64,
 }
@@ -88,6 +86,8 @@ pub(super) struct Field<'a> {
     pub piece: LinearPiece,
     /// Error scale.
     pub scale: Scale,
+    /// What the tolerance allows of each slip angle \[rad\].
+    pub angles: &'a [f64],
     /// Its one line, where it may have one.
     pub line: Option<&'a Line>,
     /// Scratch.
@@ -254,8 +254,8 @@ impl System for Field<'_> {
             // Summed, not the largest: a NaN must come through and refuse the step.
             sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
         }
-        let angles = square(&d[self.bodies.len() * width..]) / (self.scale.angle * self.scale.angle);
-        sum + angles
+        let angles = d[self.bodies.len() * width..].iter().zip(self.angles);
+        sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
     }
 
     fn is_held(&self, i: usize) -> bool {

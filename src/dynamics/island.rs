@@ -62,6 +62,7 @@ pub(super) struct Island {
     pub(super) frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
+    pub(super) angles: Vec<f64>,
     sliding: Sliding,
     line: Option<Line>,
     /// Whether its bodies are in that line as it stands.
@@ -118,6 +119,7 @@ impl Island {
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
+            angles: Vec::new(),
             sliding: Sliding::default(),
             line: None,
             in_line: false,
@@ -145,6 +147,7 @@ impl Island {
             active: &self.active,
             piece,
             scale,
+            angles: &self.angles,
             line: self.line.as_ref(),
             frames: &mut self.frames,
             wrenches: &mut self.wrenches,

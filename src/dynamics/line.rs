@@ -244,6 +244,7 @@ mod tests {
             active,
             piece: model.ground.piece(model.ground.piece_number(0.3)),
             scale: Scale::default(),
+            angles: &[],
             line,
             frames: &mut Vec::new(),
             wrenches: &mut Vec::new(),

@@ -154,6 +154,7 @@ impl Replay {
             active: &active,
             piece,
             scale: Scale::default(),
+            angles: &[],
             line: line.as_ref(),
             frames: &mut frames,
             wrenches: &mut wrenches,
