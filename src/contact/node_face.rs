@@ -8,6 +8,9 @@ use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::geometry::Face;
 
+/// A gap as placed is none below this part of the levers that it is the difference of.
+const PLACED: f64 = 4.0 * f64::EPSILON;
+
 /// Pose and twist of a body, all in the world frame.
 ///
 /// Place and attitude are kept as what they were as placed and what came since: their sum would round away the last digits
@@ -110,15 +113,12 @@ impl Home {
         let lever = (node_home - home) + arm;
         let in_face = axes.transpose() * lever - face.corners[0];
         let along = DMat3::from_cols(face.tangent, face.bitangent, face.normal);
-        Self {
-            axes: axes * along,
-            at: along.transpose() * in_face,
-            apart: lever - corner,
-            arm,
-            lever,
-            corner,
-            upright: face.is_upright(),
+        let mut at = along.transpose() * in_face;
+        // What is placed on a face is on it: its places' rounding is no gap.
+        if at.z.abs() <= PLACED * (lever.length() + face.corners[0].length()) {
+            at.z = 0.0;
         }
+        Self { axes: axes * along, at, apart: lever - corner, arm, lever, corner, upright: face.is_upright() }
     }
 }
 

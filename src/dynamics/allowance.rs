@@ -16,6 +16,8 @@ const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
 /// one sign where it swings, and so come to no more than their logarithm.
 const LONG: f64 = 1000.0;
+/// What has hardly moved rounds with this part of its size.
+const LITTLE: f64 = 1e-3;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
 const FINEST: f64 = 1e-13;
 
@@ -24,14 +26,17 @@ impl Island {
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega, body_state::width(model.kind));
-        let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut speed2, mut place, mut bits, mut pushed) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
             place = place.max(here.shift.length() + self.radii[i]);
-            bits = bits.max(omega * here.moved(self.radii[i]) + here.speed(self.radii[i]));
+            self.moved[i] = here.moved(self.radii[i]);
+            bits = bits.max(omega * self.moved[i] + here.speed(self.radii[i]));
+            let body = &model.bodies[b];
+            pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             self.frames.push(here);
         }
         self.angles.clear();
@@ -53,15 +58,15 @@ impl Island {
                 self.angles.push(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
             }
         }
-        // From rest nothing is moving yet: what the ground does to it in one radian.
-        let floor = (model.ground.peak() + model.gravity + 1e-9) / omega;
+        // From rest nothing is moving yet: what the ground and a push do to it in one radian.
+        let floor = (model.ground.peak() + model.gravity + pushed + 1e-9) / omega;
         let speed = speed2.sqrt().max(1e-3 * floor);
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
         let asked = model.tolerance * (LONG / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(FINEST));
-        let speed = tolerance * speed + rounding * bits;
+        let speed = tolerance * speed + rounding * (bits + floor);
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
@@ -69,17 +74,26 @@ impl Island {
         Scale { speed, omega, place }
     }
 
+    /// What the places of a contact's two sides round with: how far both have come since they were placed, or a little of
+    /// their size \[m\].
+    pub(super) fn reach(&self, model: &Model, number: usize) -> f64 {
+        let active = &self.active[number];
+        let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
+        moved.max(LITTLE * model.contacts[active.site].reach())
+    }
+
     /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether
     /// that changes a force there. Only the paper's law: the other one's spring drops with the pressure, and takes back what it
     /// gives.
     pub(super) fn note_faces(&mut self, model: &Model) -> bool {
         let mut changed = false;
-        for active in &mut self.active {
-            if active.closed.law.friction != Friction::Paper {
+        for number in 0..self.active.len() {
+            if self.active[number].closed.law.friction != Friction::Paper {
                 continue;
             }
-            let here = active.look(model, &self.frames);
-            let at_face = is_at_face(&model.contacts[active.site], &here, self.omega);
+            let here = self.active[number].look(model, &self.frames);
+            let at_face = is_at_face(model, self, number, &here);
+            let active = &mut self.active[number];
             changed |= active.closed.at_face != at_face && here.gap > 0.0;
             active.closed.at_face = at_face;
         }

@@ -22,6 +22,12 @@ pub fn width(kind: Kind) -> usize {
     }
 }
 
+/// Where place and attitude of a body stand in the vector.
+pub fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
+    let (from, [place, turn]) = (index * width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
+    [from..from + place, from + place..from + turn]
+}
+
 /// State at the start of a run.
 pub fn initial(kind: Kind, body: &Body) -> Vec<f64> {
     let ([x, y, z, turn], [vx, vy, vz, spin]) = (body.start, body.start_rate);

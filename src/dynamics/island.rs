@@ -59,6 +59,8 @@ pub(super) struct Island {
     pub(super) omega: f64,
     /// Largest distance of a corner from G, body by body \[m\].
     pub(super) radii: Vec<f64>,
+    /// How far any corner had come at most since it was placed where the step began, body by body \[m\].
+    pub(super) moved: Vec<f64>,
     pub(super) frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
@@ -100,6 +102,7 @@ impl Island {
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
             omega: fastest(model, &bodies, &active),
+            moved: vec![0.0; radii.len()],
             radii,
             slots,
             bodies,
@@ -295,7 +298,7 @@ impl Island {
     /// What one of its bodies can do at most within the planned step.
     pub(super) fn bound(&self, model: &Model, index: usize) -> Bound {
         let Some(dense) = &self.dense else { return Bound::still(f64::INFINITY) };
-        let [place, turn] = parts(model.kind, index);
+        let [place, turn] = body_state::parts(model.kind, index);
         let ([speed, acceleration], [turning, bending]) = (dense.swing(place), dense.swing(turn));
         let (spin, spin_rate) = match model.kind {
             Kind::Planar => (turning, bending),
@@ -307,8 +310,8 @@ impl Island {
 
     /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another.
     pub(super) fn apart(&self, model: &Model, [a, b]: [usize; 2]) -> [f64; 2] {
-        let [place, _] = parts(model.kind, a);
-        self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(place, parts(model.kind, b)[0].start))
+        let [one, other] = [a, b].map(|index| body_state::parts(model.kind, index)[0].clone());
+        self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(one, other.start))
     }
 
     /// Whether its bodies move along one axis: nothing slides and nothing turns.
@@ -380,12 +383,6 @@ impl Island {
     pub(super) fn omega(&self) -> f64 {
         self.omega
     }
-}
-
-/// Where place and attitude of a body stand in the vector.
-fn parts(kind: Kind, index: usize) -> [std::ops::Range<usize>; 2] {
-    let (from, [place, turn]) = (index * body_state::width(kind), if kind == Kind::Planar { [2, 3] } else { [3, 7] });
-    [from..from + place, from + place..from + turn]
 }
 
 /// Keeps the quaternions of spatial bodies at length 1.

@@ -18,10 +18,12 @@ const CLOSE_LOOKS: usize = 17;
 const SHORT: [f64; 2] = [2.5, 5.0];
 /// Projections this far outside a face, in parts of its size, still count as on its edge.
 pub(super) const EDGE: f64 = 1e-9;
-/// Rounding of a node's coordinates on a face, in parts of its reach: a stretch is no better known.
+/// Rounding of a node's coordinates on a face, in parts of how far the two have come: a stretch is no better known.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// A node that goes in and is less deep than this, in parts of its reach, has only just touched.
+/// A node that goes in and is less deep than this, in parts of that, has only just touched.
 const ENTRY: f64 = 1e-14;
+/// Rounding of the time at which it did.
+const CLOCK: f64 = 4.0 * f64::EPSILON;
 /// Radians of a step from which on its speeds round with its length.
 const SPAN: f64 = 16.0;
 /// On its way out the node is held by no more than this part of that.
@@ -129,7 +131,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
             let passing = reason == Reason::Switching && island.active[number].closed.passing;
             let entering = is_entering(model, island, number, &looks[0]);
-            let rounding = ROUNDING * model.contacts[island.active[number].site].reach();
+            let rounding = ROUNDING * island.reach(model, number);
             let zero = match reason {
                 _ if entering => f64::INFINITY,
                 Reason::Switching if is_sticking(island, number) => {
@@ -201,16 +203,20 @@ fn is_sticking(island: &Island, number: usize) -> bool {
     matches!(island.active[number].closed.mode, Mode::Stick { .. })
 }
 
+/// How deep a node that has only just touched may be \[m\].
+fn entry(model: &Model, island: &Island, number: usize, here: &Local) -> f64 {
+    ENTRY * island.reach(model, number) + CLOCK * island.from * here.gap_rate.abs()
+}
+
 /// Whether a node is within rounding of its face and, at its speed, stays there for a radian.
-pub(super) fn is_at_face(site: &ContactSite, here: &Local, omega: f64) -> bool {
-    let entry = ENTRY * site.reach();
-    here.gap > -entry && here.gap_rate > -entry * omega
+pub(super) fn is_at_face(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
+    let entry = entry(model, island, number, here);
+    here.gap > -entry && here.gap_rate > -entry * island.omega()
 }
 
 /// Whether a node has just come through the face: its gap is rounding of either sign, and so are its forces.
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
-    let size = model.contacts[island.active[number].site].reach();
-    here.gap_rate < 0.0 && here.gap > -ENTRY * size
+    here.gap_rate < 0.0 && here.gap > -entry(model, island, number, here)
 }
 
 /// What a switching function must exceed: a stretch that breaks away again and again its rounding; all of them, where the
@@ -218,12 +224,11 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
 /// what its gap, its stretch and their rates come to, which is rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
-    let reach = model.contacts[island.active[number].site].reach();
-    let entry = ENTRY * reach;
+    let entry = entry(model, island, number, here);
     if here.gap <= -entry {
         // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
         let crosses = reason == Reason::Switching && is_sticking(island, number) && closed.again >= PATIENCE;
-        return if crosses { ROUNDING * reach } else { 0.0 };
+        return if crosses { ROUNDING * island.reach(model, number) } else { 0.0 };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.

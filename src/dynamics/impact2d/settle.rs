@@ -121,7 +121,7 @@ impl Engine {
         for edge in &moment.edges {
             let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
             // What the search left of a path's rounding is not worth a turn.
-            let near = -f64::EPSILON * self.reach(edge.pair);
+            let near = -64.0 * f64::EPSILON * self.reach(edge.pair);
             let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < near);
             rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
         }
