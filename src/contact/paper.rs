@@ -29,10 +29,15 @@ pub(super) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
     }
 }
 
-/// Rises through 0 when `V_t` stops (event 3).
+/// Rises through 0 when `V_t` stops (event 3). With two directions of sliding it is above 0 for a moment only: smooth, so that
+/// looks on either side bend towards it, where the length of `V_t` would come to a point.
 pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
-    if law.v_stick > 0.0 { law.v_stick - sliding.length() } else { -sliding.dot(direction) }
+    if law.v_stick > 0.0 {
+        0.5 * (law.v_stick - sliding.length_squared() / law.v_stick)
+    } else {
+        -sliding.dot(direction)
+    }
 }
 
 /// Event 2: friction opposes `V_t`, whatever its direction; where `V_t` is zero, it points along the spring's pull.

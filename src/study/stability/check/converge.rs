@@ -8,7 +8,7 @@
 
 use super::super::watch::{NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
-use crate::scene::{Kind, Scene};
+use crate::scene::Scene;
 use crate::sim::History;
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
@@ -118,9 +118,6 @@ fn nudged(history: &History, hair: f64) -> Scene {
         let part = 1.0 / (1.0 + i as f64);
         girder.initial.displacement[0] += d * part;
         girder.initial.displacement[1] -= d * part * 0.7;
-        if history.model().bodies[i].free[2] && history.scene().kind == Kind::Spatial {
-            girder.initial.displacement[2] += d * part * 0.5;
-        }
         girder.initial.rotation_deg += (d / girder.length * part * 0.3).to_degrees();
     }
     scene
