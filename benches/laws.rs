@@ -26,7 +26,7 @@ fn touching() -> (ContactSite, [Frame; 2]) {
     };
     let face = at(site.face_body, DVec3::ZERO);
     let gap = locate(&site.home, &at(site.node_body, DVec3::ZERO), &face).gap;
-    let inwards = -(face.rotation * site.face.normal) * (gap + 1e-6);
+    let inwards = -face.turn(site.home.axes.z_axis) * (gap + 1e-6);
     let node = at(site.node_body, inwards);
     (site, [node, face])
 }

@@ -23,8 +23,6 @@ pub struct Frame {
     pub shift: DVec3,
     /// What it has turned since, less the identity: `D` of `R = (1 + D) R₀`.
     pub turned: DMat3,
-    /// Body axes in the columns.
-    pub rotation: DMat3,
     /// Velocity of G \[m/s\].
     pub velocity: DVec3,
     /// Angular velocity \[rad/s\].
@@ -36,13 +34,8 @@ pub struct Frame {
 impl Frame {
     /// A frame at rest in the ground, world axes, about `home`.
     pub fn fixed(home: DVec3) -> Self {
-        Self::placed(home, DMat3::IDENTITY)
-    }
-
-    /// At rest as placed, `axes` in the columns.
-    pub fn placed(home: DVec3, axes: DMat3) -> Self {
         let still = DVec3::ZERO;
-        Self { home, shift: still, turned: DMat3::ZERO, rotation: axes, velocity: still, spin: still, level: true }
+        Self { home, shift: still, turned: DMat3::ZERO, velocity: still, spin: still, level: true }
     }
 
     /// Where G is \[m\].
@@ -50,9 +43,16 @@ impl Frame {
         self.home + self.shift
     }
 
-    /// World place of a body point \[m\].
-    pub fn place(&self, point: DVec3) -> DVec3 {
-        self.origin() + self.rotation * point
+    /// A vector that turns with the body, from what it was as placed.
+    #[inline]
+    pub fn turn(&self, placed: DVec3) -> DVec3 {
+        placed + self.turned * placed
+    }
+
+    /// Body axes in the columns, from what they were as placed.
+    #[inline]
+    pub fn rotation(&self, placed: &DMat3) -> DMat3 {
+        *placed + self.turned * *placed
     }
 
     /// How far a point at this distance from G has come since it was placed, at most \[m\].
@@ -91,22 +91,27 @@ pub fn turned_by(q: DQuat) -> DMat3 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Home {
     /// The face's axes `(t1, t2, n)` in the columns.
-    axes: DMat3,
+    pub axes: DMat3,
     /// The node in them, from corner a \[m\].
     at: DVec3,
     /// Node from corner a \[m\].
     apart: DVec3,
     /// Node from its own body's G \[m\].
-    arm: DVec3,
+    pub arm: DVec3,
     /// Node from the face body's G \[m\].
-    lever: DVec3,
+    pub lever: DVec3,
     /// Corner a from the face body's G \[m\].
     corner: DVec3,
     /// Whether the face stands upright, its first tangent level.
-    upright: bool,
+    pub upright: bool,
 }
 
 impl Home {
+    /// `g` \[m\].
+    pub fn gap(&self) -> f64 {
+        self.at.z
+    }
+
     /// Of `node`, a fixed point of one body, and a face of another, with where both were placed and their axes there.
     pub fn of(node: DVec3, (node_home, node_axes): (DVec3, DMat3), face: &Face, (home, axes): (DVec3, DMat3)) -> Self {
         let (arm, corner) = (node_axes * node, axes * face.corners[0]);
@@ -261,17 +266,14 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
 mod tests {
     use super::*;
 
-    /// A body turned by `turn` about the vertical since it was placed at a heading, moving in plan.
-    fn body(home: DVec3, heading: f64, turn: f64, spin: f64) -> Frame {
-        let turned = turned_by(DQuat::from_rotation_z(turn));
-        let axes = DMat3::from_rotation_z(heading);
+    /// A body turned by `turn` about the vertical since it was placed, moving in plan.
+    fn body(home: DVec3, turn: f64, spin: f64) -> Frame {
         Frame {
             shift: DVec3::new(0.013, -0.021, 0.0),
-            turned,
-            rotation: axes + turned * axes,
+            turned: turned_by(DQuat::from_rotation_z(turn)),
             velocity: DVec3::new(0.3, -0.7, 0.0),
             spin: DVec3::Z * spin,
-            ..Frame::placed(home, axes)
+            ..Frame::fixed(home)
         }
     }
 
@@ -287,8 +289,8 @@ mod tests {
         let face = face();
         assert!(face.is_upright(), "{face:?}");
         for turn in [0.0, 0.1, -0.37, 1.9] {
-            let owner = body(DVec3::new(1.1, 0.2, 0.05), 0.0, turn, 0.9);
-            let other = body(DVec3::ZERO, 0.0, 0.7 * turn, -2.3);
+            let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
+            let other = body(DVec3::ZERO, 0.7 * turn, -2.3);
             let home = Home::of(NODE, (owner.home, DMat3::IDENTITY), &face, (other.home, DMat3::IDENTITY));
             let (plan, space) = (measure_in_plan(&home, &owner, &other), measure_in_space(&home, &owner, &other));
             assert_eq!(plan, space, "turned by {turn}");
@@ -299,17 +301,19 @@ mod tests {
     fn counted_from_home_a_node_is_where_it_is() {
         let face = face();
         for (heading, turn) in [(0.3, 1e-9), (-1.2, 0.4), (2.9, -2.0)] {
-            let owner = body(DVec3::new(1.1, 0.2, 0.05), heading, turn, 0.9);
-            let other = body(DVec3::new(0.1, -0.3, 0.0), 1.7 * heading, 0.7 * turn, -2.3);
-            let axes = |heading| DMat3::from_rotation_z(heading);
-            let home = Home::of(NODE, (owner.home, axes(heading)), &face, (other.home, axes(1.7 * heading)));
+            let owner = body(DVec3::new(1.1, 0.2, 0.05), turn, 0.9);
+            let other = body(DVec3::new(0.1, -0.3, 0.0), 0.7 * turn, -2.3);
+            let [node_axes, face_axes] = [heading, 1.7 * heading].map(DMat3::from_rotation_z);
+            let home = Home::of(NODE, (owner.home, node_axes), &face, (other.home, face_axes));
             let there = measure(&home, &owner, &other);
-            let apart = owner.place(NODE) - other.place(face.corners[0]);
-            let axes = [face.tangent, face.bitangent, face.normal].map(|axis| other.rotation * axis);
+            let [turned, facing] = [owner.rotation(&node_axes), other.rotation(&face_axes)];
+            let place = owner.origin() + turned * NODE;
+            let apart = place - (other.origin() + facing * face.corners[0]);
+            let axes = [face.tangent, face.bitangent, face.normal].map(|axis| facing * axis);
             let plain = DVec3::from_array(axes.map(|axis| apart.dot(axis)));
             let found = there.here.at.extend(there.here.gap);
             assert!((found - plain).length() < 1e-14, "{found} against {plain}");
-            assert!((there.apart - (owner.place(NODE) - other.origin())).length() < 1e-14, "its levers");
+            assert!((there.apart - (place - other.origin())).length() < 1e-14, "its levers");
             let speed = owner.velocity_at(there.arm) - other.velocity_at(there.apart);
             let rates = there.here.rate.extend(there.here.gap_rate);
             assert!((rates - DVec3::from_array(axes.map(|axis| speed.dot(axis)))).length() < 1e-14, "its rates");
@@ -322,7 +326,7 @@ mod tests {
         let face = face();
         let still = Frame::fixed(DVec3::ZERO);
         let placed = Frame::fixed(DVec3::new(9.0, 0.4, 0.0));
-        let home = Home::of(NODE, (placed.home, placed.rotation), &face, (still.home, still.rotation));
+        let home = Home::of(NODE, (placed.home, DMat3::IDENTITY), &face, (still.home, DMat3::IDENTITY));
         let shift = 1e-12;
         let before = Home { at: DVec3::ZERO, ..home };
         let moved = Frame { shift: face.normal * shift, ..placed };

@@ -54,8 +54,7 @@ impl Abreast {
         let first = model.pairs[pair].bodies[0];
         let one = |track: &ContactTrack, axis: usize| {
             let site = &model.contacts[track.site];
-            let face = site.face_body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; 6]));
-            let normal = face.rotation * site.face.normal;
+            let normal = site.home.axes.z_axis;
             let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
             let side = if site.node_body == first { 1.0 } else { -1.0 };
             square.then(|| Self {

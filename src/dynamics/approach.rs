@@ -34,15 +34,8 @@ pub(super) struct Spot {
 impl Spot {
     pub(super) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
-        let placed = |body: Option<usize>| match body {
-            Some(body) => model.bodies[body].planar_frame(&[0.0; 6]),
-            None => Frame::fixed(site.fixed),
-        };
-        let (node, face) = (placed(site.node_body), placed(site.face_body));
-        let apart = (node.home - face.home + node.rotation * site.point).length();
-        let arm = site.point.length();
-        let size = arm + apart + site.face.size();
-        Self { home_gap: locate(&site.home, &node, &face).gap, arm, apart, size }
+        let (arm, apart) = (site.home.arm.length(), site.home.lever.length());
+        Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size() }
     }
 
     /// What the gap can do at most.

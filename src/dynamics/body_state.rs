@@ -52,18 +52,14 @@ pub fn turn(state: &[f64]) -> DQuat {
 pub fn frame(kind: Kind, body: &Body, state: &[f64]) -> Frame {
     match kind {
         Kind::Planar => body.planar_frame(state),
-        Kind::Spatial => {
-            let turned = turned_by(turn(state));
-            Frame {
-                home: body.home,
-                shift: DVec3::new(state[0], state[1], state[2]),
-                turned,
-                rotation: body.axes + turned * body.axes,
-                velocity: DVec3::new(state[7], state[8], state[9]),
-                spin: DVec3::new(state[10], state[11], state[12]),
-                level: false,
-            }
-        }
+        Kind::Spatial => Frame {
+            home: body.home,
+            shift: DVec3::new(state[0], state[1], state[2]),
+            turned: turned_by(turn(state)),
+            velocity: DVec3::new(state[7], state[8], state[9]),
+            spin: DVec3::new(state[10], state[11], state[12]),
+            level: false,
+        },
     }
 }
 
@@ -204,12 +200,14 @@ fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
     let [inertia, inverse] = &body.inertia;
     if body.free[3..] == [true; 3] {
         // In the body frame, where the inertia stands still.
-        let into_body = here.rotation.transpose();
+        let rotation = here.rotation(&body.axes);
+        let into_body = rotation.transpose();
         let spin = into_body * here.spin;
-        return here.rotation * (*inverse * (into_body * moment - spin.cross(*inertia * spin)));
+        return rotation * (*inverse * (into_body * moment - spin.cross(*inertia * spin)));
     }
-    let inertia = world_inertia(body, &here.rotation);
-    free_inverse(body, &here.rotation, moment - here.spin.cross(inertia * here.spin))
+    let rotation = here.rotation(&body.axes);
+    let inertia = world_inertia(body, &rotation);
+    free_inverse(body, &rotation, moment - here.spin.cross(inertia * here.spin))
 }
 
 /// `I⁻¹ M` in the directions that the body is free to turn in.

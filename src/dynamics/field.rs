@@ -322,12 +322,13 @@ impl System for Field<'_> {
         let frames = [active.node, active.face].map(frame);
         let action = penalty3d::act(site, &active.turned(y), &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
-        for (axis, along) in [site.face.tangent, site.face.bitangent].into_iter().enumerate() {
-            let along = frames[1].rotation * along;
+        for (axis, along) in [site.home.axes.x_axis, site.home.axes.y_axis].into_iter().enumerate() {
+            let along = frames[1].turn(along);
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
                 let body = &self.model.bodies[self.bodies[i]];
-                let (linear, turning) = body_state::response(body, &frames[which].rotation, along * sign, arm);
+                let (linear, turning) =
+                    body_state::response(body, &frames[which].rotation(&body.axes), along * sign, arm);
                 let from = axis * n + i * width + 7;
                 push[from..from + 6].copy_from_slice(&[linear.to_array(), turning.to_array()].concat());
                 let lever = arm.cross(along) * sign;

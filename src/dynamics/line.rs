@@ -139,7 +139,7 @@ impl Touch {
         let frame =
             |side: Option<usize>| side.map_or(site.stand, |i| model.bodies[bodies[i]].planar_frame(&[0.0; PLANAR]));
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
-        let normal = face.rotation * site.face.normal;
+        let normal = site.home.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
         let Measured { here, arm, apart } = measure(&site.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);

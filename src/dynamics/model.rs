@@ -60,20 +60,17 @@ impl Body {
     #[inline]
     pub fn planar_frame(&self, state: &[f64]) -> Frame {
         // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.
-        let (turned, rotation) = if state[2] == 0.0 {
-            (DMat3::ZERO, self.axes)
+        let turned = if state[2] == 0.0 {
+            DMat3::ZERO
         } else {
             let (s, c) = (0.5 * state[2]).sin_cos();
             let (sine, less) = (2.0 * s * c, -2.0 * s * s);
-            let turn = |v: DVec3| DVec3::new(v.x + (less * v.x - sine * v.y), v.y + (sine * v.x + less * v.y), v.z);
-            let since = DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO);
-            (since, DMat3::from_cols(turn(self.axes.x_axis), turn(self.axes.y_axis), self.axes.z_axis))
+            DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO)
         };
         Frame {
             home: self.home,
             shift: DVec3::new(state[0], state[1], self.start[2]),
             turned,
-            rotation,
             velocity: DVec3::new(state[3], state[4], 0.0),
             spin: DVec3::new(0.0, 0.0, state[5]),
             level: true,

@@ -43,15 +43,15 @@ pub fn act_in(site: &ContactSite, closed: &Closed, mode: &Mode, node: &Frame, fa
 /// A vector given in the face's axes, in the world.
 #[inline]
 pub fn to_world(site: &ContactSite, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
-    if face.level && site.face.is_upright() {
+    let axes = &site.home.axes;
+    if face.level && site.home.upright {
         // The same sum without what is 0.
-        let [x, y] = [
-            site.face.tangent.x * along.x + site.face.normal.x * normal,
-            site.face.tangent.y * along.x + site.face.normal.y * normal,
-        ];
-        let [first, second] = [face.rotation.x_axis, face.rotation.y_axis];
-        return DVec3::new(first.x * x + second.x * y, first.y * x + second.y * y, site.face.bitangent.z * along.y);
+        let [x, y] =
+            [axes.x_axis.x * along.x + axes.z_axis.x * normal, axes.x_axis.y * along.x + axes.z_axis.y * normal];
+        let [first, second] = [face.turned.x_axis, face.turned.y_axis];
+        let [more_x, more_y] = [first.x * x + second.x * y, first.y * x + second.y * y];
+        return DVec3::new(x + more_x, y + more_y, axes.y_axis.z * along.y);
     }
-    let here = site.face.tangent * along.x + site.face.bitangent * along.y + site.face.normal * normal;
-    if face.rotation == DMat3::IDENTITY { here } else { face.rotation * here }
+    let placed = axes.x_axis * along.x + axes.y_axis * along.y + axes.z_axis * normal;
+    if face.turned == DMat3::ZERO { placed } else { face.turn(placed) }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::{DMat2, DVec2};
+use glam::{DMat2, DMat3, DVec2};
 
 use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
@@ -139,7 +139,7 @@ impl Engine {
     /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
     /// ignored.
     pub(super) fn close_overlapping(&mut self, now: &Juncture) {
-        let at_home: Vec<bool> = now.frames.iter().zip(&now.slots).map(|(f, &slot)| self.stands(slot, f)).collect();
+        let at_home: Vec<bool> = now.frames.iter().map(|frame| self.stands(frame)).collect();
         for contact in 0..self.contacts.len() {
             let ContactTrack { slots, spot, .. } = &self.contacts[contact];
             // The slots are all there are, so their numbers are their places.
@@ -174,9 +174,8 @@ impl Engine {
     }
 
     /// Whether a body stands in plan as it was placed.
-    fn stands(&self, slot: usize, frame: &Frame) -> bool {
-        let body = &self.model.bodies[self.bodies[slot].body];
-        self.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.rotation == body.axes
+    fn stands(&self, frame: &Frame) -> bool {
+        self.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.turned == DMat3::ZERO
     }
 
     /// Events 2–4 of a closed contact.
@@ -239,8 +238,8 @@ impl Engine {
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
                 let body = &self.model.bodies[self.bodies[slot].body];
-                let axes = [site.face.tangent, site.face.bitangent].map(|axis| frames[1].rotation * axis);
-                mobility += body_state::mobility(body, &frames[which].rotation, arm, axes);
+                let axes = [site.home.axes.x_axis, site.home.axes.y_axis].map(|axis| frames[1].turn(axis));
+                mobility += body_state::mobility(body, &frames[which].rotation(&body.axes), arm, axes);
             }
         }
         // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair

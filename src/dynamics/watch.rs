@@ -60,11 +60,13 @@ pub(super) struct Due {
 pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Local {
     let active = &island.active[number];
     let site = &model.contacts[active.site];
-    let frame = |index: Option<usize>| match index {
-        Some(i) => island.frame(model, i, t),
-        None => site.stand,
-    };
-    locate(&site.home, &frame(active.node), &frame(active.face))
+    let frame = |i: usize| island.frame(model, i, t);
+    match (active.node, active.face) {
+        (Some(node), Some(face)) => locate(&site.home, &frame(node), &frame(face)),
+        (Some(node), None) => locate(&site.home, &frame(node), &site.stand),
+        (None, Some(face)) => locate(&site.home, &site.stand, &frame(face)),
+        (None, None) => locate(&site.home, &site.stand, &site.stand),
+    }
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.

@@ -229,7 +229,7 @@ impl History {
             Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
             Kind::Spatial => {
                 let attitude = body_state::turn(&state) * DQuat::from_mat3(&body.axes);
-                let x = here.rotation * (body.axes.transpose() * DVec3::X);
+                let x = here.turn(DVec3::X);
                 (x.y.atan2(x.x), attitude)
             }
         };
@@ -276,7 +276,7 @@ impl History {
         let [node, face] = self.sides(contact, t);
         let action = act(site, closed, &node, &face);
         let forces = &action.forces;
-        let point = node.place(site.point);
+        let point = node.origin() + action.node_arm;
         let world = |v: glam::DVec2| to_world(site, &face, v, 0.0);
         ContactNow {
             contact,
@@ -287,7 +287,7 @@ impl History {
             },
             point,
             anchor: face.origin() + action.face_arm,
-            normal: face.rotation * site.face.normal,
+            normal: face.turn(site.home.axes.z_axis),
             penetration: action.here.penetration(),
             normal_velocity: forces.normal_velocity,
             sliding: world(forces.sliding),

@@ -159,7 +159,7 @@ fn now(history: &History, scenery: &Scenery, seat: &Seat, reaction: &Reaction, e
     let [normal_velocity, slide] = scenery.cluster.speeds(&point);
     let node = history.model().contacts[site].node_body.and_then(|body| scenery.bodies.binary_search(&body).ok());
     let place = match node {
-        Some(place) => scenery.frames[place].place(contact.point),
+        Some(place) => scenery.frames[place].origin() + scenery.frames[place].turn(contact.home.arm),
         None => contact.fixed + contact.point,
     };
     let normal = flat(point.n);

@@ -259,7 +259,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
     let here = body_state::frame(model.kind, body, &state);
     let inertia = match model.kind {
         Kind::Planar => body.mass * body.gyration2 * here.spin.z * here.spin.z,
-        Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation) * here.spin),
+        Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation(&body.axes)) * here.spin),
     };
     let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
     let bearing = match model.kind {
@@ -270,7 +270,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
         Kind::Spatial => {
             let into_axes = body.axes.transpose();
             let strain = |b: &crate::dynamics::bearing::Bearing| {
-                let moved = into_axes * (here.shift + here.rotation * b.place - body.axes * b.place);
+                let moved = into_axes * (here.shift + here.turned * (body.axes * b.place));
                 // The preload is a constant vertical force; it pays for the weight.
                 0.5 * moved.dot(b.stiffness * moved) - b.preload.dot(moved)
             };

@@ -43,9 +43,9 @@ impl Point {
         let first_is_node = site.node_body == model.pairs[site.pair].bodies[0];
         let (node, face) = if first_is_node { (side(0), side(1)) } else { (side(1), side(0)) };
         let here = locate(&site.home, node, face);
-        let outward = (face.rotation * site.face.normal).truncate();
+        let outward = face.turn(site.home.axes.z_axis).truncate();
         let n = if first_is_node { outward } else { -outward };
-        let node_arm = (node.rotation * site.point).truncate();
+        let node_arm = node.turn(site.home.arm).truncate();
         let face_arm = ((node.home - face.home) + (node.shift - face.shift)).truncate() + node_arm;
         let arms = if first_is_node { [node_arm, face_arm] } else { [face_arm, node_arm] };
         let slide =
@@ -59,7 +59,7 @@ impl Point {
             arms,
             gap: here.gap,
             inset: site.face.inset_at(here.at),
-            along: node.place(site.point).truncate().dot(n.perp()),
+            along: (node.origin().truncate() + node_arm).dot(n.perp()),
             // Counted as seen from the face: where the node is on the second side, n and V change sign together.
             bias: [turning.dot(outward), turning.dot(outward.perp())],
         }

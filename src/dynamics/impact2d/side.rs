@@ -47,8 +47,8 @@ impl Aim {
         let (node, face) = (placed(site.node_body), placed(site.face_body));
         Self {
             home: (node.home - face.home).truncate(),
-            arm: (node.rotation * site.point).truncate(),
-            normal: (face.rotation * site.face.normal).truncate(),
+            arm: site.home.arm.truncate(),
+            normal: site.home.axes.z_axis.truncate(),
             level: site.face.corners[0].dot(site.face.normal),
         }
     }
