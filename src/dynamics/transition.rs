@@ -220,7 +220,8 @@ impl Engine {
                 }
                 closed.passing = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
-                closed.again = if self.contacts[contact].counted.0 > WORN { PATIENCE } else { 0 };
+                let worn = u32::try_from(self.contacts[contact].counted.0 / WORN).unwrap_or(u32::MAX);
+                closed.again = if worn > 0 { PATIENCE.saturating_add(worn) } else { 0 };
                 self.log(contact, now.t, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }
