@@ -33,8 +33,8 @@ const ZERO: f64 = 1e-10;
 /// Sliding that began again so often at one instant ends there less easily each time, doubled so many times at most.
 pub(super) const PATIENCE: u32 = 4;
 const MOST: u32 = 36;
-/// A stick that breaks away again and again in one touch is doubled so many times.
-const WEAR: u32 = 10;
+/// A stick that breaks away again and again in one touch does so late by no more than this part of its cone.
+const WEAR: f64 = 5e-9;
 
 /// What ends a contact's state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -232,8 +232,10 @@ fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Lo
     if here.gap <= -entry {
         // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
         let crosses = reason == Reason::Switching && is_sticking(island, number) && closed.again >= PATIENCE;
-        let times = f64::from((closed.again.max(PATIENCE) - PATIENCE).min(WEAR)).exp2();
-        return if crosses { times * ROUNDING * island.reach(model, number) } else { 0.0 };
+        let rounding = ROUNDING * island.reach(model, number);
+        let times = f64::from((closed.again.max(PATIENCE) - PATIENCE).min(MOST)).exp2();
+        let most = rounding.max(WEAR * closed.law.mu_s * here.penetration());
+        return if crosses { (times * rounding).min(most) } else { 0.0 };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.
