@@ -16,8 +16,8 @@ use girderbench::scene::{ModelKind, Scene, presets};
 use girderbench::sim::History;
 use rows::Row;
 
-/// A problem: what it is called, how often it is run for one figure, what time and what distance are asked for, the
-/// a coarse tolerance that reaches the distance with room (`TOLERANCE=1e-9` sets another for all), and the scene at a tolerance.
+/// A problem: what it is called, how often it is run for one figure, what time and what distance are asked for, a
+/// coarse tolerance that reaches the distance with room (`TOLERANCE=1e-9` sets another for all), and the scene at a tolerance.
 struct Problem {
     name: &'static str,
     repeats: u32,

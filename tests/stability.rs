@@ -20,11 +20,11 @@ const SLOW: &[u64] = &[58, 126, 128, 192, 321, 478];
 /// shrinks along the edge of its cone (5447), sliding without friction that stopped (5472), friction by a node that hangs
 /// before its face (1002, 7625), losses of thousands of steps that add up (647, 7375, 8039, 8076), a slip's angle followed
 /// to where it has no meaning (3329) or to another's tolerance (2513), contacts pressed less deep than a place rounds (1167, 1420,
-/// 1610, 1732, 1849, 2357, 3292, 8169), stops in two directions between the looks at a step (1151, 1656), a node that goes by as
+/// 1610, 1849, 2357, 3292, 8169), stops in two directions between the looks at a step (1151, 1656), a node that goes by as
 /// others enter (2538), a push from rest (1223).
 const ONCE: &[u64] = &[
-    647, 776, 1002, 1040, 1150, 1151, 1167, 1192, 1223, 1274, 1420, 1502, 1570, 1610, 1656, 1732, 1794, 1807, 1849,
-    2238, 2357, 2513, 2538, 3292, 3329, 3552, 3729, 5447, 5472, 7285, 7360, 7375, 7434, 7617, 7625, 8039, 8076, 8169,
+    647, 776, 1002, 1040, 1150, 1151, 1167, 1192, 1223, 1274, 1420, 1502, 1570, 1610, 1656, 1794, 1807, 1849, 2238,
+    2357, 2513, 2538, 3292, 3329, 3552, 3729, 5447, 5472, 7285, 7360, 7375, 7434, 7617, 7625, 8039, 8076, 8169,
 ];
 
 /// No end of patience; as many events as the command asks for by itself.

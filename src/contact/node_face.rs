@@ -321,6 +321,18 @@ mod tests {
     }
 
     #[test]
+    fn what_is_placed_on_a_face_is_on_it() {
+        // 0.1 + 0.2 is not 0.3: two girders in a row end to end.
+        let quad = [(0.0, -1.0, -1.0), (0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (0.0, -1.0, 1.0)];
+        let face = Face::new(quad.map(|(x, y, z)| DVec3::new(0.3 + x, y, z)), 1.0).expect("a square");
+        let axes = DMat3::IDENTITY;
+        let gap = |x: f64| Home::of(DVec3::X * 0.2, (DVec3::X * x, axes), &face, (DVec3::ZERO, axes)).gap();
+        assert_ne!(0.1 + 0.2, 0.3, "rounding is there");
+        assert_eq!(gap(0.1), 0.0, "and is no gap");
+        assert!((gap(0.1 + 1e-14) - 1e-14).abs() < 1e-16, "a small gap is one: {:e}", gap(0.1 + 1e-14));
+    }
+
+    #[test]
     fn a_small_motion_moves_the_gap_by_its_own_last_digit() {
         // As far apart as the bodies are wide, the sum of places would know 1e-16 m.
         let face = face();

@@ -25,8 +25,8 @@ use crate::scene::Kind;
 
 /// Events of one contact at one instant before the run gives up there.
 const SAME_INSTANT: usize = 64;
-/// Planned steps, meetings and searches per body before the run gives up: a thousand times what an hour of shaking needs, and as
-/// many steps as memory should hold.
+/// Planned steps, meetings and searches per body before the run gives up: more than the million that an hour of a stiff contact
+/// may take, and as many steps as memory should hold.
 const WORK: usize = 4_000_000;
 /// Events of one contact during one touch before the run gives up there.
 const PER_TOUCH: usize = 1_000_000;

@@ -112,10 +112,10 @@ impl Engine {
         let frames = slots.iter().map(|&slot| self.frame(slot, t)).collect();
         let seen = Juncture { t, slots, states: Vec::new(), frames };
         let mut entered = due;
-        // Who comes within that of the others comes with them, but goes by at his own time.
+        // A node that comes within that of the others enters with them, but goes by at its own time.
         entered.retain(|&contact| {
-            let his = self.contacts[contact].closing.is_some_and(|at| at <= t);
-            if his { self.enters(contact, &seen) } else { self.is_over(contact, &seen) }
+            let due = self.contacts[contact].closing.is_some_and(|at| at <= t);
+            if due { self.enters(contact, &seen) } else { self.is_over(contact, &seen) }
         });
         if entered.is_empty() {
             predict::pair(self, pair, t);

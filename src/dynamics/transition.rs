@@ -16,7 +16,7 @@ use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
 /// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
 pub(super) const V_STICK: f64 = 1e-6;
-/// Changes in one touch after which a stick breaks away no more by rounding.
+/// After so many changes in one touch a stick breaks away by more than rounding, twice as much after every so many more.
 const WORN: usize = 100;
 /// Where a slip's direction turns on its own, it is eased below this part of the entry's depth.
 const EASE: f64 = 1e-3;

@@ -224,8 +224,7 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
 }
 
 /// What a switching function must exceed: a stretch that breaks away again and again its rounding; all of them, where the
-/// node is hardly in and at rest,
-/// what its gap, its stretch and their rates come to, which is rounding of either sign.
+/// node is hardly in and at rest, what its gap, its stretch and their rates come to, which is rounding of either sign.
 fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.active[number].closed;
     let entry = entry(model, island, number, here);

@@ -16,6 +16,9 @@ use super::track::Going;
 use crate::dynamics::flight::Planar;
 use crate::dynamics::{Body, Model};
 
+/// A point so little behind a face, in parts of its girder's size, is there by the rounding of the search's gap, not by a hop: to
+/// take it out would turn a girder that is hit square.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Speeds off the face that a kept point may have gathered by its integrator's error, in parts of the fastest.
 pub(super) const DRIFT: f64 = 1e-8;
 
@@ -120,9 +123,8 @@ impl Engine {
         // Who leaves leaves from the face, not from a little behind it: else every small hop would end a little deeper.
         for edge in &moment.edges {
             let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
-            // What the search left of a path's rounding is not worth a turn.
-            let near = -64.0 * f64::EPSILON * self.reach(edge.pair);
-            let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < near);
+            let rounding = ROUNDING * self.reach(edge.pair);
+            let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < -rounding);
             rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
         }
         if rows.is_empty() {
