@@ -229,12 +229,17 @@ fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Lo
     let closed = &island.active[number].closed;
     let entry = entry(model, island, number, here);
     if here.gap <= -entry {
-        // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
-        let crosses = reason == Reason::Switching && is_sticking(island, number) && closed.again >= PATIENCE;
         let rounding = ROUNDING * island.reach(model, number);
-        let times = f64::from((closed.again.max(PATIENCE) - PATIENCE).min(MOST)).exp2();
-        let most = rounding.max(WEAR * closed.law.mu_s * here.penetration());
-        return if crosses { (times * rounding).min(most) } else { 0.0 };
+        return match reason {
+            // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
+            Reason::Switching if is_sticking(island, number) && closed.again >= PATIENCE => {
+                let times = f64::from((closed.again - PATIENCE).min(MOST)).exp2();
+                (times * rounding).min(rounding.max(WEAR * closed.law.mu_s * here.penetration()))
+            }
+            // And a force that stays near 0 crosses that; it is continuous there.
+            Reason::Kink => closed.law.k * rounding,
+            _ => 0.0,
+        };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.
