@@ -228,7 +228,7 @@ fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (
     if armed && before.gap <= resolution && before.gap_rate < 0.0 {
         return (Some(t), None);
     }
-    let node = usize::from(track.slots[0].is_some() && track.slots[0] == views.slots[1]);
+    let node = usize::from(track.slots[0] == views.slots[1]);
     let slots = views.slots;
     let whole = Swing::of(engine, slots, t, until);
     let span = until - t;
