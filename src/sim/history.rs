@@ -2,8 +2,6 @@
 
 use std::sync::{Arc, OnceLock};
 
-use glam::{DQuat, DVec3};
-
 use super::ledger::Books;
 use super::replayed::Replayed;
 use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
@@ -18,7 +16,7 @@ use crate::dynamics::piece::Piece;
 use crate::dynamics::replay::Past;
 use crate::dynamics::track::Closed;
 use crate::dynamics::{Model, body_state};
-use crate::scene::{Kind, ModelKind, Scene, SceneErrors};
+use crate::scene::{ModelKind, Scene, SceneErrors};
 
 /// Instants at which two runs are compared for the error estimate.
 const COMPARED: u32 = 2000;
@@ -169,6 +167,19 @@ impl History {
         self.effort
     }
 
+    /// The same answer as far as `t`, as of a scene that ends then \[s\].
+    #[must_use]
+    pub fn cut(mut self, t: f64) -> Self {
+        self.end = self.end.min(t);
+        self.scene.duration = self.scene.duration.min(t);
+        self.stop = self.stop.filter(|stop| stop.t <= t);
+        self.events.retain(|event| event.t <= t);
+        self.record = self.record.map(|record| Record::together(vec![record], t));
+        (self.touches, self.books) = (OnceLock::new(), OnceLock::new());
+        self.beside = self.beside.map(|beside| Arc::new(Arc::unwrap_or_clone(beside).cut(t)));
+        self
+    }
+
     /// Why it stops before the scene's duration, if it does.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()
@@ -222,25 +233,7 @@ impl History {
 
     /// Motion of a girder at `t`, clamped to what was computed.
     pub fn motion(&self, girder: usize, t: f64) -> Motion {
-        let body = &self.model.bodies[girder];
-        let state = self.state(girder, t);
-        let here = body_state::frame(self.model.kind, body, &state);
-        let (theta, attitude) = match self.model.kind {
-            Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
-            Kind::Spatial => {
-                let attitude = body_state::turn(&state) * DQuat::from_mat3(&body.axes);
-                let x = here.turn(DVec3::X);
-                (x.y.atan2(x.x), attitude)
-            }
-        };
-        Motion {
-            place: here.origin(),
-            displacement: here.shift,
-            theta,
-            attitude,
-            velocity: here.velocity,
-            spin: here.spin,
-        }
+        Motion::of(&self.model, girder, &self.state(girder, t))
     }
 
     /// The two sides of a contact at `t`: node's body, face's body.

@@ -159,7 +159,7 @@ fn balance(ledger: &mut Ledger, initial: f64) {
 fn body_account(history: &History, body: usize) -> Account<3> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
-    for span in history.paths[body].spans() {
+    for span in history.paths[body].spans().take_while(|span| span.from < history.end()) {
         let until = span.until.min(history.end());
         let cells = if span.flies { (until - span.from) * rate } else { 1.0 };
         for (a, b) in cut(&history.model().ground, span.from, until, cells) {

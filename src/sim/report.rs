@@ -3,6 +3,8 @@
 use glam::{DQuat, DVec3};
 
 pub use crate::dynamics::event::{Event, EventKind, Stop};
+use crate::dynamics::{Model, body_state};
+use crate::scene::Kind;
 
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +21,30 @@ pub struct Motion {
     pub velocity: DVec3,
     /// Angular velocity in the world frame; z is the planar ω \[rad/s\].
     pub spin: DVec3,
+}
+
+impl Motion {
+    /// Of a girder in a state as its integrator holds it.
+    pub(super) fn of(model: &Model, girder: usize, state: &[f64]) -> Self {
+        let body = &model.bodies[girder];
+        let here = body_state::frame(model.kind, body, state);
+        let (theta, attitude) = match model.kind {
+            Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
+            Kind::Spatial => {
+                let attitude = body_state::turn(state) * DQuat::from_mat3(&body.axes);
+                let x = here.turn(DVec3::X);
+                (x.y.atan2(x.x), attitude)
+            }
+        };
+        Self {
+            place: here.origin(),
+            displacement: here.shift,
+            theta,
+            attitude,
+            velocity: here.velocity,
+            spin: here.spin,
+        }
+    }
 }
 
 /// State of a contact.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::History;
+use super::{History, Motion, Stop};
 use crate::dynamics::engine::{self, Engine};
 use crate::dynamics::replay::Replay;
 use crate::dynamics::{Model, impact2d};
@@ -19,6 +19,8 @@ pub struct Session {
     scene: Scene,
     model: Arc<Model>,
     engines: Engines,
+    /// How far it was last asked to come \[s\].
+    asked: f64,
     /// The other model's run, where a scene asks for both.
     beside: Option<Box<Self>>,
 }
@@ -48,7 +50,7 @@ impl Session {
             }
         };
         let beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
-        Ok(Self { scene: scene.clone(), model, engines, beside })
+        Ok(Self { scene: scene.clone(), model, engines, asked: 0.0, beside })
     }
 
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then with the time reached \[s\] and
@@ -70,6 +72,7 @@ impl Session {
 
     /// Groups that no pair joins advance on as many threads as there are; each is the same whoever computes it.
     fn work(&mut self, until: f64) {
+        self.asked = self.asked.max(until);
         match &mut self.engines {
             Engines::Contact(engines) => each(engines, |engine| engine.advance(until)),
             Engines::Impact(engines) => each(engines, |engine| engine.advance(until)),
@@ -88,12 +91,44 @@ impl Session {
         }
     }
 
+    /// Bodies, pairs and contacts as compiled from the scene.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
     /// How many events [`History::events`] would hold by now; the impact model keeps a record instead.
     pub fn events(&self) -> usize {
         match &self.engines {
             Engines::Contact(engines) => engines.iter().map(Engine::events).sum(),
             Engines::Impact(_) => 0,
         }
+    }
+
+    /// Why a group of bodies stopped early, the first of them if any did.
+    fn stop(&self) -> Option<&Stop> {
+        let stops: Vec<&Stop> = match &self.engines {
+            Engines::Contact(engines) => engines.iter().filter_map(Engine::stop).collect(),
+            Engines::Impact(engines) => engines.iter().filter_map(impact2d::engine::Engine::stop).collect(),
+        };
+        stops.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
+    /// Motion of every girder at the time that was last asked for: what [`History::motion`] will say of it, to within
+    /// rounding.
+    ///
+    /// # Errors
+    /// Why a group of bodies stopped early.
+    pub fn motions(&self) -> Result<Vec<Motion>, &Stop> {
+        if let Some(stop) = self.stop() {
+            return Err(stop);
+        }
+        let at = self.asked.min(self.model.duration);
+        let mut states: Vec<(usize, Vec<f64>)> = match &self.engines {
+            Engines::Contact(engines) => engines.iter().flat_map(|engine| engine.states(at)).collect(),
+            Engines::Impact(engines) => engines.iter().flat_map(|engine| engine.states(at)).collect(),
+        };
+        states.sort_by_key(|(body, _)| *body);
+        Ok(states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect())
     }
 
     /// What is computed so far.

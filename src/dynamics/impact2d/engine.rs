@@ -302,6 +302,16 @@ impl Engine {
         }
     }
 
+    /// Numbers of its bodies and their states at `t`, between [`Engine::now`] and whatever comes next.
+    pub fn states(&self, t: f64) -> impl Iterator<Item = (usize, Vec<f64>)> + '_ {
+        self.bodies.iter().enumerate().map(move |(slot, track)| (track.body, self.state(slot, t).to_vec()))
+    }
+
+    /// Why it stopped early.
+    pub fn stop(&self) -> Option<&Stop> {
+        self.stop.as_ref()
+    }
+
     /// State of a body on its trajectory.
     pub(super) fn state(&self, slot: usize, t: f64) -> Planar {
         let track = &self.bodies[slot];

@@ -34,14 +34,11 @@ pub struct Examined {
 pub fn examine(scene: &Scene, clock: Clock<'_>, limits: Limits) -> Examined {
     let watched = std::panic::AssertUnwindSafe(|| {
         let watch = Watch::new(clock, limits.patience);
-        let first = watch.run_to(scene, limits.events);
-        match first.as_ref().ok().and_then(|history| enough(history, limits.events)) {
-            Some(duration) => {
-                let scene = Scene { duration, ..scene.clone() };
-                checked(&scene, watch.run(&scene), &watch)
-            }
-            None => checked(scene, first, &watch),
-        }
+        let ran = watch.run(scene, limits.events).map(|history| match enough(&history, limits.events) {
+            Some(t) => history.cut(t),
+            None => history,
+        });
+        checked(scene, ran, &watch)
     });
     let panicked = |panic: Box<dyn std::any::Any + Send>| failed(scene, Check::Panic, message(panic.as_ref()));
     std::panic::catch_unwind(watched).unwrap_or_else(panicked)
@@ -64,11 +61,11 @@ fn message(panic: &(dyn std::any::Any + Send)) -> String {
 }
 
 fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> Examined {
-    let until = scene.duration;
     let history = match ran {
         Ok(history) => history,
         Err(NoAnswer::Refused(errors)) => {
-            return Examined { outcome: Outcome::Refused(errors.to_string()), figures: Figures::default(), until };
+            let outcome = Outcome::Refused(errors.to_string());
+            return Examined { outcome, figures: Figures::default(), until: scene.duration };
         }
         Err(NoAnswer::Slow(t)) => return failed(scene, Check::Time, format!("came to {t} s of {} s", scene.duration)),
     };
@@ -81,5 +78,5 @@ fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> 
         check::convergence(&history, watch, &mut figures, &mut complaints);
     }
     let outcome = if complaints.is_empty() { Outcome::Passed } else { Outcome::Failed(complaints) };
-    Examined { outcome, figures, until }
+    Examined { outcome, figures, until: history.end() }
 }

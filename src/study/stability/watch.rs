@@ -55,36 +55,32 @@ impl<'a> Watch<'a> {
         (self.clock)() > self.until
     }
 
-    /// Runs a scene while there is patience.
-    ///
-    /// # Errors
-    /// A scene that validation refuses, or a run that took too long.
-    pub fn run(&self, scene: &Scene) -> Result<History, NoAnswer> {
-        self.run_to(scene, usize::MAX)
-    }
-
     /// Runs a scene while there is patience, and no further than a little beyond so many events.
     ///
     /// # Errors
     /// A scene that validation refuses, or a run that took too long.
-    pub fn run_to(&self, scene: &Scene, events: usize) -> Result<History, NoAnswer> {
+    pub fn run(&self, scene: &Scene, events: usize) -> Result<History, NoAnswer> {
         let mut session = Session::new(scene).map_err(NoAnswer::Refused)?;
-        let mut slow = None;
         for portion in 1..=PORTIONS {
             let until = scene.duration * GROWTH.powi(portion - PORTIONS);
-            session.advance(until, &mut |reached| {
-                if self.is_over() {
-                    slow = Some(reached);
-                }
-                slow.is_none()
-            });
-            if let Some(reached) = slow {
-                return Err(NoAnswer::Slow(reached));
-            }
+            self.advance(&mut session, until)?;
             if session.events() > events {
                 break;
             }
         }
         Ok(session.finish())
+    }
+
+    /// Brings a run on to `until` \[s\] while there is patience.
+    ///
+    /// # Errors
+    /// It took too long.
+    pub fn advance(&self, session: &mut Session, until: f64) -> Result<(), NoAnswer> {
+        let mut slow = None;
+        session.advance(until, &mut |reached| {
+            slow = self.is_over().then_some(reached);
+            slow.is_none()
+        });
+        slow.map_or(Ok(()), |reached| Err(NoAnswer::Slow(reached)))
     }
 }

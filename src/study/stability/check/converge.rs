@@ -5,11 +5,14 @@
 //! rounding floor, the reference is run again from starts that differ by a hair: the case is trusted until their
 //! difference has grown a thousandfold, and an error no larger than what starts a finer tolerance apart have come to is
 //! what that tolerance promises.
+//!
+//! The runs go on together from one instant compared to the next, and no further than the case is trusted: what chance
+//! has made of a scene then is worth nobody's time.
 
 use super::super::watch::{NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
 use crate::scene::Scene;
-use crate::sim::History;
+use crate::sim::{History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
                                 floor (rounding, or ten times what starts that differ by the finer tolerance come \
@@ -40,67 +43,143 @@ pub fn convergence(history: &History, watch: &Watch<'_>, figures: &mut Figures, 
 
 /// What is wrong, if anything; a run at another tolerance may fail as the first one might have.
 fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result<Option<String>, Complaint> {
-    let tolerance = coarse.scene().solver.tolerance;
-    let at = |part: f64| (tolerance * part).max(FINEST);
-    let finer = run(&with_tolerance(coarse.scene(), at(1e-2)), watch)?;
-    let truth =
-        if at(1e-4) < at(1e-2) { run(&with_tolerance(coarse.scene(), at(1e-4)), watch)? } else { finer.clone() };
-    let (errors, finer_errors) = (errors(coarse, &truth), errors(&finer, &truth));
-    let floor = FLOOR * extent(&truth);
-    let rises = |last: usize, floor: &dyn Fn(usize) -> f64| finer_errors[last] > errors[last].max(floor(last));
-    (figures.error, figures.finer_error, figures.trusted) = (errors[COMPARED], finer_errors[COMPARED], truth.end());
-    if !rises(COMPARED, &|_| floor) {
+    let scene = coarse.scene();
+    let [tolerance, fine, finest] = [1.0, 1e-2, 1e-4].map(|part| (scene.solver.tolerance * part).max(FINEST));
+    let mut truth = Run::new(with_tolerance(scene, finest))?;
+    let mut finer = if finest < fine { Some(Run::new(with_tolerance(scene, fine))?) } else { None };
+    let extent = extent(coarse);
+    let hairs = [HAIR, -HAIR, fine, -fine];
+    let starts = hairs.map(|hair| Run::new(nudged(&truth.scene, hair * extent)));
+    let mut doubt = Doubt { starts: Vec::new(), limits: hairs.map(|hair| GROWN * hair.abs() * extent).to_vec() };
+    for start in starts {
+        doubt.starts.push(start?);
+    }
+    let mut errors = vec![[0.0_f64; 2]];
+    let mut trusted = COMPARED;
+    let floor = FLOOR * extent;
+    let rises = |[error, finer_error]: [f64; 2], floor: f64| finer_error > error.max(floor);
+    for i in 1..=COMPARED {
+        truth.go_on(watch)?;
+        let t = instant(i, coarse.end());
+        let here: Vec<Motion> = (0..scene.girders.len()).map(|girder| coarse.motion(girder, t)).collect();
+        let mut error = errors[i - 1];
+        error[0] = error[0].max(truth.apart(&here, i));
+        if let Some(finer) = &mut finer {
+            finer.go_on(watch)?;
+            error[1] = error[1].max(truth.apart(&finer.motions[i], i));
+        }
+        errors.push(error);
+        // A finer error as large may be chance: then nobody need go on.
+        let wild = error[1] > GROWN * fine * extent;
+        if (rises(error, floor) || wild)
+            && let Some(until) = doubt.until(&truth, i, watch)?
+        {
+            trusted = until;
+            break;
+        }
+    }
+    let error = errors[trusted];
+    (figures.trusted, figures.error, figures.finer_error) = (instant(trusted, coarse.end()), error[0], error[1]);
+    if !rises(error, floor) {
         return Ok(None);
     }
-    let trust = trust(&truth, at(1e-2), watch)?;
-    let last = trust.until;
-    figures.trusted = truth.end() * last as f64 / COMPARED as f64;
-    (figures.error, figures.finer_error) = (errors[last], finer_errors[last]);
-    let grown = |i: usize| floor.max(trust.floor[i]);
-    Ok(rises(last, &grown).then(|| {
+    let floor = doubt.floor(&truth, trusted, watch)?.max(floor);
+    Ok(rises(error, floor).then(|| {
         format!(
-            "until {} s: error {:e} m at tolerance {:e}, {:e} m at {:e}; floor there {:e} m",
-            figures.trusted,
-            errors[last],
-            tolerance,
-            finer_errors[last],
-            at(1e-2),
-            grown(last)
+            "until {} s: error {:e} m at tolerance {tolerance:e}, {:e} m at {fine:e}; floor there {floor:e} m",
+            figures.trusted, error[0], error[1],
         )
     }))
 }
 
-/// How far a case can be trusted, and what differences of the tolerance have grown to, by the number of the instant.
-struct Trust {
-    until: usize,
-    floor: Vec<f64>,
+/// A run that is brought on from one instant compared to the next.
+struct Run {
+    scene: Scene,
+    session: Session,
+    /// Motions of all girders at the instants so far.
+    motions: Vec<Vec<Motion>>,
 }
 
-fn trust(truth: &History, finer: f64, watch: &Watch<'_>) -> Result<Trust, Complaint> {
-    let extent = extent(truth);
-    let (mut until, mut floor) = (COMPARED, vec![0.0; COMPARED + 1]);
-    for hair in [HAIR, -HAIR, finer, -finer] {
-        let other = run(&nudged(truth, hair), watch)?;
-        let apart = errors(&other, truth);
-        let limit = GROWN * hair.abs() * extent;
-        until = until.min(apart.iter().position(|d| *d > limit).map_or(COMPARED, |i| i.saturating_sub(1)));
-        floor.iter_mut().zip(&apart).for_each(|(f, d)| *f = f64::max(*f, HAIRS * d));
+impl Run {
+    fn new(scene: Scene) -> Result<Self, Complaint> {
+        let mut session = Session::new(&scene).map_err(|errors| failed(&scene, Check::Finishes, errors.to_string()))?;
+        session.advance(0.0, &mut |_| true);
+        let mut run = Self { scene, session, motions: Vec::new() };
+        run.note()?;
+        Ok(run)
     }
-    Ok(Trust { until, floor })
+
+    /// To the next instant.
+    fn go_on(&mut self, watch: &Watch<'_>) -> Result<(), Complaint> {
+        let t = instant(self.motions.len(), self.scene.duration);
+        if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t) {
+            let what = format!("came to {reached} s of {} s", self.scene.duration);
+            return Err(failed(&self.scene, Check::Time, what));
+        }
+        self.note()
+    }
+
+    fn note(&mut self) -> Result<(), Complaint> {
+        let stopped = |stop: &Stop| {
+            failed(&self.scene, Check::Finishes, format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason))
+        };
+        self.motions.push(self.session.motions().map_err(stopped)?);
+        Ok(())
+    }
+
+    /// The largest difference of any corner from these motions at an instant \[m\].
+    fn apart(&self, others: &[Motion], i: usize) -> f64 {
+        let radii = self.session.model().bodies.iter().map(|body| body.radius);
+        let apart = |((a, b), radius): ((&Motion, &Motion), f64)| {
+            let turned = (a.attitude.inverse() * b.attitude).xyz().length() * 2.0 * radius;
+            (a.displacement - b.displacement).length() + turned
+        };
+        self.motions[i].iter().zip(others).zip(radii).map(apart).fold(0.0, f64::max)
+    }
+
+    /// The first instant, until `last`, at which it is further from the reference than that.
+    fn strays(&mut self, truth: &Self, limit: f64, last: usize, watch: &Watch<'_>) -> Result<Option<usize>, Complaint> {
+        for i in 1..=last {
+            if i == self.motions.len() {
+                self.go_on(watch)?;
+            }
+            if truth.apart(&self.motions[i], i) > limit {
+                return Ok(Some(i));
+            }
+        }
+        Ok(None)
+    }
 }
 
-fn run(scene: &Scene, watch: &Watch<'_>) -> Result<History, Complaint> {
-    let tolerance = scene.solver.tolerance;
-    let failed = |check: Check, what: String| {
-        Err(Complaint { check, detail: format!("at tolerance {tolerance:e}, {what}"), tolerance: Some(tolerance) })
-    };
-    match watch.run(scene) {
-        Ok(history) => match history.stop() {
-            None => Ok(history),
-            Some(stop) => failed(Check::Finishes, format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason)),
-        },
-        Err(NoAnswer::Slow(t)) => failed(Check::Time, format!("came to {t} s of {} s", scene.duration)),
-        Err(NoAnswer::Refused(errors)) => failed(Check::Finishes, errors.to_string()),
+/// The reference from starts that differ by a hair.
+struct Doubt {
+    starts: Vec<Run>,
+    /// How far from the reference they may come \[m\].
+    limits: Vec<f64>,
+}
+
+impl Doubt {
+    /// The last instant until which the case can be trusted, where it cannot be until `last`.
+    fn until(&mut self, truth: &Run, last: usize, watch: &Watch<'_>) -> Result<Option<usize>, Complaint> {
+        let mut until = None;
+        for (start, limit) in self.starts.iter_mut().zip(&self.limits) {
+            let last = until.map_or(last, |until| until + 1);
+            if let Some(lost) = start.strays(truth, *limit, last, watch)? {
+                until = Some(lost - 1);
+            }
+        }
+        Ok(until)
+    }
+
+    /// What differences of the finer tolerance have come to by an instant, tenfold \[m\].
+    fn floor(&mut self, truth: &Run, last: usize, watch: &Watch<'_>) -> Result<f64, Complaint> {
+        let mut floor: f64 = 0.0;
+        for start in &mut self.starts {
+            start.strays(truth, f64::INFINITY, last, watch)?;
+            let apart = (0..=last).map(|i| truth.apart(&start.motions[i], i));
+            floor = apart.fold(floor, |floor, apart| floor.max(HAIRS * apart));
+        }
+        Ok(floor)
     }
 }
 
@@ -110,9 +189,9 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// The scene of a run, started a part `hair` of its extent further on.
-fn nudged(history: &History, hair: f64) -> Scene {
-    let (mut scene, d) = (history.scene().clone(), hair * extent(history));
+/// The same scene with every girder about `d` further on at its start \[m\].
+fn nudged(scene: &Scene, d: f64) -> Scene {
+    let mut scene = scene.clone();
     for (i, girder) in scene.girders.iter_mut().enumerate() {
         // No symmetry survives: each girder by another part.
         let part = 1.0 / (1.0 + i as f64);
@@ -123,26 +202,19 @@ fn nudged(history: &History, hair: f64) -> Scene {
     scene
 }
 
+/// When the runs are compared for the time of that number \[s\].
+fn instant(i: usize, end: f64) -> f64 {
+    end * i as f64 / COMPARED as f64
+}
+
+fn failed(scene: &Scene, check: Check, what: String) -> Complaint {
+    let tolerance = scene.solver.tolerance;
+    Complaint { check, detail: format!("at tolerance {tolerance:e}, {what}"), tolerance: Some(tolerance) }
+}
+
 /// What moves and how far: the largest girder and the largest displacement \[m\].
 fn extent(history: &History) -> f64 {
     let bodies = 0..history.model().bodies.len();
     let farthest = |t: f64| bodies.clone().map(|b| history.motion(b, t).displacement.length()).fold(0.0, f64::max);
     (0..=100).map(|i| farthest(history.end() * f64::from(i) / 100.0)).fold(size(history), f64::max)
-}
-
-/// Largest difference of any corner so far, at every instant compared \[m\].
-fn errors(one: &History, other: &History) -> Vec<f64> {
-    let end = one.end().min(other.end());
-    let mut largest: f64 = 0.0;
-    (0..=COMPARED)
-        .map(|i| {
-            let t = end * i as f64 / COMPARED as f64;
-            for (number, body) in one.model().bodies.iter().enumerate() {
-                let (a, b) = (one.motion(number, t), other.motion(number, t));
-                let turned = (a.attitude.inverse() * b.attitude).xyz().length() * 2.0 * body.radius;
-                largest = largest.max((a.displacement - b.displacement).length() + turned);
-            }
-            largest
-        })
-        .collect()
 }
