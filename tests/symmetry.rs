@@ -110,7 +110,7 @@ fn the_answer_is_the_same_to_the_bit_again_in_portions_and_on_any_number_of_thre
 fn a_cancelled_run_keeps_what_it_has() {
     let scene = preset("skew45-abutment");
     let mut session = Session::new(&scene).expect("valid");
-    session.advance(4.0, &mut |t| t < 1.5);
+    session.advance(4.0, &mut |reached| reached.t < 1.5);
     let part = session.finish();
     assert!(part.end() >= 1.4 && part.end() < 4.0, "it stops where it was told, at {}", part.end());
     let whole = run(&scene);

@@ -144,8 +144,8 @@ impl Runner {
         let reached = Arc::new(AtomicU64::new(0));
         let (cancelled, told, wake, number) = (cancel.clone(), reached.clone(), self.wake.clone(), self.count);
         std::thread::spawn(move || {
-            session.advance(duration, &mut |t| {
-                told.store(t.to_bits(), Ordering::Relaxed);
+            session.advance(duration, &mut |reached| {
+                told.store(reached.t.to_bits(), Ordering::Relaxed);
                 !cancelled.load(Ordering::Relaxed)
             });
             if !cancelled.load(Ordering::Relaxed) {

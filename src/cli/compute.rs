@@ -30,7 +30,7 @@ pub(super) fn compute_as_asked(scene: &Scene) -> Result<Timed, SceneErrors> {
     let mut progress = Progress::over(scene.duration, "s");
     let mut session = Session::new(scene)?;
     session.advance(scene.duration, &mut |reached| {
-        progress.show(reached);
+        progress.show(reached.t);
         true
     });
     let history = session.finish();

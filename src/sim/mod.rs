@@ -18,6 +18,6 @@ mod touches;
 pub use history::{History, Summary};
 pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
-pub use session::Session;
+pub use session::{Reached, Session};
 
 pub use crate::dynamics::impact2d::{Hit, Record, Row, State, Stay, Transition};

@@ -25,6 +25,15 @@ pub struct Session {
     beside: Option<Box<Self>>,
 }
 
+/// How far a run has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Until when everything is computed \[s\].
+    pub t: f64,
+    /// How many events there were.
+    pub events: usize,
+}
+
 /// One engine a group of bodies.
 #[derive(Debug)]
 enum Engines {
@@ -53,10 +62,10 @@ impl Session {
         Ok(Self { scene: scene.clone(), model, engines, asked: 0.0, beside })
     }
 
-    /// Computes on to `until` or the scene's duration; `go_on` is asked now and then with the time reached \[s\] and
-    /// stops the work by answering `false`. What is computed is kept. Portions do not change the answer.
-    pub fn advance(&mut self, until: f64, go_on: &mut dyn FnMut(f64) -> bool) {
-        let (from, until) = (self.reached(), until.min(self.model.duration));
+    /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
+    /// What is computed is kept. Portions do not change the answer.
+    pub fn advance(&mut self, until: f64, go_on: &mut dyn FnMut(Reached) -> bool) {
+        let (from, until) = (self.now(), until.min(self.model.duration));
         for portion in 1..=PORTIONS {
             let t = if portion == PORTIONS {
                 until
@@ -64,7 +73,7 @@ impl Session {
                 from + (until - from) * f64::from(portion) / f64::from(PORTIONS)
             };
             self.work(t);
-            if !go_on(t) {
+            if !go_on(Reached { t, events: self.events() }) {
                 return;
             }
         }
@@ -83,7 +92,7 @@ impl Session {
     }
 
     /// How far every group has come \[s\].
-    fn reached(&self) -> f64 {
+    fn now(&self) -> f64 {
         let duration = self.model.duration;
         match &self.engines {
             Engines::Contact(engines) => engines.iter().map(Engine::now).fold(duration, f64::min),
@@ -97,7 +106,7 @@ impl Session {
     }
 
     /// How many events [`History::events`] would hold by now; the impact model keeps a record instead.
-    pub fn events(&self) -> usize {
+    fn events(&self) -> usize {
         match &self.engines {
             Engines::Contact(engines) => engines.iter().map(Engine::events).sum(),
             Engines::Impact(_) => 0,

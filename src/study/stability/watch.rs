@@ -17,7 +17,7 @@ pub struct Limits {
 }
 
 /// Portions of a run, each [`GROWTH`] times the one before it: whatever its pace, few more events come up than are
-/// asked for. [`Session::advance`] looks at the clock 200 times in each.
+/// asked for. [`Session::advance`] asks 200 times in each.
 const PORTIONS: i32 = 100;
 /// How fast portions grow: the first is 1e-8 of the run.
 const GROWTH: f64 = 1.2;
@@ -63,24 +63,25 @@ impl<'a> Watch<'a> {
         let mut session = Session::new(scene).map_err(NoAnswer::Refused)?;
         for portion in 1..=PORTIONS {
             let until = scene.duration * GROWTH.powi(portion - PORTIONS);
-            self.advance(&mut session, until)?;
-            if session.events() > events {
+            if !self.advance(&mut session, until, events)? {
                 break;
             }
         }
         Ok(session.finish())
     }
 
-    /// Brings a run on to `until` \[s\] while there is patience.
+    /// Brings a run on to `until` \[s\] while there is patience, or to a little beyond so many events; whether it came to
+    /// `until`.
     ///
     /// # Errors
     /// It took too long.
-    pub fn advance(&self, session: &mut Session, until: f64) -> Result<(), NoAnswer> {
-        let mut slow = None;
+    pub fn advance(&self, session: &mut Session, until: f64, events: usize) -> Result<bool, NoAnswer> {
+        let (mut slow, mut fewer) = (None, true);
         session.advance(until, &mut |reached| {
-            slow = self.is_over().then_some(reached);
-            slow.is_none()
+            slow = self.is_over().then_some(reached.t);
+            fewer = reached.events <= events;
+            slow.is_none() && fewer
         });
-        slow.map_or(Ok(()), |reached| Err(NoAnswer::Slow(reached)))
+        slow.map_or(Ok(fewer), |reached| Err(NoAnswer::Slow(reached)))
     }
 }

@@ -112,7 +112,7 @@ impl Run {
     /// To the next instant.
     fn go_on(&mut self, watch: &Watch<'_>) -> Result<(), Complaint> {
         let t = instant(self.motions.len(), self.scene.duration);
-        if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t) {
+        if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t, usize::MAX) {
             let what = format!("came to {reached} s of {} s", self.scene.duration);
             return Err(failed(&self.scene, Check::Time, what));
         }
