@@ -65,7 +65,8 @@ impl Session {
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
     /// What is computed is kept. Portions do not change the answer.
     pub fn advance(&mut self, until: f64, go_on: &mut dyn FnMut(Reached) -> bool) {
-        let (from, until) = (self.now(), until.min(self.model.duration));
+        let until = until.min(self.model.duration);
+        let from = self.asked.min(until);
         for portion in 1..=PORTIONS {
             let t = if portion == PORTIONS {
                 until
@@ -88,15 +89,6 @@ impl Session {
         }
         if let Some(beside) = &mut self.beside {
             beside.work(until);
-        }
-    }
-
-    /// How far every group has come \[s\].
-    fn now(&self) -> f64 {
-        let duration = self.model.duration;
-        match &self.engines {
-            Engines::Contact(engines) => engines.iter().map(Engine::now).fold(duration, f64::min),
-            Engines::Impact(engines) => engines.iter().map(impact2d::engine::Engine::now).fold(duration, f64::min),
         }
     }
 

@@ -133,7 +133,7 @@ impl Engine {
     }
 
     /// How far the run has come \[s\].
-    pub fn now(&self) -> f64 {
+    fn now(&self) -> f64 {
         if self.stop.is_none() && self.agenda.first_time() > self.model.duration {
             self.model.duration
         } else {
@@ -302,7 +302,7 @@ impl Engine {
         }
     }
 
-    /// Numbers of its bodies and their states at `t`, between [`Engine::now`] and whatever comes next.
+    /// Numbers of its bodies and their states at `t`, until which everything is done.
     pub fn states(&self, t: f64) -> impl Iterator<Item = (usize, Vec<f64>)> + '_ {
         self.bodies.iter().enumerate().map(move |(slot, track)| (track.body, self.state(slot, t).to_vec()))
     }
