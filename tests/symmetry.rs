@@ -95,14 +95,41 @@ fn the_answer_is_the_same_to_the_bit_again_in_portions_and_on_any_number_of_thre
         assert!(!first.touches().is_empty(), "{name}: contacts are in play");
         assert_eq!(first.digest(), run(&scene).digest(), "{name}: again");
         let mut session = Session::new(&scene).expect("valid");
-        for until in [0.3, 1.0, 2.7, 4.0] {
+        for until in [0.3, 1.0, 2.7, scene.duration, 4.0] {
             session.advance(until, &mut |_| true);
+            for (girder, now) in session.motions().expect("it goes on").iter().enumerate() {
+                let apart = (now.displacement - first.motion(girder, until).displacement).length();
+                assert!(apart < 1e-12, "{name}: girder {girder} on the way, at {until}: {apart:e} m");
+            }
         }
         assert_eq!(first.digest(), session.finish().digest(), "{name}: in portions");
         for threads in [1, 2, 5] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             assert_eq!(first.digest(), pool.install(|| run(&scene).digest()), "{name}: {threads} threads");
         }
+    }
+}
+
+#[test]
+fn an_answer_cut_short_is_that_of_a_shorter_scene() {
+    let scene = preset("skew45-abutment");
+    let whole = run(&scene);
+    let until = whole.events()[whole.events().len() / 2].t + 1e-3;
+    let (cut, short) = (whole.cut(until), run(&Scene { duration: until, ..scene }));
+    assert_eq!(cut.end(), short.end());
+    assert_eq!(cut.events(), short.events());
+    assert_eq!(cut.touches().len(), short.touches().len());
+    for (a, b) in cut.touches().iter().zip(short.touches()) {
+        assert_eq!((a.contact, a.start, a.end), (b.contact, b.start, b.end));
+        // The shorter run's last step ends where the other one is read within.
+        within("peak force", (a.peak_force - b.peak_force).abs(), 1e-9 * b.peak_force);
+    }
+    for i in 0..=20 {
+        let t = until * f64::from(i) / 20.0;
+        within("place", (cut.motion(0, t).displacement - short.motion(0, t).displacement).length(), 1e-12);
+        let [a, b] = [cut.ledger(t), short.ledger(t)];
+        within("friction", (a.loss_friction - b.loss_friction).abs(), 1e-10 * b.scale.max(1e-6));
+        within("residual", (a.residual - b.residual).abs(), 1e-10 * b.scale.max(1e-6));
     }
 }
 
