@@ -59,8 +59,10 @@ impl Island {
             }
         }
         // From rest nothing is moving yet: what the ground and a push do to it in one radian.
-        let floor = (model.ground.peak() + model.gravity + pushed + 1e-9) / omega;
+        let floor = (model.ground.peak() + pushed + 1e-9) / omega;
         let speed = speed2.sqrt().max(1e-3 * floor);
+        // Weight moves nothing that bearings hold, but what it presses them with rounds.
+        let floor = floor + model.gravity / omega;
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
