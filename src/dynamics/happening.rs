@@ -12,6 +12,9 @@ use super::transition::Juncture;
 use super::watch::Due;
 use super::{body_state, predict};
 
+/// Changes of a contact at one instant from which on it alternates.
+const ALTERNATES: usize = 2;
+
 impl Engine {
     pub(super) fn commit_all(&mut self, t: f64) {
         for slot in 0..self.bodies.len() {
@@ -78,11 +81,15 @@ impl Engine {
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
         }
+        let mut alternates = false;
         for Due { number, reason } in std::mem::take(&mut island.due) {
-            self.change(island.contacts[number], reason, &now);
+            let contact = island.contacts[number];
+            self.change(contact, reason, &now);
+            alternates |= self.contacts[contact].counted.2 > ALTERNATES;
         }
         self.spare.extend(island.give_back());
-        self.form(now, island.pace());
+        // Where neither stick nor slip lasts over a long step, the contact's own swing decides.
+        self.form(now, if alternates { Pace::default() } else { island.pace() });
     }
 
     /// Bodies at an instant.
