@@ -2,22 +2,22 @@
 //!
 //! Three runs: at the scene's tolerance, at a hundredth of it, and at a hundredth of that (never below the finest that a
 //! scene may ask for), which stands for the truth. Where the finer error is not below the coarser one and not at the
-//! rounding floor, the reference is run again from starts that differ by a hair: the case is trusted until their
-//! difference has grown a thousandfold, and an error no larger than what starts a finer tolerance apart have come to is
-//! what that tolerance promises.
+//! rounding floor, the reference is run again from starts and on grounds that differ by a hair: the case is trusted until
+//! their difference has grown a thousandfold, and an error no larger than what starts and grounds a finer tolerance apart
+//! have come to is what that tolerance promises.
 //!
 //! The runs go on together from one instant compared to the next, and no further than the case is trusted: what chance
 //! has made of a scene then is worth nobody's time.
 
 use super::super::watch::{NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
-use crate::scene::Scene;
+use crate::scene::{self, Scene};
 use crate::sim::{History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
-                                floor (rounding, or ten times what starts that differ by the finer tolerance come \
-                                apart), until the time to which the case can be trusted: starts that differ by a \
-                                hair have then come a thousand hairs apart";
+                                floor (rounding, or ten times what starts and grounds that differ by the finer \
+                                tolerance come apart), until the time to which the case can be trusted: those that \
+                                differ by a hair have then come a thousand hairs apart";
 
 /// The finest tolerance that a scene may ask for.
 const FINEST: f64 = 1e-13;
@@ -27,9 +27,9 @@ const COMPARED: usize = 400;
 const FLOOR: f64 = 1e-12;
 /// A case is trusted until two starts have come so many times further apart.
 const GROWN: f64 = 1e3;
-/// A start's relative difference that stands for rounding.
+/// A relative difference that stands for rounding.
 const HAIR: f64 = 1e-12;
-/// An error may be so many times what a start's difference of the tolerance has grown to.
+/// An error may be so many times what a difference of the tolerance has grown to.
 const HAIRS: f64 = 10.0;
 
 /// Puts the check.
@@ -49,7 +49,7 @@ fn compare(coarse: &History, watch: &Watch<'_>, figures: &mut Figures) -> Result
     let mut finer = if finest < fine { Some(Run::new(with_tolerance(scene, fine))?) } else { None };
     let extent = extent(coarse);
     let hairs = [HAIR, -HAIR, fine, -fine];
-    let starts = hairs.map(|hair| Run::new(nudged(&truth.scene, hair * extent)));
+    let starts = hairs.map(|hair| Run::new(nudged(&truth.scene, hair, extent)));
     let mut doubt = Doubt { starts: Vec::new(), limits: hairs.map(|hair| GROWN * hair.abs() * extent).to_vec() };
     for start in starts {
         doubt.starts.push(start?);
@@ -151,7 +151,7 @@ impl Run {
     }
 }
 
-/// The reference from starts that differ by a hair.
+/// The reference from starts and on grounds that differ by a hair.
 struct Doubt {
     starts: Vec<Run>,
     /// How far from the reference they may come \[m\].
@@ -189,9 +189,19 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// The same scene with every girder about `d` further on at its start \[m\].
-fn nudged(scene: &Scene, d: f64) -> Scene {
-    let mut scene = scene.clone();
+/// The same scene with every girder a hair of that extent further on at its start, which bearings may damp away, and on a
+/// ground that shakes as much harder, which lasts.
+fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
+    let (mut scene, d) = (scene.clone(), hair * extent);
+    match &mut scene.motion {
+        scene::Motion::Sine(sine) => {
+            for amplitude in [&mut sine.amplitude, &mut sine.amplitude_g].into_iter().flatten() {
+                *amplitude *= 1.0 + hair;
+            }
+        }
+        scene::Motion::Record(record) => record.scale *= 1.0 + hair,
+        scene::Motion::None => {}
+    }
     for (i, girder) in scene.girders.iter_mut().enumerate() {
         // No symmetry survives: each girder by another part.
         let part = 1.0 / (1.0 + i as f64);
