@@ -59,7 +59,7 @@ pub trait System {
     fn channels(&self) -> &[Channel] {
         &[]
     }
-    /// Whether from now on they keep the direction that they had there.
+    /// Whether from now on they keep the direction that they had there, and all that bends its side of the bend.
     fn hold(&mut self, _held: bool) {}
     /// Rates of the leading components per unit of a slider's force, and its velocity per unit of those components, at
     /// `y`: two columns and two rows, both 0 as given, and 0 for places.

@@ -109,7 +109,9 @@ pub(super) struct Sliding {
     channels: Vec<Channel>,
     /// What their friction pointed against, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
-    /// Whether it keeps that direction.
+    /// Contacts that slid without friction, a hair before their faces.
+    loose: Vec<bool>,
+    /// Whether all that stays as it was.
     held: bool,
 }
 
@@ -118,7 +120,7 @@ impl Sliding {
     pub(super) fn of(active: &[Active]) -> Self {
         let slides = |a: &Active| a.angle.is_some() || a.turns_at_once();
         let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
-        Self { against: vec![DVec2::X; sliders.len()], sliders, ..Self::default() }
+        Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
     }
 }
 
@@ -172,19 +174,29 @@ impl Field<'_> {
 
     fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
         let mut slider = 0;
-        for active in self.active {
+        for (number, active) in self.active.iter().enumerate() {
             let site = &self.model.contacts[active.site];
             let node = active.node.map_or(&site.stand, |i| &self.frames[i]);
             let face = active.face.map_or(&site.stand, |i| &self.frames[i]);
             let at_once = active.turns_at_once();
             let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
             let (mut held, mut closed) = (active.closed, &active.closed);
-            if at_once && self.sliding.held {
-                mode = Mode::Slip { direction: self.sliding.against[slider] };
-                held.law.v_stick = 0.0;
+            if self.sliding.held {
+                if at_once {
+                    mode = Mode::Slip { direction: self.sliding.against[slider] };
+                    held.law.v_stick = 0.0;
+                }
+                // Friction comes and goes at the face: differences across it would be of neither side.
+                held.at_face = false;
+                if self.sliding.loose[number] {
+                    held.law.mu_k = 0.0;
+                }
                 closed = &held;
             }
             let action = penalty3d::act_in(site, closed, &mode, node, face);
+            if !self.sliding.held {
+                self.sliding.loose[number] = closed.is_loose(&action.here);
+            }
             if let Some(i) = active.node {
                 self.wrenches[i].push(action.force, action.node_arm);
             }

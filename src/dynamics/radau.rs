@@ -134,12 +134,11 @@ impl Radau {
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
         self.systems.linear.quiet(system, n);
         if self.slides.together(system) {
-            state.copy_from_slice(y);
-            system.slope(t, y, moved);
             self.slides.gather(system, &self.systems.linear, y, n);
-            system.hold(true);
         }
         if !self.quiet {
+            system.slope(t, y, moved);
+            system.hold(true);
             self.systems.linear.differentiate(system, t, [y, slope], [state, moved], n);
         }
         system.hold(false);
