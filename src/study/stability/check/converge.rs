@@ -102,7 +102,8 @@ struct Run {
 
 impl Run {
     fn new(scene: Scene) -> Result<Self, Complaint> {
-        let mut session = Session::new(&scene).map_err(|errors| failed(&scene, Check::Finishes, errors.to_string()))?;
+        let mut session =
+            Session::new(&scene).map_err(|errors| failed(&scene, Check::Finishes, &errors.to_string()))?;
         session.advance(0.0, &mut |_| true);
         let mut run = Self { scene, session, motions: Vec::new() };
         run.note()?;
@@ -114,14 +115,14 @@ impl Run {
         let t = instant(self.motions.len(), self.scene.duration);
         if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t, usize::MAX) {
             let what = format!("came to {reached} s of {} s", self.scene.duration);
-            return Err(failed(&self.scene, Check::Time, what));
+            return Err(failed(&self.scene, Check::Time, &what));
         }
         self.note()
     }
 
     fn note(&mut self) -> Result<(), Complaint> {
         let stopped = |stop: &Stop| {
-            failed(&self.scene, Check::Finishes, format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason))
+            failed(&self.scene, Check::Finishes, &format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason))
         };
         self.motions.push(self.session.motions().map_err(stopped)?);
         Ok(())
@@ -218,7 +219,7 @@ fn instant(i: usize, end: f64) -> f64 {
     end * (i as f64 / COMPARED as f64).powi(4)
 }
 
-fn failed(scene: &Scene, check: Check, what: String) -> Complaint {
+fn failed(scene: &Scene, check: Check, what: &str) -> Complaint {
     let tolerance = scene.solver.tolerance;
     Complaint { check, detail: format!("at tolerance {tolerance:e}, {what}"), tolerance: Some(tolerance) }
 }
