@@ -27,7 +27,7 @@ use crate::scene::Kind;
 const SAME_INSTANT: usize = 64;
 /// Planned steps, meetings and searches per body before the run gives up: more than the million that an hour of a stiff contact
 /// may take, and as many steps as memory should hold.
-const WORK: usize = 4_000_000;
+const WORK: usize = 10_000_000;
 /// Events of one contact during one touch before the run gives up there.
 const PER_TOUCH: usize = 1_000_000;
 
