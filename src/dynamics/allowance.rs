@@ -2,10 +2,13 @@
 
 use super::Model;
 use super::body_state;
+use super::dop853::SEEN;
+use super::fastest::{decay, quickest};
 use super::field::Scale;
 use super::island::Island;
 use super::watch::is_at_face;
 use crate::contact::{Mode, law::Friction};
+use crate::motion::Ground;
 
 /// Rounding of a place and a speed over one explicit step, which spans less than a radian, in parts of how far corners have
 /// come: a gap is a sum of three. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
@@ -16,6 +19,8 @@ const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
 /// one sign where it swings, and so come to no more than their logarithm.
 const LONG: f64 = 1000.0;
+/// Longest implicit step, in radians of the ground motion.
+const DRIVE: f64 = 1.0;
 /// What has hardly moved rounds with this part of its size.
 const LITTLE: f64 = 1e-3;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
@@ -74,6 +79,27 @@ impl Island {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         Scale { speed, omega, place }
+    }
+
+    /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
+    /// error measured by the contact's own speed would show.
+    pub(super) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
+        match model.ground {
+            Ground::Sine { omega, .. } if self.stepper.pace().stiff => cap.min(self.until + DRIVE / omega),
+            _ => cap,
+        }
+    }
+
+    /// How long the next step may be at most: an explicit one must see the error of what decays.
+    pub(super) fn longest(&mut self, model: &Model) -> f64 {
+        let pace = self.stepper.pace();
+        // Seldom near: first by what no contact alone exceeds.
+        let crude = quickest(model, &self.active) * self.active.len() as f64;
+        if pace.stiff || pace.step > 0.0 && pace.step * crude < SEEN {
+            return f64::INFINITY;
+        }
+        let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active));
+        if decay > 0.0 { SEEN / decay } else { f64::INFINITY }
     }
 
     /// What the places of a contact's two sides round with: how far both have come since they were placed, or a little of

@@ -10,6 +10,10 @@ pub const DENSE: usize = 8;
 /// Slopes of a step with those that its continuous answer needs.
 const STAGES: usize = 16;
 
+/// Time constants of a decay that a step may span for its error to be seen: at 5.65 of them, inside the region of stability, the
+/// estimate of fifth order crosses 0 while a quarter of what should have decayed is left.
+pub(super) const SEEN: f64 = 5.0;
+
 /// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
 /// \[0, 1\], rounded up.
 const STEEPEST: [[f64; DENSE - 1]; 2] =
@@ -294,6 +298,33 @@ mod tests {
         fn size2(&self, d: &[f64]) -> f64 {
             d.iter().map(|x| x * x).sum()
         }
+    }
+
+    struct Decay;
+
+    impl System for Decay {
+        fn slope(&mut self, _t: f64, y: &[f64], out: &mut [f64]) {
+            out[0] = -y[0];
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d[0] * d[0]
+        }
+    }
+
+    #[test]
+    fn the_error_of_a_decay_is_seen_up_to_five_time_constants_and_not_at_all_a_little_beyond() {
+        let seen = |h: f64| {
+            let (mut rk, mut y) = (Dop853::default(), vec![1.0]);
+            rk.resize(1);
+            rk.start(&mut Decay, 0.0, &y);
+            let estimate = rk.attempt(&mut Decay, 0.0, &y, h);
+            rk.accept(&mut Decay, 0.0, &mut y, h);
+            estimate / (y[0] - (-h).exp()).abs()
+        };
+        let worst = (1..=50).map(|i| seen(SEEN * f64::from(i) / 50.0)).fold(f64::INFINITY, f64::min);
+        assert!(worst > 1.0, "of the error, at least: {worst}");
+        assert!(seen(5.6543) < 1e-3, "of the error: {}", seen(5.6543));
     }
 
     /// Largest error over one turn: at the steps, and halfway between them.

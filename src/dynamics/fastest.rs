@@ -1,7 +1,11 @@
 //! How fast bodies in contact can swing, from above: what times and errors of an island are measured by.
 
+use glam::{DMat3, DVec3};
+
+use super::body_state::response;
 use super::field::Active;
 use super::{Body, Model};
+use crate::contact::{Mode, law::Friction};
 
 /// Circular frequency that no contact or bearing of these bodies exceeds by much \[rad/s\].
 pub(super) fn fastest(model: &Model, bodies: &[usize], active: &[Active]) -> f64 {
@@ -20,6 +24,36 @@ pub(super) fn quickest(model: &Model, active: &[Active]) -> f64 {
         law.c_n.max(law.c_t) * pair.bodies.iter().flatten().map(|&b| mobility(&model.bodies[b])).sum::<f64>()
     });
     contacts.fold(0.0, f64::max)
+}
+
+/// Rate that the dashpots of these contacts of an island's bodies decay by at most, all together, with the levers that they
+/// had as placed \[1/s\].
+pub(super) fn decay(model: &Model, bodies: &[usize], active: &[Active]) -> f64 {
+    let mut sums = vec![0.0; bodies.len()];
+    for a in active {
+        let home = &model.contacts[a.site].home;
+        for (side, arm) in [(a.node, home.arm), (a.face, home.lever)] {
+            if let Some(i) = side {
+                sums[i] += yielding(&model.bodies[bodies[i]], a, &home.axes, arm);
+            }
+        }
+    }
+    let apart = |a: &Active| [a.node, a.face].into_iter().flatten().map(|i| sums[i]).sum::<f64>();
+    active.iter().map(apart).fold(0.0, f64::max)
+}
+
+/// How fast the dashpots of one contact, with the face's axes and a lever from G, slow a body down at most \[1/s\].
+fn yielding(body: &Body, contact: &Active, axes: &DMat3, arm: DVec3) -> f64 {
+    let law = &contact.closed.law;
+    let holds = matches!(contact.closed.mode, Mode::Stick { .. }) || law.friction == Friction::ReturnMapping;
+    let across = if holds { law.c_t.sqrt() } else { 0.0 };
+    let pushes = [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.c_n.sqrt()];
+    let row = |push: DVec3| {
+        let (linear, turning) = response(body, &body.axes, push, arm);
+        let there = linear + turning.cross(arm);
+        pushes.iter().map(|other| there.dot(*other).abs()).sum::<f64>()
+    };
+    pushes.into_iter().map(row).fold(0.0, f64::max)
 }
 
 /// Upper bound on acceleration at a corner per unit force \[1/kg\].

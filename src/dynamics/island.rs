@@ -13,11 +13,9 @@ use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
 use super::{Body, Model};
 use crate::contact::{Frame, Mode};
-use crate::motion::{Ground, LinearPiece};
+use crate::motion::LinearPiece;
 use crate::scene::Kind;
 
-/// Longest implicit step, in radians of the ground motion.
-const DRIVE: f64 = 1.0;
 /// A step shorter than this part of the contact's period means that the equations cannot be followed.
 const SMALLEST: f64 = 1e-9;
 /// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
@@ -57,6 +55,8 @@ pub(super) struct Island {
     explicit: bool,
     pub(super) stepper: Stepper,
     pub(super) omega: f64,
+    /// Rate that its contacts' dashpots decay by at most, once that was asked for \[1/s\].
+    pub(super) decay: Option<f64>,
     /// Largest distance of a corner from G, body by body \[m\].
     pub(super) radii: Vec<f64>,
     /// How far any corner had come at most since it was placed where the step began, body by body \[m\].
@@ -102,6 +102,7 @@ impl Island {
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
             omega: fastest(model, &bodies, &active),
+            decay: None,
             moved: vec![0.0; radii.len()],
             radii,
             slots,
@@ -200,8 +201,9 @@ impl Island {
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { quickest(model, &self.active) };
         let first = FIRST * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
+        let longest = self.longest(model);
         let cap = self.drive_cap(model, cap);
-        let limits = Limits { cap, first, soon, smallest: SMALLEST / scale.omega };
+        let limits = Limits { cap, first, longest, soon, smallest: SMALLEST / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         normalise(model, &self.bodies, &mut y);
@@ -231,15 +233,6 @@ impl Island {
         self.sloped = (from + dense.step, number);
         (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
         true
-    }
-
-    /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
-    /// error measured by the contact's own speed would show.
-    fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
-        match model.ground {
-            Ground::Sine { omega, .. } if self.stepper.pace().stiff => cap.min(self.until + DRIVE / omega),
-            _ => cap,
-        }
     }
 
     /// Cuts the planned step short at `t` and makes that the state; the caller forms the island anew.

@@ -55,6 +55,8 @@ pub(super) struct Limits {
     pub cap: f64,
     /// Length of the very first try \[s\].
     pub first: f64,
+    /// No step may be longer \[s\].
+    pub longest: f64,
     /// Something is likely to change so long after its start \[s\].
     pub soon: f64,
     /// A shorter step cannot be followed \[s\].
@@ -134,7 +136,7 @@ impl Stepper {
         y: &mut [f64],
         limits: Limits,
     ) -> Result<(Dense, f64), f64> {
-        let mut h = if self.pace.step > 0.0 { self.pace.step } else { limits.first };
+        let mut h = if self.pace.step > 0.0 { self.pace.step } else { limits.first }.min(limits.longest);
         let mut refused = false;
         loop {
             let reach = limits.reach(t, h);
@@ -144,7 +146,7 @@ impl Stepper {
             let (error, factor) = self.attempt(system, t, y, taken);
             if error <= 1.0 {
                 let cut = end == limits.cap || reach < h;
-                self.pace.step = if cut { h.max(taken * factor) } else { taken * factor };
+                self.pace.step = if cut { h.max(taken * factor) } else { taken * factor }.min(limits.longest);
                 return Ok((self.accept(system, t, y, taken, error), end));
             }
             // Refused twice, the estimate is no guide: something is over far sooner than the step.
@@ -225,7 +227,7 @@ mod tests {
 
     #[test]
     fn a_step_ends_soon_after_a_likely_change_but_not_at_once() {
-        let limits = |soon: f64| Limits { cap: 1.0, first: 1e-9, soon, smallest: 1e-18 };
+        let limits = |soon: f64| Limits { cap: 1.0, first: 1e-9, longest: 1.0, soon, smallest: 1e-18 };
         assert_eq!(limits(1e-6).reach(9.0, 1e-4), BEYOND * 1e-6, "a little beyond the change");
         assert_eq!(limits(9e-5).reach(9.0, 1e-4), 1e-4, "not worth a step of its own");
         assert_eq!(limits(5e-16).reach(9.0, 1e-4), 1e-4, "less than a bit of the time it would end at");
