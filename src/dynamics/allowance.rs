@@ -9,6 +9,7 @@ use super::island::Island;
 use super::watch::is_at_face;
 use crate::contact::{Mode, law::Friction};
 use crate::motion::Ground;
+use crate::scene::Kind;
 
 /// Rounding of a place and a speed over one explicit step, which spans less than a radian, in parts of how far corners have
 /// come: a gap is a sum of three. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
@@ -19,6 +20,8 @@ const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
 /// one sign where it swings, and so come to no more than their logarithm.
 const LONG: f64 = 1000.0;
+/// What turns back is about to move at this part of what its acceleration gives it in one radian.
+const TURNING: f64 = 0.1;
 /// Longest implicit step, in radians of the ground motion.
 const DRIVE: f64 = 1.0;
 /// What has hardly moved rounds with this part of its size.
@@ -31,7 +34,8 @@ impl Island {
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega, body_state::width(model.kind));
-        let (mut speed2, mut place, mut bits, mut pushed) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
+        let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
@@ -42,6 +46,12 @@ impl Island {
             bits = bits.max(omega * self.moved[i] + here.speed(self.radii[i]));
             let body = &model.bodies[b];
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
+            // Bearings carry the weight, or what holds the body does.
+            let carried = body.bearings.iter().map(|b| b.preload.z).sum::<f64>() / body.mass;
+            weight = weight.max(if body.free[2] { (model.gravity - carried).abs() } else { 0.0 });
+            if self.active.is_empty() {
+                gained = gained.max(self.gained(model, i));
+            }
             self.frames.push(here);
         }
         self.angles.clear();
@@ -64,21 +74,31 @@ impl Island {
             }
         }
         // From rest nothing is moving yet: what the ground and a push do to it in one radian.
-        let floor = (model.ground.peak() + pushed + 1e-9) / omega;
-        let speed = speed2.sqrt().max(1e-3 * floor);
-        // Weight moves nothing that bearings hold, but what it presses them with rounds.
-        let floor = floor + model.gravity / omega;
+        let floor = (model.ground.peak() + weight + pushed + 1e-9) / omega;
+        let speed = speed2.sqrt().max(1e-3 * floor).max(TURNING * gained / omega);
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
         let asked = model.tolerance * (LONG / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(FINEST));
-        let speed = tolerance * speed + rounding * (bits + floor);
+        let speed = tolerance * speed + rounding * (bits + floor.max(model.gravity / omega));
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         Scale { speed, omega, place }
+    }
+
+    /// How fast one of its bodies gains speed where the next step begins \[m/s²\].
+    fn gained(&self, model: &Model, index: usize) -> f64 {
+        let from = index * body_state::width(model.kind);
+        let slope = &self.stepper.slope()[from..];
+        let (linear, turning) = match model.kind {
+            Kind::Planar => (&slope[3..5], &slope[5..6]),
+            Kind::Spatial => (&slope[7..10], &slope[10..13]),
+        };
+        let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
+        (square(linear) + model.bodies[self.bodies[index]].gyration2 * square(turning)).sqrt()
     }
 
     /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
