@@ -20,6 +20,8 @@ const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
 /// one sign where it swings, and so come to no more than their logarithm.
 const LONG: f64 = 1000.0;
+/// The same of steps without contact: they all swing, and each of a turning girder loses a twelfth of a tolerance.
+const SWINGING: f64 = 250.0;
 /// What turns back is about to move at this part of what its acceleration gives it in one radian.
 const TURNING: f64 = 0.1;
 /// Longest implicit step, in radians of the ground motion.
@@ -79,7 +81,8 @@ impl Island {
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
-        let asked = model.tolerance * (LONG / self.taken as f64).min(1.0);
+        let long = if self.active.is_empty() { SWINGING } else { LONG };
+        let asked = model.tolerance * (long / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(FINEST));
         let speed = tolerance * speed + rounding * (bits + floor.max(model.gravity / omega));
         // A direction counts by the place that it puts p at.
