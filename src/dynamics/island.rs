@@ -16,8 +16,9 @@ use crate::contact::{Frame, Mode};
 use crate::motion::LinearPiece;
 use crate::scene::Kind;
 
-/// A step shorter than this part of the contact's period means that the equations cannot be followed.
-const SMALLEST: f64 = 1e-9;
+/// A step shorter than this part of the contact's period means that the equations cannot be followed: a hard blow takes a
+/// sliding past its stop, within `V_STICK`, in less than a billionth.
+const SMALLEST: f64 = 1e-12;
 /// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
 const INSIDE: f64 = 0.03;
 /// A step taken again for an event goes this part further.
