@@ -60,6 +60,7 @@ fn one_contact(bencher: Bencher<'_, '_>) {
     let closed = Closed {
         law: law(Friction::ReturnMapping),
         mode: SLIP,
+        at: None,
         ease: 0.0,
         passing: false,
         again: 0,

@@ -112,6 +112,28 @@ impl Home {
         self.at.z
     }
 
+    /// The same as if both had been placed where they are in these poses, which do not move.
+    #[must_use]
+    pub fn seen_from(&self, node_body: &Frame, face_body: &Frame) -> Self {
+        let Measured { here, arm, apart } = measure(self, node_body, face_body);
+        let corner = face_body.turn(self.corner);
+        Self {
+            axes: face_body.rotation(&self.axes),
+            at: here.at.extend(here.gap),
+            apart: apart - corner,
+            arm,
+            lever: apart,
+            corner,
+            upright: self.upright && face_body.level,
+        }
+    }
+
+    /// The same with the node there, in the face's axes from corner a \[m\].
+    #[must_use]
+    pub fn with_node(self, at: DVec3) -> Self {
+        Self { at, ..self }
+    }
+
     /// Of `node`, a fixed point of one body, and a face of another, with where both were placed and their axes there.
     pub fn of(node: DVec3, (node_home, node_axes): (DVec3, DMat3), face: &Face, (home, axes): (DVec3, DMat3)) -> Self {
         let (arm, corner) = (node_axes * node, axes * face.corners[0]);

@@ -36,8 +36,8 @@ enum Mover<'a> {
     Stands,
     /// By one oscillator of its own; `part` is its free motion at `start`.
     Flies { dof: &'a Dof, part: [f64; 2], start: f64, push: f64 },
-    /// As two components of an island's planned step, from `from` to `until`.
-    Steps { island: usize, dense: &'a Dense, at: usize, from: f64, until: f64 },
+    /// As two components of an island's planned step, from `from` to `until`, the place counted from `base`.
+    Steps { island: usize, dense: &'a Dense, at: usize, base: f64, from: f64, until: f64 },
 }
 
 /// Both sides of a pair.
@@ -230,8 +230,8 @@ impl<'a> Mover<'a> {
             }
             (&Trajectory::Island { island: number, index }, _) => {
                 let island = engine.islands[number].as_ref()?;
-                let (dense, at) = island.along(index, axis)?;
-                Some(Self::Steps { island: number, dense, at, from: island.from, until: island.until })
+                let (dense, at, base) = island.along(index, axis)?;
+                Some(Self::Steps { island: number, dense, at, base, from: island.from, until: island.until })
             }
             (Trajectory::Flight(_), None) => None,
         }
@@ -246,7 +246,7 @@ impl<'a> Mover<'a> {
                 let [steady, rate] = dof.steady(phase, drive);
                 [q + steady, v + rate]
             }
-            Self::Steps { dense, at, .. } => [dense.component(*at, t), dense.component(at + 3, t)],
+            Self::Steps { dense, at, base, .. } => [base + dense.component(*at, t), dense.component(at + 3, t)],
         }
     }
 

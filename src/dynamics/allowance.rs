@@ -3,9 +3,9 @@
 use super::Model;
 use super::body_state;
 use super::dop853::SEEN;
-use super::fastest::{decay, quickest};
+use super::fastest::decay;
 use super::field::Scale;
-use super::island::Island;
+use super::island::{Distance, Island};
 use super::watch::is_at_face;
 use crate::contact::{Mode, law::Friction};
 use crate::motion::Ground;
@@ -28,6 +28,8 @@ const TURNING: f64 = 0.1;
 const DRIVE: f64 = 1.0;
 /// What has hardly moved rounds with this part of its size.
 const LITTLE: f64 = 1e-3;
+/// Bodies are near enough to their bases within this part of how far they have come.
+const NEAR: f64 = 1e-4;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
 const FINEST: f64 = 1e-13;
 
@@ -37,20 +39,26 @@ impl Island {
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega, body_state::width(model.kind));
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut farthest, mut near, mut heft) = (0.0f64, 0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
-            let here = body_state::frame(model.kind, &model.bodies[b], &self.y[i * width..]);
+            let body = &model.bodies[b];
+            let here = self.bases[i].since(body, &self.y[i * width..]);
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
             place = place.max(here.shift.length() + self.radii[i]);
-            self.moved[i] = here.moved(self.radii[i]);
-            bits = bits.max(omega * self.moved[i] + here.speed(self.radii[i]));
-            let body = &model.bodies[b];
+            let since = here.moved(self.radii[i]);
+            self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
+            bits = bits.max(omega * since + here.speed(self.radii[i]));
+            (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             // Bearings carry the weight, or what holds the body does.
-            let carried = body.bearings.iter().map(|b| b.preload.z).sum::<f64>() / body.mass;
-            weight = weight.max(if body.free[2] { (model.gravity - carried).abs() } else { 0.0 });
+            heft = heft.max(model.gravity.max(body.quickness.carried));
+            if body.free[2] {
+                let carried = body.bearings.iter().map(|b| b.preload.z).sum::<f64>() / body.mass;
+                weight = weight.max((model.gravity - carried).abs());
+            }
             if self.active.is_empty() {
                 gained = gained.max(self.gained(model, i));
             }
@@ -84,7 +92,9 @@ impl Island {
         let long = if self.active.is_empty() { SWINGING } else { LONG };
         let asked = model.tolerance * (long / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(FINEST));
-        let speed = tolerance * speed + rounding * (bits + floor.max(model.gravity / omega));
+        let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
+        self.distance = if strayed { Distance::Strayed } else { Distance::Near };
+        let speed = tolerance * speed + rounding * (bits + floor.max(heft / omega));
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
@@ -117,7 +127,7 @@ impl Island {
     pub(super) fn longest(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.pace();
         // Seldom near: first by what no contact alone exceeds.
-        let crude = quickest(model, &self.active) * self.active.len() as f64;
+        let crude = self.quickest * self.active.len() as f64;
         if pace.stiff || pace.step > 0.0 && pace.step * crude < SEEN {
             return f64::INFINITY;
         }

@@ -84,7 +84,20 @@ impl Wrench {
 /// Rate of a planar body's state under bearings, push, ground and contact (1).
 #[inline]
 pub fn planar_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
-    let q = DVec3::new(state[0], state[1], state[2]);
+    planar_slope_from(body, DVec3::ZERO, state, contact, ground, out);
+}
+
+/// The same of a state counted from `x, y, θ`.
+#[inline]
+pub(super) fn planar_slope_from(
+    body: &Body,
+    base: DVec3,
+    state: &[f64],
+    contact: &Wrench,
+    ground: DVec3,
+    out: &mut [f64],
+) {
+    let q = base + DVec3::new(state[0], state[1], state[2]);
     let v = DVec3::new(state[3], state[4], state[5]);
     let bearings = body.planar.stiffness * q + body.planar.damping * v;
     let force =
@@ -98,7 +111,7 @@ pub fn planar_slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3,
     }
 }
 
-/// Rate of a spatial body's state, whose pose is `here`: bearings at their true attachment points, gravity, Euler's
+/// Rate of a spatial body's state, whose pose since it was placed is `here`, from wherever the state is counted: bearings at their true attachment points, gravity, Euler's
 /// equations.
 pub fn spatial_slope(
     body: &Body,

@@ -1,5 +1,7 @@
 //! The states that a contact went through, as a history keeps them: a touch's law once, not with every change of state.
 
+use glam::{DVec2, DVec3};
+
 use super::dop853::Dense;
 use super::track::{Closed, Contact};
 use crate::contact::{Law, Mode, law::Friction};
@@ -14,31 +16,47 @@ struct Entry {
 #[derive(Clone, Copy, Debug)]
 enum Kept {
     Open { armed: bool },
-    Closed { law: u32, mode: Mode, passing: bool, slack: bool },
+    Closed { touch: u32, mode: Mode, passing: bool, slack: bool },
+}
+
+/// What all states of a touch have in common, as long as they are counted from the same bases.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Touch {
+    /// Number of its law.
+    law: u32,
+    /// From where anchors are counted: how far the node had come along the face since it was placed \[m\].
+    way: DVec2,
+    /// Where the node is there, where that was carried on \[m\].
+    at: Option<DVec3>,
 }
 
 /// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
 #[derive(Clone, Debug, Default)]
 pub struct ContactLog {
     entries: Vec<Entry>,
-    /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased.
+    /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased \[m\].
     laws: Vec<(Law, f64)>,
+    touches: Vec<Touch>,
     /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
     pub angles: Vec<(f64, Dense)>,
 }
 
 impl ContactLog {
-    /// Enters the state from `from` on \[s\].
-    pub fn push(&mut self, from: f64, state: Contact) {
+    /// Enters the state from `from` on \[s\], whose anchor is counted from that way of the node along the face \[m\].
+    pub fn push(&mut self, from: f64, state: Contact, way: DVec2) {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
-            Contact::Closed(Closed { law, mode, ease, passing, slack, .. }) => {
+            Contact::Closed(Closed { law, mode, at, ease, passing, slack, .. }) => {
                 if self.laws.last() != Some(&(law, ease)) {
                     self.laws.push((law, ease));
                 }
                 // More touches of one contact than a u32 counts would not fit into memory.
-                let law = u32::try_from(self.laws.len() - 1).unwrap_or(u32::MAX);
-                Kept::Closed { law, mode, passing, slack }
+                let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
+                let touch = Touch { law: last(self.laws.len()), way, at };
+                if self.touches.last() != Some(&touch) {
+                    self.touches.push(touch);
+                }
+                Kept::Closed { touch: last(self.touches.len()), mode, passing, slack }
             }
         };
         self.entries.push(Entry { from, kept });
@@ -54,9 +72,9 @@ impl ContactLog {
         u32::try_from(self.entries.len().checked_sub(1)?).ok()
     }
 
-    /// A closed state by its number, a turning slip in the direction that it began with.
+    /// A closed state by its number as it was entered, a turning slip in the direction that it began with.
     pub fn closed(&self, number: u32) -> Option<Closed> {
-        self.whole(self.entries.get(number as usize)?.kept).closed().copied()
+        self.entered(self.entries.get(number as usize)?.kept).closed().copied()
     }
 
     /// What it takes \[bytes\].
@@ -64,18 +82,33 @@ impl ContactLog {
         let angles: usize = self.angles.iter().map(|(_, dense)| size_of_val(dense.coefficients())).sum();
         self.entries.len() * size_of::<Entry>()
             + self.laws.len() * size_of::<(Law, f64)>()
+            + self.touches.len() * size_of::<Touch>()
             + self.angles.len() * size_of::<(f64, Dense)>()
             + angles
     }
 
+    /// A state whose anchor is counted from where the node was placed.
     fn whole(&self, kept: Kept) -> Contact {
+        let mut contact = self.entered(kept);
+        if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept) {
+            closed.at = None;
+            if let Mode::Stick { anchor } = &mut closed.mode {
+                *anchor += self.touches[touch as usize].way;
+            }
+        }
+        contact
+    }
+
+    fn entered(&self, kept: Kept) -> Contact {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },
-            Kept::Closed { law, mode, passing, slack } => {
+            Kept::Closed { touch, mode, passing, slack } => {
+                let Touch { law, at, .. } = self.touches[touch as usize];
                 let (law, ease) = self.laws[law as usize];
                 Contact::Closed(Closed {
                     law,
                     mode,
+                    at,
                     ease,
                     passing,
                     again: 0,
@@ -95,6 +128,13 @@ impl ContactLog {
         }
     }
 
+    /// The closed state at `t`, its anchor counted from where the bases of its bodies are.
+    pub fn since(&self, t: f64) -> Option<Closed> {
+        let n = self.entries.partition_point(|entry| entry.from <= t);
+        let entry = self.entries.get(n.checked_sub(1)?)?;
+        self.turned(self.entered(entry.kept), t).closed().copied()
+    }
+
     fn turned(&self, contact: Contact, t: f64) -> Contact {
         let Contact::Closed(mut closed) = contact else { return contact };
         if closed.ease > 0.0
@@ -112,6 +152,7 @@ impl ContactLog {
     pub fn shrink(&mut self) {
         self.entries.shrink_to_fit();
         self.laws.shrink_to_fit();
+        self.touches.shrink_to_fit();
         self.angles.shrink_to_fit();
     }
 }

@@ -10,6 +10,7 @@ use super::Model;
 use super::abreast::Abreast;
 use super::agenda::{Agenda, Item};
 use super::approach::Spot;
+use super::base::Base;
 use super::body_state;
 use super::contact_log::ContactLog;
 use super::event::{Event, Stop};
@@ -20,7 +21,6 @@ use super::radau::Radau;
 use super::replay::Replay;
 use super::stepper::Pace;
 use super::track::Contact;
-use crate::contact::Frame;
 use crate::scene::Kind;
 
 /// Events of one contact at one instant before the run gives up there.
@@ -225,9 +225,13 @@ impl Engine {
     fn begin(&mut self) {
         let model = Arc::clone(&self.model);
         let slots: Vec<usize> = (0..self.bodies.len()).collect();
-        let states =
-            self.bodies.iter().map(|track| body_state::initial(model.kind, &model.bodies[track.body])).collect();
-        let now = self.instant(slots, states, 0.0);
+        let start = |track: &BodyTrack| {
+            let body = &model.bodies[track.body];
+            let mut state = body_state::initial(model.kind, body);
+            (Base::of(model.kind, body, &mut state), state)
+        };
+        let (bases, states) = self.bodies.iter().map(start).unzip();
+        let now = self.instant(slots, bases, states, 0.0);
         self.close_overlapping(&now);
         self.form(now, Pace::default());
     }
@@ -295,43 +299,6 @@ impl Engine {
     /// Why it stopped early.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()
-    }
-
-    /// State of a body on its trajectory.
-    pub(super) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
-        let track = &self.bodies[slot];
-        match &track.now {
-            Trajectory::Flight(flight) => {
-                track.system.as_ref().map_or(flight.state, |system| system.state(flight, t)).to_vec()
-            }
-            Trajectory::Island { island, index } => match &self.islands[*island] {
-                Some(island) => island.state_at(&self.model, *index, t),
-                None => Vec::new(),
-            },
-        }
-    }
-
-    /// Pose of a body on its trajectory.
-    pub(super) fn frame(&self, slot: usize, t: f64) -> Frame {
-        let track = &self.bodies[slot];
-        let body = &self.model.bodies[track.body];
-        match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => body.planar_frame(&system.state(flight, t)),
-            (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
-                Some(island) => island.frame(&self.model, *index, t),
-                None => Frame::fixed(body.home),
-            },
-            _ => Frame::fixed(body.home),
-        }
-    }
-
-    /// Pose of one side of a contact.
-    pub(super) fn side(&self, contact: usize, side: usize, t: f64) -> Frame {
-        let track = &self.contacts[contact];
-        match track.slots[side] {
-            Some(slot) => self.frame(slot, t),
-            None => self.model.contacts[track.site].stand,
-        }
     }
 
     /// Counts an event and says whether the contact has had too many.

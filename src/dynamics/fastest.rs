@@ -2,18 +2,20 @@
 
 use glam::{DMat3, DVec3};
 
+use super::bearing::Bearing;
 use super::body_state::response;
 use super::field::Active;
 use super::{Body, Model};
 use crate::contact::{Mode, law::Friction};
+use crate::geometry::Prism;
 
 /// Circular frequency that no contact or bearing of these bodies exceeds by much \[rad/s\].
 pub(super) fn fastest(model: &Model, bodies: &[usize], active: &[Active]) -> f64 {
     let contacts = active.iter().map(|a| {
         let pair = &model.pairs[model.contacts[a.site].pair];
-        a.closed.law.k * pair.bodies.iter().flatten().map(|&b| mobility(&model.bodies[b])).sum::<f64>()
+        a.closed.law.k * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
     });
-    let bearings = bodies.iter().map(|&b| stiffest(&model.bodies[b]));
+    let bearings = bodies.iter().map(|&b| model.bodies[b].quickness.stiffest);
     contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
 }
 
@@ -21,7 +23,7 @@ pub(super) fn fastest(model: &Model, bodies: &[usize], active: &[Active]) -> f64
 pub(super) fn quickest(model: &Model, active: &[Active]) -> f64 {
     let contacts = active.iter().map(|a| {
         let (pair, law) = (&model.pairs[model.contacts[a.site].pair], &a.closed.law);
-        law.c_n.max(law.c_t) * pair.bodies.iter().flatten().map(|&b| mobility(&model.bodies[b])).sum::<f64>()
+        law.c_n.max(law.c_t) * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
     });
     contacts.fold(0.0, f64::max)
 }
@@ -56,23 +58,37 @@ fn yielding(body: &Body, contact: &Active, axes: &DMat3, arm: DVec3) -> f64 {
     pushes.into_iter().map(row).fold(0.0, f64::max)
 }
 
-/// Upper bound on acceleration at a corner per unit force \[1/kg\].
-fn mobility(body: &Body) -> f64 {
-    let arm = body.radius;
-    let smallest = (body.prism.width.powi(2) + body.prism.thickness.powi(2)) / 12.0;
-    let turn = if body.free[3] || body.free[4] { arm * arm / smallest } else { arm * arm / body.gyration2 };
-    (1.0 + turn) / body.mass
+/// How fast a body can answer, from above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quickness {
+    /// Acceleration at a corner per unit force \[1/kg\].
+    mobility: f64,
+    /// Largest stiffness per inertia on its bearings \[1/s²\].
+    stiffest: f64,
+    /// Acceleration that the forces which carry its weight would give it if they did not cancel: they do to a rounding of
+    /// that \[m/s²\].
+    pub(super) carried: f64,
 }
 
-/// Largest stiffness per inertia of a body on its bearings \[1/s²\].
-fn stiffest(body: &Body) -> f64 {
-    let sum = body.bearings.iter().map(|b| b.stiffness.max_element()).sum::<f64>();
-    let damping = body.bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / body.mass;
-    if body.free[3] || body.free[4] {
-        let arm2 = body.radius.powi(2);
-        let smallest = (body.prism.width.powi(2) + body.prism.thickness.powi(2)) / 12.0;
-        (sum / body.mass * (1.0 + arm2 / smallest)).max(damping * damping)
-    } else {
-        (3.0 * sum / body.mass).max(damping * damping)
+impl Quickness {
+    /// Of a body of that shape and mass, free in these directions, on these bearings.
+    pub(super) fn of(
+        prism: &Prism,
+        mass: f64,
+        [radius, gyration2]: [f64; 2],
+        free: [bool; 6],
+        bearings: &[Bearing],
+    ) -> Self {
+        let arm2 = radius * radius;
+        let smallest = (prism.width.powi(2) + prism.thickness.powi(2)) / 12.0;
+        let tilts = free[3] || free[4];
+        let mobility = (1.0 + if tilts { arm2 / smallest } else { arm2 / gyration2 }) / mass;
+        let sum = bearings.iter().map(|b| b.stiffness.max_element()).sum::<f64>();
+        let damping = bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / mass;
+        let swing = if tilts { sum / mass * (1.0 + arm2 / smallest) } else { 3.0 * sum / mass };
+        let across = smallest.min((prism.length.powi(2) + prism.thickness.powi(2)) / 12.0);
+        let lever = |b: &Bearing| 1.0 + b.place.length() * gyration2.sqrt() / across;
+        let carried = bearings.iter().map(|b| b.preload.length() * lever(b)).sum::<f64>() / mass;
+        Self { mobility, stiffest: swing.max(damping * damping), carried }
     }
 }

@@ -4,6 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::Model;
+use super::base::Base;
 use super::body_state::{self, Wrench};
 use super::dop853::System;
 use super::fastest::quickest;
@@ -11,7 +12,7 @@ use super::line::Line;
 use super::penalty3d::{self, Action};
 use super::slides::Channel;
 use super::track::Closed;
-use crate::contact::{Forces, Frame, Local, Mode, law::Friction, locate};
+use crate::contact::{Forces, Frame, Home, Local, Mode, law::Friction, locate};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -26,16 +27,18 @@ pub(super) struct Active {
     pub face: Option<usize>,
     /// Its state.
     pub closed: Closed,
+    /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
+    pub home: Home,
     /// Where its slip angle stands in the vector, if it is a state.
     pub angle: Option<usize>,
 }
 
 impl Active {
-    /// The node against the face, with the island's bodies in `frames`.
+    /// The node against the face, with the island's bodies in `frames`, counted from their bases.
     pub(super) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
         let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
-        locate(&site.home, frame(self.node), frame(self.face))
+        locate(&self.home, frame(self.node), frame(self.face))
     }
 
     /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
@@ -80,6 +83,8 @@ pub(super) struct Field<'a> {
     pub model: &'a Model,
     /// Its bodies, numbers in the model.
     pub bodies: &'a [usize],
+    /// What their states are counted from.
+    pub bases: &'a [Base],
     /// Its closed contacts.
     pub active: &'a [Active],
     /// The stretch of ground motion that the step stays in.
@@ -193,7 +198,7 @@ impl Field<'_> {
                 }
                 closed = &held;
             }
-            let action = penalty3d::act_in(site, closed, &mode, node, face);
+            let action = penalty3d::act_in(&active.home, closed, &mode, node, face);
             if !self.sliding.held {
                 self.sliding.loose[number] = closed.is_loose(&action.here);
             }
@@ -227,11 +232,11 @@ impl System for Field<'_> {
         self.rates.clear();
         self.sliding.channels.clear();
         if let Some(line) = self.line.filter(|line| line.holds(y)) {
-            line.slope(model, self.bodies, self.ground(t), y, out);
+            line.slope(model, self.bodies, self.bases, self.ground(t), y, out);
             return;
         }
         for (i, &body) in self.bodies.iter().enumerate() {
-            self.frames.push(body_state::frame(model.kind, &model.bodies[body], &y[i * width..]));
+            self.frames.push(self.bases[i].since(&model.bodies[body], &y[i * width..]));
             self.wrenches.push(Wrench::default());
         }
         self.contacts(y, out);
@@ -239,11 +244,12 @@ impl System for Field<'_> {
         for (i, &body) in self.bodies.iter().enumerate() {
             let (state, rate) = (&y[i * width..(i + 1) * width], &mut out[i * width..(i + 1) * width]);
             let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
+            let base = &self.bases[i];
             match model.kind {
-                Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
+                Kind::Planar => body_state::planar_slope_from(body, base.planar(), state, wrench, ground, rate),
                 Kind::Spatial => {
-                    let here = &self.frames[i];
-                    body_state::spatial_slope(body, here, state, wrench, ground, model.gravity, rate);
+                    let here = base.whole(&self.frames[i]);
+                    body_state::spatial_slope(body, &here, state, wrench, ground, model.gravity, rate);
                 }
             }
         }
@@ -325,22 +331,20 @@ impl System for Field<'_> {
         }
         let (width, n) = (body_state::SPATIAL, push.len() / 2);
         let site = &self.model.contacts[active.site];
-        let fixed = Frame::fixed(site.fixed);
         let frame = |side: Option<usize>| {
-            side.map_or(fixed, |i| {
-                body_state::frame(Kind::Spatial, &self.model.bodies[self.bodies[i]], &y[i * width..])
-            })
+            side.map_or(site.stand, |i| self.bases[i].since(&self.model.bodies[self.bodies[i]], &y[i * width..]))
         };
         let frames = [active.node, active.face].map(frame);
-        let action = penalty3d::act(site, &active.turned(y), &frames[0], &frames[1]);
+        let turned = active.turned(y);
+        let action = penalty3d::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
-        for (axis, along) in [site.home.axes.x_axis, site.home.axes.y_axis].into_iter().enumerate() {
+        for (axis, along) in [active.home.axes.x_axis, active.home.axes.y_axis].into_iter().enumerate() {
             let along = frames[1].turn(along);
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
                 let body = &self.model.bodies[self.bodies[i]];
-                let (linear, turning) =
-                    body_state::response(body, &frames[which].rotation(&body.axes), along * sign, arm);
+                let rotation = self.bases[i].whole(&frames[which]).rotation(&body.axes);
+                let (linear, turning) = body_state::response(body, &rotation, along * sign, arm);
                 let from = axis * n + i * width + 7;
                 push[from..from + 6].copy_from_slice(&[linear.to_array(), turning.to_array()].concat());
                 let lever = arm.cross(along) * sign;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::agenda::Item;
+use super::base::Base;
 use super::engine::{Engine, Trajectory};
 use super::field::Active;
 use super::island::Island;
@@ -10,22 +11,30 @@ use super::soon::soonest;
 use super::stepper::{Pace, WORTHWHILE};
 use super::track::{Path, Segment};
 use super::transition::Juncture;
-use super::{predict, watch};
+use super::{base, body_state, predict, watch};
 
 impl Engine {
     /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or go alone.
     pub(super) fn form(&mut self, now: Juncture, pace: Pace) {
-        let Juncture { t, slots, states, .. } = now;
+        let Juncture { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.touching(&slots) {
             let first = slots[members[0]];
             let alone = members.len() == 1 && !self.is_touching(first);
-            if alone && self.bodies[first].system.is_some() {
-                self.fly(first, &states[members[0]], t);
+            if alone {
+                let state = &mut states[members[0]];
+                bases[members[0]].add(state);
+                if self.bodies[first].system.is_some() {
+                    self.fly(first, state, t);
+                } else {
+                    let placed = Base::placed(self.model.kind, &self.model.bodies[self.bodies[first].body]);
+                    new_islands.push(self.found(&[first], vec![placed], state.clone(), t, Pace::default()));
+                }
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
+                let bases = members.iter().map(|&i| bases[i]).collect();
                 let members: Vec<usize> = members.into_iter().map(|i| slots[i]).collect();
-                new_islands.push(self.found(&members, y, t, if alone { Pace::default() } else { pace }));
+                new_islands.push(self.found(&members, bases, y, t, pace));
             }
         }
         for island in new_islands {
@@ -58,8 +67,8 @@ impl Engine {
         }
     }
 
-    /// Founds an island of bodies at `t`; returns its number.
-    pub(super) fn found(&mut self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> usize {
+    /// Founds an island of bodies at `t`, with what their states in `y` are counted from; returns its number.
+    pub(super) fn found(&mut self, members: &[usize], mut bases: Vec<Base>, y: Vec<f64>, t: f64, pace: Pace) -> usize {
         let number = self.vacant.pop().unwrap_or_else(|| {
             self.islands.push(None);
             self.islands.len() - 1
@@ -67,15 +76,19 @@ impl Engine {
         for (index, &slot) in members.iter().enumerate() {
             self.end_flight(slot, t);
             self.bodies[slot].now = Trajectory::Island { island: number, index };
+            if self.keeps_starts() && bases[index].kept.is_none() && bases[index].flown.is_none() {
+                let width = body_state::width(self.model.kind);
+                bases[index].flown = self.landing(slot, &bases[index], &y[index * width..(index + 1) * width], t);
+            }
         }
-        let mut island = Box::new(self.assemble(members, y, t, pace));
+        let mut island = Box::new(self.assemble(members, bases, y, t, pace));
         island.borrow(self.spare.pop());
         self.islands[number] = Some(island);
         number
     }
 
     /// An island of bodies with the closed contacts between them.
-    pub(super) fn assemble(&self, members: &[usize], y: Vec<f64>, t: f64, pace: Pace) -> Island {
+    pub(super) fn assemble(&self, members: &[usize], bases: Vec<Base>, y: Vec<f64>, t: f64, pace: Pace) -> Island {
         let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
         let active: Vec<(usize, Active)> = self
             .pairs_of(members)
@@ -85,11 +98,13 @@ impl Engine {
                 let track = &self.contacts[contact];
                 let closed = *track.state.closed()?;
                 let [node, face] = track.slots.map(index);
-                Some((contact, Active { site: track.site, node, face, closed, angle: None }))
+                let sides = [node, face].map(|i| bases.get(i?));
+                let home = base::seen_from(&self.model.contacts[track.site], sides, closed.at);
+                Some((contact, Active { site: track.site, node, face, closed, home, angle: None }))
             })
             .collect();
         let bodies = members.iter().map(|&slot| self.bodies[slot].body).collect();
-        let mut island = Island::new(&self.model, members.to_vec(), bodies, active, y, t, pace);
+        let mut island = Island::new(&self.model, members.to_vec(), (bodies, bases), active, y, t, pace);
         island.taken = members.iter().map(|&slot| self.bodies[slot].path.len()).max().unwrap_or(0);
         island
     }

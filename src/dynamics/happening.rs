@@ -4,13 +4,15 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::agenda::Item;
+use super::base::Base;
 use super::engine::{Engine, Trajectory};
-use super::island::Island;
+use super::island::{Distance, Island};
+use super::predict;
 use super::stepper::Pace;
 use super::track::{Contact, Path, Segment};
 use super::transition::Juncture;
 use super::watch::Due;
-use super::{body_state, predict};
+use crate::contact::Frame;
 
 /// Changes of a contact at one instant from which on it alternates.
 const ALTERNATES: usize = 2;
@@ -65,8 +67,11 @@ impl Engine {
         let Some(mut island) = self.islands[number].take() else { return };
         self.commit_island(&mut island, t);
         if island.due.is_empty() {
-            if self.model.ground.next_kink(island.from) <= t {
-                let model = Arc::clone(&self.model);
+            let model = Arc::clone(&self.model);
+            // At the very end no step would follow to be counted so.
+            if island.distance == Distance::Strayed && t < model.duration {
+                self.rebase(&mut island, t);
+            } else if model.ground.next_kink(island.from) <= t {
                 island.rewind(&model, t);
             }
             let slots = island.slots.clone();
@@ -77,7 +82,7 @@ impl Engine {
         }
         self.vacant.push(number);
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.model, index, t)).collect();
-        let now = self.instant(island.slots.clone(), states, t);
+        let now = self.instant(island.slots.clone(), island.bases.clone(), states, t);
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
         }
@@ -92,14 +97,23 @@ impl Engine {
         self.form(now, if alternates { Pace::default() } else { island.pace() });
     }
 
-    /// Bodies at an instant.
-    pub(super) fn instant(&self, slots: Vec<usize>, states: Vec<Vec<f64>>, t: f64) -> Juncture {
-        let model = &self.model;
-        let frame = |(&slot, state): (&usize, &Vec<f64>)| {
-            body_state::frame(model.kind, &model.bodies[self.bodies[slot].body], state)
-        };
-        let frames = slots.iter().zip(&states).map(frame).collect();
-        Juncture { t, slots, states, frames }
+    /// Counts an island's motion from where its bodies are.
+    fn rebase(&mut self, island: &mut Island, t: f64) {
+        let model = Arc::clone(&self.model);
+        island.rebase(&model);
+        for (active, &contact) in island.active.iter().zip(&island.contacts) {
+            let bases = [active.node, active.face].map(|side| island.bases.get(side?));
+            self.enter(contact, Contact::Closed(active.closed), bases, t);
+        }
+    }
+
+    /// Bodies at an instant, with what their states are counted from.
+    pub(super) fn instant(&self, slots: Vec<usize>, bases: Vec<Base>, states: Vec<Vec<f64>>, t: f64) -> Juncture {
+        let body = |slot: usize| &self.model.bodies[self.bodies[slot].body];
+        let since = |((&slot, base), state): ((&usize, &Base), &Vec<f64>)| base.since(body(slot), state);
+        let since: Vec<Frame> = slots.iter().zip(&bases).zip(&states).map(since).collect();
+        let frames = bases.iter().zip(&since).map(|(base, since)| base.whole(since)).collect();
+        Juncture { t, slots, bases, states, frames, since }
     }
 
     /// A pair's next crossing is due, or its search has to go on.
@@ -117,7 +131,7 @@ impl Engine {
         let mut slots: Vec<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
         slots.sort_unstable();
         let frames = slots.iter().map(|&slot| self.frame(slot, t)).collect();
-        let seen = Juncture { t, slots, states: Vec::new(), frames };
+        let seen = Juncture { t, slots, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() };
         let mut entered = due;
         // A node that comes within that of the others enters with them, but goes by at its own time.
         entered.retain(|&contact| {
@@ -156,9 +170,9 @@ impl Engine {
             }
         }
         let slots: Vec<usize> = all.into_iter().collect();
-        let states = slots.iter().map(|&slot| self.state(slot, t)).collect();
+        let (bases, states) = slots.iter().map(|&slot| self.caught(slot, t)).unzip();
         self.retire_islands(&slots, t);
-        (self.instant(slots, states, t), pace)
+        (self.instant(slots, bases, states, t), pace)
     }
 
     pub(super) fn retire_islands(&mut self, slots: &[usize], t: f64) {

@@ -1,7 +1,8 @@
 //! Bodies that are integrated together: everyone who touches, until they part.
 
+use super::Model;
+use super::base::Base;
 use super::body_state::{self, Wrench};
-use super::bound::Bound;
 use super::dop853::{self, Dense};
 use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
@@ -11,7 +12,6 @@ use super::piece::Piece;
 use super::radau::Radau;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
-use super::{Body, Model};
 use crate::contact::{Frame, Mode};
 use crate::motion::LinearPiece;
 use crate::scene::Kind;
@@ -33,6 +33,8 @@ pub(super) struct Island {
     pub slots: Vec<usize>,
     /// Their numbers in the model.
     pub(super) bodies: Vec<usize>,
+    /// What their states in `y` are counted from.
+    pub(super) bases: Vec<Base>,
     /// Closed contacts between them.
     pub active: Vec<Active>,
     /// Numbers of those contacts in the engine.
@@ -49,19 +51,23 @@ pub(super) struct Island {
     again: bool,
     /// What is due at `until`, if anything but the next step.
     pub due: Vec<super::watch::Due>,
-    dense: Option<Dense>,
+    pub(super) dense: Option<Dense>,
     pub(super) y: Vec<f64>,
     /// Stretches in the longest of its bodies' paths, with the planned step.
     pub taken: usize,
     explicit: bool,
     pub(super) stepper: Stepper,
     pub(super) omega: f64,
-    /// Rate that its contacts' dashpots decay by at most, once that was asked for \[1/s\].
+    /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
+    pub(super) quickest: f64,
+    /// Rate that they decay by at most all together, once that was asked for \[1/s\].
     pub(super) decay: Option<f64>,
     /// Largest distance of a corner from G, body by body \[m\].
     pub(super) radii: Vec<f64>,
     /// How far any corner had come at most since it was placed where the step began, body by body \[m\].
     pub(super) moved: Vec<f64>,
+    /// How far it is from its bases.
+    pub(super) distance: Distance,
     pub(super) frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
     rates: Vec<f64>,
@@ -72,6 +78,15 @@ pub(super) struct Island {
     in_line: bool,
 }
 
+/// How far bodies are from their bases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Distance {
+    /// What that rounds with is less than what an error may be.
+    Near,
+    /// So far that it is more: it would be better to count from somewhere nearer.
+    Strayed,
+}
+
 /// Why a step could not be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct StepTooSmall {
@@ -80,11 +95,11 @@ pub(super) struct StepTooSmall {
 }
 
 impl Island {
-    /// Gathers bodies at `t`.
+    /// Gathers bodies at `t`, with what their states in `y` are counted from.
     pub(super) fn new(
         model: &Model,
         slots: Vec<usize>,
-        bodies: Vec<usize>,
+        (bodies, bases): (Vec<usize>, Vec<Base>),
         contacts: Vec<(usize, Active)>,
         mut y: Vec<f64>,
         t: f64,
@@ -103,11 +118,13 @@ impl Island {
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
             omega: fastest(model, &bodies, &active),
+            quickest: quickest(model, &active),
             decay: None,
             moved: vec![0.0; radii.len()],
             radii,
             slots,
             bodies,
+            bases,
             contacts: contacts.into_iter().map(|(c, _)| c).collect(),
             active,
             from: t,
@@ -121,6 +138,7 @@ impl Island {
             explicit: false,
             stepper: Stepper::new(y.len(), pace),
             y,
+            distance: Distance::Near,
             frames: Vec::new(),
             wrenches: Vec::new(),
             rates: Vec::new(),
@@ -130,7 +148,7 @@ impl Island {
             in_line: false,
         };
         island.sliding = Sliding::of(&island.active);
-        island.line = Line::of(model, &island.bodies, &island.active);
+        island.line = Line::of(model, &island.bodies, &island.bases, &island.active);
         island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
@@ -149,6 +167,7 @@ impl Island {
         Field {
             model,
             bodies: &self.bodies,
+            bases: &self.bases,
             active: &self.active,
             piece,
             scale,
@@ -161,7 +180,7 @@ impl Island {
         }
     }
 
-    /// Poses of its bodies a moment after the start of the next step, by its slope alone.
+    /// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
     pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
         let width = body_state::width(model.kind);
         let slope = self.stepper.slope();
@@ -174,8 +193,7 @@ impl Island {
                 body_state::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
             }
         }
-        let frame =
-            |(i, &body): (usize, &usize)| body_state::frame(model.kind, &model.bodies[body], &moved[i * width..]);
+        let frame = |(i, &body): (usize, &usize)| self.bases[i].since(&model.bodies[body], &moved[i * width..]);
         self.bodies.iter().enumerate().map(frame).collect()
     }
 
@@ -200,7 +218,7 @@ impl Island {
         // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
         // estimate to be judged by, which tells little far beyond stability.
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
-        let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { quickest(model, &self.active) };
+        let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { self.quickest };
         let first = FIRST * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
         let cap = self.drive_cap(model, cap);
@@ -236,76 +254,12 @@ impl Island {
         true
     }
 
-    /// Cuts the planned step short at `t` and makes that the state; the caller forms the island anew.
-    pub(super) fn state_at(&self, model: &Model, index: usize, t: f64) -> Vec<f64> {
-        let width = body_state::width(model.kind);
-        let range = index * width..(index + 1) * width;
-        match &self.dense {
-            Some(dense) if t < self.until => {
-                let mut out = vec![0.0; width];
-                dense.read(range, t, &mut out);
-                normalise(model, &self.bodies[index..=index], &mut out);
-                out
-            }
-            _ => self.y[range].to_vec(),
-        }
-    }
-
-    /// Pose of one of its bodies within the planned step.
-    pub(super) fn frame(&self, model: &Model, index: usize, t: f64) -> Frame {
-        let width = body_state::width(model.kind);
-        let range = index * width..(index + 1) * width;
-        let body: &Body = &model.bodies[self.bodies[index]];
-        match &self.dense {
-            Some(dense) => {
-                let mut state = [0.0; body_state::SPATIAL];
-                dense.read(range, t, &mut state[..width]);
-                body_state::frame(model.kind, body, &state[..width])
-            }
-            None => body_state::frame(model.kind, body, &self.y[range]),
-        }
-    }
-
-    /// Poses of all its bodies within the planned step, time after time.
-    pub(super) fn frames(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
-        let mut frames = Vec::with_capacity(times.len() * self.bodies.len());
-        for &t in times {
-            frames.extend((0..self.bodies.len()).map(|index| self.frame(model, index, t)));
-        }
-        frames
-    }
-
-    /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
-    /// \[m\].
-    pub(super) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
-        let width = body_state::width(model.kind);
-        let Some(dense) = &self.dense else { return 0.0 };
-        let span = |range: std::ops::Range<usize>| dense.span(index * width + range.start..index * width + range.end);
-        let from_start = match model.kind {
-            Kind::Planar => span(0..2) + arm * span(2..3),
-            // A quaternion turns half the angle; the chord is not longer than the arc.
-            Kind::Spatial => span(0..3) + 2.0 * arm * span(3..7),
-        };
-        if t > self.from { 2.0 * from_start } else { from_start }
-    }
-
-    /// What one of its bodies can do at most within the planned step.
-    pub(super) fn bound(&self, model: &Model, index: usize) -> Bound {
-        let Some(dense) = &self.dense else { return Bound::still(f64::INFINITY) };
-        let [place, turn] = body_state::parts(model.kind, index);
-        let ([speed, acceleration], [turning, bending]) = (dense.swing(place), dense.swing(turn));
-        let (spin, spin_rate) = match model.kind {
-            Kind::Planar => (turning, bending),
-            // A quaternion turns half the angle; its length differs from 1 by less than a tenth.
-            Kind::Spatial => (2.2 * turning, 2.2 * bending + 8.0 * turning * turning),
-        };
-        Bound { speed, spin, acceleration, spin_rate, ..Bound::still(f64::INFINITY) }
-    }
-
-    /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another.
-    pub(super) fn apart(&self, model: &Model, [a, b]: [usize; 2]) -> [f64; 2] {
-        let [one, other] = [a, b].map(|index| body_state::parts(model.kind, index)[0].clone());
-        self.dense.as_ref().map_or([0.0; 2], |dense| dense.swing_apart(one, other.start))
+    /// After everything is counted from elsewhere: the next step begins anew.
+    pub(super) fn counted_anew(&mut self, model: &Model) {
+        (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
+        self.line = Line::of(model, &self.bodies, &self.bases, &self.active);
+        self.stepper.forget();
+        self.rewind(model, self.until);
     }
 
     /// Whether its bodies move along one axis: nothing slides and nothing turns.
@@ -318,11 +272,12 @@ impl Island {
         self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
     }
 
-    /// The planned step's answer where its bodies are in line with an axis, and where the place of one of them along it
-    /// stands in it.
-    pub(super) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize)> {
+    /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it
+    /// stands in it, and from where that is counted \[m\].
+    pub(super) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize, f64)> {
         let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
-        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * body_state::PLANAR + axis))
+        let base = self.bases[index].planar()[axis];
+        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * body_state::PLANAR + axis, base))
     }
 
     /// A contact's state with its slip direction as it is at `t`.
@@ -342,10 +297,11 @@ impl Island {
     /// The planned step's continuous answer for one body.
     pub(super) fn path(&self, model: &Model, index: usize) -> Option<Piece> {
         let width = body_state::width(model.kind);
-        self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width))
+        self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width, Some(&self.bases[index])))
     }
 
-    /// Length of the planned step and its bodies' states at the start, where it may be kept by these alone.
+    /// Length of the planned step and its bodies' states at the start, counted from their bases, where it may be kept by
+    /// these alone.
     pub(super) fn again(&self) -> Option<(f64, Vec<Planar>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
         let state = |c: &[[f64; dop853::DENSE]]| std::array::from_fn(|i| c[i][0]);
@@ -380,7 +336,7 @@ impl Island {
 }
 
 /// Keeps the quaternions of spatial bodies at length 1.
-fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
+pub(super) fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
     if model.kind == Kind::Planar {
         return;
     }

@@ -3,17 +3,23 @@
 //! A polynomial is read in nanoseconds and takes up to 400 bytes a body; a start takes a seventh of it and microseconds.
 //! So a run keeps polynomials until they take what the model allows, and starts from then on.
 
+use super::base::Base;
 use super::engine::Engine;
 use super::flight::Planar;
 use super::island::Island;
-use super::replay::{Member, Seat};
+use super::replay::{FLOWN, Member, Seat};
 use super::track::Closed;
 use crate::contact::law::Friction;
 
 impl Engine {
+    /// Whether polynomials take as much as they may.
+    pub(super) fn keeps_starts(&self) -> bool {
+        self.polynomials >= self.model.polynomials / self.model.groups.len().max(1)
+    }
+
     /// Keeps an island's planned step by its start, where that gives the same step; its number.
     pub(super) fn keep_again(&mut self, island: &mut Island) -> Option<u32> {
-        if self.polynomials < self.model.polynomials / self.model.groups.len().max(1) {
+        if !self.keeps_starts() {
             return None;
         }
         let (length, states) = island.again()?;
@@ -21,7 +27,8 @@ impl Engine {
             (stretch, false)
         } else {
             let (seats, members) = (self.seats(island)?, self.members(island)?);
-            (self.replay.open(members, seats)?, self.landed_at(island, &states))
+            let flown = self.landed_at(island, &states);
+            (self.replay.open(members, seats)?, flown)
         };
         island.stretch = Some(stretch);
         self.replay.push(stretch, length, (!flown).then_some(states.as_slice()))
@@ -39,23 +46,33 @@ impl Engine {
         island.active.iter().zip(&island.contacts).map(seat).collect()
     }
 
-    fn members(&self, island: &Island) -> Option<Vec<Member>> {
-        let member = |&slot: &usize| {
-            let track = &self.bodies[slot];
-            let flown = track.path.len().saturating_sub(1);
-            Some(Member { body: u32::try_from(track.body).ok()?, flown: u32::try_from(flown).ok()? })
-        };
-        island.slots.iter().map(member).collect()
+    /// An island's bodies with what their states are counted from, which is kept where no flight ended there.
+    fn members(&mut self, island: &mut Island) -> Option<Vec<Member>> {
+        let mut members = Vec::with_capacity(island.slots.len());
+        for (&slot, base) in island.slots.iter().zip(&mut island.bases) {
+            if base.flown.is_none() && base.kept.is_none() {
+                base.kept = Some(self.replay.keep(base)?);
+            }
+            let body = u32::try_from(self.bodies[slot].body).ok()?;
+            members.push(Member { body, flown: base.flown.unwrap_or(FLOWN), base: base.kept.unwrap_or(FLOWN) });
+        }
+        Some(members)
     }
 
-    /// Whether all of an island's bodies flew to where its planned step begins, to the last bit.
+    /// Whether all of an island's bodies flew to where its planned step begins.
     fn landed_at(&self, island: &Island, states: &[Planar]) -> bool {
-        island.slots.iter().zip(states).all(|(&slot, state)| {
-            let track = &self.bodies[slot];
-            let (Some((_, from, start)), Some(system)) = (track.path.flown_until(island.from), &track.system) else {
-                return false;
-            };
-            system.state(&system.fly(from, start), island.from).map(f64::to_bits) == state.map(f64::to_bits)
+        island.slots.iter().zip(&island.bases).zip(states).all(|((&slot, base), state)| {
+            base.flown.is_some() && base.flown == self.landing(slot, base, state, island.from)
         })
+    }
+
+    /// Number of the flight that ended at `t` in a base and a state counted from it, to the last bit.
+    pub(super) fn landing(&self, slot: usize, base: &Base, state: &[f64], t: f64) -> Option<u32> {
+        let track = &self.bodies[slot];
+        let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
+        let mut there = system.state(&system.fly(from, start), t);
+        let other = Base::of(self.model.kind, &self.model.bodies[track.body], &mut there);
+        let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        (bits(&other.state()) == bits(&base.state()) && bits(&there) == bits(state)).then_some(number)
     }
 }

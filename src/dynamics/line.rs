@@ -7,6 +7,7 @@
 
 use glam::{DMat3, DVec3};
 
+use super::base::Base;
 use super::body_state::PLANAR;
 use super::field::Active;
 use super::{Body, Model};
@@ -68,11 +69,14 @@ pub(super) fn along(state: &[f64], axis: usize) -> bool {
 
 impl Line {
     /// Of bodies with these closed contacts, where they may be in line.
-    pub(super) fn of(model: &Model, bodies: &[usize], active: &[Active]) -> Option<Self> {
+    pub(super) fn of(model: &Model, bodies: &[usize], bases: &[Base], active: &[Active]) -> Option<Self> {
         if model.kind != Kind::Planar || active.is_empty() {
             return None;
         }
-        let straight = |axis: usize| bodies.iter().all(|&b| model.bodies[b].straight[axis]);
+        let straight = |axis: usize| {
+            let mut both = bodies.iter().zip(bases);
+            both.all(|(&b, base)| model.bodies[b].straight[axis] && along(&base.state(), axis))
+        };
         (0..2).filter(|&axis| straight(axis)).find_map(|axis| Self::across(model, bodies, active, axis))
     }
 
@@ -107,7 +111,15 @@ impl Line {
 
     /// Rates of states that are in line.
     #[inline]
-    pub(super) fn slope(&self, model: &Model, bodies: &[usize], ground: DVec3, y: &[f64], out: &mut [f64]) {
+    pub(super) fn slope(
+        &self,
+        model: &Model,
+        bodies: &[usize],
+        bases: &[Base],
+        ground: DVec3,
+        y: &[f64],
+        out: &mut [f64],
+    ) {
         let axis = self.axis;
         out.fill(0.0);
         for joint in &self.joints {
@@ -124,7 +136,7 @@ impl Line {
         }
         for (i, &body) in bodies.iter().enumerate() {
             let (body, from) = (&model.bodies[body], i * PLANAR + axis);
-            let (place, speed) = (y[from], y[from + 3]);
+            let (place, speed) = (bases[i].planar()[axis] + y[from], y[from + 3]);
             let bearings = body.planar.stiffness.col(axis)[axis] * place + body.planar.damping.col(axis)[axis] * speed;
             let force = out[from + 3] + body.push[axis] - bearings;
             let rates = [speed, force / body.mass - ground[axis]];
@@ -136,12 +148,11 @@ impl Line {
 impl Touch {
     fn of(model: &Model, bodies: &[usize], active: &Active, axis: usize) -> Option<Self> {
         let site = &model.contacts[active.site];
-        let frame =
-            |side: Option<usize>| side.map_or(site.stand, |i| model.bodies[bodies[i]].planar_frame(&[0.0; PLANAR]));
+        let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
-        let normal = site.home.axes.z_axis;
+        let normal = active.home.axes.z_axis;
         let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
-        let Measured { here, arm, apart } = measure(&site.home, &node, &face);
+        let Measured { here, arm, apart } = measure(&active.home, &node, &face);
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,
@@ -212,9 +223,11 @@ mod tests {
                 v_stick: 0.0,
             };
             let mode = Mode::Stick { anchor: here.way };
-            let closed = Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: false };
+            let closed =
+                Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: false };
             let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
-            Active { site, node, face, closed, angle: None }
+            let home = model.contacts[site].home;
+            Active { site, node, face, closed, home, angle: None }
         };
         let active = (0..model.contacts.len()).map(stick).collect();
         (model, active)
@@ -231,6 +244,10 @@ mod tests {
         sine.angle_deg = degrees;
     }
 
+    fn bases(model: &Model) -> Vec<Base> {
+        model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect()
+    }
+
     fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {
         body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
     }
@@ -241,6 +258,7 @@ mod tests {
         let mut field = Field {
             model,
             bodies: &bodies,
+            bases: &bases(model),
             active,
             piece: model.ground.piece(model.ground.piece_number(0.3)),
             scale: Scale::default(),
@@ -260,7 +278,7 @@ mod tests {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        let line = Line::of(&model, &bodies, &active).expect("a straight row");
+        let line = Line::of(&model, &bodies, &bases(&model), &active).expect("a straight row");
         let mut y = vec![0.0; PLANAR * bodies.len()];
         for (i, state) in y.chunks_exact_mut(PLANAR).enumerate() {
             (state[0], state[3]) = (1e-3 * (1.7 * i as f64).sin(), 0.2 * (2.9 * i as f64).cos());
@@ -281,18 +299,18 @@ mod tests {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        assert!(Line::of(&model, &bodies, &active).is_some(), "all nodes of flush faces");
-        assert!(Line::of(&model, &bodies, &active[1..]).is_none(), "a corner alone turns its girder");
+        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_some(), "all nodes of flush faces");
+        assert!(Line::of(&model, &bodies, &bases(&model), &active[1..]).is_none(), "a corner alone turns its girder");
         let mut dragged = active.clone();
         if let Mode::Stick { anchor } = &mut dragged[0].closed.mode {
             anchor.x += 1e-6;
         }
-        assert!(Line::of(&model, &bodies, &dragged).is_none(), "a stretched spring pulls sideways");
+        assert!(Line::of(&model, &bodies, &bases(&model), &dragged).is_none(), "a stretched spring pulls sideways");
         let mut aslant = scene.clone();
         shake_along(&mut aslant, 1.0);
         let (model, active) = pressed(&aslant);
-        assert!(Line::of(&model, &bodies, &active).is_none(), "the ground drives it off");
+        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_none(), "the ground drives it off");
         let (model, active) = pressed(&presets::load("skew45-abutment").expect("a preset"));
-        assert!(Line::of(&model, &[0], &active).is_none(), "a skewed face is not square to its girder");
+        assert!(Line::of(&model, &[0], &bases(&model), &active).is_none(), "a skewed face is not square to its girder");
     }
 }

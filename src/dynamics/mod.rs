@@ -8,6 +8,7 @@ mod abreast;
 mod agenda;
 mod allowance;
 mod approach;
+pub(crate) mod base;
 pub mod bearing;
 pub mod body_state;
 pub mod bound;
@@ -50,5 +51,7 @@ mod swing;
 pub mod track;
 mod transition;
 mod watch;
+mod whereabouts;
+mod within;
 
 pub use model::{Body, ContactSite, Model, Pair};

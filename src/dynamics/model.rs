@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::bearing::{Bearing, PlanarBearings, Quantities, carry};
+use super::fastest::Quickness;
 use super::{declare, line};
 use crate::contact::parameters::reduced_mass;
 use crate::contact::{Frame, Home, dashpots};
@@ -32,6 +33,8 @@ pub struct Body {
     pub inertia: [DMat3; 2],
     /// Largest distance of a corner from G \[m\].
     pub radius: f64,
+    /// How fast it can answer.
+    pub quickness: Quickness,
     /// What it stands on.
     pub bearings: Vec<Bearing>,
     /// The bearings over `(x, y, θ)`.
@@ -256,7 +259,9 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
     let free = free_directions(scene.kind, &girder.held);
     // A held direction keeps its place but has no speed.
     let rate = |direction: usize, v: f64| if free[direction] { v } else { 0.0 };
+    let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
     Body {
+        quickness: Quickness::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
         name: girder.name.clone(),
         home: girder.position.into(),
         mass: girder.mass,
@@ -268,7 +273,7 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         free,
         straight: [false; 2],
         inertia: [inertia, inertia.inverse()],
-        radius: prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max),
+        radius,
         prism,
         axes,
         gyration2,

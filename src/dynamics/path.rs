@@ -123,6 +123,11 @@ impl BodyPath {
         (self.from[number], kept)
     }
 
+    /// Start of the stretch that follows on stretch `number` \[s\].
+    pub fn next(&self, number: usize) -> Option<f64> {
+        self.from.get(number + 1).copied()
+    }
+
     /// The stretch that holds at `t`; nothing where there is none.
     pub fn at(&self, t: f64) -> Option<(f64, Kept<'_>)> {
         let number = self.from.partition_point(|from| *from <= t).saturating_sub(1);

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use super::ContactSite;
 use super::track::Closed;
-use crate::contact::{Forces, Frame, Local, Measured, Mode, measure};
+use crate::contact::{Forces, Frame, Home, Local, Measured, Mode, measure};
 
 /// A contact's forces and where they act, world frame.
 #[derive(Clone, Copy, Debug)]
@@ -27,24 +27,24 @@ pub struct Action {
 /// Forces of a closed contact.
 #[inline]
 pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> Action {
-    act_in(site, closed, &closed.mode, node, face)
+    act_in(&site.home, closed, &closed.mode, node, face)
 }
 
-/// Forces of a contact that is closed but for its mode.
+/// Forces of a contact that is closed but for its mode, whose sides are counted from that home.
 #[inline]
-pub fn act_in(site: &ContactSite, closed: &Closed, mode: &Mode, node: &Frame, face: &Frame) -> Action {
-    let Measured { here, arm, apart } = measure(&site.home, node, face);
+pub fn act_in(home: &Home, closed: &Closed, mode: &Mode, node: &Frame, face: &Frame) -> Action {
+    let Measured { here, arm, apart } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
-    let force = to_world(site, face, forces.tangential_total(), forces.normal_total());
-    let offset = to_world(site, face, forces.stretch, here.gap);
+    let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
+    let offset = to_world(home, face, forces.stretch, here.gap);
     Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
 }
 
 /// A vector given in the face's axes, in the world.
 #[inline]
-pub fn to_world(site: &ContactSite, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
-    let axes = &site.home.axes;
-    if face.level && site.home.upright {
+pub fn to_world(home: &Home, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
+    let axes = &home.axes;
+    if face.level && home.upright {
         // The same sum without what is 0.
         let [x, y] =
             [axes.x_axis.x * along.x + axes.z_axis.x * normal, axes.x_axis.y * along.x + axes.z_axis.y * normal];

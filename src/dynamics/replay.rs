@@ -2,9 +2,10 @@
 //!
 //! An explicit step of a planar island depends on the state at its start, its length and the states of its contacts, which
 //! are logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either:
-//! they end in it.
+//! they end in it, and what states in contact are counted from is where the flight before them ended.
 
 use super::Model;
+use super::base::{self, Base};
 use super::body_state::PLANAR;
 use super::contact_log::ContactLog;
 use super::dop853::{Dense, Dop853};
@@ -15,9 +16,10 @@ use super::packed::Packed;
 use super::path::{BodyPath, Kept};
 use super::piece::Piece;
 use super::track::Closed;
+use crate::scene::Kind;
 
-/// No start is kept: the members' flights end in it.
-const FLOWN: u32 = u32::MAX;
+/// No start is kept, or no base: the members' flights end in it.
+pub(super) const FLOWN: u32 = u32::MAX;
 
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
@@ -36,13 +38,15 @@ struct Stretch {
     seats: u32,
 }
 
-/// A body, and the stretch of its path that led here.
+/// A body, and what its states are counted from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member {
     /// Its number in the model.
     pub body: u32,
-    /// The number of the flight that ended where the first step begins.
+    /// Number of the flight that ended at its base.
     pub flown: u32,
+    /// Number of its base among the starts, where no flight ended there.
+    pub base: u32,
 }
 
 /// A closed contact, and its state's number in the contact's log.
@@ -89,6 +93,12 @@ impl Replay {
         Some(number)
     }
 
+    /// Keeps what states of a body are counted from; its number.
+    pub(super) fn keep(&mut self, base: &Base) -> Option<u32> {
+        // The last one would be taken for a flight's.
+        self.starts.push(&base.state()).filter(|number| *number != FLOWN)
+    }
+
     /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
     pub(super) fn push(&mut self, stretch: u32, length: f64, start: Option<&[Planar]>) -> Option<u32> {
         // A code of a path has 30 bits for it.
@@ -131,26 +141,31 @@ impl Replay {
 
     /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<Piece> {
-        let dense = self.dense(number, from, past);
-        let bodies = dense.coefficients().len() / PLANAR;
-        (0..bodies).map(|place| Piece::of(&dense, place * PLANAR..(place + 1) * PLANAR)).collect()
+        let (dense, bases) = self.dense(number, from, past);
+        let piece = |(place, base)| Piece::of(&dense, place * PLANAR..(place + 1) * PLANAR, Some(base));
+        bases.iter().enumerate().map(piece).collect()
     }
 
-    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> Dense {
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (Dense, Vec<Base>) {
         let Step { length, stretch, start } = self.steps[number as usize];
         let (members, seats) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
-        let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, past)).collect();
-        let state = |(i, member): (u32, &Member)| {
-            if start == FLOWN { landed(*member, from, past) } else { self.starts.get(start + i) }
+        // Where it was caught, and the speed that it had there.
+        let caught = |member: &Member| {
+            let mut state = if member.base == FLOWN { landed(*member, past) } else { self.starts.get(member.base) };
+            (Base::of(Kind::Planar, &past.model.bodies[member.body as usize], &mut state), state)
         };
-        let mut y: Vec<f64> = (0..).zip(members).flat_map(state).collect();
+        let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
+        let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
+        let state = |(i, landed): (u32, &Planar)| if start == FLOWN { *landed } else { self.starts.get(start + i) };
+        let mut y: Vec<f64> = (0..).zip(&landed).flat_map(state).collect();
         let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
-        let line = Line::of(past.model, &bodies, &active);
+        let line = Line::of(past.model, &bodies, &bases, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = Field {
             model: past.model,
             bodies: &bodies,
+            bases: &bases,
             active: &active,
             piece,
             scale: Scale::default(),
@@ -161,7 +176,7 @@ impl Replay {
             rates: &mut rates,
             sliding: &mut Sliding::of(&active),
         };
-        again(&mut field, from, &mut y, length)
+        (again(&mut field, from, &mut y, length), bases)
     }
 
     /// What it takes \[bytes\].
@@ -193,27 +208,30 @@ fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense 
     rk.accept(field, from, y, length)
 }
 
-/// Where a body's flight ended.
-fn landed(member: Member, t: f64, past: &Past<'_>) -> Planar {
-    let body = member.body as usize;
-    match (past.paths[body].kept(member.flown as usize), &past.systems[body]) {
-        ((from, Kept::Start(state)), Some(system)) => system.state(&system.fly(from, state), t),
-        // Only flights kept as their start are left out.
+/// Where a body's flight ended: where the next stretch of its path begins.
+fn landed(member: Member, past: &Past<'_>) -> Planar {
+    let (body, flown) = (member.body as usize, member.flown as usize);
+    match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
+        ((from, Kept::Start(state)), Some(until), Some(system)) => system.state(&system.fly(from, state), until),
+        // Only flights kept as their start are left out, and only once something followed.
         _ => [0.0; PLANAR],
     }
 }
 
 /// A closed contact as the island had it.
-fn active(seat: Seat, bodies: &[usize], past: &Past<'_>) -> Option<Active> {
+fn active(seat: Seat, bodies: &[usize], bases: &[Base], past: &Past<'_>) -> Option<Active> {
     let site = &past.model.contacts[seat.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
+    let [node, face] = [site.node_body, site.face_body].map(index);
+    let sides = [node, face].map(|i| bases.get(i?));
     // Steps that begin at a face are kept as they were.
     let closed = Closed { at_face: false, ..past.logs[seat.site as usize].closed(seat.entry)? };
     Some(Active {
         site: seat.site as usize,
-        node: index(site.node_body),
-        face: index(site.face_body),
+        node,
+        face,
         closed,
+        home: base::seen_from(site, sides, closed.at),
         angle: None,
     })
 }

@@ -73,10 +73,10 @@ fn look(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> O
     };
     let site = &engine.model.contacts[contact.site];
     let frame = |slot: Option<usize>| match slot {
-        Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| frames.get(i)),
-        None => Some(&site.stand),
+        Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| Some(island.bases[i].whole(frames.get(i)?))),
+        None => Some(site.stand),
     };
-    Some(locate(&site.home, frame(contact.slots[0])?, frame(contact.slots[1])?))
+    Some(locate(&site.home, &frame(contact.slots[0])?, &frame(contact.slots[1])?))
 }
 
 /// What is negative while nothing has changed.

@@ -115,6 +115,13 @@ impl Stepper {
         }
     }
 
+    /// What is known of the system holds no longer.
+    pub(super) fn forget(&mut self) {
+        if let Some(radau) = &mut self.radau {
+            radau.resize(self.size);
+        }
+    }
+
     /// Slope at the start of the next step.
     pub(super) fn slope(&self) -> &[f64] {
         self.rk.slope()

@@ -1,6 +1,6 @@
 //! What a run keeps: the path of every body and the states of every contact, exact at any time.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::flight::Flight;
 use super::impact2d::slide::Slide;
@@ -49,8 +49,10 @@ pub enum Contact {
 pub struct Closed {
     /// The pair's numbers, shared.
     pub law: Law,
-    /// Stick or slip.
+    /// Stick or slip; an anchor is counted from where the bases of its bodies are.
     pub mode: Mode,
+    /// Where the node is there, in the face's axes, where that was carried on from earlier bases \[m\].
+    pub at: Option<DVec3>,
     /// Length below which a turning direction of slip is eased (return mapping, two directions of sliding) \[m\].
     pub ease: f64,
     /// Sliding stopped but could not hold: it passes through until `V_t` has grown again.
@@ -130,8 +132,6 @@ impl Contact {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::*;
     use crate::contact::law::Friction;
 
@@ -148,7 +148,7 @@ mod tests {
             v_stick: 0.0,
         };
         let mode = Mode::Slip { direction: DVec2::X };
-        let hanging = Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: true };
+        let hanging = Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: true };
         let coming_out = Closed { at_face: false, ..hanging };
         let here = |gap: f64| Local {
             gap,

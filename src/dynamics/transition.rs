@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use glam::{DMat2, DMat3, DVec2};
 
+use super::base::Base;
 use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, PATIENCE, ROUNDING, Reason};
-use super::{body_state, penalty3d};
-use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
+use super::{base, body_state, penalty3d};
+use crate::contact::{Frame, Home, Law, Local, Mode, law::Friction, locate};
 use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
 /// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
@@ -30,45 +31,80 @@ pub(super) struct Juncture {
     pub(super) t: f64,
     /// Who, by slot, rising.
     pub(super) slots: Vec<usize>,
+    /// What their states are counted from; of a body that was free, where it is.
+    pub(super) bases: Vec<Base>,
     /// Their states.
     pub(super) states: Vec<Vec<f64>>,
     /// Their poses.
     pub(super) frames: Vec<Frame>,
+    /// The same, counted from their bases.
+    pub(super) since: Vec<Frame>,
 }
 
 impl Juncture {
-    fn frame(&self, slot: usize) -> Option<Frame> {
-        self.slots.binary_search(&slot).ok().and_then(|i| self.frames.get(i)).copied()
+    fn place(&self, slot: usize) -> Option<usize> {
+        self.slots.binary_search(&slot).ok()
+    }
+
+    fn base(&self, slot: Option<usize>) -> Option<&Base> {
+        self.bases.get(self.place(slot?)?)
     }
 }
 
-fn side(engine: &Engine, contact: usize, which: usize, now: &Juncture) -> Frame {
+/// Pose of one side of a contact, of those in `frames`.
+fn side(engine: &Engine, contact: usize, which: usize, now: &Juncture, frames: &[Frame]) -> Frame {
     let track = &engine.contacts[contact];
-    let fixed = Frame::fixed(engine.model.contacts[track.site].fixed);
-    track.slots[which].map_or(fixed, |slot| now.frame(slot).unwrap_or(fixed))
+    let stand = engine.model.contacts[track.site].stand;
+    track.slots[which].map_or(stand, |slot| now.place(slot).and_then(|i| frames.get(i)).copied().unwrap_or(stand))
 }
 
 impl Engine {
     fn local(&self, contact: usize, now: &Juncture) -> Local {
         let site = &self.model.contacts[self.contacts[contact].site];
-        locate(&site.home, &side(self, contact, 0, now), &side(self, contact, 1, now))
+        locate(&site.home, &side(self, contact, 0, now, &now.frames), &side(self, contact, 1, now, &now.frames))
     }
 
-    fn log(&mut self, contact: usize, t: f64, state: Contact, kind: EventKind, released: f64) {
-        let track = &mut self.contacts[contact];
-        (track.state, track.out) = (state, None);
-        track.log.push(t, state);
+    /// The same, counted from the bases of its bodies, where it was home: as a contact is while it is closed.
+    fn since(&self, contact: usize, now: &Juncture, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
+        let track = &self.contacts[contact];
+        let at = track.state.closed().and_then(|closed| closed.at);
+        let home = base::seen_from(&self.model.contacts[track.site], track.slots.map(|slot| now.base(slot)), at);
+        let sides = [0, 1].map(|which| side(self, contact, which, now, frames));
+        (home, sides, locate(&home, &sides[0], &sides[1]))
+    }
+
+    fn log(&mut self, contact: usize, now: &Juncture, state: Contact, kind: EventKind, released: f64) {
+        self.note(contact, state, now);
+        let (t, track) = (now.t, &self.contacts[contact]);
         let (site, pair) = (track.site, self.pairs[track.pair].pair);
         self.events.push(Event { t, pair, contact: site, kind, released });
         self.counted(contact, t);
     }
 
     /// A change within a state: kept, but no event.
-    fn remember(&mut self, contact: usize, closed: Closed, t: f64) {
+    fn remember(&mut self, contact: usize, closed: Closed, now: &Juncture) {
+        self.note(contact, Contact::Closed(closed), now);
+        self.counted(contact, now.t);
+    }
+
+    /// Enters a contact's state, with where its anchor is counted from.
+    fn note(&mut self, contact: usize, state: Contact, now: &Juncture) {
+        let bases = self.contacts[contact].slots.map(|slot| now.base(slot));
+        self.enter(contact, state, bases, now.t);
+    }
+
+    /// The same with the bases of its bodies.
+    pub(super) fn enter(&mut self, contact: usize, state: Contact, bases: [Option<&Base>; 2], t: f64) {
         let track = &mut self.contacts[contact];
-        track.state = Contact::Closed(closed);
-        track.log.push(t, track.state);
-        self.counted(contact, t);
+        // Only a spring along the face remembers where it began.
+        let way = match state {
+            Contact::Closed(closed) if closed.law.has_friction() => {
+                base::way_to(&self.model.contacts[track.site], bases)
+            }
+            _ => DVec2::ZERO,
+        };
+        (track.state, track.out) = (state, None);
+        track.log.push(t, state, way);
     }
 
     /// Whether a node that has come through the plane of a face is inside its polygon; one that is not is logged as a
@@ -78,7 +114,7 @@ impl Engine {
             return true;
         }
         self.contacts[contact].closing = None;
-        self.log(contact, now.t, Contact::Open { armed: false }, EventKind::Missed, 0.0);
+        self.log(contact, now, Contact::Open { armed: false }, EventKind::Missed, 0.0);
         self.contacts[contact].counted.0 = 0;
         false
     }
@@ -116,7 +152,7 @@ impl Engine {
 
     /// Event 1: a node enters a face.
     pub(super) fn close(&mut self, contact: usize, now: &Juncture) {
-        let here = self.local(contact, now);
+        let (.., here) = self.since(contact, now, &now.since);
         let law = self.law(contact, now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
         if normal == 0.0 && tangential == DVec2::ZERO {
@@ -124,7 +160,7 @@ impl Engine {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let ease = self.ease(contact, &law, &here, now);
-        let closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
+        let closed = Closed { law, mode, at: None, ease, passing: false, again: 0, slack: false, at_face: false };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -133,7 +169,7 @@ impl Engine {
         self.contacts[contact].counted.0 = 0;
         // Rounding leaves a hair of overlap at the crossing; its strain appears from nowhere and is booked.
         let appeared = -0.5 * law.k * here.gap * here.gap;
-        self.log(contact, now.t, Contact::Closed(closed), kind, appeared);
+        self.log(contact, now, Contact::Closed(closed), kind, appeared);
     }
 
     /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
@@ -154,6 +190,7 @@ impl Engine {
             let inside = face.inset_at(here.at) >= -EDGE * face.size() && here.penetration() < face.depth;
             let inside = inside && !self.touches_elsewhere(contact);
             let state = if inside {
+                let (.., here) = self.since(contact, now, &now.since);
                 let law = self.law(contact, now);
                 let ease = self.ease(contact, &law, &here, now);
                 let mode = if law.has_friction() {
@@ -162,14 +199,14 @@ impl Engine {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed = Closed { law, mode, ease, passing: false, again: 0, slack: false, at_face: false };
+                let mut closed =
+                    Closed { law, mode, at: None, ease, passing: false, again: 0, slack: false, at_face: false };
                 closed.slack = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {
                 Contact::Open { armed: false }
             };
-            self.contacts[contact].state = state;
-            self.contacts[contact].log.push(0.0, state);
+            self.note(contact, state, now);
         }
     }
 
@@ -185,14 +222,14 @@ impl Engine {
             Reason::Opening => self.part(contact, &closed, now, EventKind::Opened),
             Reason::Edge => self.part(contact, &closed, now, EventKind::LeftFace),
             Reason::Switching => self.switch(contact, closed, now),
-            Reason::Kink => self.remember(contact, Closed { slack: !closed.slack, ..closed }, now.t),
+            Reason::Kink => self.remember(contact, Closed { slack: !closed.slack, ..closed }, now),
         }
     }
 
     fn part(&mut self, contact: usize, closed: &Closed, now: &Juncture, kind: EventKind) {
-        let here = self.local(contact, now);
+        let (.., here) = self.since(contact, now, &now.since);
         let released = closed.law.strain(&closed.forces(&here));
-        self.log(contact, now.t, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
+        self.log(contact, now, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
         let pair = self.contacts[contact].pair;
         let touching = self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some());
         if !touching {
@@ -201,28 +238,28 @@ impl Engine {
     }
 
     fn switch(&mut self, contact: usize, mut closed: Closed, now: &Juncture) {
-        let here = self.local(contact, now);
+        let (.., here) = self.since(contact, now, &now.since);
         match closed.mode {
             Mode::Stick { anchor } => {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
                 let (_, at, same) = self.contacts[contact].counted;
                 closed.again = if at == now.t { u32::try_from(same).unwrap_or(u32::MAX) } else { 0 };
-                self.log(contact, now.t, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
+                self.log(contact, now, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {
                 if closed.law.v_stick > 0.0
                     && closed.law.friction == Friction::Paper
                     && !self.can_hold(contact, &closed, now)
                 {
-                    self.remember(contact, Closed { passing: true, ..closed }, now.t);
+                    self.remember(contact, Closed { passing: true, ..closed }, now);
                     return;
                 }
                 closed.passing = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
                 let worn = u32::try_from(self.contacts[contact].counted.0 / WORN).unwrap_or(u32::MAX);
                 closed.again = if worn > 0 { PATIENCE.saturating_add(worn) } else { 0 };
-                self.log(contact, now.t, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
+                self.log(contact, now, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }
     }
@@ -231,16 +268,16 @@ impl Engine {
     /// rest is within `μ_s |F_n|` (physics section 4, event 3).
     fn can_hold(&self, contact: usize, closed: &Closed, now: &Juncture) -> bool {
         let track = &self.contacts[contact];
-        let site = &self.model.contacts[track.site];
-        let frames = [side(self, contact, 0, now), side(self, contact, 1, now)];
-        let action = penalty3d::act(site, closed, &frames[0], &frames[1]);
+        let (home, sides, _) = self.since(contact, now, &now.since);
+        let action = penalty3d::act_in(&home, closed, &closed.mode, &sides[0], &sides[1]);
         let (acceleration, _) = self.relative_acceleration(contact, &action.here, now);
         let mut mobility = DMat2::ZERO;
         for (which, arm) in [action.node_arm, action.face_arm].into_iter().enumerate() {
             if let Some(slot) = track.slots[which] {
                 let body = &self.model.bodies[self.bodies[slot].body];
-                let axes = [site.home.axes.x_axis, site.home.axes.y_axis].map(|axis| frames[1].turn(axis));
-                mobility += body_state::mobility(body, &frames[which].rotation(&body.axes), arm, axes);
+                let axes = [home.axes.x_axis, home.axes.y_axis].map(|axis| sides[1].turn(axis));
+                let rotation = side(self, contact, which, now, &now.frames).rotation(&body.axes);
+                mobility += body_state::mobility(body, &rotation, arm, axes);
             }
         }
         // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair
@@ -256,12 +293,9 @@ impl Engine {
     /// Tangential and normal acceleration of a node against a face under the forces of the contacts as they are
     /// \[m/s²\].
     fn relative_acceleration(&self, contact: usize, here: &Local, now: &Juncture) -> (DVec2, f64) {
-        let site = &self.model.contacts[self.contacts[contact].site];
         let dt = 1e2 * self.pairs[self.contacts[contact].pair].together;
-        let mut after = Juncture { t: now.t + dt, slots: now.slots.clone(), states: Vec::new(), frames: Vec::new() };
-        after.frames =
-            self.assemble(&now.slots, now.states.concat(), now.t, Pace::default()).frames_after(&self.model, dt);
-        let next = locate(&site.home, &side(self, contact, 0, &after), &side(self, contact, 1, &after));
+        let together = self.assemble(&now.slots, now.bases.clone(), now.states.concat(), now.t, Pace::default());
+        let (.., next) = self.since(contact, now, &together.frames_after(&self.model, dt));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 

@@ -62,13 +62,8 @@ pub(super) struct Due {
 pub(super) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Local {
     let active = &island.active[number];
     let site = &model.contacts[active.site];
-    let frame = |i: usize| island.frame(model, i, t);
-    match (active.node, active.face) {
-        (Some(node), Some(face)) => locate(&site.home, &frame(node), &frame(face)),
-        (Some(node), None) => locate(&site.home, &frame(node), &site.stand),
-        (None, Some(face)) => locate(&site.home, &site.stand, &frame(face)),
-        (None, None) => locate(&site.home, &site.stand, &site.stand),
-    }
+    let frame = |side: Option<usize>| side.map_or(site.stand, |i| island.frame_since(model, i, t));
+    locate(&active.home, &frame(active.node), &frame(active.face))
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.
@@ -121,7 +116,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
-    let (frames, bodies) = (island.frames(model, &times), island.slots.len());
+    let (frames, bodies) = (island.frames_since(model, &times), island.slots.len());
     for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
         let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * bodies..]));
         for reason in reasons(island, number) {

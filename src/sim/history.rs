@@ -4,17 +4,15 @@ use std::sync::{Arc, OnceLock};
 
 use super::ledger::Books;
 use super::replayed::Replayed;
-use super::{ContactNow, ContactState, Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
-use crate::contact::{Frame, Mode};
+use super::{Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
+use crate::contact::Frame;
 use crate::dynamics::contact_log::ContactLog;
 use crate::dynamics::engine::{Effort, Finished};
 use crate::dynamics::flight::System;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::path::{BodyPath, Kept};
-use crate::dynamics::penalty3d::{act, to_world};
 use crate::dynamics::piece::Piece;
 use crate::dynamics::replay::Past;
-use crate::dynamics::track::Closed;
 use crate::dynamics::{Model, body_state};
 use crate::scene::{ModelKind, Scene, SceneErrors};
 
@@ -243,55 +241,6 @@ impl History {
             Some(body) => self.frame(body, t),
             None => Frame::fixed(site.fixed),
         })
-    }
-
-    /// Contacts closed at `t`, in the order of their numbers.
-    pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
-        let t = t.clamp(0.0, self.end);
-        if let Some(record) = &self.record {
-            return impact::contacts(self, record, t);
-        }
-        let closed = |(contact, log): (usize, &ContactLog)| Some(self.contact(contact, log.at(t).closed()?, t));
-        self.logs.iter().enumerate().filter_map(closed).collect()
-    }
-
-    /// One contact at `t`; nothing when it is open.
-    pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
-        let t = t.clamp(0.0, self.end);
-        if let Some(record) = &self.record {
-            return impact::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
-        }
-        Some(self.contact(contact, self.logs.get(contact)?.at(t).closed()?, t))
-    }
-
-    pub(super) fn contact(&self, contact: usize, closed: &Closed, t: f64) -> ContactNow {
-        let site = &self.model.contacts[contact];
-        let [node, face] = self.sides(contact, t);
-        let action = act(site, closed, &node, &face);
-        let forces = &action.forces;
-        let point = node.origin() + action.node_arm;
-        let world = |v: glam::DVec2| to_world(site, &face, v, 0.0);
-        ContactNow {
-            contact,
-            pair: site.pair,
-            state: match closed.mode {
-                Mode::Stick { .. } => ContactState::Stick,
-                Mode::Slip { .. } => ContactState::Slip,
-            },
-            point,
-            anchor: face.origin() + action.face_arm,
-            normal: face.turn(site.home.axes.z_axis),
-            penetration: action.here.penetration(),
-            normal_velocity: forces.normal_velocity,
-            sliding: world(forces.sliding),
-            normal_force: forces.normal,
-            tangential_force: world(forces.tangential),
-            normal_damping: forces.normal_damping,
-            tangential_damping: world(forces.tangential_damping),
-            force: action.force,
-            mu_static: closed.law.mu_s,
-            mu_kinetic: closed.law.mu_k,
-        }
     }
 
     /// All events in order of time.

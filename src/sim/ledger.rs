@@ -10,7 +10,7 @@ use super::touches::flight_rate;
 use super::{EventKind, History, Ledger, impact};
 use crate::dynamics::body_state::{self, bearing_forces, world_inertia};
 use crate::dynamics::impact2d::Stay;
-use crate::dynamics::penalty3d::act;
+use crate::dynamics::penalty3d::Action;
 use crate::dynamics::track::Contact;
 use crate::motion::Ground;
 use crate::scene::Kind;
@@ -120,10 +120,8 @@ impl Books {
             ledger.bearing += bearing;
             ledger.gravity += gravity;
         }
-        for (contact, log) in history.logs.iter().enumerate() {
-            if let Contact::Closed(closed) = log.at(t) {
-                let [node, face] = history.sides(contact, t);
-                let action = act(&history.model().contacts[contact], &closed, &node, &face);
+        for contact in 0..history.logs.len() {
+            if let Some((closed, action)) = history.acting(contact, t) {
                 ledger.contact += closed.law.strain(&action.forces);
             }
         }
@@ -282,9 +280,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].
 fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 3] {
-    let Contact::Closed(closed) = history.logs[contact].at(t) else { return [0.0; 3] };
-    let [node, face] = history.sides(contact, t);
-    let forces = act(&history.model().contacts[contact], &closed, &node, &face).forces;
+    let Some((_, Action { forces, .. })) = history.acting(contact, t) else { return [0.0; 3] };
     [
         -forces.normal_damping * forces.normal_velocity,
         -forces.tangential_damping.dot(forces.sliding - forces.anchor_rate),

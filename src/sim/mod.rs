@@ -3,6 +3,7 @@
 //! [`Session`] computes, [`History`] answers: motion, contacts, events and energy at any time, from the paths and states
 //! that the run left, never from samples.
 
+mod acting;
 mod digest;
 mod history;
 mod impact;

@@ -58,10 +58,7 @@ fn of_contact(history: &History, contact: usize) -> Vec<Touch> {
 
 /// Largest force of a contact in one state, sampled and then closed in on by golden section.
 fn peak(history: &History, contact: usize, from: f64, until: f64) -> (f64, f64) {
-    let force = |t: f64| {
-        let state = history.logs[contact].at(t.min(until));
-        state.closed().map_or(0.0, |closed| history.contact(contact, closed, t).force.length())
-    };
+    let force = |t: f64| history.contact(contact, t.min(until)).map_or(0.0, |now| now.force.length());
     let mut times = vec![from];
     let site = &history.model().contacts[contact];
     for body in [site.node_body, site.face_body].into_iter().flatten() {

@@ -221,7 +221,7 @@ impl Grip {
     pub(super) fn path(&self, place: usize) -> Option<Path> {
         self.course.as_ref().map(|course| match course {
             Course::Slide(slide) => Path::Slide(slide.clone()),
-            Course::Step(dense) => Path::Step(Piece::of(dense, place * WIDTH..(place + 1) * WIDTH)),
+            Course::Step(dense) => Path::Step(Piece::of(dense, place * WIDTH..(place + 1) * WIDTH, None)),
         })
     }
 

@@ -202,7 +202,7 @@ impl Contacts {
 }
 
 fn closed(law: Law, mode: Mode) -> Closed {
-    Closed { law, mode, ease: 0.0, passing: false, again: 0, slack: false, at_face: false }
+    Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: false }
 }
 
 fn entered(law: Law, here: &Local) -> Closed {

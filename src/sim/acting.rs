@@ -1,0 +1,115 @@
+//! Closed contacts at any instant: their forces, as exactly as the run has them.
+//!
+//! A stiff contact is pressed by less than the last digit of where its bodies are. So node and face are measured as the run
+//! did: counted from where the bodies were caught.
+
+use super::{ContactNow, ContactState, History, impact};
+use crate::contact::{Frame, Home, Mode};
+use crate::dynamics::base::{Base, seen_from};
+use crate::dynamics::body_state;
+use crate::dynamics::path::Kept;
+use crate::dynamics::penalty3d::{Action, act_in, to_world};
+use crate::dynamics::track::Closed;
+
+/// A closed contact at one instant.
+struct Seen {
+    /// Its state, with its anchor counted as its sides are.
+    closed: Closed,
+    /// Node and face where they are counted from.
+    home: Home,
+    /// Node's body and face's body, counted from there.
+    since: [Frame; 2],
+    /// The same since they were placed.
+    sides: [Frame; 2],
+}
+
+impl History {
+    /// A body within a step, counted from its base; nothing where it is in no step.
+    fn since(&self, body: usize, t: f64) -> Option<(Base, Frame)> {
+        let (mut state, width) = ([0.0; body_state::SPATIAL], body_state::width(self.model().kind));
+        let (state, own) = (&mut state[..width], &self.model().bodies[body]);
+        let base = match self.paths[body].at(t)? {
+            (_, Kept::Step(piece)) => Base::by(self.model().kind, own, piece.read_since(t, state)),
+            (from, Kept::Again(number)) => {
+                self.stepped(body, (number, from), |piece| Base::by(self.model().kind, own, piece.read_since(t, state)))
+            }
+            _ => return None,
+        };
+        Some((base, base.since(own, state)))
+    }
+
+    /// A closed contact at `t` with its sides, as exactly as the run has it: counted from where its bodies were caught.
+    fn closed(&self, contact: usize, t: f64) -> Option<Seen> {
+        let site = &self.model().contacts[contact];
+        let log = &self.logs[contact];
+        let closed = log.since(t)?;
+        // Where a run gave up, what its last state is counted from may have no step that is.
+        let counted = self.stop().is_none() || t < self.end();
+        let side = |body: Option<usize>| match body {
+            Some(_) if !counted => None,
+            Some(body) => self.since(body, t).map(|(base, frame)| (Some(base), frame)),
+            None => Some((None, site.stand)),
+        };
+        if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body), side(site.face_body)) {
+            let home = seen_from(site, [node.as_ref(), face.as_ref()], closed.at);
+            let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
+            return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
+        }
+        let (closed, sides) = (*log.at(t).closed()?, self.sides(contact, t));
+        Some(Seen { closed, home: site.home, since: sides, sides })
+    }
+
+    /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.
+    pub(super) fn acting(&self, contact: usize, t: f64) -> Option<(Closed, Action)> {
+        let Seen { closed, home, since: [node, face], .. } = self.closed(contact, t)?;
+        Some((closed, act_in(&home, &closed, &closed.mode, &node, &face)))
+    }
+
+    /// Contacts closed at `t`, in the order of their numbers.
+    pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
+        let t = t.clamp(0.0, self.end());
+        if let Some(record) = self.impact() {
+            return impact::contacts(self, record, t);
+        }
+        (0..self.logs.len()).filter_map(|contact| self.contact(contact, t)).collect()
+    }
+
+    /// One contact at `t`; nothing when it is open.
+    pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
+        let t = t.clamp(0.0, self.end());
+        if let Some(record) = self.impact() {
+            return impact::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
+        }
+        (contact < self.logs.len()).then(|| self.contact(contact, t))?
+    }
+
+    pub(super) fn contact(&self, contact: usize, t: f64) -> Option<ContactNow> {
+        let site = &self.model().contacts[contact];
+        let Seen { closed, home, since, sides: [node, face] } = self.closed(contact, t)?;
+        let action = act_in(&home, &closed, &closed.mode, &since[0], &since[1]);
+        let forces = &action.forces;
+        let point = node.origin() + action.node_arm;
+        let world = |v: glam::DVec2| to_world(&site.home, &face, v, 0.0);
+        Some(ContactNow {
+            contact,
+            pair: site.pair,
+            state: match closed.mode {
+                Mode::Stick { .. } => ContactState::Stick,
+                Mode::Slip { .. } => ContactState::Slip,
+            },
+            point,
+            anchor: face.origin() + action.face_arm,
+            normal: face.turn(site.home.axes.z_axis),
+            penetration: action.here.penetration(),
+            normal_velocity: forces.normal_velocity,
+            sliding: world(forces.sliding),
+            normal_force: forces.normal,
+            tangential_force: world(forces.tangential),
+            normal_damping: forces.normal_damping,
+            tangential_damping: world(forces.tangential_damping),
+            force: action.force,
+            mu_static: closed.law.mu_s,
+            mu_kinetic: closed.law.mu_k,
+        })
+    }
+}
