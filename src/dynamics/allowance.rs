@@ -29,7 +29,10 @@ const DRIVE: f64 = 1.0;
 /// What has hardly moved rounds with this part of its size.
 const LITTLE: f64 = 1e-3;
 /// Bodies are near enough to their bases within this part of how far they have come.
-const NEAR: f64 = 1e-4;
+const NEAR: f64 = 1e-2;
+/// However near, no step is asked to err by less than what this part of that rounds with: a swing so small that nothing damps
+/// it would be followed for ever.
+const BEYOND_DOUBT: f64 = 0.1;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
 const FINEST: f64 = 1e-13;
 
@@ -50,7 +53,8 @@ impl Island {
             place = place.max(here.shift.length() + self.radii[i]);
             let since = here.moved(self.radii[i]);
             self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
-            bits = bits.max(omega * since + here.speed(self.radii[i]));
+            let known = since.max(BEYOND_DOUBT * self.moved[i]);
+            bits = bits.max(omega * known + here.speed(self.radii[i]));
             (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             // Bearings carry the weight, or what holds the body does.
