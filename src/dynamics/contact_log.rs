@@ -1,5 +1,7 @@
 //! The states that a contact went through, as a history keeps them: a touch's law once, not with every change of state.
 
+use std::num::NonZeroU32;
+
 use glam::{DVec2, DVec3};
 
 use super::dop853::Dense;
@@ -26,8 +28,8 @@ struct Touch {
     law: u32,
     /// From where anchors are counted: how far the node had come along the face since it was placed \[m\].
     way: DVec2,
-    /// Where the node is there, where that was carried on \[m\].
-    at: Option<DVec3>,
+    /// Number of where the node is there, where that was carried on.
+    at: Option<NonZeroU32>,
 }
 
 /// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
@@ -37,6 +39,8 @@ pub struct ContactLog {
     /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased \[m\].
     laws: Vec<(Law, f64)>,
     touches: Vec<Touch>,
+    /// Places of the node, in the face's axes, that were carried on \[m\].
+    carried: Vec<DVec3>,
     /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
     pub angles: Vec<(f64, Dense)>,
 }
@@ -52,6 +56,7 @@ impl ContactLog {
                 }
                 // More touches of one contact than a u32 counts would not fit into memory.
                 let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
+                let at = at.and_then(|at| self.carry(at));
                 let touch = Touch { law: last(self.laws.len()), way, at };
                 if self.touches.last() != Some(&touch) {
                     self.touches.push(touch);
@@ -60,6 +65,14 @@ impl ContactLog {
             }
         };
         self.entries.push(Entry { from, kept });
+    }
+
+    /// Keeps a place of the node; its number, from 1 on.
+    fn carry(&mut self, at: DVec3) -> Option<NonZeroU32> {
+        if self.carried.last() != Some(&at) {
+            self.carried.push(at);
+        }
+        u32::try_from(self.carried.len()).ok().and_then(NonZeroU32::new)
     }
 
     /// States with the times that they hold from, a turning slip in the direction that it began with.
@@ -83,6 +96,7 @@ impl ContactLog {
         self.entries.len() * size_of::<Entry>()
             + self.laws.len() * size_of::<(Law, f64)>()
             + self.touches.len() * size_of::<Touch>()
+            + self.carried.len() * size_of::<DVec3>()
             + self.angles.len() * size_of::<(f64, Dense)>()
             + angles
     }
@@ -104,6 +118,7 @@ impl ContactLog {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { touch, mode, passing, slack } => {
                 let Touch { law, at, .. } = self.touches[touch as usize];
+                let at = at.and_then(|number| self.carried.get(number.get() as usize - 1)).copied();
                 let (law, ease) = self.laws[law as usize];
                 Contact::Closed(Closed {
                     law,
@@ -153,6 +168,7 @@ impl ContactLog {
         self.entries.shrink_to_fit();
         self.laws.shrink_to_fit();
         self.touches.shrink_to_fit();
+        self.carried.shrink_to_fit();
         self.angles.shrink_to_fit();
     }
 }

@@ -7,7 +7,7 @@ use super::base::Base;
 use super::engine::Engine;
 use super::flight::Planar;
 use super::island::Island;
-use super::replay::{FLOWN, Member, Seat};
+use super::replay::{Member, Seat};
 use super::track::Closed;
 use crate::contact::law::Friction;
 
@@ -54,7 +54,8 @@ impl Engine {
                 base.kept = Some(self.replay.keep(base)?);
             }
             let body = u32::try_from(self.bodies[slot].body).ok()?;
-            members.push(Member { body, flown: base.flown.unwrap_or(FLOWN), base: base.kept.unwrap_or(FLOWN) });
+            let member = base.flown.map(|number| Member::flown(body, number));
+            members.push(member.or_else(|| base.kept.map(|number| Member::kept(body, number)))?);
         }
         Some(members)
     }

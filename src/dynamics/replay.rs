@@ -18,8 +18,10 @@ use super::piece::Piece;
 use super::track::Closed;
 use crate::scene::Kind;
 
-/// No start is kept, or no base: the members' flights end in it.
-pub(super) const FLOWN: u32 = u32::MAX;
+/// No start is kept: the members' flights end in it.
+const FLOWN: u32 = u32::MAX;
+/// Bit of a member's base that says where it stands.
+const KEPT: u32 = 1 << 31;
 
 /// Steps of a group of bodies.
 #[derive(Clone, Debug, Default)]
@@ -43,10 +45,20 @@ struct Stretch {
 pub(super) struct Member {
     /// Its number in the model.
     pub body: u32,
-    /// Number of the flight that ended at its base.
-    pub flown: u32,
-    /// Number of its base among the starts, where no flight ended there.
-    pub base: u32,
+    /// Number of the flight that ended there, or with [`KEPT`] that of where it is among the starts.
+    base: u32,
+}
+
+impl Member {
+    /// A body that flew to its base; a path has fewer stretches than [`KEPT`].
+    pub(super) fn flown(body: u32, number: u32) -> Self {
+        Self { body, base: number & !KEPT }
+    }
+
+    /// A body whose base is kept.
+    pub(super) fn kept(body: u32, number: u32) -> Self {
+        Self { body, base: number | KEPT }
+    }
 }
 
 /// A closed contact, and its state's number in the contact's log.
@@ -95,8 +107,7 @@ impl Replay {
 
     /// Keeps what states of a body are counted from; its number.
     pub(super) fn keep(&mut self, base: &Base) -> Option<u32> {
-        // The last one would be taken for a flight's.
-        self.starts.push(&base.state()).filter(|number| *number != FLOWN)
+        self.starts.push(&base.state()).filter(|number| number & KEPT == 0)
     }
 
     /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
@@ -152,7 +163,8 @@ impl Replay {
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         // Where it was caught, and the speed that it had there.
         let caught = |member: &Member| {
-            let mut state = if member.base == FLOWN { landed(*member, past) } else { self.starts.get(member.base) };
+            let kept = member.base & KEPT != 0;
+            let mut state = if kept { self.starts.get(member.base & !KEPT) } else { landed(*member, past) };
             (Base::of(Kind::Planar, &past.model.bodies[member.body as usize], &mut state), state)
         };
         let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
@@ -210,7 +222,7 @@ fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense 
 
 /// Where a body's flight ended: where the next stretch of its path begins.
 fn landed(member: Member, past: &Past<'_>) -> Planar {
-    let (body, flown) = (member.body as usize, member.flown as usize);
+    let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
         ((from, Kept::Start(state)), Some(until), Some(system)) => system.state(&system.fly(from, state), until),
         // Only flights kept as their start are left out, and only once something followed.
