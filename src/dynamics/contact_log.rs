@@ -80,6 +80,11 @@ impl ContactLog {
         self.entries.iter().map(|entry| (entry.from, self.whole(entry.kept)))
     }
 
+    /// From where anchors of the last touch are counted: a way along the face \[m\].
+    pub fn way(&self) -> DVec2 {
+        self.touches.last().map_or(DVec2::ZERO, |touch| touch.way)
+    }
+
     /// Number of the latest state.
     pub fn latest(&self) -> Option<u32> {
         u32::try_from(self.entries.len().checked_sub(1)?).ok()

@@ -96,11 +96,11 @@ impl Engine {
     /// The same with the bases of its bodies.
     pub(super) fn enter(&mut self, contact: usize, state: Contact, bases: [Option<&Base>; 2], t: f64) {
         let track = &mut self.contacts[contact];
-        // Only a spring along the face remembers where it began.
         let way = match state {
-            Contact::Closed(closed) if closed.law.has_friction() => {
-                base::way_to(&self.model.contacts[track.site], bases)
-            }
+            // Where it is counted from is the same as long as it is closed and not counted anew.
+            Contact::Closed(now) if track.state.closed().is_some_and(|before| before.at == now.at) => track.log.way(),
+            // Only a spring along the face remembers where it began.
+            Contact::Closed(now) if now.law.has_friction() => base::way_to(&self.model.contacts[track.site], bases),
             _ => DVec2::ZERO,
         };
         (track.state, track.out) = (state, None);
