@@ -258,6 +258,7 @@ impl Island {
     pub(super) fn counted_anew(&mut self, model: &Model) {
         (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
         self.line = Line::of(model, &self.bodies, &self.bases, &self.active);
+        self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
         self.stepper.forget();
         self.rewind(model, self.until);
     }
