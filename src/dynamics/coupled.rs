@@ -6,12 +6,16 @@
 //! none is singular. `τ = n h + r`: the powers of `e^{Gh}` are kept, the rest is a Taylor series.
 
 use glam::{DMat3, DVec3};
+use twofloat::TwoFloat;
 
 /// Length of the augmented state.
 pub const SIZE: usize = 11;
 /// The augmented state.
 pub type State = [f64; SIZE];
 type Matrix = [[f64; SIZE]; SIZE];
+/// With twice the digits: every squaring doubles what a power is off by, relative to its size, so a long flight would have
+/// thousands of roundings.
+type Doubled = [[TwoFloat; SIZE]; SIZE];
 
 /// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
 pub const SIN: usize = 6;
@@ -38,11 +42,12 @@ impl Coupled {
         let generator = generator(k, c, push, forced, drive);
         let rate = norm(k).sqrt().max(norm(c)).max(drive).max(1e-3);
         let cell = 0.5 / rate;
-        let mut powers = vec![exponential(&generator, cell)];
+        let mut power = exponential(&generator, cell);
+        let mut powers = vec![rounded(&power)];
         let mut reach = cell;
         while reach < longest {
-            let last = &powers[powers.len() - 1];
-            powers.push(product(last, last));
+            power = product(&power, &power);
+            powers.push(rounded(&power));
             reach *= 2.0;
         }
         Self { generator, cell, powers }
@@ -100,8 +105,20 @@ fn times(m: &Matrix, z: &State) -> State {
     std::array::from_fn(|i| m[i].iter().zip(z).map(|(a, b)| a * b).sum())
 }
 
-fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..SIZE).map(|k| a[i][k] * b[k][j]).sum()))
+fn product(a: &Doubled, b: &Doubled) -> Doubled {
+    let mut sum = [[TwoFloat::from(0.0); SIZE]; SIZE];
+    for (row, sum) in a.iter().zip(&mut sum) {
+        for (factor, b) in row.iter().zip(b).filter(|(factor, _)| factor.hi() != 0.0) {
+            for (s, b) in sum.iter_mut().zip(b).filter(|(_, b)| b.hi() != 0.0) {
+                *s += *factor * *b;
+            }
+        }
+    }
+    sum
+}
+
+fn rounded(m: &Doubled) -> Matrix {
+    m.map(|row| row.map(|x| x.hi()))
 }
 
 fn taylor(g: &Matrix, z: &State, tau: f64) -> State {
@@ -116,13 +133,19 @@ fn taylor(g: &Matrix, z: &State, tau: f64) -> State {
     sum
 }
 
-fn exponential(g: &Matrix, tau: f64) -> Matrix {
-    let columns: [State; SIZE] = std::array::from_fn(|j| {
-        let mut unit = [0.0; SIZE];
-        unit[j] = 1.0;
-        taylor(g, &unit, tau)
-    });
-    std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i]))
+fn exponential(g: &Matrix, tau: f64) -> Doubled {
+    let g = g.map(|row| row.map(TwoFloat::from));
+    let mut term: Doubled =
+        std::array::from_fn(|i| std::array::from_fn(|j| TwoFloat::from(if i == j { 1.0 } else { 0.0 })));
+    let mut sum = term;
+    for n in 1..=TERMS {
+        let factor = TwoFloat::from(tau) / f64::from(n);
+        term = product(&g, &term).map(|row| row.map(|x| x * factor));
+        for (s, t) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
+            *s += *t;
+        }
+    }
+    sum
 }
 
 #[cfg(test)]
@@ -143,7 +166,7 @@ mod tests {
             let o = Oscillator { gamma: c[i] / 2.0, omega2: k[i] };
             let force = if i == 0 { [0.7, 0.3] } else { [push[i], 0.0] };
             let [q, v] = o.advance([z[i], z[3 + i]], force, 7.3);
-            // Some 150 cells of rounding at the size of the values.
+            // Roundings at the size of the values.
             assert!((q - after[i]).abs() < 1e-12 * (1.0 + q.abs()), "q{i}: {q} against {}", after[i]);
             assert!((v - after[3 + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[3 + i]);
         }

@@ -220,7 +220,7 @@ fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (
     let arms = arms(&engine.model.contacts[track.site], &before);
     let far =
         track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(engine, s, arm, t, until)));
-    if armed && before.gap > far.sum() {
+    if armed && before.gap > far.sum::<f64>() {
         return (None, None);
     }
     let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| views.side(slot, 0).shift.length())).sum();
