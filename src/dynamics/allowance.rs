@@ -1,5 +1,7 @@
 //! What a step of an island may err by, and what its contacts are where it begins.
 
+use glam::DVec3;
+
 use super::Model;
 use super::body_state;
 use super::dop853::SEEN;
@@ -40,7 +42,7 @@ impl Island {
     /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
-        let (omega, width) = (self.omega, body_state::width(model.kind));
+        let (omega, width) = (self.omega.max(self.turning(model)), body_state::width(model.kind));
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near, mut heft) = (0.0f64, 0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
@@ -104,6 +106,16 @@ impl Island {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         Scale { speed, omega, place }
+    }
+
+    /// How fast the fastest of its bodies turns, where nothing touches: what tumbles on no bearing swings by that alone, and
+    /// an error of its attitude is one of its place a radian later \[rad/s\].
+    fn turning(&self, model: &Model) -> f64 {
+        if !self.active.is_empty() || model.kind == Kind::Planar {
+            return 0.0;
+        }
+        let states = self.y.chunks_exact(body_state::width(model.kind)).take(self.bodies.len());
+        states.map(|y| DVec3::from_slice(&y[10..13]).length()).fold(0.0, f64::max)
     }
 
     /// How fast one of its bodies gains speed where the next step begins \[m/s²\].
