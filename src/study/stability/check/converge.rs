@@ -11,7 +11,7 @@
 
 use super::super::watch::{NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
-use crate::scene::{self, Scene};
+use crate::scene::{self, Direction, Kind, Scene};
 use crate::sim::{History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
@@ -204,10 +204,14 @@ fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
         scene::Motion::None => {}
     }
     for (i, girder) in scene.girders.iter_mut().enumerate() {
-        // No symmetry survives: each girder by another part.
+        // No symmetry survives: each girder by another part, and up where it can, or what happens above and below the
+        // middle of a face stays alike for ever.
         let part = 1.0 / (1.0 + i as f64);
         girder.initial.displacement[0] += d * part;
         girder.initial.displacement[1] -= d * part * 0.7;
+        if scene.kind == Kind::Spatial && !girder.held.contains(&Direction::Z) {
+            girder.initial.displacement[2] += d * part * 0.4;
+        }
         girder.initial.rotation_deg += (d / girder.length * part * 0.3).to_degrees();
     }
     scene
