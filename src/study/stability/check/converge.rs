@@ -2,9 +2,9 @@
 //!
 //! Three runs: at the scene's tolerance, at a hundredth of it, and at a hundredth of that (never below the finest that a
 //! scene may ask for), which stands for the truth. Where the finer error is not below the coarser one and not at the
-//! rounding floor, the reference is run again from starts and on grounds that differ by a hair: the case is trusted until
-//! their difference has grown a thousandfold, and an error no larger than what starts and grounds a finer tolerance apart
-//! have come to is what that tolerance promises.
+//! rounding floor, the reference is run again from starts, on grounds and with friction that differ by a hair: the case is
+//! trusted until their difference has grown a thousandfold, and an error no larger than what starts, grounds and friction a
+//! finer tolerance apart have come to is what that tolerance promises.
 //!
 //! The runs go on together from one instant compared to the next, and no further than the case is trusted: what chance
 //! has made of a scene then is worth nobody's time.
@@ -15,8 +15,8 @@ use crate::scene::{self, Direction, Kind, Scene};
 use crate::sim::{History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
-                                floor (rounding, or ten times what starts and grounds that differ by the finer \
-                                tolerance come apart), until the time to which the case can be trusted: those that \
+                                floor (rounding, or ten times what starts, grounds and friction that differ by \
+                                the finer tolerance come apart), until the time to which the case can be trusted: those that \
                                 differ by a hair have then come a thousand hairs apart";
 
 /// The finest tolerance that a scene may ask for.
@@ -152,7 +152,7 @@ impl Run {
     }
 }
 
-/// The reference from starts and on grounds that differ by a hair.
+/// The reference from starts, on grounds and with friction that differ by a hair.
 struct Doubt {
     starts: Vec<Run>,
     /// How far from the reference they may come \[m\].
@@ -190,8 +190,9 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// The same scene with every girder a hair of that extent further on at its start, which bearings may damp away, and on a
-/// ground that shakes as much harder, which lasts.
+/// The same scene with every girder a hair of that extent further on at its start, which bearings may damp away, on a ground
+/// that shakes as much harder, and with as much more friction, which last: what holds by the last digit of its force
+/// breaks away by that.
 fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
     let (mut scene, d) = (scene.clone(), hair * extent);
     match &mut scene.motion {
@@ -202,6 +203,9 @@ fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
         }
         scene::Motion::Record(record) => record.scale *= 1.0 + hair,
         scene::Motion::None => {}
+    }
+    for mu in [&mut scene.contact.mu_static, &mut scene.contact.mu_kinetic] {
+        *mu *= 1.0 + hair;
     }
     for (i, girder) in scene.girders.iter_mut().enumerate() {
         // No symmetry survives: each girder by another part, and up where it can, or what happens above and below the
