@@ -90,6 +90,11 @@ impl Base {
         [self.shift.x, self.shift.y, self.angle, 0.0, 0.0, 0.0]
     }
 
+    /// A base from numbers that may all be 0, where the body was placed.
+    pub(super) fn from_kept(kind: Kind, body: &Body, numbers: &[f64]) -> Self {
+        if numbers.iter().all(|x| *x == 0.0) { Self::placed(kind, body) } else { Self::by(kind, body, numbers) }
+    }
+
     /// The pose there, at rest; all that is counted from it is independent of where the body was placed.
     pub(super) fn pose(&self) -> Frame {
         let level = self.kind == Kind::Planar;

@@ -3,10 +3,9 @@
 use super::Model;
 use super::base::Base;
 use super::body_state::{self, Wrench};
-use super::dop853::{self, Dense};
+use super::dop853::Dense;
 use super::fastest::{fastest, quickest};
 use super::field::{Active, Field, Scale, Sliding, direction};
-use super::flight::Planar;
 use super::line::Line;
 use super::piece::Piece;
 use super::radau::Radau;
@@ -49,6 +48,10 @@ pub(super) struct Island {
     sloped: (f64, usize),
     /// Whether the planned step, taken again from its start alone, is the same.
     again: bool,
+    /// Spatial: the states that the slopes at the start of the planned step and of the next one are of, before quaternions
+    /// were given their length.
+    raw: Vec<f64>,
+    next_raw: Vec<f64>,
     /// What is due at `until`, if anything but the next step.
     pub due: Vec<super::watch::Due>,
     pub(super) dense: Option<Dense>,
@@ -133,6 +136,8 @@ impl Island {
             stretch: None,
             sloped: (t, 0),
             again: false,
+            raw: Vec::new(),
+            next_raw: Vec::new(),
             dense: None,
             taken: 0,
             explicit: false,
@@ -147,6 +152,9 @@ impl Island {
             line: None,
             in_line: false,
         };
+        if island.active.is_empty() {
+            island.stepper.trust();
+        }
         island.sliding = Sliding::of(&island.active);
         island.line = Line::of(model, &island.bodies, &island.bases, &island.active);
         island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
@@ -160,7 +168,16 @@ impl Island {
         let piece = model.ground.piece(self.sloped.1);
         let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
+        self.note_raw(model, &y);
         (self.stepper, self.y) = (stepper, y);
+    }
+
+    /// Notes what the slope at the start of the next step is of.
+    fn note_raw(&mut self, model: &Model, y: &[f64]) {
+        if model.kind == Kind::Spatial {
+            self.next_raw.clear();
+            self.next_raw.extend_from_slice(y);
+        }
     }
 
     fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: Scale) -> Field<'a> {
@@ -211,7 +228,7 @@ impl Island {
         }
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
-        let known = model.kind == Kind::Planar && self.sliding.sliders.is_empty() && self.sloped == (t, number);
+        let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
         let loose = self.active.iter().any(|active| active.closed.at_face);
         self.explicit = !self.stepper.pace().stiff;
         self.again = known && !loose && self.explicit;
@@ -225,6 +242,8 @@ impl Island {
         let limits = Limits { cap, first, longest, soon, smallest: SMALLEST / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
+        std::mem::swap(&mut self.raw, &mut self.next_raw);
+        self.note_raw(model, &y);
         normalise(model, &self.bodies, &mut y);
         (self.stepper, self.y) = (stepper, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
@@ -247,7 +266,10 @@ impl Island {
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
+        self.note_raw(model, &y);
+        std::mem::swap(&mut self.raw, &mut self.next_raw);
         let dense = stepper.again(&mut self.field(model, piece, Scale::default()), from, &mut y, h);
+        self.note_raw(model, &y);
         normalise(model, &self.bodies, &mut y);
         self.sloped = (from + dense.step, number);
         (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
@@ -303,10 +325,17 @@ impl Island {
 
     /// Length of the planned step and its bodies' states at the start, counted from their bases, where it may be kept by
     /// these alone.
-    pub(super) fn again(&self) -> Option<(f64, Vec<Planar>)> {
+    pub(super) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
-        let state = |c: &[[f64; dop853::DENSE]]| std::array::from_fn(|i| c[i][0]);
-        Some((dense.step, dense.coefficients().chunks_exact(body_state::PLANAR).map(state).collect()))
+        let mut start = dense.coefficients().iter().map(|c| c[0]);
+        if model.kind == Kind::Planar {
+            return Some((dense.step, start.collect()));
+        }
+        // What has its length already may get another by its last bit.
+        let mut normal = self.raw.clone();
+        normalise(model, &self.bodies, &mut normal);
+        let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
+        same.then(|| (dense.step, self.raw.clone()))
     }
 
     /// The planned step's continuous answer for the slip angle of one of its contacts.

@@ -4,8 +4,8 @@
 //! So a run keeps polynomials until they take what the model allows, and starts from then on.
 
 use super::base::Base;
+use super::body_state;
 use super::engine::Engine;
-use super::flight::Planar;
 use super::island::Island;
 use super::replay::{Member, Seat};
 use super::track::Closed;
@@ -22,7 +22,7 @@ impl Engine {
         if !self.keeps_starts() {
             return None;
         }
-        let (length, states) = island.again()?;
+        let (length, states) = island.again(&self.model)?;
         let (stretch, flown) = if let Some(stretch) = island.stretch {
             (stretch, false)
         } else {
@@ -31,7 +31,8 @@ impl Engine {
             (self.replay.open(members, seats)?, flown)
         };
         island.stretch = Some(stretch);
-        self.replay.push(stretch, length, (!flown).then_some(states.as_slice()))
+        let width = body_state::width(self.model.kind);
+        self.replay.push(stretch, length, (!flown).then(|| states.chunks_exact(width)))
     }
 
     /// An island's contacts by what their logs say; nothing where these do not say all.
@@ -61,7 +62,8 @@ impl Engine {
     }
 
     /// Whether all of an island's bodies flew to where its planned step begins.
-    fn landed_at(&self, island: &Island, states: &[Planar]) -> bool {
+    fn landed_at(&self, island: &Island, states: &[f64]) -> bool {
+        let states = states.chunks_exact(body_state::width(self.model.kind));
         island.slots.iter().zip(&island.bases).zip(states).all(|((&slot, base), state)| {
             base.flown.is_some() && base.flown == self.landing(slot, base, state, island.from)
         })

@@ -1,16 +1,18 @@
 //! Steps that a long run does not keep as polynomials: their starts, from which the same step is taken again.
 //!
-//! An explicit step of a planar island depends on the state at its start, its length and the states of its contacts, which
-//! are logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either:
-//! they end in it, and what states in contact are counted from is where the flight before them ended.
+//! An explicit step of an island depends on the state at its start, its length and the states of its contacts, which are
+//! logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either: they
+//! end in it, and what states in contact are counted from is where the flight before them ended. The first slope of a spatial
+//! step is that of its start before quaternions were given their length, which is what is kept.
 
 use super::Model;
 use super::base::{self, Base};
-use super::body_state::PLANAR;
+use super::body_state::{self, PLANAR};
 use super::contact_log::ContactLog;
 use super::dop853::{Dense, Dop853};
 use super::field::{Active, Field, Scale, Sliding};
 use super::flight::{Planar, System};
+use super::island::normalise;
 use super::line::Line;
 use super::packed::Packed;
 use super::path::{BodyPath, Kept};
@@ -20,6 +22,8 @@ use crate::scene::Kind;
 
 /// No start is kept: the members' flights end in it.
 const FLOWN: u32 = u32::MAX;
+/// Most numbers of a base.
+const NUMBERS: usize = 7;
 /// Bit of a member's base that says where it stands.
 const KEPT: u32 = 1 << 31;
 
@@ -107,11 +111,16 @@ impl Replay {
 
     /// Keeps what states of a body are counted from; its number.
     pub(super) fn keep(&mut self, base: &Base) -> Option<u32> {
-        self.starts.push(&base.state()).filter(|number| number & KEPT == 0)
+        self.starts.push(&base.numbers()).filter(|number| number & KEPT == 0)
     }
 
     /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
-    pub(super) fn push(&mut self, stretch: u32, length: f64, start: Option<&[Planar]>) -> Option<u32> {
+    pub(super) fn push<'a>(
+        &mut self,
+        stretch: u32,
+        length: f64,
+        start: Option<impl ExactSizeIterator<Item = &'a [f64]>>,
+    ) -> Option<u32> {
         // A code of a path has 30 bits for it.
         let number = count(self.steps.len()).filter(|n| *n < 1 << 30)?;
         let first = match start {
@@ -153,7 +162,8 @@ impl Replay {
     /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<Piece> {
         let (dense, bases) = self.dense(number, from, past);
-        let piece = |(place, base)| Piece::of(&dense, place * PLANAR..(place + 1) * PLANAR, Some(base));
+        let width = body_state::width(past.model.kind);
+        let piece = |(place, base)| Piece::of(&dense, place * width..(place + 1) * width, Some(base));
         bases.iter().enumerate().map(piece).collect()
     }
 
@@ -161,16 +171,29 @@ impl Replay {
         let Step { length, stretch, start } = self.steps[number as usize];
         let (members, seats) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
-        // Where it was caught, and the speed that it had there.
+        let (kind, width) = (past.model.kind, body_state::width(past.model.kind));
+        // Where it was caught, and the speed that it had there where it flew.
         let caught = |member: &Member| {
-            let kept = member.base & KEPT != 0;
-            let mut state = if kept { self.starts.get(member.base & !KEPT) } else { landed(*member, past) };
-            (Base::of(Kind::Planar, &past.model.bodies[member.body as usize], &mut state), state)
+            let body = &past.model.bodies[member.body as usize];
+            if member.base & KEPT == 0 {
+                let mut state = landed(*member, past);
+                return (Base::of(kind, body, &mut state), state);
+            }
+            let mut numbers = [0.0; NUMBERS];
+            let numbers = &mut numbers[..if kind == Kind::Planar { PLANAR / 2 } else { NUMBERS }];
+            self.starts.read(member.base & !KEPT, numbers);
+            (Base::from_kept(kind, body, numbers), [0.0; PLANAR])
         };
         let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
         let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
-        let state = |(i, landed): (u32, &Planar)| if start == FLOWN { *landed } else { self.starts.get(start + i) };
-        let mut y: Vec<f64> = (0..).zip(&landed).flat_map(state).collect();
+        let mut y = vec![0.0; bodies.len() * width];
+        for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
+            if start == FLOWN {
+                state.copy_from_slice(landed);
+            } else {
+                self.starts.read(start + i, state);
+            }
+        }
         let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
         let line = Line::of(past.model, &bodies, &bases, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
@@ -215,6 +238,7 @@ fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense 
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
+    normalise(field.model, field.bodies, y);
     // It was within the tolerance.
     let _ = rk.attempt(field, from, y, length);
     rk.accept(field, from, y, length)

@@ -97,6 +97,11 @@ impl Stepper {
         stepper
     }
 
+    /// Only stability will change the method: there is no noise that could hold explicit steps short.
+    pub(super) fn trust(&mut self) {
+        self.trial = u32::MAX;
+    }
+
     /// Takes over the memory of an implicit method that is no longer in use.
     pub(super) fn borrow(&mut self, spare: Option<Box<Radau>>) {
         self.spare = spare;

@@ -79,6 +79,10 @@ mod tests {
         if let Motion::Sine(sine) = &mut scene.motion {
             sine.angle_deg = angle_deg;
         }
+        computed(scene, polynomials)
+    }
+
+    fn computed(scene: Scene, polynomials: usize) -> History {
         let mut model = Model::compile(&scene).expect("a scene");
         model.polynomials = polynomials;
         let model = Arc::new(model);
@@ -107,6 +111,26 @@ mod tests {
             }
             assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the books, too");
         }
+    }
+
+    /// A free deck that is shaken against its abutments.
+    fn deck(polynomials: usize) -> History {
+        computed(presets::load("deck-30m").expect("a preset"), polynomials)
+    }
+
+    #[test]
+    fn a_spatial_step_taken_again_is_the_same_to_the_last_bit() {
+        let (whole, none) = (deck(usize::MAX), deck(0));
+        let (kept, steps) = (none.replayed[0].len(), usize::try_from(whole.effort().steps).expect("few"));
+        assert!(kept > steps / 8, "those without sliding: {kept} of {steps}");
+        assert_eq!(whole.digest(), none.digest());
+        for i in 0..=1000 {
+            let t = whole.end() * f64::from(i) / 1000.0;
+            let bits = |history: &History| history.state(0, t).map(f64::to_bits);
+            assert_eq!(bits(&whole), bits(&none), "at {t}");
+        }
+        assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the books, too");
+        assert!(none.bytes() < whole.bytes(), "{} against {} bytes", none.bytes(), whole.bytes());
     }
 
     #[test]
