@@ -193,3 +193,27 @@ fn a_deck_pressed_from_rest_parts_again() {
     let history = support::run(&scene);
     assert!(history.events().iter().any(|e| e.kind == EventKind::Opened), "it parts as its bearings bring it back");
 }
+
+#[test]
+fn a_girder_tossed_at_a_backwall_tumbles_as_exactly_as_its_tolerance_says() {
+    let tossed = |tolerance: f64| {
+        let text = format!(
+            "name = \"tossed\"\nkind = \"spatial\"\nduration_s = 1.15\nsolver = {{ tolerance = {tolerance:e} }}\n\
+             [[girder]]\nname = \"g\"\nlength_m = 4.4\nwidth_m = 0.46\nthickness_m = 0.03\nmass_kg = 3e4\n\
+             position_m = [0, 0, 0]\ninitial = {{ velocity_m_s = [-11.4, 2.4, 0], spin_deg_s = 45 }}\n\
+             [[abutment]]\nname = \"west\"\nfaces = \"g\"\nend = \"-x\"\ngap_m = 0.08\n\
+             [contact]\nstiffness_n_per_m = 4e7\nrestitution_normal = 0.02\nrestitution_tangential = 0.7\n\
+             mu_static = 1.0\nmu_kinetic = 0.7\n"
+        );
+        run(&scene(&text))
+    };
+    let truth = tossed(1e-12);
+    assert!(truth.motion(0, 1.0).spin.truncate().length() > 0.5, "friction sets it tumbling");
+    for tolerance in [1e-5, 1e-6, 1e-7] {
+        let history = tossed(tolerance);
+        let turned =
+            |t: f64| 2.0 * (history.motion(0, t).attitude.inverse() * truth.motion(0, t).attitude).xyz().length();
+        // It tumbles by some five radians: a tolerance for each.
+        within("attitude", (1..=50).map(|i| turned(1.15 * f64::from(i) / 50.0)).fold(0.0, f64::max), 5.0 * tolerance);
+    }
+}
