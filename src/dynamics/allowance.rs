@@ -94,13 +94,16 @@ impl Island {
         let speed = speed2.sqrt().max(1e-3 * floor).max(TURNING * gained / omega);
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
-        let rounding = if self.stepper.pace().stiff { IMPLICIT_ROUNDING } else { ROUNDING };
+        let pace = self.stepper.pace();
+        let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { ROUNDING };
         let long = if self.active.is_empty() { SWINGING } else { LONG };
         let asked = model.tolerance * (long / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(FINEST));
         let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
         self.distance = if strayed { Distance::Strayed } else { Distance::Near };
-        let speed = tolerance * speed + rounding * (bits + floor.max(heft / omega));
+        // What carries a weight rounds for as long as the step goes on.
+        let carried = heft * (1.0 / omega).min(if pace.step > 0.0 { pace.step } else { f64::INFINITY });
+        let speed = tolerance * speed + rounding * (bits + floor.max(carried));
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
