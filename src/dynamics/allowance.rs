@@ -101,9 +101,9 @@ impl Island {
         let tolerance = asked.max(model.tolerance.min(FINEST));
         let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
         self.distance = if strayed { Distance::Strayed } else { Distance::Near };
-        // What carries a weight rounds for as long as the step goes on.
-        let carried = heft * (1.0 / omega).min(if pace.step > 0.0 { pace.step } else { f64::INFINITY });
-        let speed = tolerance * speed + rounding * (bits + floor.max(carried));
+        // What carries a weight rounds for as long as the step goes on, but swings back within a radian.
+        let span = if pace.step > 0.0 { pace.step.min(1.0 / omega) } else { 1.0 / omega };
+        let speed = tolerance * speed + rounding * (bits + floor.max(heft * span));
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());

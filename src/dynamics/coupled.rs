@@ -24,7 +24,7 @@ pub const VALUE: usize = 8;
 /// Where the constant 1 stands.
 pub const ONE: usize = 10;
 
-/// Terms of the Taylor series: at most 0.5 per factor, the last is 0.5^20/20! ≈ 4e-25.
+/// Terms of the Taylor series: at most 0.5 per factor, the last is 0.5^20/20! ≈ 4e-25, below ε after 1e8 cells.
 const TERMS: u32 = 20;
 
 /// A coupled linear system and the powers of its propagator.
