@@ -187,9 +187,10 @@ fn spans(history: &History) -> Vec<Span> {
             // It takes no time.
             continue;
         }
-        let Some(slot) = open.get_mut(event.contact) else { continue };
+        let Some(slot) = open.get_mut(event.contact()) else { continue };
         if let Some((state, start)) = slot.take() {
-            spans.push(Span { pair: event.pair, state, start, end: event.t });
+            let pair = history.model().contacts[event.contact()].pair;
+            spans.push(Span { pair, state, start, end: event.t });
         }
         *slot = after(event.kind).map(|state| (state, event.t));
     }

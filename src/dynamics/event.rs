@@ -52,14 +52,24 @@ impl EventKind {
 pub struct Event {
     /// When \[s\].
     pub t: f64,
-    /// The facing pair.
-    pub pair: usize,
-    /// The contact.
-    pub contact: usize,
+    /// The contact: half a `usize`, because a row of girders has millions of events.
+    contact: u32,
     /// What.
     pub kind: EventKind,
     /// Energy that a jump of the anchor released (section 9), or that a hit lost \[J\].
     pub released: f64,
+}
+
+impl Event {
+    pub(crate) fn new(t: f64, contact: usize, kind: EventKind, released: f64) -> Self {
+        // More contacts than a u32 counts would not fit into memory.
+        Self { t, contact: u32::try_from(contact).unwrap_or(u32::MAX), kind, released }
+    }
+
+    /// Number of the contact in the model, which knows its pair.
+    pub fn contact(&self) -> usize {
+        self.contact as usize
+    }
 }
 
 /// Why a run stopped before its end.

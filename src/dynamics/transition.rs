@@ -75,10 +75,8 @@ impl Engine {
 
     fn log(&mut self, contact: usize, now: &Juncture, state: Contact, kind: EventKind, released: f64) {
         self.note(contact, state, now);
-        let (t, track) = (now.t, &self.contacts[contact]);
-        let (site, pair) = (track.site, self.pairs[track.pair].pair);
-        self.events.push(Event { t, pair, contact: site, kind, released });
-        self.counted(contact, t);
+        self.events.push(Event::new(now.t, self.contacts[contact].site, kind, released));
+        self.counted(contact, now.t);
     }
 
     /// A change within a state: kept, but no event.

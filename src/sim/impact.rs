@@ -16,10 +16,10 @@ pub(super) fn events(record: &Record, model: &Model) -> Vec<Event> {
     let mut all: Vec<Event> = Vec::new();
     for hit in &record.hits {
         let contact = hit.sites.first().copied().unwrap_or(model.pairs[hit.pair].contacts.start);
-        all.push(Event { t: hit.t, pair: hit.pair, contact, kind: EventKind::Hit, released: hit.lost });
+        all.push(Event::new(hit.t, contact, EventKind::Hit, hit.lost));
     }
-    for (pair, site, spans) in spans(record) {
-        let event = |t: f64, kind: EventKind| Event { t, pair, contact: site, kind, released: 0.0 };
+    for (_, site, spans) in spans(record) {
+        let event = |t: f64, kind: EventKind| Event::new(t, site, kind, 0.0);
         for (i, &(from, until, state)) in spans.iter().enumerate() {
             let before = i.checked_sub(1).and_then(|j| spans.get(j)).filter(|(_, end, _)| *end == from);
             match (before.map(|(_, _, state)| *state), state) {

@@ -13,15 +13,15 @@ pub fn events(history: &History) -> Vec<u8> {
 
 fn row(history: &History, event: &Event) -> Vec<String> {
     let model = history.model();
-    let (pair, site) = (&model.pairs[event.pair], &model.contacts[event.contact]);
+    let site = &model.contacts[event.contact()];
     vec![
         number(event.t),
-        pair.name.clone(),
+        model.pairs[site.pair].name.clone(),
         event.kind.label().to_owned(),
         site.node.clone(),
         site.face_name.to_string(),
         number(event.released),
-        law_of(history, event.pair).to_owned(),
+        law_of(history, site.pair).to_owned(),
     ]
 }
 
