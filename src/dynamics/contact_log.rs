@@ -8,17 +8,18 @@ use super::dop853::Dense;
 use super::track::{Closed, Contact};
 use crate::contact::{Law, Mode, law::Friction};
 
-/// A state and when it began.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    from: f64,
-    kept: Kept,
-}
-
+/// A state, in twelve bytes.
 #[derive(Clone, Copy, Debug)]
 enum Kept {
     Open { armed: bool },
-    Closed { touch: u32, mode: Mode, passing: bool, slack: bool },
+    Closed { touch: u32, hold: Hold, passing: bool, slack: bool },
+}
+
+/// A [`Mode`], its vector by its number.
+#[derive(Clone, Copy, Debug)]
+enum Hold {
+    Stick(u32),
+    Slip(u32),
 }
 
 /// What all states of a touch have in common, as long as they are counted from the same bases.
@@ -35,7 +36,11 @@ struct Touch {
 /// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
 #[derive(Clone, Debug, Default)]
 pub struct ContactLog {
-    entries: Vec<Entry>,
+    /// When each state began \[s\].
+    from: Vec<f64>,
+    states: Vec<Kept>,
+    /// Anchors \[m\] and directions, one after another.
+    vectors: Vec<DVec2>,
     /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased \[m\].
     laws: Vec<(Law, f64)>,
     touches: Vec<Touch>,
@@ -61,10 +66,24 @@ impl ContactLog {
                 if self.touches.last() != Some(&touch) {
                     self.touches.push(touch);
                 }
-                Kept::Closed { touch: last(self.touches.len()), mode, passing, slack }
+                let hold = match mode {
+                    Mode::Stick { anchor } => Hold::Stick(self.vector(anchor)),
+                    Mode::Slip { direction } => Hold::Slip(self.vector(direction)),
+                };
+                Kept::Closed { touch: last(self.touches.len()), hold, passing, slack }
             }
         };
-        self.entries.push(Entry { from, kept });
+        self.from.push(from);
+        self.states.push(kept);
+    }
+
+    /// Keeps an anchor or a direction, once where it is the last one again: a straight row's are all the same; its number.
+    fn vector(&mut self, vector: DVec2) -> u32 {
+        let bits = |v: &DVec2| v.to_array().map(f64::to_bits);
+        if self.vectors.last().map(bits) != Some(bits(&vector)) {
+            self.vectors.push(vector);
+        }
+        u32::try_from(self.vectors.len() - 1).unwrap_or(u32::MAX)
     }
 
     /// Keeps a place of the node; its number, from 1 on.
@@ -77,7 +96,7 @@ impl ContactLog {
 
     /// States with the times that they hold from, a turning slip in the direction that it began with.
     pub fn states(&self) -> impl ExactSizeIterator<Item = (f64, Contact)> + '_ {
-        self.entries.iter().map(|entry| (entry.from, self.whole(entry.kept)))
+        self.from.iter().zip(&self.states).map(|(from, kept)| (*from, self.whole(*kept)))
     }
 
     /// From where anchors of the last touch are counted: a way along the face \[m\].
@@ -87,18 +106,19 @@ impl ContactLog {
 
     /// Number of the latest state.
     pub fn latest(&self) -> Option<u32> {
-        u32::try_from(self.entries.len().checked_sub(1)?).ok()
+        u32::try_from(self.states.len().checked_sub(1)?).ok()
     }
 
     /// A closed state by its number as it was entered, a turning slip in the direction that it began with.
     pub fn closed(&self, number: u32) -> Option<Closed> {
-        self.entered(self.entries.get(number as usize)?.kept).closed().copied()
+        self.entered(*self.states.get(number as usize)?).closed().copied()
     }
 
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let angles: usize = self.angles.iter().map(|(_, dense)| size_of_val(dense.coefficients())).sum();
-        self.entries.len() * size_of::<Entry>()
+        self.states.len() * (size_of::<f64>() + size_of::<Kept>())
+            + self.vectors.len() * size_of::<DVec2>()
             + self.laws.len() * size_of::<(Law, f64)>()
             + self.touches.len() * size_of::<Touch>()
             + self.carried.len() * size_of::<DVec3>()
@@ -121,10 +141,14 @@ impl ContactLog {
     fn entered(&self, kept: Kept) -> Contact {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },
-            Kept::Closed { touch, mode, passing, slack } => {
+            Kept::Closed { touch, hold, passing, slack } => {
                 let Touch { law, at, .. } = self.touches[touch as usize];
                 let at = at.and_then(|number| self.carried.get(number.get() as usize - 1)).copied();
                 let (law, ease) = self.laws[law as usize];
+                let mode = match hold {
+                    Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
+                    Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
+                };
                 Contact::Closed(Closed {
                     law,
                     mode,
@@ -141,18 +165,21 @@ impl ContactLog {
 
     /// The state at `t`; of several at one instant, the last.
     pub fn at(&self, t: f64) -> Contact {
-        let n = self.entries.partition_point(|entry| entry.from <= t);
-        match n.checked_sub(1).and_then(|i| self.entries.get(i)) {
-            Some(entry) => self.turned(self.whole(entry.kept), t),
+        match self.holding_at(t) {
+            Some(kept) => self.turned(self.whole(kept), t),
             None => Contact::Open { armed: true },
         }
     }
 
     /// The closed state at `t`, its anchor counted from where the bases of its bodies are.
     pub fn since(&self, t: f64) -> Option<Closed> {
-        let n = self.entries.partition_point(|entry| entry.from <= t);
-        let entry = self.entries.get(n.checked_sub(1)?)?;
-        self.turned(self.entered(entry.kept), t).closed().copied()
+        self.turned(self.entered(self.holding_at(t)?), t).closed().copied()
+    }
+
+    /// What was entered last at `t` or before.
+    fn holding_at(&self, t: f64) -> Option<Kept> {
+        let begun = self.from.partition_point(|from| *from <= t);
+        self.states.get(begun.checked_sub(1)?).copied()
     }
 
     fn turned(&self, contact: Contact, t: f64) -> Contact {
@@ -170,7 +197,9 @@ impl ContactLog {
 
     /// Gives back the memory that more states would have taken.
     pub fn shrink(&mut self) {
-        self.entries.shrink_to_fit();
+        self.from.shrink_to_fit();
+        self.states.shrink_to_fit();
+        self.vectors.shrink_to_fit();
         self.laws.shrink_to_fit();
         self.touches.shrink_to_fit();
         self.carried.shrink_to_fit();
