@@ -90,9 +90,10 @@ impl Base {
         [self.shift.x, self.shift.y, self.angle, 0.0, 0.0, 0.0]
     }
 
-    /// A base from numbers that may all be 0, where the body was placed.
+    /// A base from the numbers of where it is, which may be where the body was placed.
     pub(super) fn from_kept(kind: Kind, body: &Body, numbers: &[f64]) -> Self {
-        if numbers.iter().all(|x| *x == 0.0) { Self::placed(kind, body) } else { Self::by(kind, body, numbers) }
+        let base = Self::by(kind, body, numbers);
+        if base.is_placed() { Self::placed(kind, body) } else { base }
     }
 
     /// The pose there, at rest; all that is counted from it is independent of where the body was placed.

@@ -1,29 +1,39 @@
-//! States in a row, without the components that are 0: a girder hit head-on moves along one axis and never turns.
+//! States in a row, without the components that are as at rest: a girder hit head-on moves along one axis and never turns.
 
 /// States in the order they were put in, bit for bit.
 #[derive(Clone, Debug, Default)]
 pub struct Packed {
     /// Which components of a state are kept, lowest bit first.
     masks: Vec<u16>,
-    /// Where they begin.
+    /// Where the numbers of every [`STRIDE`]-th state begin; the masks between tell the others.
     places: Vec<u32>,
     numbers: Vec<f64>,
 }
 
-/// Bytes of a state beside its numbers.
-const ENTRY: usize = size_of::<u16>() + size_of::<u32>();
+const STRIDE: usize = 8;
+/// Most components of a state.
+const WIDTH: usize = 16;
+/// What is left out: a body where it was placed, at rest. Whatever has a seventh component has turned by a quaternion, whose
+/// w stands there.
+const REST: [f64; WIDTH] = {
+    let mut rest = [0.0; WIDTH];
+    rest[6] = 1.0;
+    rest
+};
 
 impl Packed {
-    /// Puts a state of at most 16 components in; its number. Nothing where more numbers are kept than can be counted.
+    /// Puts a state of at most [`WIDTH`] components in; its number. Nothing where more numbers are kept than can be counted.
     pub fn push(&mut self, state: &[f64]) -> Option<u32> {
         let number = u32::try_from(self.masks.len()).ok()?;
         let at = u32::try_from(self.numbers.len()).ok()?;
         // By its bits: −0 is kept.
-        let kept = |i: &usize| state[*i].to_bits() != 0;
-        let mask = (0..state.len()).filter(kept).fold(0, |mask, i| mask | 1 << i);
-        self.numbers.extend(state.iter().filter(|x| x.to_bits() != 0));
+        let moved = state.iter().zip(REST).enumerate().filter(|(_, (x, rest))| x.to_bits() != rest.to_bits());
+        let mask = moved.clone().fold(0, |mask, (i, _)| mask | 1 << i);
+        self.numbers.extend(moved.map(|(_, (x, _))| x));
+        if self.masks.len().is_multiple_of(STRIDE) {
+            self.places.push(at);
+        }
         self.masks.push(mask);
-        self.places.push(at);
         Some(number)
     }
 
@@ -45,10 +55,12 @@ impl Packed {
 
     /// A state, written to `out`.
     pub fn read(&self, number: u32, out: &mut [f64]) {
-        let mask = self.masks[number as usize];
-        let mut numbers = self.numbers[self.places[number as usize] as usize..].iter();
-        for (i, x) in out.iter_mut().enumerate() {
-            *x = if mask & 1 << i == 0 { 0.0 } else { numbers.next().copied().unwrap_or(0.0) };
+        let number = number as usize;
+        let (mask, first) = (self.masks[number], number / STRIDE);
+        let before = self.masks[first * STRIDE..number].iter().map(|mask| mask.count_ones() as usize).sum::<usize>();
+        let mut numbers = self.numbers[self.places[first] as usize + before..].iter();
+        for ((i, x), rest) in out.iter_mut().enumerate().zip(REST) {
+            *x = if mask & 1 << i == 0 { rest } else { numbers.next().copied().unwrap_or(rest) };
         }
     }
 
@@ -61,7 +73,9 @@ impl Packed {
 
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
-        self.masks.len() * ENTRY + self.numbers.len() * size_of::<f64>()
+        self.masks.len() * size_of::<u16>()
+            + self.places.len() * size_of::<u32>()
+            + self.numbers.len() * size_of::<f64>()
     }
 
     /// Gives back the memory that more states would have taken.
@@ -77,13 +91,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn states_come_back_bit_for_bit_and_zeros_take_nothing() {
-        let states = [[0.0; 6], [1.0, 0.0, -0.0, 2.0, 0.0, 0.0], [1.0, 2.0, 3.0, 4.0, 5.0, f64::MIN_POSITIVE]];
+    fn states_come_back_bit_for_bit_and_rest_takes_nothing() {
+        let few = [[0.0; 6], [1.0, 0.0, -0.0, 2.0, 0.0, 0.0], [1.0, 2.0, 3.0, 4.0, 5.0, f64::MIN_POSITIVE]];
+        let states = [few, few, few, few, few, few].concat();
         let mut packed = Packed::default();
         let numbers: Vec<u32> = states.iter().map(|state| packed.push(state).expect("few")).collect();
         for (state, number) in states.iter().zip(numbers) {
             assert_eq!(state.map(f64::to_bits), packed.get::<6>(number).map(f64::to_bits), "state {number}");
         }
-        assert_eq!(packed.bytes(), 3 * ENTRY + 9 * 8, "nine numbers are not 0");
+        assert_eq!(packed.bytes(), 18 * 2 + 3 * 4 + 6 * 9 * 8, "nine numbers of three states are not 0");
+        let mut turned = Packed::default();
+        let states = [REST[..7].to_vec(), vec![0.0; 7], [&REST[..7], &[0.5; 6]].concat()];
+        for (number, state) in (0..).zip(&states) {
+            assert_eq!(turned.push(state), Some(number));
+        }
+        let mut out = [9.0; 13];
+        for (number, state) in (0..).zip(&states) {
+            turned.read(number, &mut out[..state.len()]);
+            assert_eq!(out[..state.len()], state[..], "state {number}");
+        }
+        assert_eq!(turned.numbers.len(), 7, "a w of 0 and six speeds");
     }
 }
