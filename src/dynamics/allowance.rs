@@ -35,6 +35,8 @@ const NEAR: f64 = 1e-2;
 /// However near, no step is asked to err by less than what this part of that rounds with: a swing so small that nothing damps
 /// it would be followed for ever.
 const BEYOND_DOUBT: f64 = 0.1;
+/// The same where a slip turns: its steps are implicit and need not follow such a swing.
+const TURNING_DOUBT: f64 = 0.01;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
 const FINEST: f64 = 1e-13;
 
@@ -46,6 +48,8 @@ impl Island {
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near, mut heft) = (0.0f64, 0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
+        let turns = self.active.iter().any(|active| active.angle.is_some());
+        let doubt = if turns { TURNING_DOUBT } else { BEYOND_DOUBT };
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let body = &model.bodies[b];
@@ -55,7 +59,7 @@ impl Island {
             place = place.max(here.shift.length() + self.radii[i]);
             let since = here.moved(self.radii[i]);
             self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
-            let known = since.max(BEYOND_DOUBT * self.moved[i]);
+            let known = since.max(doubt * self.moved[i]);
             bits = bits.max(omega * known + here.speed(self.radii[i]));
             (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);

@@ -150,7 +150,7 @@ impl Engine {
     fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<watch::Due>)> {
         let (model, together) = (Arc::clone(&self.model), 1e-9 / island.omega());
         let (t, due) = watch::first_due(&model, island, together)?;
-        if !island.end_beyond(&model, t) {
+        if !island.end_beyond(&model, t, &due) {
             return Some((t, due));
         }
         self.effort.steps += 1;

@@ -11,6 +11,7 @@ use super::piece::Piece;
 use super::radau::Radau;
 use super::stepper::{Limits, Pace, Stepper};
 use super::track::Closed;
+use super::watch::{Due, Reason};
 use crate::contact::{Frame, Mode};
 use crate::motion::LinearPiece;
 use crate::scene::Kind;
@@ -20,8 +21,11 @@ use crate::scene::Kind;
 const SMALLEST: f64 = 1e-12;
 /// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
 const INSIDE: f64 = 0.03;
-/// A step taken again for an event goes this part further.
+/// An explicit step taken again for an event goes this part further, and an implicit one, whose end knows what lies beyond.
 const BEYOND: f64 = 1e-3;
+const IMPLICIT_BEYOND: f64 = 1e-5;
+/// Only below this tolerance: above, an implicit step across the end of a touch is as good.
+const FINE: f64 = 1e-9;
 /// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
 const FIRST: f64 = 0.48;
 
@@ -53,12 +57,14 @@ pub(super) struct Island {
     raw: Vec<f64>,
     next_raw: Vec<f64>,
     /// What is due at `until`, if anything but the next step.
-    pub due: Vec<super::watch::Due>,
+    pub due: Vec<Due>,
     pub(super) dense: Option<Dense>,
     pub(super) y: Vec<f64>,
     /// Stretches in the longest of its bodies' paths, with the planned step.
     pub taken: usize,
     explicit: bool,
+    /// What the error of the planned step was measured against.
+    measure: Scale,
     pub(super) stepper: Stepper,
     pub(super) omega: f64,
     /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
@@ -141,6 +147,7 @@ impl Island {
             dense: None,
             taken: 0,
             explicit: false,
+            measure: Scale::default(),
             stepper: Stepper::new(y.len(), pace),
             y,
             distance: Distance::Near,
@@ -197,23 +204,6 @@ impl Island {
         }
     }
 
-    /// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
-    pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
-        let width = body_state::width(model.kind);
-        let slope = self.stepper.slope();
-        let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-        // Places go on with half of what the velocities gain.
-        let (places, speeds) = if model.kind == Kind::Planar { (0..3, 3) } else { (0..3, 7) };
-        for body in 0..self.bodies.len() {
-            places.clone().for_each(|i| moved[body * width + i] += 0.5 * dt * dt * slope[body * width + speeds + i]);
-            if model.kind == Kind::Spatial {
-                body_state::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
-            }
-        }
-        let frame = |(i, &body): (usize, &usize)| self.bases[i].since(&model.bodies[body], &moved[i * width..]);
-        self.bodies.iter().enumerate().map(frame).collect()
-    }
-
     /// Plans the next step from `from`, at most to `cap`; something is likely to change after `soon` \[s\].
     ///
     /// # Errors
@@ -223,6 +213,7 @@ impl Island {
         self.from = t;
         self.taken += 1;
         let scale = self.scale(model);
+        self.measure = scale;
         if self.note_faces(model) {
             self.rewind(model, t);
         }
@@ -255,14 +246,18 @@ impl Island {
 
     /// Takes the planned step again so that it ends just beyond `t`, well inside it: between its ends the continuous answer is
     /// an order less exact than at them, and what happens at `t` is to start from its end. Whether it did.
-    pub(super) fn end_beyond(&mut self, model: &Model, t: f64) -> bool {
+    pub(super) fn end_beyond(&mut self, model: &Model, t: f64, due: &[Due]) -> bool {
         let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
         let part = (t - self.from) / dense.step;
-        if !self.explicit || !(INSIDE..1.0 - INSIDE).contains(&part) {
+        if !(INSIDE..1.0 - INSIDE).contains(&part) {
             return false;
         }
-        let (from, h) = (self.from, (t - self.from) * (1.0 + BEYOND));
-        let mut y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
+        let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
+        if !self.explicit {
+            let turns = |due: &Due| due.reason == Reason::Opening && self.active[due.number].angle.is_some();
+            return model.tolerance < FINE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
+        }
+        let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + BEYOND), y);
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
@@ -274,6 +269,25 @@ impl Island {
         self.sloped = (from + dense.step, number);
         (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
         true
+    }
+
+    /// The same of an implicit step from `y` in which a touch ends whose slip turns: its direction bends sharply there, and
+    /// the continuous answer of a step across that is right on neither side.
+    fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
+        let (from, h) = (self.from, (t - self.from) * (1.0 + IMPLICIT_BEYOND));
+        let number = model.ground.piece_number(from);
+        let piece = model.ground.piece(number);
+        let mut stepper = std::mem::take(&mut self.stepper);
+        let measure = self.measure;
+        let dense = stepper.again_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
+        let ended = dense.is_some();
+        if let Some(dense) = dense {
+            normalise(model, &self.bodies, &mut y);
+            (self.y, self.until, self.dense) = (y, from + dense.step, Some(dense));
+        }
+        self.stepper = stepper;
+        self.rewind(model, self.until);
+        ended
     }
 
     /// After everything is counted from elsewhere: the next step begins anew.

@@ -1,11 +1,14 @@
 //! How soon something will change, by the slopes at the start of a step: two nodes of one edge touch microseconds after
 //! one another, and a step that reaches far beyond would be taken, or tried and refused, for nothing.
 
+use super::Model;
+use super::body_state;
 use super::engine::Engine;
 use super::island::Island;
 use super::track::Contact;
 use super::watch::{Reason, function, reasons};
 use crate::contact::{Frame, Local, locate};
+use crate::scene::Kind;
 
 /// How far ahead the slopes are asked, in radians of the fastest motion.
 const AHEAD: f64 = 1e-4;
@@ -84,5 +87,24 @@ fn value(engine: &Engine, island: &Island, change: Change, here: &Local) -> f64 
     match change {
         Change::State(number, reason) => function(&engine.model, island, number, reason, here, island.until),
         Change::Closing(_) => -here.gap,
+    }
+}
+
+impl Island {
+    /// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
+    pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
+        let width = body_state::width(model.kind);
+        let slope = self.stepper.slope();
+        let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
+        // Places go on with half of what the velocities gain.
+        let (places, speeds) = if model.kind == Kind::Planar { (0..3, 3) } else { (0..3, 7) };
+        for body in 0..self.bodies.len() {
+            places.clone().for_each(|i| moved[body * width + i] += 0.5 * dt * dt * slope[body * width + speeds + i]);
+            if model.kind == Kind::Spatial {
+                body_state::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
+            }
+        }
+        let frame = |(i, &body): (usize, &usize)| self.bases[i].since(&model.bodies[body], &moved[i * width..]);
+        self.bodies.iter().enumerate().map(frame).collect()
     }
 }

@@ -179,6 +179,17 @@ impl Stepper {
         self.rk.accept(system, t, y, h)
     }
 
+    /// The same of an implicit step; nothing where that is not within the tolerance. The next step has to be started.
+    pub(super) fn again_implicit(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Option<Dense> {
+        self.rk.start(system, t, y);
+        let radau = self.radau.as_mut()?;
+        radau.forget();
+        if radau.attempt(system, t, y, self.rk.slope(), h) > 1.0 {
+            return None;
+        }
+        Some(radau.accept(t, y, h))
+    }
+
     /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
     fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.pace.stiff {
