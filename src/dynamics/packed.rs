@@ -22,7 +22,7 @@ const REST: [f64; WIDTH] = {
 };
 
 impl Packed {
-    /// Puts a state of at most [`WIDTH`] components in; its number. Nothing where more numbers are kept than can be counted.
+    /// Puts a state of at most 16 components in; its number. Nothing where more numbers are kept than can be counted.
     pub fn push(&mut self, state: &[f64]) -> Option<u32> {
         let number = u32::try_from(self.masks.len()).ok()?;
         let at = u32::try_from(self.numbers.len()).ok()?;
