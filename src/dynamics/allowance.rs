@@ -35,7 +35,8 @@ const NEAR: f64 = 1e-2;
 /// However near, no step is asked to err by less than what this part of that rounds with: a swing so small that nothing damps
 /// it would be followed for ever.
 const BEYOND_DOUBT: f64 = 0.1;
-/// The same where a slip turns: its steps are implicit and need not follow such a swing.
+/// The same where a slip turns: its steps are implicit and need not follow such a swing, and a tenth of what contacts of
+/// grams under 1e12 N/m round with is more than they may err by.
 const TURNING_DOUBT: f64 = 0.01;
 /// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
 const FINEST: f64 = 1e-13;

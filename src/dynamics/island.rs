@@ -24,7 +24,7 @@ const INSIDE: f64 = 0.03;
 /// An explicit step taken again for an event goes this part further, and an implicit one, whose end knows what lies beyond.
 const BEYOND: f64 = 1e-3;
 const IMPLICIT_BEYOND: f64 = 1e-5;
-/// Only below this tolerance: above, an implicit step across the end of a touch is as good.
+/// Only below this tolerance: from there on the 30 m deck is as exact without, for a tenth less work.
 const FINE: f64 = 1e-9;
 /// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
 const FIRST: f64 = 0.48;
