@@ -42,7 +42,7 @@ impl Active {
     }
 
     /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
-    fn turns_at_once(&self) -> bool {
+    pub(super) fn turns_at_once(&self) -> bool {
         let law = &self.closed.law;
         let slips = matches!(self.closed.mode, Mode::Slip { .. });
         slips && law.friction == Friction::Paper && law.v_stick > 0.0 && law.mu_k > 0.0

@@ -254,7 +254,11 @@ impl Island {
         }
         let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
         if !self.explicit {
-            let turns = |due: &Due| due.reason == Reason::Opening && self.active[due.number].angle.is_some();
+            let turns = |due: &Due| match due.reason {
+                Reason::Opening => self.active[due.number].angle.is_some(),
+                Reason::Switching => self.active[due.number].turns_at_once(),
+                Reason::Edge | Reason::Kink => false,
+            };
             return model.tolerance < FINE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
         }
         let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + BEYOND), y);
@@ -271,8 +275,8 @@ impl Island {
         true
     }
 
-    /// The same of an implicit step from `y` in which a touch ends whose slip turns: its direction bends sharply there, and
-    /// the continuous answer of a step across that is right on neither side.
+    /// The same of an implicit step from `y` in which a touch ends whose slip turns, or sliding stops that turns at once: a
+    /// direction bends sharply there, and the continuous answer of a step across that is right on neither side.
     fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
         let (from, h) = (self.from, (t - self.from) * (1.0 + IMPLICIT_BEYOND));
         let number = model.ground.piece_number(from);
