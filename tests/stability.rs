@@ -22,8 +22,8 @@ const SEEDS: u64 = 500;
 /// steps measured against a weight that bearings hold (4461, 6903), stick and slip that alternate over a long step (5076),
 /// steps over what decays where their estimate is blind (4360, 4974, 6924), a swing whose errors add up (7249), Jacobians
 /// across a face (2668, 3328), chance that was trusted (7696), a stop in 1e-13 s (1015), a slip that turns where its touch ends
-/// (4994) or that stops (3191), a million steps of a girder that tumbles, and a blow shorter than a billion roundings of its
-/// time (5735).
+/// (4994) or that stops (3191), a million steps of a girder that tumbles, and a blow in steps of less than a billion
+/// roundings of its time (5735).
 const ONCE: &[u64] = &[
     647, 776, 1002, 1015, 1040, 1150, 1151, 1167, 1192, 1223, 1274, 1420, 1502, 1570, 1610, 1656, 1737, 1794, 1807,
     1849, 2080, 2238, 2357, 2473, 2513, 2538, 2668, 3121, 3191, 3263, 3292, 3300, 3328, 3329, 3552, 3729, 3810, 4360,
