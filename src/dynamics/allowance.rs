@@ -50,7 +50,7 @@ impl Island {
     pub(super) fn scale(&mut self, model: &Model) -> Scale {
         let (omega, width) = (self.omega.max(self.turning(model)), body_state::width(model.kind));
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
-        let (mut farthest, mut near, mut heft) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut farthest, mut near) = (0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
         let turns = self.active.iter().any(|active| active.angle.is_some());
         let doubt = if turns { TURNING_DOUBT } else { BEYOND_DOUBT };
@@ -68,11 +68,8 @@ impl Island {
             bits = bits.max(self.omega * known + here.speed(self.radii[i]));
             (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
-            // Bearings carry the weight, or what holds the body does.
-            heft = heft.max(model.gravity.max(body.quickness.carried));
             if body.free[2] {
-                let carried = body.bearings.iter().map(|b| b.preload.z).sum::<f64>() / body.mass;
-                weight = weight.max((model.gravity - carried).abs());
+                weight = weight.max(body.standing.left.abs() / body.mass);
             }
             if self.active.is_empty() {
                 gained = gained.max(self.gained(model, i));
@@ -110,9 +107,7 @@ impl Island {
         let tolerance = asked.max(model.tolerance.min(finest));
         let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
         self.distance = if strayed { Distance::Strayed } else { Distance::Near };
-        // What carries a weight rounds for as long as the step goes on, but swings back within a radian.
-        let span = if pace.step > 0.0 { pace.step.min(1.0 / omega) } else { 1.0 / omega };
-        let speed = tolerance * speed + rounding * (bits + floor.max(heft * span));
+        let speed = tolerance * speed + rounding * (bits + floor);
         // A direction counts by the place that it puts p at.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());

@@ -8,6 +8,8 @@ use glam::{DMat3, DVec3};
 
 /// Eccentricity below this part of the matrix is rounding of the legs' places.
 const DECOUPLED: f64 = 1e-14;
+/// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
+const CARRIED: f64 = 1e-12;
 
 /// One bearing of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +22,15 @@ pub struct Bearing {
     pub damping: DVec3,
     /// Force at rest, which carries the girder's weight (spatial) \[N\].
     pub preload: DVec3,
+}
+
+/// A girder's weight on its bearings, of which the preloads need not be added up again: they cancel it exactly.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Standing {
+    /// What the bearings leave of it, upwards \[N\].
+    pub left: f64,
+    /// `Σ f l`: the preloads by their levers from G, in the body frame; upright where they leave no moment \[N·m\].
+    pub lever: DVec3,
 }
 
 /// Stiffness and dashpots of a planar girder over `(x, y, θ)`, world axes: symmetric matrices, N/m, N and N·m.
@@ -92,7 +103,7 @@ fn ratio(part: f64, whole: f64) -> f64 {
 
 /// Vertical forces that carry a weight on the bearings without a moment about G, shared by vertical stiffness: the
 /// least-norm answer of `Σ f = W`, `Σ f l = 0`. Where the bearings stand on a line or a point, what they can.
-pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) {
+pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     let levers: Vec<DVec3> = bearings.iter().map(|b| axes * b.place).collect();
     let shares: Vec<f64> = bearings.iter().map(|b| b.stiffness.z).collect();
     let mut gram = DMat3::ZERO;
@@ -105,11 +116,19 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) {
     gram.y_axis.y += floor;
     gram.z_axis.z += floor;
     if gram.x_axis.x == 0.0 {
-        return;
+        return Standing { left: -weight, lever: DVec3::ZERO };
     }
     let factor = gram.inverse() * DVec3::new(weight, 0.0, 0.0);
     for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
         bearing.preload = DVec3::Z * (k * (factor.x + factor.y * l.x + factor.z * l.y));
+    }
+    let forces: f64 = bearings.iter().map(|b| b.preload.z).sum();
+    let lever: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
+    let levers: f64 = bearings.iter().map(|b| b.place.length() * b.preload.z.abs()).sum();
+    let more = |part: f64, whole: f64| if part.abs() > CARRIED * whole { part } else { 0.0 };
+    Standing {
+        left: more(forces - weight, weight),
+        lever: DVec3::new(more(lever.x, levers), more(lever.y, levers), lever.z),
     }
 }
 
@@ -145,10 +164,19 @@ mod tests {
     #[test]
     fn the_weight_is_carried_without_a_moment() {
         let mut bearings = legs(0.013);
-        carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let standing = carry(50.0, &mut bearings, DMat3::IDENTITY);
         let total: DVec3 = bearings.iter().map(|b| b.preload).sum();
         let moment: DVec3 = bearings.iter().map(|b| b.place.cross(b.preload)).sum();
         assert!((total.z - 50.0).abs() < 1e-11, "whole weight, got {}", total.z);
         assert!(moment.length() < 1e-11, "no moment, got {moment}");
+        assert_eq!(standing, Standing::default(), "exactly: all legs are as high as G");
+    }
+
+    #[test]
+    fn what_one_bearing_beside_g_leaves_is_its_moment() {
+        let mut bearings = vec![Bearing { place: DVec3::new(0.2, 0.0, -0.1), ..legs(0.0)[0] }];
+        let Standing { left, lever } = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        assert!((lever - DVec3::new(10.0, 0.0, -5.0)).length() < 1e-9 && left.abs() < 1e-9, "{lever}, {left} left");
+        assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
     }
 }

@@ -111,20 +111,12 @@ pub(super) fn planar_slope_from(
     }
 }
 
-/// Rate of a spatial body's state, whose pose since it was placed is `here`, from wherever the state is counted: bearings at their true attachment points, gravity, Euler's
-/// equations.
-pub fn spatial_slope(
-    body: &Body,
-    here: &Frame,
-    state: &[f64],
-    contact: &Wrench,
-    ground: DVec3,
-    gravity: f64,
-    out: &mut [f64],
-) {
+/// Rate of a spatial body's state, whose pose since it was placed is `here`, from wherever the state is counted: bearings
+/// at their true attachment points, gravity, Euler's equations.
+pub fn spatial_slope(body: &Body, here: &Frame, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
     let mut wrench = on_bearings(body, here);
-    wrench.force += contact.force + body.push - DVec3::Z * (body.mass * gravity);
-    wrench.moment += contact.moment;
+    wrench.force += contact.force + body.push + DVec3::Z * body.standing.left;
+    wrench.moment += contact.moment + standing_lever(body, here).cross(DVec3::Z);
     wrench.moment.z += body.moment;
     let acceleration = wrench.force / body.mass - ground;
     let spin_rate = spin_rate(body, here, wrench.moment);
@@ -140,31 +132,34 @@ pub fn spatial_slope(
     out[3..7].copy_from_slice(&[rate.x, rate.y, rate.z, rate.w]);
 }
 
-/// What the bearings do to a body together: the forces of [`bearing_forces`], summed in their axes.
+/// `Σ f l` of the vertical forces at rest where the body is now, in the world: their moment is that across the vertical
+/// \[N·m\].
+pub fn standing_lever(body: &Body, here: &Frame) -> DVec3 {
+    let placed = body.axes * body.standing.lever;
+    placed + here.turned * placed
+}
+
+/// What the bearings do to a body together beyond what they do at rest: those parts of the forces of [`bearing_forces`],
+/// summed in their axes.
 fn on_bearings(body: &Body, here: &Frame) -> Wrench {
     // Axes along the world's: the products with 0 and 1 left out, not a bit differs.
     if body.axes == DMat3::IDENTITY {
-        return in_axes(body, &here.turned, [here.shift, here.velocity, here.spin], |preload| preload);
+        return in_axes(body, &here.turned, [here.shift, here.velocity, here.spin]);
     }
     let into_axes = body.axes.transpose();
     let motion = [here.shift, here.velocity, here.spin].map(|v| into_axes * v);
-    let sum = in_axes(body, &(into_axes * here.turned * body.axes), motion, |preload| into_axes * preload);
+    let sum = in_axes(body, &(into_axes * here.turned * body.axes), motion);
     Wrench { force: body.axes * sum.force, moment: body.axes * sum.moment }
 }
 
 #[inline]
-fn in_axes(
-    body: &Body,
-    turned: &DMat3,
-    [shift, velocity, spin]: [DVec3; 3],
-    into_axes: impl Fn(DVec3) -> DVec3,
-) -> Wrench {
+fn in_axes(body: &Body, turned: &DMat3, [shift, velocity, spin]: [DVec3; 3]) -> Wrench {
     let mut sum = Wrench::default();
     for b in &body.bearings {
         let swung = *turned * b.place;
         let arm = b.place + swung;
         let (moved, speed) = (shift + swung, velocity + spin.cross(arm));
-        sum.push(into_axes(b.preload) - b.stiffness * moved - b.damping * speed, arm);
+        sum.push(-b.stiffness * moved - b.damping * speed, arm);
     }
     sum
 }

@@ -65,9 +65,6 @@ pub struct Quickness {
     mobility: f64,
     /// Largest stiffness per inertia on its bearings \[1/s²\].
     stiffest: f64,
-    /// Acceleration that the forces which carry its weight would give it if they did not cancel: they do to a rounding of
-    /// that \[m/s²\].
-    pub(super) carried: f64,
 }
 
 impl Quickness {
@@ -86,9 +83,6 @@ impl Quickness {
         let sum = bearings.iter().map(|b| b.stiffness.max_element()).sum::<f64>();
         let damping = bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / mass;
         let swing = if tilts { sum / mass * (1.0 + arm2 / smallest) } else { 3.0 * sum / mass };
-        let across = smallest.min((prism.length.powi(2) + prism.thickness.powi(2)) / 12.0);
-        let lever = |b: &Bearing| 1.0 + b.place.length() * gyration2.sqrt() / across;
-        let carried = bearings.iter().map(|b| b.preload.length() * lever(b)).sum::<f64>() / mass;
-        Self { mobility, stiffest: swing.max(damping * damping), carried }
+        Self { mobility, stiffest: swing.max(damping * damping) }
     }
 }

@@ -249,7 +249,7 @@ impl System for Field<'_> {
                 Kind::Planar => body_state::planar_slope_from(body, base.planar(), state, wrench, ground, rate),
                 Kind::Spatial => {
                     let here = base.whole(&self.frames[i]);
-                    body_state::spatial_slope(body, &here, state, wrench, ground, model.gravity, rate);
+                    body_state::spatial_slope(body, &here, state, wrench, ground, rate);
                 }
             }
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::bearing::{Bearing, PlanarBearings, Quantities, carry};
+use super::bearing::{Bearing, PlanarBearings, Quantities, Standing, carry};
 use super::fastest::Quickness;
 use super::{declare, line};
 use crate::contact::parameters::reduced_mass;
@@ -37,6 +37,8 @@ pub struct Body {
     pub quickness: Quickness,
     /// What it stands on.
     pub bearings: Vec<Bearing>,
+    /// Its weight on them; nothing in a planar scene.
+    pub standing: Standing,
     /// The bearings over `(x, y, θ)`.
     pub planar: PlanarBearings,
     /// World directions it may move in: x, y, z, roll, pitch, yaw.
@@ -248,9 +250,10 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
             preload: DVec3::ZERO,
         })
         .collect();
-    if scene.kind == Kind::Spatial {
-        carry(girder.mass * scene.gravity, &mut bearings, axes);
-    }
+    let standing = match scene.kind {
+        Kind::Planar => Standing::default(),
+        Kind::Spatial => carry(girder.mass * scene.gravity, &mut bearings, axes),
+    };
     let gyration2 = prism.inertia_per_mass().z_axis.z;
     let inertia = prism.inertia_per_mass() * girder.mass;
     let initial = &girder.initial;
@@ -278,6 +281,7 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         axes,
         gyration2,
         bearings,
+        standing,
     }
 }
 

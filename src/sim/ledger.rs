@@ -259,6 +259,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
         Kind::Planar => body.mass * body.gyration2 * here.spin.z * here.spin.z,
         Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation(&body.axes)) * here.spin),
     };
+    let weight = body.mass * model.gravity;
     let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
     let bearing = match model.kind {
         Kind::Planar => {
@@ -269,13 +270,15 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
             let into_axes = body.axes.transpose();
             let strain = |b: &crate::dynamics::bearing::Bearing| {
                 let moved = into_axes * (here.shift + here.turned * (body.axes * b.place));
-                // The preload is a constant vertical force; it pays for the weight.
-                0.5 * moved.dot(b.stiffness * moved) - b.preload.dot(moved)
+                0.5 * moved.dot(b.stiffness * moved)
             };
-            body.bearings.iter().map(strain).sum()
+            // The preloads are constant vertical forces; they pay for the weight.
+            let turned = here.turned * (body.axes * body.standing.lever);
+            let paid = (weight + body.standing.left) * here.shift.z + turned.z;
+            body.bearings.iter().map(strain).sum::<f64>() - paid
         }
     };
-    [kinetic, bearing, body.mass * model.gravity * here.shift.z]
+    [kinetic, bearing, weight * here.shift.z]
 }
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].

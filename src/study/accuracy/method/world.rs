@@ -67,8 +67,7 @@ impl World {
             match self.model.kind {
                 Kind::Planar => body_state::planar_slope(body, state, wrench, ground, rate),
                 Kind::Spatial => {
-                    let (here, gravity) = (&self.frames[i], self.model.gravity);
-                    body_state::spatial_slope(body, here, state, wrench, ground, gravity, rate);
+                    body_state::spatial_slope(body, &self.frames[i], state, wrench, ground, rate);
                 }
             }
         }
