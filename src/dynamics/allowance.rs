@@ -28,6 +28,9 @@ const SWINGING: f64 = 250.0;
 const TURNING: f64 = 0.1;
 /// Longest implicit step, in radians of the ground motion.
 const DRIVE: f64 = 1.0;
+/// Longest step without contact, likewise: a step of four loses 0.4 of a coarse tolerance, always of one sign, and its error
+/// follows no order there.
+const SWAY: f64 = 2.0;
 /// What has hardly moved rounds with this part of its size.
 const LITTLE: f64 = 1e-3;
 /// Bodies are near enough to their bases within this part of how far they have come.
@@ -137,12 +140,16 @@ impl Island {
         (square(linear) + model.bodies[self.bodies[index]].gyration2 * square(turning)).sqrt()
     }
 
-    /// Where an implicit step ends at the latest: the ground drives what a stiff contact holds as slowly as itself, which no
-    /// error measured by the contact's own speed would show.
+    /// Where a step ends at the latest for the ground's sake: it drives what a stiff contact holds as slowly as itself, which
+    /// no error measured by the contact's own speed would show, and what flies as fast.
     pub(super) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
-        match model.ground {
-            Ground::Sine { omega, .. } if self.stepper.pace().stiff => cap.min(self.until + DRIVE / omega),
-            _ => cap,
+        let Ground::Sine { omega, .. } = model.ground else { return cap };
+        if self.active.is_empty() {
+            cap.min(self.until + SWAY / omega)
+        } else if self.stepper.pace().stiff {
+            cap.min(self.until + DRIVE / omega)
+        } else {
+            cap
         }
     }
 
