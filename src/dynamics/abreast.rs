@@ -161,7 +161,8 @@ impl<'a> Gauge<'a> {
         }
         let bend = self.bend(t, until);
         let looks = [before, seen(until)];
-        Prowl::new(seen, |_: &Look, _| bend, true, resolution).closing(&looks)
+        // What moves along one axis neither sticks nor slips: how it goes in makes no difference.
+        Prowl::new((seen, |_: &Look, _| bend, |_| 0.0), true, resolution, 0.0).closing(&looks)
     }
 
     /// Bound on `|g̈|` from `t` to `until`.

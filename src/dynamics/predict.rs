@@ -2,6 +2,7 @@
 
 use super::ContactSite;
 use super::agenda::Item;
+use super::approach::Spot;
 use super::engine::{Engine, Trajectory};
 use super::prowl::{Look, Prowl};
 use super::swing::Swing;
@@ -16,6 +17,10 @@ pub(super) const RESOLUTION: f64 = 4e-16;
 pub(super) const ARMED: f64 = 64.0;
 /// Rounding of a time, with room for that of a root.
 const CLOCK: f64 = 16.0 * f64::EPSILON;
+/// Rounding of a speed, in parts of it, with room.
+const SPEED: f64 = 64.0 * f64::EPSILON;
+/// Time over which a pair's contacts show how they close, in those within which they close together.
+const INSTANT: f64 = 100.0;
 /// Looks at a gap per planned step.
 const LOOKS: usize = 5;
 
@@ -186,6 +191,13 @@ impl Views {
     }
 }
 
+/// What the rate of a contact's gap may err by: its bodies' steps, or their rounding \[m/s\].
+fn noise(engine: &Engine, contact: usize, sides: [&Frame; 2]) -> f64 {
+    let Spot { arm, apart, .. } = engine.contacts[contact].spot;
+    let speed = |(side, arm): (&Frame, f64)| side.velocity.length() + side.spin.length() * arm;
+    engine.model.tolerance.max(SPEED) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
+}
+
 /// A contact's node as its own body carries it, and as the face's body would: distances from G \[m\].
 pub(super) fn arms(site: &ContactSite, here: &Local) -> [f64; 2] {
     [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()]
@@ -225,7 +237,7 @@ fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (
     }
     let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| views.side(slot, 0).shift.length())).sum();
     let resolution = RESOLUTION * (track.spot.size + moved);
-    if armed && before.gap <= resolution && before.gap_rate < 0.0 {
+    if armed && before.gap <= resolution && before.gap_rate < -noise(engine, contact, views.sides(engine, contact, 0)) {
         return (Some(t), None);
     }
     let node = usize::from(track.slots[0] == views.slots[1]);
@@ -251,9 +263,11 @@ fn in_step(engine: &Engine, contact: usize, views: &mut Views, armed: bool) -> (
         let [gap, rate] = gap(&site.home, &engine.side(contact, 0, at), &engine.side(contact, 1, at));
         Look { t: at, gap, rate }
     };
+    let noise = |at: f64| noise(engine, contact, [&engine.side(contact, 0, at), &engine.side(contact, 1, at)]);
     views.fill(engine);
     let looks: [Look; LOOKS] = std::array::from_fn(|i| views.gap(engine, contact, i));
-    let mut prowl = Prowl::new(ask, bend, armed, resolution);
+    let instant = INSTANT * engine.pairs[track.pair].together;
+    let mut prowl = Prowl::new((ask, bend, noise), armed, resolution, instant);
     let closing = prowl.closing(&looks);
     (closing, prowl.out())
 }

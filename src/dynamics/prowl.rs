@@ -4,7 +4,7 @@
 //! through the face, the stretch is halved, so what is not seen is less deep than the resolution, whatever moves.
 
 use super::predict::{ARMED, in_front};
-use super::search::root;
+use super::search::{root, root_between};
 
 /// Looks at one resolution before it is made coarser: a gap that stays at rounding level for long ends in a defined way.
 const MOST: u32 = 64;
@@ -23,21 +23,24 @@ pub(super) struct Look {
 }
 
 /// One gap within one step.
-pub(super) struct Prowl<A, C> {
+pub(super) struct Prowl<A, C, N> {
     ask: A,
     bend: C,
+    noise: N,
     armed: bool,
     out: Option<f64>,
     resolution: f64,
+    instant: f64,
     finest: f64,
     looks: u32,
 }
 
-impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64> Prowl<A, C> {
-    /// `ask` looks at a time, `bend` bounds `|g̈|` from a look to a time; what is less deep than `resolution` may go unseen
-    /// \[m\]. A node that is not `armed` is behind the face without having come in through it.
-    pub(super) fn new(ask: A, bend: C, armed: bool, resolution: f64) -> Self {
-        Self { ask, bend, armed, out: None, resolution, finest: resolution, looks: 0 }
+impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64, N: FnMut(f64) -> f64> Prowl<A, C, N> {
+    /// `ask` looks at a time, `bend` bounds `|g̈|` from a look to a time, `noise` is what the rate at a time may err by; what
+    /// is less deep than `resolution` may go unseen \[m\], and an `instant` is soon enough to see how a node goes in \[s\]. A
+    /// node that is not `armed` is behind the face without having come in through it.
+    pub(super) fn new((ask, bend, noise): (A, C, N), armed: bool, resolution: f64, instant: f64) -> Self {
+        Self { ask, bend, noise, armed, out: None, resolution, instant, finest: resolution, looks: 0 }
     }
 
     /// When a node that was behind came out in front \[s\].
@@ -58,14 +61,40 @@ impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64> Prowl<A, C> {
             let between = (self.ask)(middle);
             return self.between(before, between).or_else(|| self.between(between, after));
         }
-        if self.armed && after.gap < 0.0 && (after.rate < 0.0 || after.gap < -self.resolution) {
-            let ask = &mut self.ask;
-            return Some(root(|at| -ask(at).gap, before.t, after.t));
+        if self.armed && after.gap < 0.0 && (after.gap < -self.resolution || self.depth(&after) > 0.0) {
+            return Some(self.crossing(&before, &after));
         }
         if !self.armed && self.is_out(&after) {
             (self.armed, self.out) = (true, Some(after.t));
         }
         None
+    }
+
+    /// Above 0 where a node is behind its face, or on its way there, by more than what is known may err by.
+    fn depth(&mut self, look: &Look) -> f64 {
+        (-look.rate - (self.noise)(look.t)).max(-look.gap - self.resolution)
+    }
+
+    /// When a node that is behind the face at the second of two looks came in. Bodies that the ground alone drives go alike:
+    /// at a gap of 0 it is in from when they are seen to differ. How it goes in, by which it sticks or slips, is chance before.
+    fn crossing(&mut self, before: &Look, after: &Look) -> f64 {
+        let ask = &mut self.ask;
+        let at = root(|t| -ask(t).gap, before.t, after.t);
+        if before.gap > self.resolution {
+            return at;
+        }
+        let soon = ask((at + self.instant).min(after.t));
+        let first = self.depth(&soon);
+        if first > 0.0 {
+            // From rest it does not show at once how it goes in.
+            return if (self.noise)(at) > 0.0 { at } else { soon.t };
+        }
+        let last = self.depth(after);
+        let depth = |t: f64| {
+            let look = (self.ask)(t);
+            self.depth(&look)
+        };
+        root_between(depth, [soon.t, after.t], [first, last])
     }
 
     fn is_out(&self, look: &Look) -> bool {
@@ -114,7 +143,7 @@ mod tests {
                 Look { gap: side * look.gap, rate: side * look.rate, ..look }
             };
             let looks = [ask(-1.0), ask(1.03)];
-            let mut prowl = Prowl::new(ask, |_: &Look, _| 1.0, armed, 1e-15);
+            let mut prowl = Prowl::new((ask, |_: &Look, _| 1.0, |_| 0.0), armed, 1e-15, 0.0);
             (prowl.closing(&looks), prowl.out())
         };
         (closing, out, count)
@@ -147,6 +176,19 @@ mod tests {
     }
 
     #[test]
+    fn bodies_that_go_alike_close_when_they_are_seen_to_differ() {
+        let ask = |t: f64| Look { t, gap: -1e-20 * t.powi(3), rate: -3e-20 * t * t };
+        let find = |noise: f64| {
+            let looks = [ask(0.0), ask(0.5), ask(1.0)];
+            Prowl::new((ask, |_: &Look, _| 6e-20, |t: f64| noise * t), true, 1e-15, 1e-6).closing(&looks)
+        };
+        let closing = find(9e-21).unwrap_or_else(|| panic!("it closes"));
+        assert!((closing - 0.3).abs() < 1e-12, "3e-20 t² is above 9e-21 t from 0.3 on: {closing}");
+        assert_eq!(find(0.0), Some(1e-6), "from rest, where nothing is rounding, as soon as it shows");
+        assert_eq!(find(4e-20), None, "never as long as it could be rounding");
+    }
+
+    #[test]
     fn a_gap_at_rest_in_the_face_ends_the_search() {
         let mut count = 0u32;
         let mut ask = |t: f64| {
@@ -154,7 +196,7 @@ mod tests {
             Look { t, gap: 0.0, rate: 0.0 }
         };
         let looks = [ask(0.0), ask(10.0)];
-        let closing = Prowl::new(ask, |_: &Look, _| 1.0, true, 1e-16).closing(&looks);
+        let closing = Prowl::new((ask, |_: &Look, _| 1.0, |_| 0.0), true, 1e-16, 0.0).closing(&looks);
         assert!(closing.is_none() && count < 20_000, "{closing:?} after {count} looks");
     }
 }
