@@ -2,9 +2,11 @@
 
 mod support;
 
+use girderbench::dynamics::Model;
+use girderbench::dynamics::body_state::{self, Wrench};
 use girderbench::scene::{Bearings, Direction, FrictionLaw, Kind, Motion, Scene, presets};
 use girderbench::sim::EventKind;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use support::{run, scene, within};
 
 /// The paper's skewed girder as a planar scene and as a spatial one that is held flat, shaken gently enough for rotations
@@ -119,17 +121,45 @@ fn a_body_without_bearings_falls_as_it_must() {
     within("z", motion.displacement.z - (2.0 - 0.5 * 9.806_65), 1e-12);
 }
 
-/// What carries a weight cancels it exactly: a rounding of it would set off girders that touch as placed.
-#[test]
-fn a_girder_on_bearings_of_any_plan_stands_still_to_the_last_bit() {
+/// A deck that has been turned, on some bearings.
+fn turned(on: &[[f64; 2]]) -> Scene {
     let mut deck = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
     deck.motion = Motion::None;
     deck.duration = 10.0;
     deck.girders[0].heading_deg = 33.0;
-    let Some(Bearings::Shared(shared)) = &mut deck.girders[0].bearings else { panic!("it stands on bearings") };
-    shared.at_skewed = None;
-    shared.at = Some(vec![[14.0, 5.1], [11.0, -3.3], [-13.7, 4.9], [-12.3, -5.7]]);
     deck.abutments.clear();
+    let Some(Bearings::Shared(shared)) = &mut deck.girders[0].bearings else { panic!("it stands on bearings") };
+    (shared.at_skewed, shared.at) = (None, Some(on.to_vec()));
+    deck
+}
+
+#[test]
+fn bearings_and_weight_act_as_all_their_forces_together() {
+    for on in [&[[14.0, 5.1], [11.0, -3.3], [-13.7, 4.9], [-12.3, -5.7]][..], &[[3.0, -2.0]]] {
+        let model = Model::compile(&turned(on)).unwrap_or_else(|e| panic!("{e}"));
+        let body = &model.bodies[0];
+        let turn = DQuat::from_scaled_axis(DVec3::new(0.03, -0.02, 0.4));
+        let mut state = vec![0.3, -0.2, 0.1, turn.x, turn.y, turn.z, turn.w];
+        state.extend([0.5, -0.4, 0.2, 0.06, 0.05, -0.03]);
+        let here = body_state::frame(Kind::Spatial, body, &state);
+        let mut slope = [0.0; 13];
+        body_state::spatial_slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
+        let (mut force, mut moment) = (DVec3::NEG_Z * (body.mass * model.gravity), DVec3::ZERO);
+        for (arm, part) in body_state::bearing_forces(body, &here) {
+            (force, moment) = (force + part, moment + arm.cross(part));
+        }
+        let inertia = body_state::world_inertia(body, &here.rotation(&body.axes));
+        let spin_rate = inertia.inverse() * (moment - here.spin.cross(inertia * here.spin));
+        let [gains, turns] = [7, 10].map(|from| DVec3::from_slice(&slope[from..from + 3]));
+        within("acceleration", (gains - force / body.mass).length(), 1e-12 * gains.length().max(model.gravity));
+        within("rate of spin", (turns - spin_rate).length(), 1e-12 * turns.length().max(model.gravity));
+    }
+}
+
+/// What carries a weight cancels it exactly: a rounding of it would set off girders that touch as placed.
+#[test]
+fn a_girder_on_bearings_of_any_plan_stands_still_to_the_last_bit() {
+    let deck = turned(&[[14.0, 5.1], [11.0, -3.3], [-13.7, 4.9], [-12.3, -5.7]]);
     let motion = run(&deck).motion(0, 10.0);
     assert_eq!([motion.displacement, motion.velocity, motion.spin], [DVec3::ZERO; 3]);
 }

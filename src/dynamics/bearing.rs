@@ -24,13 +24,14 @@ pub struct Bearing {
     pub preload: DVec3,
 }
 
-/// A girder's weight on its bearings, of which the preloads need not be added up again: they cancel it exactly.
+/// What bearings leave of a girder's weight. Adding up their preloads against it in every evaluation would leave a rounding
+/// of it, too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Standing {
-    /// What the bearings leave of it, upwards \[N\].
+    /// Force, upwards: 0 where they carry it all \[N\].
     pub left: f64,
-    /// `Σ f l`: the preloads by their levers from G, in the body frame; upright where they leave no moment \[N·m\].
-    pub lever: DVec3,
+    /// `Σ f l` of the preloads, at `l` from G in the body frame: upright where they leave no moment \[N·m\].
+    pub first_moment: DVec3,
 }
 
 /// Stiffness and dashpots of a planar girder over `(x, y, θ)`, world axes: symmetric matrices, N/m, N and N·m.
@@ -116,19 +117,19 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     gram.y_axis.y += floor;
     gram.z_axis.z += floor;
     if gram.x_axis.x == 0.0 {
-        return Standing { left: -weight, lever: DVec3::ZERO };
+        return Standing { left: -weight, first_moment: DVec3::ZERO };
     }
     let factor = gram.inverse() * DVec3::new(weight, 0.0, 0.0);
     for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
         bearing.preload = DVec3::Z * (k * (factor.x + factor.y * l.x + factor.z * l.y));
     }
     let forces: f64 = bearings.iter().map(|b| b.preload.z).sum();
-    let lever: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
-    let levers: f64 = bearings.iter().map(|b| b.place.length() * b.preload.z.abs()).sum();
-    let more = |part: f64, whole: f64| if part.abs() > CARRIED * whole { part } else { 0.0 };
+    let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
+    let size: f64 = bearings.iter().map(|b| b.place.length() * b.preload.z.abs()).sum();
+    let unless_rounding = |part: f64, whole: f64| if part.abs() > CARRIED * whole { part } else { 0.0 };
     Standing {
-        left: more(forces - weight, weight),
-        lever: DVec3::new(more(lever.x, levers), more(lever.y, levers), lever.z),
+        left: unless_rounding(forces - weight, weight),
+        first_moment: DVec3::new(unless_rounding(moment.x, size), unless_rounding(moment.y, size), moment.z),
     }
 }
 
@@ -175,8 +176,9 @@ mod tests {
     #[test]
     fn what_one_bearing_beside_g_leaves_is_its_moment() {
         let mut bearings = vec![Bearing { place: DVec3::new(0.2, 0.0, -0.1), ..legs(0.0)[0] }];
-        let Standing { left, lever } = carry(50.0, &mut bearings, DMat3::IDENTITY);
-        assert!((lever - DVec3::new(10.0, 0.0, -5.0)).length() < 1e-9 && left.abs() < 1e-9, "{lever}, {left} left");
+        let Standing { left, first_moment } = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let away = (first_moment - DVec3::new(10.0, 0.0, -5.0)).length();
+        assert!(away < 1e-9 && left.abs() < 1e-9, "{first_moment}, {left} left");
         assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
     }
 }

@@ -112,11 +112,11 @@ pub(super) fn planar_slope_from(
 }
 
 /// Rate of a spatial body's state, whose pose since it was placed is `here`, from wherever the state is counted: bearings
-/// at their true attachment points, gravity, Euler's equations.
+/// at their true attachment points, what they leave of the weight, Euler's equations.
 pub fn spatial_slope(body: &Body, here: &Frame, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
     let mut wrench = on_bearings(body, here);
     wrench.force += contact.force + body.push + DVec3::Z * body.standing.left;
-    wrench.moment += contact.moment + standing_lever(body, here).cross(DVec3::Z);
+    wrench.moment += contact.moment + first_moment(body, here).cross(DVec3::Z);
     wrench.moment.z += body.moment;
     let acceleration = wrench.force / body.mass - ground;
     let spin_rate = spin_rate(body, here, wrench.moment);
@@ -132,10 +132,9 @@ pub fn spatial_slope(body: &Body, here: &Frame, state: &[f64], contact: &Wrench,
     out[3..7].copy_from_slice(&[rate.x, rate.y, rate.z, rate.w]);
 }
 
-/// `Σ f l` of the vertical forces at rest where the body is now, in the world: their moment is that across the vertical
-/// \[N·m\].
-pub fn standing_lever(body: &Body, here: &Frame) -> DVec3 {
-    let placed = body.axes * body.standing.lever;
+/// `Σ f l` of the preloads where the body is now, in the world: across the upward vertical it is their moment \[N·m\].
+fn first_moment(body: &Body, here: &Frame) -> DVec3 {
+    let placed = body.axes * body.standing.first_moment;
     placed + here.turned * placed
 }
 

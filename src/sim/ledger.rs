@@ -273,7 +273,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
                 0.5 * moved.dot(b.stiffness * moved)
             };
             // The preloads are constant vertical forces; they pay for the weight.
-            let turned = here.turned * (body.axes * body.standing.lever);
+            let turned = here.turned * (body.axes * body.standing.first_moment);
             let paid = (weight + body.standing.left) * here.shift.z + turned.z;
             body.bearings.iter().map(strain).sum::<f64>() - paid
         }
