@@ -68,7 +68,7 @@ fn seeds_that_failed_once_pass() {
     }
 }
 
-/// Whether they stick or slip was decided by roundings of speeds that are equal, otherwise at coarse tolerances than at fine.
+/// Whether they stick or slip was decided by roundings of equal speeds, at coarse tolerances in another way than at fine ones.
 #[test]
 fn girders_that_touch_as_placed_and_are_shaken_alike_come_together_one_way_at_any_tolerance() {
     let (_, mut scene) = family::scene(111);

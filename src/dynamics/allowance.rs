@@ -26,10 +26,10 @@ const LONG: f64 = 1000.0;
 const SWINGING: f64 = 250.0;
 /// What turns back is about to move at this part of what its acceleration gives it in one radian.
 const TURNING: f64 = 0.1;
-/// Longest implicit step, in radians of the ground motion.
+/// Longest implicit step with contact, in radians of the ground motion.
 const DRIVE: f64 = 1.0;
-/// Longest step without contact, likewise: a step of four loses 0.4 of a coarse tolerance, always of one sign, and its error
-/// follows no order there.
+/// Longest step without contact, likewise: one of four radians loses 0.4 of a coarse tolerance, always of one sign, and its
+/// error follows no order there.
 const SWAY: f64 = 2.0;
 /// What has hardly moved rounds with this part of its size.
 const LITTLE: f64 = 1e-3;
@@ -140,8 +140,8 @@ impl Island {
         (square(linear) + model.bodies[self.bodies[index]].gyration2 * square(turning)).sqrt()
     }
 
-    /// Where a step ends at the latest for the ground's sake: it drives what a stiff contact holds as slowly as itself, which
-    /// no error measured by the contact's own speed would show, and what flies as fast.
+    /// Where a step ends at the latest for the ground's sake. It drives what a stiff contact holds as slowly as itself, which
+    /// no error measured by the contact's own speed would show; and where nothing touches, little else may ask for short steps.
     pub(super) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.active.is_empty() {

@@ -19,8 +19,8 @@ pub(super) const ARMED: f64 = 64.0;
 const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Rounding of a speed, in parts of it, with room.
 const SPEED: f64 = 64.0 * f64::EPSILON;
-/// Time over which a pair's contacts show how they close, in those within which they close together.
-const INSTANT: f64 = 100.0;
+/// Time over which a contact shows how it closes, in units of that within which contacts of its pair close together.
+pub(super) const INSTANT: f64 = 100.0;
 /// Looks at a gap per planned step.
 const LOOKS: usize = 5;
 

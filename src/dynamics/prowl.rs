@@ -61,7 +61,7 @@ impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64, N: FnMut(f64) -> f64> P
             let between = (self.ask)(middle);
             return self.between(before, between).or_else(|| self.between(between, after));
         }
-        if self.armed && after.gap < 0.0 && (after.gap < -self.resolution || self.depth(&after) > 0.0) {
+        if self.armed && after.gap < 0.0 && (after.gap < -self.resolution || self.evidence(&after) > 0.0) {
             return Some(self.crossing(&before, &after));
         }
         if !self.armed && self.is_out(&after) {
@@ -70,13 +70,14 @@ impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64, N: FnMut(f64) -> f64> P
         None
     }
 
-    /// Above 0 where a node is behind its face, or on its way there, by more than what is known may err by.
-    fn depth(&mut self, look: &Look) -> f64 {
+    /// Above 0 where a node is behind its face, or on its way there, by more than its place or its rate may err by.
+    fn evidence(&mut self, look: &Look) -> f64 {
         (-look.rate - (self.noise)(look.t)).max(-look.gap - self.resolution)
     }
 
-    /// When a node that is behind the face at the second of two looks came in. Bodies that the ground alone drives go alike:
-    /// at a gap of 0 it is in from when they are seen to differ. How it goes in, by which it sticks or slips, is chance before.
+    /// When a node that is behind the face at the second of two looks came in. Where it touched it before they part, that is
+    /// as soon as there is evidence: bodies that the ground alone drives go alike, and by which rounding a node goes in, sticks
+    /// or slips, would be chance. It is then no deeper than the resolution.
     fn crossing(&mut self, before: &Look, after: &Look) -> f64 {
         let ask = &mut self.ask;
         let at = root(|t| -ask(t).gap, before.t, after.t);
@@ -84,17 +85,17 @@ impl<A: FnMut(f64) -> Look, C: FnMut(&Look, f64) -> f64, N: FnMut(f64) -> f64> P
             return at;
         }
         let soon = ask((at + self.instant).min(after.t));
-        let first = self.depth(&soon);
+        let first = self.evidence(&soon);
         if first > 0.0 {
-            // From rest it does not show at once how it goes in.
+            // Where both bodies still stand, nothing shows how it goes in.
             return if (self.noise)(at) > 0.0 { at } else { soon.t };
         }
-        let last = self.depth(after);
-        let depth = |t: f64| {
+        let last = self.evidence(after);
+        let evidence = |t: f64| {
             let look = (self.ask)(t);
-            self.depth(&look)
+            self.evidence(&look)
         };
-        root_between(depth, [soon.t, after.t], [first, last])
+        root_between(evidence, [soon.t, after.t], [first, last])
     }
 
     fn is_out(&self, look: &Look) -> bool {

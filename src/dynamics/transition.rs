@@ -8,6 +8,7 @@ use glam::{DMat2, DMat3, DVec2};
 use super::base::Base;
 use super::engine::{ContactTrack, Engine};
 use super::event::{Event, EventKind};
+use super::predict::INSTANT;
 use super::stepper::Pace;
 use super::track::{Closed, Contact};
 use super::watch::{EDGE, PATIENCE, ROUNDING, Reason};
@@ -291,7 +292,7 @@ impl Engine {
     /// Tangential and normal acceleration of a node against a face under the forces of the contacts as they are
     /// \[m/s²\].
     fn relative_acceleration(&self, contact: usize, here: &Local, now: &Juncture) -> (DVec2, f64) {
-        let dt = 1e2 * self.pairs[self.contacts[contact].pair].together;
+        let dt = INSTANT * self.pairs[self.contacts[contact].pair].together;
         let together = self.assemble(&now.slots, now.bases.clone(), now.states.concat(), now.t, Pace::default());
         let (.., next) = self.since(contact, now, &together.frames_after(&self.model, dt));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
