@@ -3,9 +3,9 @@
 use egui::{Button, Response, RichText, Ui, vec2};
 
 use super::{Field, Place, Unit};
-use crate::app::icons::{self, Icon};
+use crate::app::style::icons::{self, Icon};
+use crate::app::style::theme::Palette;
 use crate::app::text;
-use crate::app::theme::Palette;
 use crate::scene::keys::{self, Fallback, Key};
 
 /// Room for the sign that takes a value back \[points\].

@@ -9,23 +9,24 @@ mod frame;
 mod number;
 mod slider;
 mod unit;
+pub(super) mod units;
 
 use egui::{Id, Response, Ui};
 
 use crate::scene::SceneErrors;
 use crate::scene::keys::{self, Key};
 
-pub(super) use choice::{choice, choice_line};
+pub(in crate::app) use choice::{choice, choice_line};
 use frame::reset_sign;
-pub(super) use frame::{act, complain, mark, tag};
-pub(super) use number::{laid_over, number, optional};
+pub(in crate::app) use frame::{act, complain, mark, tag};
+pub(in crate::app) use number::{laid_over, number, optional};
 use slider::line;
-pub(super) use slider::{slider, slider_of, slider_row};
-pub(super) use unit::*;
+pub(in crate::app) use slider::{slider, slider_of, slider_row};
+pub(in crate::app) use unit::*;
 
 /// Where a field's value stands in the scene file, and what is wrong with it.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(in crate::app) struct Place<'a> {
     /// Complaints about the scene.
     pub problems: Option<&'a SceneErrors>,
     /// `girder.deck`, `contact`, `motion`; empty for the top of the file.
@@ -34,11 +35,11 @@ pub(super) struct Place<'a> {
 
 impl Place<'_> {
     /// The way to a key from the top of the file.
-    pub(super) fn path(&self, key: &str) -> String {
+    pub(in crate::app) fn path(&self, key: &str) -> String {
         if self.table.is_empty() { key.to_owned() } else { format!("{}.{key}", self.table) }
     }
 
-    pub(super) fn complaint(&self, key: &str) -> Option<String> {
+    pub(in crate::app) fn complaint(&self, key: &str) -> Option<String> {
         let errors = &self.problems?.0;
         let place = self.path(key);
         // An index or a suffix may follow the key: `position_m[0]`.
@@ -49,13 +50,13 @@ impl Place<'_> {
 
 /// What the hand did to a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Change {
+pub(in crate::app) struct Change {
     /// The same for all changes of one drag; none for typing and keys.
     pub gesture: Option<u64>,
 }
 
 /// What a button, a box or a typed number did.
-pub(super) const CLICK: Option<Change> = Some(Change { gesture: None });
+pub(in crate::app) const CLICK: Option<Change> = Some(Change { gesture: None });
 
 /// A field that is about to be shown.
 struct Field<'a> {
@@ -89,7 +90,7 @@ impl<'a> Field<'a> {
 }
 
 /// The gesture that a response belongs to, if it has just changed its value.
-pub(super) fn change(ui: &Ui, response: &Response) -> Option<Change> {
+pub(in crate::app) fn change(ui: &Ui, response: &Response) -> Option<Change> {
     if !response.changed() {
         return None;
     }
@@ -99,7 +100,7 @@ pub(super) fn change(ui: &Ui, response: &Response) -> Option<Change> {
 }
 
 /// Rounded to a power of ten, with no digits beyond it.
-pub(super) fn rounded(value: f64, step: f64) -> f64 {
+pub(in crate::app) fn rounded(value: f64, step: f64) -> f64 {
     // Dividing by a whole number keeps the decimal digits short, multiplying by 0.0001 does not.
     if step < 1.0 {
         let per_unit = (1.0 / step).round();
@@ -110,7 +111,7 @@ pub(super) fn rounded(value: f64, step: f64) -> f64 {
 }
 
 /// Up to six decimals, none of them needless.
-pub(super) fn trimmed(value: f64) -> String {
+pub(in crate::app) fn trimmed(value: f64) -> String {
     let text = format!("{value:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".into() } else { text.to_owned() }

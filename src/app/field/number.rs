@@ -6,8 +6,9 @@ use egui::{DragValue, Id, Response, Ui, vec2};
 
 use super::frame::{self, Own, SIGN};
 use super::{CLICK, Change, Done, Field, Place, Unit, change, complain, reset_sign};
-use crate::app::theme::Palette;
-use crate::app::{text, units};
+use crate::app::field::units;
+use crate::app::style::theme::Palette;
+use crate::app::text;
 use crate::scene::keys::Key;
 
 /// Width of a number with the sign behind it \[points\].

@@ -1,7 +1,7 @@
 //! How numbers are shown: in which unit, how fast a drag changes them.
 
 use super::trimmed;
-use crate::app::units::Dimension;
+use crate::app::field::units::Dimension;
 
 /// How a number is shown: `shown = SI × factor`.
 #[derive(Clone, Copy, Debug, PartialEq)]

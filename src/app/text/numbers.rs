@@ -3,7 +3,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Ui};
 
-use crate::app::theme::Palette;
+use crate::app::style::theme::Palette;
 
 /// A number with three significant digits and no needless zeros.
 pub(in crate::app) fn short(value: f64) -> String {

@@ -1,0 +1,160 @@
+//! The scene that is worked on: edits, undo and redo, the file it came from.
+
+use std::path::{Path, PathBuf};
+
+use crate::app::text;
+use crate::scene::Scene;
+use crate::scene::edit::{Edit, EditError, UndoStack};
+
+/// What a stretch of the past was read from or saved to.
+struct Origin {
+    /// Tells it from every other one.
+    id: u64,
+    /// Steps done when it began: opening a scene is a step that can be undone, and then the older file is meant again.
+    depth: usize,
+    file: Option<PathBuf>,
+    /// What is on the disk, unless something else is by now.
+    saved: Option<Scene>,
+}
+
+/// A scene with its past.
+pub(in crate::app) struct Document {
+    scene: Scene,
+    steps: UndoStack,
+    origins: Vec<Origin>,
+    /// How many origins there have been.
+    begun: u64,
+    revision: u64,
+}
+
+impl Document {
+    /// A scene as it was read.
+    pub(in crate::app) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
+        let origins = vec![Origin { id: 0, depth: 0, file, saved: Some(scene.clone()) }];
+        Self { scene, steps: UndoStack::default(), origins, begun: 1, revision: 0 }
+    }
+
+    pub(in crate::app) fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Counts the changes: the same number is the same scene.
+    pub(in crate::app) fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    fn origin(&self) -> Option<&Origin> {
+        self.origins.iter().rev().find(|o| o.depth <= self.steps.depth())
+    }
+
+    pub(in crate::app) fn file(&self) -> Option<&Path> {
+        self.origin()?.file.as_deref()
+    }
+
+    /// Whether something would be lost by closing.
+    pub(in crate::app) fn is_dirty(&self) -> bool {
+        self.origin().is_none_or(|o| o.saved.as_ref() != Some(&self.scene))
+    }
+
+    /// What is on the disk, as far as it is known.
+    pub(in crate::app) fn saved(&self) -> Option<&Scene> {
+        self.origin()?.saved.as_ref()
+    }
+
+    /// What is on the disk is not this scene any more, whatever the scene is.
+    pub(in crate::app) fn unsave(&mut self) {
+        let depth = self.steps.depth();
+        if let Some(origin) = self.origins.iter_mut().rev().find(|o| o.depth <= depth) {
+            origin.saved = None;
+        }
+    }
+
+    /// Tells what this stretch of the past was opened from or saved to from every other.
+    pub(in crate::app) fn origin_id(&self) -> u64 {
+        self.origin().map_or(0, |o| o.id)
+    }
+
+    /// What undo would take back.
+    pub(in crate::app) fn undo_label(&self) -> Option<&str> {
+        self.steps.undo_label()
+    }
+
+    /// What redo would make again.
+    pub(in crate::app) fn redo_label(&self) -> Option<&str> {
+        self.steps.redo_label()
+    }
+
+    /// Changes the scene; edits of one gesture become one step of undo. `false` when nothing is different after it.
+    ///
+    /// # Errors
+    /// An edit that does not fit the scene; nothing is changed then.
+    pub(in crate::app) fn edit(&mut self, edit: Edit, gesture: Option<u64>) -> Result<bool, EditError> {
+        let mut after = self.scene.clone();
+        edit.clone().apply(&mut after)?;
+        if after == self.scene {
+            return Ok(false);
+        }
+        let depth = self.steps.depth();
+        self.origins.retain(|o| o.depth <= depth);
+        let label = text::name_of_edit(&edit, &self.scene);
+        match gesture {
+            Some(hand) => self.steps.drag(&mut self.scene, edit, &label, &hand.to_string())?,
+            None => self.steps.perform(&mut self.scene, edit, &label)?,
+        }
+        self.revision += 1;
+        Ok(true)
+    }
+
+    /// Takes back what a gesture has done, as if it had never begun; `false` when it has done nothing.
+    ///
+    /// # Errors
+    /// As [`UndoStack::abandon`].
+    pub(in crate::app) fn abandon(&mut self, gesture: u64) -> Result<bool, EditError> {
+        let done = self.steps.abandon(&mut self.scene, &gesture.to_string())?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
+    /// Takes the last change back; `false` when there is none.
+    ///
+    /// # Errors
+    /// As [`UndoStack::undo`].
+    pub(in crate::app) fn undo(&mut self) -> Result<bool, EditError> {
+        let done = self.steps.undo(&mut self.scene)?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
+    /// Makes it again; `false` when there is none.
+    ///
+    /// # Errors
+    /// As [`UndoStack::redo`].
+    pub(in crate::app) fn redo(&mut self) -> Result<bool, EditError> {
+        let done = self.steps.redo(&mut self.scene)?;
+        self.revision += u64::from(done);
+        Ok(done)
+    }
+
+    /// Another scene; the one before can be had back by undo.
+    ///
+    /// # Errors
+    /// None that is known: any scene can be put in another's place.
+    pub(in crate::app) fn open(&mut self, scene: Scene, file: Option<PathBuf>) -> Result<(), EditError> {
+        self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
+        self.begin(file, scene);
+        Ok(())
+    }
+
+    /// It is on the disk now.
+    pub(in crate::app) fn saved_as(&mut self, file: PathBuf) {
+        self.begin(Some(file), self.scene.clone());
+        self.steps.seal();
+    }
+
+    fn begin(&mut self, file: Option<PathBuf>, saved: Scene) {
+        let depth = self.steps.depth();
+        self.origins.retain(|o| o.depth < depth);
+        self.origins.push(Origin { id: self.begun, depth, file, saved: Some(saved) });
+        self.begun += 1;
+    }
+}

@@ -1,0 +1,93 @@
+//! What is selected: any number of things, in the order in which they were taken; the last one leads.
+
+use crate::scene::Scene;
+use crate::view::Target;
+
+/// What is selected.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Selection(Vec<Target>);
+
+impl Selection {
+    /// The one whose numbers are shown.
+    pub(in crate::app) fn lead(&self) -> Option<Target> {
+        self.0.last().copied()
+    }
+
+    /// All of it.
+    pub(in crate::app) fn all(&self) -> &[Target] {
+        &self.0
+    }
+
+    /// Whether it is among them.
+    pub(in crate::app) fn has(&self, target: Target) -> bool {
+        self.0.contains(&target)
+    }
+
+    /// Selects this alone, or nothing.
+    pub(in crate::app) fn only(&mut self, target: Option<Target>) {
+        self.0.clear();
+        self.0.extend(target);
+    }
+
+    /// Takes something in, or lets go of it when it was in. Bodies and contacts are not mixed: what is done to the one
+    /// kind means nothing to the other.
+    pub(in crate::app) fn toggle(&mut self, target: Target) {
+        if self.has(target) {
+            self.0.retain(|t| *t != target);
+        } else {
+            self.0.retain(|t| is_body(*t) == is_body(target));
+            self.0.push(target);
+        }
+    }
+
+    /// Selects these.
+    pub(in crate::app) fn these(&mut self, targets: impl IntoIterator<Item = Target>) {
+        self.0 = targets.into_iter().collect();
+    }
+
+    /// Girders and abutments among them.
+    pub(in crate::app) fn bodies(&self) -> impl Iterator<Item = Target> + '_ {
+        self.0.iter().copied().filter(|t| is_body(*t))
+    }
+
+    /// Numbers of the girders among them.
+    pub(in crate::app) fn girders(&self) -> impl Iterator<Item = usize> + '_ {
+        self.0.iter().filter_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None })
+    }
+
+    /// Lets go of what is not there any more; contacts belong to an answer that is gone.
+    pub(in crate::app) fn keep_in(&mut self, scene: &Scene) {
+        self.0.retain(|t| match t {
+            Target::Girder(i) => *i < scene.girders.len(),
+            Target::Abutment(i) => *i < scene.abutments.len(),
+            Target::Contact(_) => false,
+        });
+    }
+}
+
+fn is_body(target: Target) -> bool {
+    !matches!(target, Target::Contact(_))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_one_taken_leads_and_is_let_go_first() {
+        let mut selection = Selection::default();
+        selection.toggle(Target::Girder(0));
+        selection.toggle(Target::Abutment(1));
+        assert_eq!(selection.lead(), Some(Target::Abutment(1)), "the last");
+        selection.toggle(Target::Abutment(1));
+        assert_eq!(selection.all(), [Target::Girder(0)], "taken twice is let go");
+    }
+
+    #[test]
+    fn bodies_and_contacts_are_not_mixed() {
+        let mut selection = Selection::default();
+        selection.toggle(Target::Girder(0));
+        selection.toggle(Target::Contact(3));
+        assert_eq!(selection.all(), [Target::Contact(3)], "the contact alone");
+    }
+}

@@ -1,0 +1,113 @@
+//! The system's file dialogs, on threads: the window goes on while one is open.
+
+use std::future::Future;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use rfd::{AsyncFileDialog, FileHandle};
+
+use crate::app::command::{Command, Export};
+use crate::app::disk::film::{FilmFormat, Filming};
+use crate::app::run::runner::Wake;
+
+/// Dialogs that are open, and what was chosen in them.
+pub(in crate::app) struct Dialogs {
+    send: Sender<Command>,
+    chosen: Receiver<Command>,
+    wake: Wake,
+    /// Nobody is there to answer: no dialog is opened.
+    pub(in crate::app) silent: bool,
+}
+
+impl Dialogs {
+    /// No dialog yet.
+    pub(in crate::app) fn new(wake: Wake) -> Self {
+        let (send, chosen) = channel();
+        Self { send, chosen, wake, silent: false }
+    }
+
+    /// Who is to be told when something was chosen.
+    pub(in crate::app) fn set_wake(&mut self, wake: Wake) {
+        self.wake = wake;
+    }
+
+    /// What was chosen since the last time.
+    pub(in crate::app) fn take(&self) -> Vec<Command> {
+        self.chosen.try_iter().collect()
+    }
+
+    /// Which scene to open.
+    pub(in crate::app) fn open(&self) {
+        self.wait(scenes().pick_file(), Command::OpenFile);
+    }
+
+    /// Which record shakes the ground.
+    pub(in crate::app) fn record(&self) {
+        self.wait(AsyncFileDialog::new().add_filter("CSV", &["csv", "txt"]).pick_file(), Command::Record);
+    }
+
+    /// Where to save the scene.
+    pub(in crate::app) fn save(&self, name: &str) {
+        self.wait(scenes().set_file_name(format!("{name}.toml")).save_file(), |path| {
+            Command::SaveFile(with_extension(path, "toml"))
+        });
+    }
+
+    /// Where to export to.
+    pub(in crate::app) fn export(&self, what: Export, name: &str) {
+        match what {
+            Export::Picture => {
+                let dialog = AsyncFileDialog::new().add_filter("PNG", &["png"]).set_file_name(format!("{name}.png"));
+                self.wait(dialog.save_file(), move |path| Command::ExportTo(what, with_extension(path, "png")));
+            }
+            Export::Tables => {
+                self.wait(AsyncFileDialog::new().pick_folder(), move |path| Command::ExportTo(what, path));
+            }
+        }
+    }
+
+    /// Where to write the plots.
+    pub(in crate::app) fn plots(&self, format: &'static str, name: &str) {
+        let dialog = AsyncFileDialog::new().add_filter(format, &[format]).set_file_name(format!("{name}.{format}"));
+        self.wait(dialog.save_file(), move |path| Command::Plots(with_extension(path, format)));
+    }
+
+    /// Where a film is to go.
+    pub(in crate::app) fn film(&self, format: FilmFormat, name: &str) {
+        let then = |path| Command::Film(Filming::Shoot(path));
+        match format {
+            FilmFormat::Gif => {
+                let dialog = AsyncFileDialog::new().add_filter("GIF", &["gif"]).set_file_name(format!("{name}.gif"));
+                self.wait(dialog.save_file(), move |path| then(with_extension(path, "gif")));
+            }
+            FilmFormat::Png => self.wait(AsyncFileDialog::new().pick_folder(), then),
+        }
+    }
+
+    fn wait(
+        &self,
+        dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,
+        then: impl FnOnce(PathBuf) -> Command + Send + 'static,
+    ) {
+        if self.silent {
+            return;
+        }
+        let (send, wake) = (self.send.clone(), self.wake.clone());
+        std::thread::spawn(move || {
+            if let Some(file) = pollster::block_on(dialog) {
+                // Nobody listens any more when the window has closed: nothing to do then.
+                let _ = send.send(then(file.path().to_owned()));
+                wake();
+            }
+        });
+    }
+}
+
+fn scenes() -> AsyncFileDialog {
+    AsyncFileDialog::new().add_filter("Girderbench scene", &["toml"])
+}
+
+/// Some dialogs leave the extension to the program.
+fn with_extension(path: PathBuf, extension: &str) -> PathBuf {
+    if path.extension().is_some() { path } else { path.with_extension(extension) }
+}

@@ -1,0 +1,40 @@
+//! Pictures and tables written to the disk, on a thread.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::app::run::answer::Answer;
+use crate::app::text;
+use crate::files::{write_atomic, write_set};
+use crate::render::{Gpu, Packing, Quality, Renderer};
+use crate::tables::{TableOptions, all, all_beside};
+use crate::view::DrawList;
+
+/// Draws a list anew, off screen and in full quality, and writes it.
+///
+/// # Errors
+/// In words: no adapter, or no place to write.
+pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path: &Path) -> Result<String, String> {
+    let gpu = Gpu::headless().map_err(|e| e.to_string())?;
+    let image = Renderer::new(&gpu, Quality::FINE).picture(&gpu, list, size).map_err(|e| e.to_string())?;
+    let texts = [("Title", title.to_owned()), ("Adapter", gpu.adapter.to_string())];
+    write_atomic(path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
+    Ok(format!("{}: {}", text::PICTURE_WRITTEN, path.display()))
+}
+
+/// Writes every table of an answer into a folder.
+///
+/// # Errors
+/// In words: no place to write.
+pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<String, String> {
+    let run_time = Some(answer.took.as_secs_f64());
+    let estimated_error = answer.error().filter(|e| e.is_finite());
+    let options = TableOptions { estimated_error, run_time, ..TableOptions::default() };
+    let mut tables = all(&answer.history, &options);
+    if let Some(beside) = answer.history.beside() {
+        tables.extend(all_beside(beside, &TableOptions::default()));
+    }
+    write_set(folder, &tables).map_err(|e| e.to_string())?;
+    let names: Vec<&str> = tables.iter().map(|(name, _)| name.as_str()).collect();
+    Ok(format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", ")))
+}

@@ -1,0 +1,208 @@
+//! A film from the window: asked for in a dialog, drawn off screen on a thread, written whole or not at all.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::thread::JoinHandle;
+
+use crate::app::run::answer::Answer;
+use crate::app::run::runner::Wake;
+use crate::app::text;
+use crate::files::{Draft, FileSet, WriteError};
+use crate::render::{GpuError, Packing};
+use crate::snapshot::{Frame, GifError, Instant, MOST_FPS, Shot, Studio, film, gif, instants};
+
+/// A longer film is a mistake in a number.
+const MOST_FRAMES: u32 = 20_000;
+
+/// What a film becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmFormat {
+    /// Numbered pictures in a folder.
+    Png,
+    /// One file that plays by itself.
+    Gif,
+}
+
+/// What the dialog asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilmPlan {
+    /// Pictures or one file.
+    pub format: FilmFormat,
+    /// Where in the run it begins \[s\].
+    pub from: f64,
+    /// Where it ends \[s\].
+    pub to: f64,
+    /// Seconds of the run in a second of the film.
+    pub speed: f64,
+    /// Frames in a second of the film \[Hz\].
+    pub fps: f64,
+    /// Width and height \[pixels\]; as large as the view when none.
+    pub size: Option<[u32; 2]>,
+}
+
+/// A wish about films.
+#[derive(Clone, Debug)]
+pub enum Filming {
+    /// Open the dialog.
+    Ask,
+    /// Another plan.
+    Plan(FilmPlan),
+    /// Close the dialog.
+    Never,
+    /// Ask where the film is to go.
+    Choose,
+    /// Film into a folder (pictures) or file (GIF).
+    Shoot(PathBuf),
+    /// Stop filming; nothing stays.
+    Cancel,
+}
+
+impl FilmPlan {
+    /// A slow film of a stretch of the run.
+    pub(in crate::app) fn of(from: f64, to: f64) -> Self {
+        Self { format: FilmFormat::Gif, from, to, speed: 0.1, fps: 25.0, size: None }
+    }
+
+    /// Frames a second that the format can have.
+    pub(in crate::app) fn fastest(format: FilmFormat) -> f64 {
+        if format == FilmFormat::Gif { MOST_FPS } else { 120.0 }
+    }
+
+    /// How many frames there are; `None` when there would be none, or far too many.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be in 1..=MOST_FRAMES")]
+    pub fn frames(&self) -> Option<u32> {
+        let frames = ((self.to - self.from) / self.speed * self.fps).round() + 1.0;
+        (self.to >= self.from && (1.0..=f64::from(MOST_FRAMES)).contains(&frames)).then_some(frames as u32)
+    }
+}
+
+/// Everything that a film depends on, when it is begun.
+pub(in crate::app) struct Order {
+    /// The run.
+    pub(in crate::app) answer: Arc<Answer>,
+    /// When, how fast, as what.
+    pub(in crate::app) plan: FilmPlan,
+    /// How each picture is taken, but for its instant.
+    pub(in crate::app) shot: Shot,
+    /// What numbered pictures are called.
+    pub(in crate::app) name: String,
+}
+
+/// A film on its way.
+struct Job {
+    cancel: Arc<AtomicBool>,
+    done: Arc<AtomicUsize>,
+    count: u32,
+    told: Receiver<Result<String, Ended>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        // Waits for a frame at most: what was written so far must be taken away again.
+        self.cancel.store(true, Ordering::Relaxed);
+        let _ = self.thread.take().map(JoinHandle::join);
+    }
+}
+
+/// The dialog's plan, and the film that is being written.
+#[derive(Default)]
+pub(in crate::app) struct Films {
+    /// What the dialog shows, while it is open.
+    pub(in crate::app) plan: Option<FilmPlan>,
+    job: Option<Job>,
+}
+
+impl Films {
+    /// Begins a film; one before is given up.
+    pub(in crate::app) fn shoot(&mut self, order: Order, path: PathBuf, wake: Wake) {
+        self.job = None;
+        let Some(count) = order.plan.frames() else { return };
+        let (send, told) = channel();
+        let (cancel, done) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
+        let watch = Watch { cancel: cancel.clone(), done: done.clone() };
+        let thread = std::thread::spawn(move || make(&order, count, &path, &watch, &send, &wake));
+        self.job = Some(Job { cancel, done, count, told, thread: Some(thread) });
+    }
+
+    /// Gives the film up.
+    pub(in crate::app) fn cancel(&mut self) {
+        self.job = None;
+    }
+
+    /// Frames written and frames in all, while a film is being written.
+    pub(in crate::app) fn progress(&self) -> Option<(usize, u32)> {
+        self.job.as_ref().map(|job| (job.done.load(Ordering::Relaxed), job.count))
+    }
+
+    /// What became of a film that has ended.
+    pub(in crate::app) fn poll(&mut self) -> Option<String> {
+        let words = match self.job.as_ref()?.told.try_recv() {
+            Err(TryRecvError::Empty) => return None,
+            Ok(Ok(words)) => words,
+            Ok(Err(ended)) => ended.to_string(),
+            Err(TryRecvError::Disconnected) => Ended::Cancelled.to_string(),
+        };
+        self.job = None;
+        Some(words)
+    }
+}
+
+/// Why there is no film.
+#[derive(Debug, thiserror::Error)]
+enum Ended {
+    #[error("{}", text::FILM_CANCELLED)]
+    Cancelled,
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    #[error(transparent)]
+    Gif(#[from] GifError),
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// What the window and the thread both see.
+struct Watch {
+    cancel: Arc<AtomicBool>,
+    done: Arc<AtomicUsize>,
+}
+
+impl Watch {
+    fn reached(&self, frames: usize) -> Result<(), Ended> {
+        self.done.store(frames, Ordering::Relaxed);
+        if self.cancel.load(Ordering::Relaxed) { Err(Ended::Cancelled) } else { Ok(()) }
+    }
+}
+
+fn make(order: &Order, count: u32, path: &Path, watch: &Watch, told: &Sender<Result<String, Ended>>, wake: &Wake) {
+    let plan = &order.plan;
+    let history = &order.answer.history;
+    let camera = Some(order.shot.camera(history));
+    let shot = |t| Shot { at: Instant::At(t), camera, ..order.shot.clone() };
+    let shots: Vec<Shot> = instants(plan.from, plan.to, count).map(shot).collect();
+    let made = Studio::open(None).map_err(Ended::from).and_then(|mut studio| match plan.format {
+        FilmFormat::Gif => one_file(&mut studio, order, &shots, path, watch),
+        FilmFormat::Png => pictures(&mut studio, order, &shots, path, watch),
+    });
+    // Nobody listens any more when the window has closed: nothing to do then.
+    let _ = told.send(made.map(|()| format!("{} {}: {count}", text::FILM_WRITTEN, path.display())));
+    wake();
+}
+
+fn one_file(studio: &mut Studio, order: &Order, shots: &[Shot], path: &Path, watch: &Watch) -> Result<(), Ended> {
+    let mut draft = Draft::create(path)?;
+    gif::<Ended>(studio, &order.answer.history, shots, order.plan.fps, &mut draft, &mut |done| watch.reached(done))?;
+    Ok(draft.finish()?)
+}
+
+fn pictures(studio: &mut Studio, order: &Order, shots: &[Shot], folder: &Path, watch: &Watch) -> Result<(), Ended> {
+    let (mut set, mut written) = (FileSet::default(), 0);
+    film::<Ended>(studio, &order.answer.history, shots, Packing::Quick, &mut |Frame { number, png }| {
+        set.add(&folder.join(format!("{}-{:04}.png", order.name, number + 1)), &png)?;
+        written += 1;
+        watch.reached(written)
+    })?;
+    Ok(set.finish()?)
+}

@@ -1,0 +1,46 @@
+//! A record of ground motion from a file into the scene.
+
+use std::path::{Path, PathBuf};
+
+use crate::app::bench::Workbench;
+use crate::app::edits;
+use crate::files::read_record;
+use crate::scene::{Motion, RecordMotion};
+
+impl Workbench {
+    /// Shakes the ground by the record in a file; scale and angle stay if there was a record before, the angle in any
+    /// case. A file that is no record is refused in words.
+    pub(in crate::app) fn take_record(&mut self, path: &Path) {
+        let folder = self.document.file().and_then(Path::parent).map(Path::to_owned).unwrap_or_default();
+        match read_record(&folder.join(path)) {
+            Ok(series) => {
+                let before = &self.scene().motion;
+                let scale = if let Motion::Record(record) = before { record.scale } else { 1.0 };
+                let (file, angle_deg) = (Some(seen_from(&folder, path)), before.angle_deg());
+                let record = RecordMotion { samples: None, dt: None, file, scale, angle_deg, loaded: Some(series) };
+                self.edit(edits::motion(Motion::Record(record)), None);
+            }
+            Err(errors) => self.notice = Some(errors.to_string()),
+        }
+    }
+}
+
+/// The path as the scene's file writes it: from its own folder on, if the record is in there.
+fn seen_from(folder: &Path, path: &Path) -> String {
+    let inside = if folder.as_os_str().is_empty() { None } else { path.strip_prefix(folder).ok() };
+    let path: PathBuf = inside.unwrap_or(path).to_owned();
+    path.to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_beside_the_scene_is_named_from_there() {
+        let folder = Path::new("bridges/east");
+        assert_eq!(seen_from(folder, Path::new("bridges/east/records/quake.csv")), "records/quake.csv", "inside");
+        assert_eq!(seen_from(folder, Path::new("elsewhere/quake.csv")), "elsewhere/quake.csv", "outside");
+        assert_eq!(seen_from(Path::new(""), Path::new("quake.csv")), "quake.csv", "no folder yet");
+    }
+}

@@ -1,0 +1,54 @@
+//! The words of a guided scene beside the view: what is to be seen, things to try, and the way back.
+
+use egui::{Button, Label, Panel, RichText, ScrollArea, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::learn::lessons::{Learn, Lesson, lessons};
+use crate::app::text;
+
+/// The menu of guided scenes.
+pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    for (number, lesson) in lessons().iter().enumerate() {
+        let chosen = bench.lesson().is_some_and(|open| open.name == lesson.name);
+        if ui.add(Button::selectable(chosen, lesson.title.as_str())).clicked() {
+            out.push(Command::Learn(Learn::Open(number)));
+            ui.close();
+        }
+    }
+}
+
+/// Shows the words while a guided scene is open.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let Some(lesson) = bench.lesson() else { return };
+    let side = egui::Frame::side_top_panel(ui.style()).inner_margin(egui::Margin::same(10));
+    Panel::right("lesson").frame(side).default_size(264.0).size_range(220.0..=420.0).show(ui, |ui| {
+        ScrollArea::vertical().id_salt("lesson").auto_shrink(false).show(ui, |ui| words(ui, lesson, out));
+    });
+}
+
+fn words(ui: &mut Ui, lesson: &Lesson, out: &mut Vec<Command>) {
+    ui.add(Label::new(RichText::new(&lesson.title).heading()).wrap());
+    ui.horizontal(|ui| {
+        if ui.button(text::RESET).on_hover_text(text::RESET_HINT).clicked() {
+            out.push(Command::Learn(Learn::Reset));
+        }
+        if ui.button(text::CLOSE_LESSON).clicked() {
+            out.push(Command::Learn(Learn::Close));
+        }
+    });
+    for paragraph in &lesson.text {
+        ui.add_space(6.0);
+        ui.add(Label::new(paragraph).wrap());
+    }
+    ui.add_space(10.0);
+    ui.label(RichText::new(text::TRY).strong());
+    for (number, try_it) in lesson.tries.iter().enumerate() {
+        ui.add_space(4.0);
+        let label = format!("{}  {}", number + 1, try_it.words);
+        if ui.add(Button::new(label).wrap()).clicked() {
+            out.push(Command::Learn(Learn::Try(number)));
+        }
+        ui.add(Label::new(&try_it.text).wrap());
+    }
+}

@@ -1,0 +1,55 @@
+//! Questions about files: unsaved work that was found, a file that another program has changed.
+
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+use egui::{Id, Modal, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::disk::session_files::Keep;
+use crate::app::text;
+use crate::files::Found;
+
+/// Shows the question there is, one at a time.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    if bench.asks_before_closing() {
+        return;
+    }
+    if let Some(found) = bench.found_work() {
+        let answers = [(text::RECOVER, Keep::Recover), (text::DISCARD, Keep::Discard), (text::LATER, Keep::Later)];
+        ask(ui, &found_words(found, SystemTime::now()), answers, out);
+    } else if bench.file_has_changed() {
+        let mut words = format!("{} {}", bench.file_name(), text::FILE_CHANGED);
+        if bench.is_dirty() {
+            words.push_str(text::RELOAD_REPLACES);
+        }
+        ask(ui, &words, [(text::RELOAD, Keep::Reload), (text::KEEP_MINE, Keep::KeepMine)], out);
+    }
+}
+
+fn ask<const N: usize>(ui: &Ui, words: &str, answers: [(&str, Keep); N], out: &mut Vec<Command>) {
+    Modal::new(Id::unique("files")).show(ui, |ui| {
+        ui.set_max_width(420.0);
+        ui.label(words);
+        ui.add_space(4.0);
+        ui.horizontal(|ui| {
+            for (words, wish) in answers {
+                if ui.button(words).clicked() {
+                    out.push(Command::Keep(wish));
+                }
+            }
+        });
+    });
+}
+
+/// Whose work, from when, and whether the file has been written since.
+fn found_words(found: &Found, now: SystemTime) -> String {
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let whose = found.file.as_deref().map_or_else(|| text::WITHOUT_FILE.to_owned(), name);
+    let ago = now.duration_since(found.written).unwrap_or(Duration::ZERO);
+    let file = found.file.as_deref().and_then(crate::files::Stamp::of);
+    let older = file.is_some_and(|stamp| stamp.modified() > found.written);
+    let age = if older { text::WORK_IS_OLDER } else { "" };
+    format!("{}: {whose}, {}.{age} {}", text::WORK_FOUND, text::ago(ago), text::BRING_BACK)
+}

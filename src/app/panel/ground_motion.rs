@@ -1,0 +1,205 @@
+//! How the ground moves: still, a sine, or a record, with every number of each.
+
+use egui::{RichText, TextEdit, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::field::{
+    ACCELERATION, CLICK, Change, DEGREES, GRAVITIES, HERTZ, PURE, Place, SECONDS, choice_line, complain, slider, tag,
+};
+use crate::app::{edits, text};
+use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
+
+/// Which kind of motion it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Kind {
+    #[default]
+    Still,
+    Sine,
+    Record,
+}
+
+const KINDS: [(Kind, &str); 3] = [(Kind::Still, text::STILL), (Kind::Sine, text::SINE), (Kind::Record, text::RECORD)];
+
+/// Whether an amplitude is said in m/s² rather than in g.
+const UNITS: [(bool, &str); 2] = [(false, "g"), (true, "m/s²")];
+
+/// Most samples that are written out to be edited by hand.
+const MOST_SAMPLES: usize = 2000;
+
+/// Shows the kind and what belongs to it.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let mut new = bench.scene().motion.clone();
+    let place = Place { problems: bench.problems(), table: "motion" };
+    let kind = kind(ui, place, &mut new);
+    let change = match &mut new {
+        Motion::None => still(ui, &mut new),
+        Motion::Sine(sine) => sine_rows(ui, place, sine),
+        Motion::Record(record) => record_rows(ui, place, record, out),
+    };
+    if let Some(change) = kind.or(change) {
+        out.push(Command::Edit { edit: edits::motion(new), gesture: change.gesture });
+    }
+}
+
+/// Another kind keeps the angle, as `--set motion.kind` does.
+fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
+    let mut kind = match motion {
+        Motion::None => Kind::Still,
+        Motion::Sine(_) => Kind::Sine,
+        Motion::Record(_) => Kind::Record,
+    };
+    let change = choice_line(ui, place, ("kind", text::GROUND), &mut kind, &KINDS)?;
+    let angle_deg = motion.angle_deg();
+    *motion = match kind {
+        Kind::Still => Motion::None,
+        Kind::Sine => Motion::Sine(SineMotion { angle_deg, ..shaken() }),
+        Kind::Record => Motion::Record(RecordMotion { angle_deg, ..silence() }),
+    };
+    Some(change)
+}
+
+/// The paper's: 0.4 g at 2.6 Hz.
+fn shaken() -> SineMotion {
+    SineMotion { amplitude_g: Some(0.4), amplitude: None, frequency_hz: 2.6, phase_deg: 0.0, angle_deg: 0.0 }
+}
+
+/// A record in which nothing happens, until one is chosen.
+fn silence() -> RecordMotion {
+    let (samples, dt) = (Some(vec![0.0, 0.0]), Some(0.01));
+    RecordMotion { samples, dt, file: None, scale: 1.0, angle_deg: 0.0, loaded: None }
+}
+
+fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
+    if !ui.button(text::SHAKE).clicked() {
+        return None;
+    }
+    *motion = Motion::Sine(shaken());
+    CLICK
+}
+
+fn sine_rows(ui: &mut Ui, place: Place<'_>, sine: &mut SineMotion) -> Option<Change> {
+    let mut metric = sine.amplitude.is_some();
+    let moved = match (&mut sine.amplitude, &mut sine.amplitude_g) {
+        (Some(a), _) => slider(ui, place, ("amplitude_m_s2", text::AMPLITUDE), a, ACCELERATION, 0.0..=STANDARD_GRAVITY),
+        (None, Some(a)) => slider(ui, place, ("amplitude_g", text::AMPLITUDE), a, GRAVITIES, 0.0..=1.0),
+        (None, None) => None,
+    };
+    let said = choice_line(ui, place, ("amplitude_m_s2", text::AMPLITUDE_IN), &mut metric, &UNITS);
+    if said.is_some() {
+        let a = sine.amplitude_si();
+        (sine.amplitude, sine.amplitude_g) = if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
+    }
+    let rest = [
+        slider(ui, place, ("frequency_hz", text::FREQUENCY), &mut sine.frequency_hz, HERTZ, 0.1..=10.0),
+        slider(ui, place, ("phase_deg", text::PHASE), &mut sine.phase_deg, DEGREES, -180.0..=180.0),
+        angle(ui, place, &mut sine.angle_deg),
+    ];
+    moved.or(said).or(rest.into_iter().flatten().next())
+}
+
+fn angle(ui: &mut Ui, place: Place<'_>, angle_deg: &mut f64) -> Option<Change> {
+    slider(ui, place, ("angle_deg", text::ANGLE), angle_deg, DEGREES, -180.0..=180.0)
+}
+
+fn record_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
+    file_row(ui, place, record, out);
+    about(ui, record);
+    let kept = kept_rows(ui, place, record);
+    let scale = slider(ui, place, ("scale", text::RECORD_SCALE), &mut record.scale, PURE, 0.0..=3.0);
+    kept.or(scale).or(angle(ui, place, &mut record.angle_deg))
+}
+
+/// The record's file: chosen, or typed.
+fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<Command>) {
+    let file = record.file.clone().unwrap_or_default();
+    ui.horizontal(|ui| {
+        let name = ui.label(text::RECORD_FILE);
+        let draft_id = egui::Id::unique("record file draft");
+        let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| file.clone());
+        let wide = (ui.available_width() - 74.0).max(40.0);
+        let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
+        let response = ui.add(edit).labelled_by(name.id);
+        let response = tag(ui, &response, place, ("file", text::RECORD_FILE));
+        if response.has_focus() {
+            ui.data_mut(|d| d.insert_temp(draft_id, draft));
+        } else {
+            ui.data_mut(|d| d.remove::<String>(draft_id));
+            if response.lost_focus() && draft != file && !draft.trim().is_empty() {
+                out.push(Command::Record(draft.trim().into()));
+            }
+        }
+        if ui.button(text::CHOOSE).on_hover_text(text::CHOOSE_HINT).clicked() {
+            out.push(Command::AskRecord);
+        }
+    });
+    if let Some(complaint) = place.complaint("file") {
+        complain(ui, &complaint);
+    }
+}
+
+/// How many samples, how long, how strong.
+fn about(ui: &mut Ui, record: &RecordMotion) {
+    let Some((dt, samples)) = record.series() else { return };
+    let peak = samples.iter().fold(0.0_f64, |most, a| most.max(a.abs())) * record.scale.abs();
+    let words = text::record(samples.len(), dt, peak);
+    ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
+}
+
+/// Samples that the scene keeps itself, or a way to have it keep them.
+fn kept_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option<Change> {
+    let Some(list) = record.samples.clone() else {
+        let (dt, samples) = record.loaded.clone()?;
+        if !ui.button(text::KEEP_RECORD).on_hover_text(text::KEEP_RECORD_HINT).clicked() {
+            return None;
+        }
+        (record.samples, record.dt, record.file, record.loaded) = (Some(samples), Some(dt), None, None);
+        return CLICK;
+    };
+    let mut dt = record.dt.unwrap_or(0.01);
+    let interval = slider(ui, place, ("dt_s", text::RECORD_DT), &mut dt, SECONDS, 0.001..=0.1);
+    if interval.is_some() {
+        record.dt = Some(dt);
+    }
+    let typed = egui::CollapsingHeader::new(text::SAMPLES_FOLD).default_open(false).show_unindented(ui, |ui| {
+        if list.len() > MOST_SAMPLES {
+            ui.label(RichText::new(text::TOO_MANY_SAMPLES).weak().small());
+            return None;
+        }
+        samples_field(ui, place, &list)
+    });
+    if let Some(samples) = typed.body_returned.flatten() {
+        record.samples = Some(samples);
+        return CLICK;
+    }
+    interval
+}
+
+/// All samples as text, taken when the field is left; what is no number is said.
+fn samples_field(ui: &mut Ui, place: Place<'_>, list: &[f64]) -> Option<Vec<f64>> {
+    let draft_id = egui::Id::unique("samples draft");
+    let written = || list.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+    let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(written);
+    let edit = TextEdit::multiline(&mut draft).desired_rows(3).desired_width(f32::INFINITY);
+    let response = ui.add(edit);
+    let response = tag(ui, &response, place, ("samples_m_s2", text::SAMPLES));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, text::SAMPLES));
+    let words = || draft.split(|c: char| c.is_whitespace() || c == ';').filter(|word| !word.is_empty());
+    let wrong = words().find(|word| word.parse::<f64>().is_err()).map(str::to_owned);
+    if response.has_focus() {
+        ui.data_mut(|d| d.insert_temp(draft_id, draft.clone()));
+    } else if response.lost_focus() && wrong.is_none() {
+        ui.data_mut(|d| d.remove::<String>(draft_id));
+        let new: Vec<f64> = words().filter_map(|word| word.parse().ok()).collect();
+        return Some(new).filter(|new| new != list);
+    } else if wrong.is_none() {
+        ui.data_mut(|d| d.remove::<String>(draft_id));
+    }
+    if let Some(wrong) = wrong {
+        complain(ui, &format!("\u{201c}{wrong}\u{201d} {}", text::NO_SAMPLE));
+    }
+    if let Some(complaint) = place.complaint("samples_m_s2") {
+        complain(ui, &complaint);
+    }
+    None
+}

@@ -1,0 +1,109 @@
+//! An abutment: before which end it stands, its gap, its face.
+
+use egui::{ComboBox, Ui};
+
+use super::{grid, push};
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::field::{CLICK, Change, Place, act, length_unit, number, optional, tag};
+use crate::app::panel::name_field;
+use crate::app::{edits, text};
+use crate::geometry::End;
+use crate::scene::{Abutment, Girder, placed};
+
+/// Shows an abutment.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, abutment: &Abutment, out: &mut Vec<Command>) {
+    let mut new = abutment.clone();
+    let table = format!("abutment.{}", abutment.name);
+    let place = Place { problems: bench.problems(), table: &table };
+    let girder = bench.scene().girders.iter().find(|g| g.name == abutment.faces);
+    let change = grid(ui, "abutment", |ui| {
+        name_field::show(ui, place, bench.selected(), &abutment.name, out);
+        let faces = faces_row(ui, place, bench, &mut new);
+        let face = match &mut new.polygon {
+            Some(corners) => corner_rows(ui, place, girder, corners),
+            None => face_rows(ui, place, girder, &mut new),
+        };
+        faces.or(face).or(depth_row(ui, place, girder, &mut new))
+    });
+    let change = change.or(way_of_face(ui, place, bench, &mut new));
+    push(change, out, || edits::abutment(i, new));
+}
+
+fn face_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
+    let unit = length_unit(girder.map_or(1.0, |g| g.length));
+    let (wide, high) = girder.map_or((1.0, 1.0), |g| (3.0 * g.prism().end_length(), 3.0 * g.thickness));
+    let mut gap = a.gap.unwrap_or(0.0);
+    let moved = number(ui, place, ("gap_m", text::GAP), &mut gap, unit);
+    if moved.is_some() {
+        a.gap = Some(gap);
+    }
+    let rest = [
+        optional(ui, place, ("offset_m", text::OFFSET), (&mut a.offset, 0.0), unit),
+        optional(ui, place, ("width_m", text::FACE_WIDTH), (&mut a.width, wide), unit),
+        optional(ui, place, ("height_m", text::FACE_HEIGHT), (&mut a.height, high), unit),
+    ];
+    rest.into_iter().flatten().next().or(moved)
+}
+
+fn depth_row(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
+    let length = girder.map_or(1.0, |g| g.length);
+    optional(ui, place, ("depth_m", text::FACE_DEPTH), (&mut a.depth, length), length_unit(length))
+}
+
+/// The face by its corners in the world.
+fn corner_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, corners: &mut [[f64; 3]]) -> Option<Change> {
+    let unit = length_unit(girder.map_or(1.0, |g| g.length));
+    let mut change = None;
+    for (n, corner) in corners.iter_mut().enumerate() {
+        let key = format!("polygon_m[{n}]");
+        for (value, axis) in corner.iter_mut().zip(["x", "y", "z"]) {
+            let label = format!("{} {} {axis}", text::CORNER, n + 1);
+            change = change.or(number(ui, place, (&key, &label), value, unit));
+        }
+    }
+    change
+}
+
+/// The other way to say where the face is; the face stays where it is.
+fn way_of_face(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
+    let scene = bench.scene();
+    if a.polygon.is_some() {
+        if !act(ui, place, "gap_m", text::FACE_BY_GAP) {
+            return None;
+        }
+        (a.gap, a.polygon) = (edits::gap_before(scene, a).or(edits::gap_of(scene)).or(Some(0.0)), None);
+        return CLICK;
+    }
+    if !act(ui, place, "polygon_m", text::FACE_BY_CORNERS) {
+        return None;
+    }
+    let corners = placed::abutment_face(scene, a)?;
+    (a.gap, a.width, a.height, a.offset) = (None, None, None, None);
+    a.polygon = Some(corners.map(edits::tidy).to_vec());
+    CLICK
+}
+
+/// Which girder's end it stands before.
+fn faces_row(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
+    let before = (a.faces.clone(), a.end);
+    let label = ui.label(text::FACES);
+    let combo = ComboBox::from_id_salt("faces").width(79.0).selected_text(a.faces.as_str()).show_ui(ui, |ui| {
+        for girder in &bench.scene().girders {
+            if ui.selectable_label(a.faces == girder.name, &girder.name).clicked() {
+                a.faces.clone_from(&girder.name);
+            }
+        }
+    });
+    tag(ui, &combo.response.labelled_by(label.id), place, ("faces", text::FACES));
+    ui.end_row();
+    let label = ui.label(text::END);
+    ui.horizontal(|ui| {
+        for end in End::BOTH {
+            let response = ui.selectable_value(&mut a.end, end, end.label()).labelled_by(label.id);
+            tag(ui, &response, place, ("end", end.label()));
+        }
+    });
+    ui.end_row();
+    if (a.faces.as_str(), a.end) == (before.0.as_str(), before.1) { None } else { CLICK }
+}

@@ -1,0 +1,149 @@
+//! Each facing pair's contact numbers in force, where each comes from, and numbers of its own.
+
+use egui::{RichText, Ui};
+
+use super::{grid, section, stiffness};
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::edits;
+use crate::app::field::{Change, PURE, Place, choice, laid_over};
+use crate::app::text;
+use crate::scene::facing::{self, Facing};
+use crate::scene::{ContactSettings, PairSettings, Scene};
+use crate::view::Target;
+
+/// Most pairs shown at once: beyond that one girder is selected to see its own.
+const MOST: usize = 40;
+
+/// Shows the pairs of one body, or all.
+pub(super) fn show(ui: &mut Ui, bench: &Workbench, of: Option<&str>, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let pairs = facing::find(scene).unwrap_or_default();
+    let ours: Vec<&Facing> =
+        pairs.iter().filter(|p| of.is_none_or(|name| edits::names_of(scene, p).contains(&name))).collect();
+    if ours.is_empty() {
+        return;
+    }
+    section(ui, text::PAIRS_SECTION, true, |ui| {
+        for pair in ours.iter().take(MOST) {
+            let title = format!("{} {}", text::PAIR, pair.name);
+            section(ui, &title, ours.len() == 1, |ui| one(ui, bench, pair, out));
+        }
+        if ours.len() > MOST {
+            ui.label(RichText::new(text::more(ours.len() - MOST)).weak());
+        }
+    });
+}
+
+fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    in_force(ui, bench, pair);
+    contacts(ui, bench, pair, out);
+    let entry = edits::pair_entry(scene, pair);
+    let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
+    let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
+    let place = Place { problems: bench.problems(), table: &table };
+    // Pairs without an entry have no place of their own in the file that could tell their lists apart.
+    let own_id = ("pair", &pair.name);
+    let change = ui.push_id(own_id, |ui| grid(ui, "own", |ui| own_rows(ui, place, pair, &mut own))).inner;
+    if let Some(change) = change {
+        out.push(Command::Edit { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture });
+    }
+    if let Some(n) = entry
+        && ui.small_button(text::PAIR_RESET).on_hover_text(text::PAIR_RESET_HINT).clicked()
+    {
+        let mut contact = scene.contact.clone();
+        contact.pairs.remove(n);
+        out.push(Command::Edit { edit: edits::contact(contact), gesture: None });
+    }
+}
+
+/// The pair's contacts, to be selected without having to hit them in the view.
+fn contacts(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
+    let Some(answer) = bench.answer().filter(|_| !bench.is_stale()) else { return };
+    let model = answer.history.model();
+    let Some(run) = model.pairs.iter().find(|p| p.name == pair.name) else { return };
+    ui.horizontal_wrapped(|ui| {
+        for contact in run.contacts.clone().take(MOST) {
+            let name = format!("{} | {}", model.contacts[contact].node, model.contacts[contact].face_name);
+            if ui.small_button(name).on_hover_text(text::CONTACTS_OF_PAIR).clicked() {
+                out.push(Command::Select(Some(Target::Contact(contact))));
+            }
+        }
+    });
+}
+
+fn with_pair(scene: &Scene, entry: Option<usize>, own: PairSettings) -> ContactSettings {
+    let mut contact = scene.contact.clone();
+    match entry {
+        Some(n) => contact.pairs[n] = own,
+        None => contact.pairs.push(own),
+    }
+    contact
+}
+
+/// Every number of the pair, with where it comes from.
+fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
+    let (scene, c) = (bench.scene(), &pair.contact);
+    let own = edits::pair_entry(scene, pair).map(|n| &scene.contact.pairs[n]);
+    let from = |own: bool| if own { text::FROM_PAIR } else { text::FROM_SCENE };
+    let has = |given: fn(&PairSettings) -> bool| own.is_some_and(given);
+    let stiffness_from = match (own, scene.contact.stiffness) {
+        (Some(p), _) if p.stiffness.is_some() => text::FROM_PAIR,
+        (Some(p), _) if p.young_modulus.is_some() || p.area.is_some() => text::FROM_EA_L,
+        (_, Some(_)) => text::FROM_SCENE,
+        _ => text::FROM_EA_L,
+    };
+    let dashpots = bench.answer().filter(|_| !bench.is_stale());
+    let dashpots = dashpots.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
+    let mut rows = vec![
+        ("K", text::stiffness(c.stiffness), stiffness_from),
+        ("e n", text::short(c.restitution_normal), from(has(|p| p.restitution_normal.is_some()))),
+        ("e t", text::short(c.restitution_tangential), from(has(|p| p.restitution_tangential.is_some()))),
+        ("μ s", text::short(c.mu_static), from(has(|p| p.mu_static.is_some()))),
+        ("μ k", text::short(c.mu_kinetic), from(has(|p| p.mu_kinetic.is_some()))),
+        ("gap", text::exact_length(pair.gap), text::FROM_PLACES),
+    ];
+    if let Some(p) = dashpots {
+        rows.insert(1, ("C n", text::damping(p.c_n), text::FROM_65));
+        rows.insert(2, ("C t", text::damping(p.c_t), text::FROM_65));
+    }
+    egui::Grid::new(("in force", &pair.name)).num_columns(3).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
+        for (name, value, source) in rows {
+            ui.label(RichText::new(name).weak());
+            ui.label(value);
+            ui.label(RichText::new(source).weak().small());
+            ui.end_row();
+        }
+    });
+}
+
+/// What the pair has instead of the scene's numbers.
+fn own_rows(ui: &mut Ui, place: Place<'_>, pair: &Facing, own: &mut PairSettings) -> Option<Change> {
+    let c = &pair.contact;
+    let name = |words: &str| format!("{words} {}", text::OF_PAIR);
+    let fields = [
+        ("restitution_normal", "e n", &mut own.restitution_normal, c.restitution_normal),
+        ("restitution_tangential", "e t", &mut own.restitution_tangential, c.restitution_tangential),
+        ("mu_static", "μ s", &mut own.mu_static, c.mu_static),
+        ("mu_kinetic", "μ k", &mut own.mu_kinetic, c.mu_kinetic),
+    ];
+    let mut change = None;
+    for (key, label, value, now) in fields {
+        change = change.or(laid_over(ui, place, (key, &name(label)), (value, now), PURE));
+    }
+    let given = stiffness::Given { k: &mut own.stiffness, e: &mut own.young_modulus, a: &mut own.area };
+    let stiff = stiffness::rows(ui, place, text::OF_PAIR, given, (c.stiffness, None));
+    let law = choice(ui, place, ("law", &name(text::LAW_SHORT)), &mut own.law, &as_scene(stiffness::LAWS));
+    let sharing =
+        choice(ui, place, ("sharing", &name(text::SHARING)), &mut own.sharing, &as_scene(stiffness::SHARINGS));
+    let tension =
+        choice(ui, place, ("tension", &name(text::TENSION)), &mut own.tension, &as_scene(stiffness::TENSIONS));
+    change.or(stiff).or(law).or(sharing).or(tension)
+}
+
+/// The same choices, and that of having none.
+fn as_scene<T: Copy>(options: [(T, &'static str); 2]) -> [(Option<T>, &'static str); 3] {
+    let [a, b] = options.map(|(value, word)| (Some(value), word));
+    [(None, text::THE_SCENES), a, b]
+}

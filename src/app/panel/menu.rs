@@ -1,0 +1,115 @@
+//! The bar at the top: files, presets, undo, placing, views.
+
+use egui::{Button, MenuBar, Theme, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::{Command, Export};
+use crate::app::disk::film::Filming;
+use crate::app::disk::recent;
+use crate::app::learn::lesson_panel;
+use crate::app::panel::row_dialog::RowDraft;
+use crate::app::text;
+use crate::app::viewport::tool::Tool;
+use crate::scene::{ViewPreset, presets};
+
+/// Shows the bar.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    MenuBar::new().ui(ui, |ui| {
+        ui.menu_button(text::FILE, |ui| file(ui, bench, out));
+        ui.menu_button(text::EDIT, |ui| edit(ui, bench, out));
+        ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
+        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench, out));
+        ui.separator();
+        let (undo, redo) = (bench.undo_label(), bench.redo_label());
+        button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Undo, out);
+        button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Redo, out);
+        ui.separator();
+        let some = bench.selected_body().is_some();
+        button(ui, some, text::DUPLICATE, "Ctrl D", Command::Duplicate, out);
+        button(ui, some, text::REMOVE, "Delete", Command::Remove, out);
+        ui.separator();
+        views(ui, out);
+        ui.menu_button(text::VIEWS, |ui| crate::app::viewport::view_options::menu(ui, bench, out));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            button(ui, true, text::HELP, "F1", Command::Help(true), out);
+            theme(ui, out);
+        });
+    });
+}
+
+fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {
+    if ui.add_enabled(enabled, Button::new(words)).on_hover_text(keys).clicked() {
+        out.push(command);
+    }
+}
+
+fn file(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    item(ui, text::NEW, "Ctrl N", Command::New, out);
+    item(ui, text::OPEN, "Ctrl O", Command::OpenDialog, out);
+    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, bench, out));
+    let items = [
+        (text::SAVE, "Ctrl S", Command::Save),
+        (text::SAVE_AS, "Ctrl Shift S", Command::SaveAs),
+        (text::EXPORT_PICTURE, "", Command::Export(Export::Picture)),
+        (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
+        (text::EXPORT_TABLES, "", Command::Export(Export::Tables)),
+        (text::QUIT, "Ctrl Q", Command::Close),
+    ];
+    for (words, keys, command) in items {
+        item(ui, words, keys, command, out);
+    }
+}
+
+fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {
+    if ui.add(Button::new(words).shortcut_text(keys)).clicked() {
+        out.push(command);
+        ui.close();
+    }
+}
+
+fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let (bodies, any) = (bench.selected_body().is_some(), !bench.scene().girders.is_empty());
+    let items = [
+        (true, text::PLACE_GIRDER, "Shift G", Command::Tool(Tool::Girder)),
+        (any, text::PLACE_ABUTMENT, "Shift B", Command::Tool(Tool::Abutment)),
+        (any, text::ROW_ASK, "Ctrl R", Command::AskRow(Some(RowDraft::of(bench)))),
+        (any, text::SELECT_ALL, "Ctrl A", Command::SelectAll),
+        (bodies, text::DUPLICATE, "Ctrl D", Command::Duplicate),
+        (bodies, text::REMOVE, "Delete", Command::Remove),
+    ];
+    for (enabled, words, keys, command) in items {
+        if ui.add_enabled(enabled, Button::new(words).shortcut_text(keys)).clicked() {
+            out.push(command);
+            ui.close();
+        }
+    }
+}
+
+fn preset_list(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    for preset in presets::all() {
+        let chosen = bench.scene().name == preset.name;
+        if ui.add(Button::selectable(chosen, preset.name)).on_hover_text(preset.summary).clicked() {
+            out.push(Command::OpenPreset(preset.name.to_owned()));
+            ui.close();
+        }
+    }
+}
+
+fn views(ui: &mut Ui, out: &mut Vec<Command>) {
+    let presets = [
+        (text::VIEW_ISO, "1", ViewPreset::Iso),
+        (text::VIEW_TOP, "2", ViewPreset::Top),
+        (text::VIEW_SIDE, "3", ViewPreset::Side),
+        (text::VIEW_CONTACT, "4", ViewPreset::Contact),
+    ];
+    for (words, key, preset) in presets {
+        button(ui, true, words, key, Command::View(preset), out);
+    }
+    button(ui, true, text::VIEW_FRAME, text::FRAME_HINT, Command::Frame, out);
+}
+
+fn theme(ui: &mut Ui, out: &mut Vec<Command>) {
+    let (words, other) =
+        if ui.visuals().dark_mode { (text::THEME_LIGHT, Theme::Light) } else { (text::THEME_DARK, Theme::Dark) };
+    button(ui, true, words, text::THEME_HINT, Command::Theme(other), out);
+}

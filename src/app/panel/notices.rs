@@ -1,0 +1,96 @@
+//! What stands over the view: complaints, progress, and questions.
+
+use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::style::theme::Palette;
+use crate::app::text;
+
+/// Greys an old answer and says why it is old.
+pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, bench: &Workbench, out: &mut Vec<Command>) {
+    if bench.is_stale() && bench.answer().is_some() {
+        let veil: Color32 = Palette::of(ui).view.gamma_multiply(0.55);
+        ui.painter().rect_filled(rect, 0.0, veil);
+    }
+    if bench.tool() != crate::app::viewport::tool::Tool::Select {
+        let at = rect.center_bottom() - vec2(0.0, 10.0);
+        let font = egui::FontId::proportional(12.0);
+        ui.painter().text(at, Align2::CENTER_BOTTOM, text::TOOL_ENDS, font, Palette::of(ui).weak);
+    }
+    if let Some(problems) = bench.problems() {
+        let lines: Vec<String> =
+            problems.0.iter().map(|e| format!("{}: {} — {}", e.place, e.value, e.remedy)).collect();
+        let headline = if bench.answer().is_some() { text::PROBLEM } else { text::PROBLEM_AT_ONCE };
+        plate(ui, rect, "problem", |ui| {
+            ui.label(RichText::new(headline).color(Palette::of(ui).problem).strong());
+            for line in &lines {
+                ui.add(egui::Label::new(line).wrap());
+            }
+        });
+    } else if let Some(progress) = bench.progress() {
+        plate(ui, rect, "progress", |ui| computing(ui, progress, out));
+    } else if bench.is_stale() {
+        plate(ui, rect, "cancelled", |ui| {
+            ui.add(egui::Label::new(text::CANCELLED).wrap());
+        });
+    } else if let Some(stop) = bench.answer().and_then(|a| a.history.stop()) {
+        let words = format!("{} ({} s): {} — {}", text::STOPPED_EARLY, text::short(stop.t), stop.place, stop.reason);
+        plate(ui, rect, "stopped", |ui| {
+            ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).wrap());
+        });
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a share of a bar")]
+fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label(text::COMPUTING);
+        ui.add(ProgressBar::new(progress as f32).desired_width(140.0).show_percentage());
+        if ui.button(text::CANCEL).clicked() {
+            out.push(Command::CancelRun);
+        }
+    });
+}
+
+/// A plate at the top of the view, no wider than it.
+fn plate(ui: &mut Ui, rect: Rect, id: &str, body: impl FnOnce(&mut Ui)) {
+    let width = (rect.width() - 32.0).clamp(80.0, 560.0);
+    let place = Rect::from_min_size(rect.center_top() + vec2(-width / 2.0, 10.0), vec2(width, 40.0));
+    let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(place).id_salt(id));
+    Frame::popup(ui.style()).show(&mut inner, body);
+}
+
+/// The question before closing, and the notice of what has happened to a file.
+pub(in crate::app) fn over_all(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    if let Some(notice) = bench.notice() {
+        let area =
+            Area::new(Id::unique("notice")).order(Order::Foreground).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -40.0));
+        area.show(ui, |ui| {
+            Frame::popup(ui.style()).show(ui, |ui| {
+                ui.horizontal(|ui| {
+                    ui.label(notice);
+                    if ui.button(text::DISMISS).clicked() {
+                        out.push(Command::Dismiss);
+                    }
+                });
+            });
+        });
+    }
+    if bench.asks_before_closing() {
+        egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
+            ui.label(text::UNSAVED_QUESTION);
+            ui.horizontal(|ui| {
+                for (words, command) in [
+                    (text::SAVE_FIRST, Command::Save),
+                    (text::CLOSE_ANYWAY, Command::CloseAnyway),
+                    (text::KEEP_OPEN, Command::KeepOpen),
+                ] {
+                    if ui.button(words).clicked() {
+                        out.push(command);
+                    }
+                }
+            });
+        });
+    }
+}

@@ -1,0 +1,60 @@
+//! What is placed, as a list to select from.
+
+use egui::{Button, RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::field::{self, Place, mark};
+use crate::app::text;
+use crate::view::Target;
+
+/// Shows the list and the buttons that add to it.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(text::OUTLINER).strong());
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let top = Place { problems: None, table: "" };
+            let add = ui.small_button(text::ADD_ABUTMENT).on_hover_text("B");
+            mark(&add, top, ("abutment", text::ADD_ABUTMENT));
+            if add.clicked() {
+                out.push(Command::AddAbutment);
+            }
+            let add = ui.small_button(text::ADD_GIRDER).on_hover_text("G");
+            mark(&add, top, ("girder", text::ADD_GIRDER));
+            if add.clicked() {
+                out.push(Command::AddGirder);
+            }
+        });
+    });
+    let scene = bench.scene();
+    egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
+        for (i, girder) in scene.girders.iter().enumerate() {
+            let about = format!("β {}°", field::trimmed(girder.skew_deg));
+            row(ui, bench, Target::Girder(i), &girder.name, &about, out);
+        }
+        for (i, abutment) in scene.abutments.iter().enumerate() {
+            let about = format!("{} {} {}", text::BEFORE, abutment.faces, abutment.end.label());
+            row(ui, bench, Target::Abutment(i), &abutment.name, &about, out);
+        }
+        if scene.girders.is_empty() && scene.abutments.is_empty() {
+            ui.label(text::EMPTY);
+        }
+    });
+}
+
+fn row(ui: &mut Ui, bench: &Workbench, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {
+    let selected = bench.selection().contains(&target);
+    let button = Button::selectable(selected, name).right_text(RichText::new(about).weak()).truncate();
+    let size = egui::vec2(ui.available_width(), 20.0);
+    let response = ui.add(button.min_size(size));
+    if response.clicked() {
+        let alone = selected && bench.selection().len() == 1;
+        let also = ui.input(|i| i.modifiers.command || i.modifiers.shift);
+        let one = Command::Select(if alone { None } else { Some(target) });
+        out.push(if also { Command::SelectAlso(target) } else { one });
+    }
+    if response.double_clicked() {
+        out.push(Command::Select(Some(target)));
+        out.push(Command::Frame);
+    }
+}

@@ -1,0 +1,87 @@
+//! Toggles for everything that the view draws over the bodies, and the scale of the force arrows.
+
+use egui::{Slider, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::field::{Place, choice_line, slider_row, tag};
+use crate::app::text;
+use crate::scene::edit::Edit;
+use crate::scene::{Overlays, ViewPreset, ViewSettings, keys};
+
+/// Every layer, in the order of [`text::OVERLAYS`].
+fn switches(overlays: &mut Overlays) -> [&mut bool; 13] {
+    [
+        &mut overlays.grid,
+        &mut overlays.bearings,
+        &mut overlays.gap,
+        &mut overlays.contacts,
+        &mut overlays.normal,
+        &mut overlays.tangential,
+        &mut overlays.resultant,
+        &mut overlays.damping,
+        &mut overlays.cones,
+        &mut overlays.axes,
+        &mut overlays.legend,
+        &mut overlays.title,
+        &mut overlays.names,
+    ]
+}
+
+/// Shows the toggles in two columns, then the force scale.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let mut overlays = bench.overlays();
+    let layers = Place { problems: bench.problems(), table: "view.overlays" };
+    let mut changed = false;
+    egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
+        let labels = text::OVERLAYS.into_iter().zip(keys::OVERLAYS);
+        for (i, (on, (label, key))) in switches(&mut overlays).into_iter().zip(labels).enumerate() {
+            let response = ui.checkbox(on, label);
+            changed |= tag(ui, &response, layers, (key.name, label)).changed();
+            if i % 2 == 1 {
+                ui.end_row();
+            }
+        }
+    });
+    if changed {
+        out.push(Command::Overlays(overlays));
+    }
+    force_scale(ui, bench, out);
+    crate::app::viewport::view_options::exaggeration(ui, bench, out);
+    first_view(ui, bench, out);
+}
+
+const VIEWS: [(ViewPreset, &str); 4] = [
+    (ViewPreset::Iso, text::VIEW_ISO),
+    (ViewPreset::Top, text::VIEW_TOP),
+    (ViewPreset::Side, text::VIEW_SIDE),
+    (ViewPreset::Contact, text::VIEW_CONTACT),
+];
+
+/// Where the camera stands when the scene is opened.
+fn first_view(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let place = Place { problems: bench.problems(), table: "view" };
+    let mut view = ViewSettings { ..bench.scene().view.clone() };
+    if choice_line(ui, place, ("camera", text::FIRST_VIEW), &mut view.camera, &VIEWS).is_some() {
+        out.push(Command::Edit { edit: Edit::View(view), gesture: None });
+    }
+}
+
+fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let automatic = bench.automatic_force_scale();
+    let mut auto = bench.force_scale().is_none();
+    if ui.checkbox(&mut auto, text::AUTO_SCALE).changed() {
+        out.push(Command::ForceScale((!auto).then_some(automatic)));
+    }
+    let mut scale = bench.force_scale().unwrap_or(automatic);
+    let words = format!("{}/m", text::force(scale));
+    let slider = Slider::new(&mut scale, automatic / 50.0..=automatic * 50.0)
+        .logarithmic(true)
+        .clamping(egui::SliderClamping::Edits)
+        .show_value(false);
+    let place = Place { problems: bench.problems(), table: "view" };
+    let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
+    if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE)).changed() {
+        out.push(Command::ForceScale(Some(scale)));
+    }
+}

@@ -1,0 +1,134 @@
+//! What follows from the numbers of a girder, and the forces of a contact at the time shown.
+
+use egui::{Grid, RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::run::answer::Answer;
+use crate::app::{field, text};
+use crate::dynamics::bearing::Quantities;
+use crate::scene::Girder;
+use crate::sim::quantity::{OfPair, Quantity};
+use crate::sim::readings::{Extreme, Reading};
+use crate::sim::{ContactNow, Touch};
+
+/// A list of names and values.
+fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
+    ui.add_space(4.0);
+    Grid::new(salt).num_columns(2).spacing([8.0, 2.0]).striped(true).show(ui, |ui| {
+        for (name, value) in rows {
+            ui.label(RichText::new(name).weak());
+            ui.add(egui::Label::new(value).wrap());
+            ui.end_row();
+        }
+    });
+}
+
+/// What (3), (4) and (6) say of a girder.
+pub(in crate::app) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::COMPUTED).strong());
+    // A straight girder's is 0 but for the rounding of sin π.
+    let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
+    let mut rows = vec![(text::US_SKEW, format!("{}°", field::trimmed(90.0 - girder.skew_deg)))];
+    let body = bench.answer().and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
+    if let Some(body) = body.filter(|_| !bench.is_stale()) {
+        rows.extend(quantities(&body.quantities()));
+    }
+    rows.push((text::CONDITION, format!("{} {}", text::short(number), text::turns_or_not(number))));
+    table(ui, "computed", rows);
+    let answer = bench.answer().filter(|_| !bench.is_stale());
+    if let Some(reading) = answer.and_then(|a| a.reading(i)) {
+        show_reading(ui, reading);
+    }
+}
+
+/// What a designer reads off the run for one girder.
+fn show_reading(ui: &mut Ui, reading: &Reading) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::READINGS).strong());
+    let at = |words: &str, e: &Extreme| text::reached_at(words, e.t);
+    let length = |e: &Extreme| at(&text::length(e.value), e);
+    let mut rows: Vec<(&'static str, String)> =
+        vec![(text::TURNS, at(&format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
+    rows.extend(text::DRIFTS.into_iter().zip(reading.drift.iter().map(length)));
+    for seat in &reading.seats {
+        let left = text::seat_left(&length(&seat.least), seat.length, seat.at_corners);
+        rows.push((text::seat_at(seat.end), left));
+        if let Some(t) = seat.left_at {
+            rows.push((text::UNSEATS, text::unseats_at(t)));
+        }
+    }
+    rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap))));
+    rows.extend(reading.force.as_ref().map(|force| (text::PEAK_FORCE, at(&text::force(force.value), force))));
+    table(ui, "readings", rows);
+}
+
+/// (3), (4) in words.
+fn quantities(q: &Quantities) -> [(&'static str, String); 6] {
+    let three = |v: [f64; 3]| v.map(text::short).join("  ");
+    let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
+    let hertz = q.omega.map(|w| w / std::f64::consts::TAU);
+    [
+        (text::OMEGAS, format!("{} rad/s", three(q.omega))),
+        (text::FREQUENCIES, format!("{} Hz", three(hertz))),
+        (text::DAMPING_RATIOS, three(q.damping_ratio)),
+        (text::STIFFNESS_ECCENTRICITY, millimetres(q.stiffness_eccentricity)),
+        (text::DAMPING_ECCENTRICITY, millimetres(q.damping_eccentricity)),
+        (text::GYRATION, text::length(q.gyration)),
+    ]
+}
+
+/// A contact at the time shown, and its touches.
+pub(in crate::app) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize, out: &mut Vec<Command>) {
+    let Some(answer) = bench.answer() else { return };
+    let Some(site) = answer.history.model().contacts.get(contact) else { return };
+    ui.label(format!("{} | {}", site.node, site.face_name));
+    if let Some(now) = answer.history.contact_at(contact, bench.clock().t) {
+        table(ui, "contact", rows(&now));
+    } else {
+        ui.label(RichText::new(text::CONTACT_OPEN).weak());
+        let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
+        table(ui, "contact", [(text::GAP_OF_PAIR, text::length(gap))]);
+    }
+    touches(ui, answer, contact, bench.clock().t, out);
+}
+
+fn rows(c: &ContactNow) -> [(&'static str, String); 11] {
+    let newtons = text::force;
+    let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
+    let stretch = c.point + c.normal * c.penetration - c.anchor;
+    [
+        (text::STATE, c.state.label().to_owned()),
+        (text::NORMAL_SPRING, newtons(c.normal_force)),
+        (text::TANGENTIAL_SPRING, newtons(c.tangential_force.length())),
+        (text::FORCE_RATIO, text::one_of(&text::short(used), &text::short(c.mu_static))),
+        (text::CONE_USED, format!("{} %", text::short(100.0 * c.cone_use()))),
+        (text::DASHPOTS, newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
+        (text::WHOLE_FORCE, newtons(c.force.length())),
+        (text::OVERLAP, format!("{} µm", text::short(c.penetration * 1e6))),
+        (text::ANCHOR_OFF, format!("{} µm", text::short(stretch.length() * 1e6))),
+        (text::CLOSING, format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
+        (text::SLIDING, format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
+    ]
+}
+
+/// Most touches listed.
+const MOST_TOUCHES: usize = 200;
+
+/// Every touch of a contact; a click goes to its peak.
+fn touches(ui: &mut Ui, answer: &Answer, contact: usize, t: f64, out: &mut Vec<Command>) {
+    let all: Vec<&Touch> = answer.history.touches().iter().filter(|touch| touch.contact == contact).collect();
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::touches(all.len())).strong());
+    for touch in all.iter().take(MOST_TOUCHES) {
+        let words = text::touch(touch.start, touch.end, touch.peak_force, touch.impulse);
+        let here = (touch.start..=touch.end).contains(&t);
+        if ui.add(egui::Button::selectable(here, words)).on_hover_text(text::GO_TO_PEAK).clicked() {
+            out.push(Command::Seek(touch.peak_time));
+        }
+    }
+    if all.len() > MOST_TOUCHES {
+        ui.label(RichText::new(text::more(all.len() - MOST_TOUCHES)).weak());
+    }
+}

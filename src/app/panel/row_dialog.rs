@@ -1,0 +1,63 @@
+//! Asks for a row: how many spans like the one selected, and the gap between neighbours.
+
+use egui::{Id, Modal, RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::bench::placing::MOST_SPANS;
+use crate::app::command::Command;
+use crate::app::field::{PURE, Place, Unit, length_unit, number};
+use crate::app::text;
+
+/// What has been typed so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowDraft {
+    /// Girders in the row, the selected one among them.
+    pub spans: usize,
+    /// Gap between neighbours \[m\].
+    pub gap: f64,
+}
+
+impl RowDraft {
+    /// What is offered at first: five spans with the gap that the scene has.
+    pub(in crate::app) fn of(bench: &Workbench) -> Self {
+        Self { spans: 5, gap: crate::app::edits::gap_of(bench.scene()).unwrap_or(0.003) }
+    }
+}
+
+/// Shows the question while it is open.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let Some(draft) = bench.row_draft() else { return };
+    let Some(girder) = bench.scene().girders.get(bench.shown_girder()) else { return };
+    let modal = Modal::new(Id::unique("row")).show(ui, |ui| {
+        ui.heading(text::ROW);
+        ui.label(RichText::new(format!("{} {}", text::ROW_OF, girder.name)).weak());
+        let mut new = draft;
+        let mut spans = draft.spans as f64;
+        let place = Place { problems: None, table: "" };
+        egui::Grid::new("row").num_columns(2).show(ui, |ui| {
+            let whole = Unit { speed: 0.05, ..PURE };
+            number(ui, place, ("", text::ROW_SPANS), &mut spans, whole);
+            number(ui, place, ("", text::ROW_GAP), &mut new.gap, length_unit(girder.length));
+        });
+        new = RowDraft { spans: whole(spans), gap: new.gap.max(0.0) };
+        if new != draft {
+            out.push(Command::AskRow(Some(new)));
+        }
+        ui.horizontal(|ui| {
+            if ui.button(text::ROW_MAKE).clicked() {
+                out.extend([Command::Array { spans: new.spans, gap: new.gap }, Command::AskRow(None)]);
+            }
+            if ui.button(text::CANCEL).clicked() {
+                out.push(Command::AskRow(None));
+            }
+        });
+    });
+    if modal.should_close() {
+        out.push(Command::AskRow(None));
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small whole number")]
+fn whole(spans: f64) -> usize {
+    spans.round().clamp(2.0, MOST_SPANS as f64) as usize
+}

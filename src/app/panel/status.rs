@@ -1,0 +1,59 @@
+//! The line at the bottom: how large, how many, how exact, how fast, drawn by what.
+
+use egui::{RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::run::answer::Answer;
+use crate::app::style::theme::Palette;
+use crate::app::text;
+
+/// Shows the line.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 14.0;
+        if let Some(problems) = bench.problems() {
+            let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
+            ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
+        } else if let Some(answer) = bench.answer() {
+            numbers(ui, answer);
+            flag(ui, bench, answer);
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.add(egui::Label::new(RichText::new(bench.adapter()).weak().small()).truncate());
+        });
+    });
+}
+
+/// The first limit that is passed, and how many more.
+fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
+    if bench.scene().limits == crate::scene::Limits::default() || bench.is_stale() {
+        return;
+    }
+    if let [first, more @ ..] = answer.passed() {
+        let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
+        let words = format!("{}{more}", text::passed(first));
+        ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).truncate());
+    }
+}
+
+fn numbers(ui: &mut Ui, answer: &Answer) {
+    let s = &answer.summary;
+    let ledger = answer.history.ledger(answer.history.end());
+    let residual = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
+    let error = match answer.error() {
+        None => "…".to_owned(),
+        Some(error) => text::length(error),
+    };
+    let values = [
+        text::length(s.max_displacement),
+        format!("{}°", text::short(s.max_rotation.to_degrees())),
+        text::force(s.peak_force),
+        s.hits.to_string(),
+        format!("{residual:.0e}"),
+        error,
+        text::run_time(answer.took.as_secs_f64(), answer.times_real_time()),
+    ];
+    for (value, (name, meaning)) in values.into_iter().zip(text::STATUS) {
+        ui.label(format!("{name} {value}")).on_hover_text(meaning);
+    }
+}

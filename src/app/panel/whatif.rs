@@ -1,0 +1,105 @@
+//! The scene's main numbers as sliders: move one, and the whole history is computed anew.
+
+use egui::{RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::field::{Change, DEGREES, PURE, Place, SECONDS, choice_line, length_unit, slider};
+use crate::app::panel::{ground_motion, limits, models, overlays, pins};
+use crate::app::plot::user_plots;
+use crate::app::{edits, text};
+use crate::scene::edit::Edit;
+use crate::scene::{FrictionLaw, Motion, Scene};
+use crate::view::Target;
+
+/// Shows the sliders, then the overlays.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    ui.label(RichText::new(text::WHAT_IF).strong());
+    geometry(ui, bench, out);
+    section(ui, text::MOTION_SECTION, |ui| motion(ui, bench, out));
+    section(ui, text::CONTACT_SECTION, |ui| contact(ui, bench, out));
+    section(ui, text::MODEL_SECTION, |ui| models::show(ui, bench, out));
+    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, bench, out));
+    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, bench, out));
+    section(ui, text::PINS_SECTION, |ui| pins::show(ui, bench, out));
+    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
+}
+
+fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
+    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show_unindented(ui, body);
+}
+
+fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> Edit) {
+    if let Some(change) = change {
+        out.push(Command::Edit { edit: edit(), gesture: change.gesture });
+    }
+}
+
+/// The girder whose skew the slider turns, or none: all of them.
+fn chosen(bench: &Workbench) -> Option<usize> {
+    match bench.selected() {
+        Some(Target::Girder(i)) if i < bench.scene().girders.len() => Some(i),
+        _ => None,
+    }
+}
+
+fn geometry(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let one = chosen(bench);
+    let Some(girder) = scene.girders.get(one.unwrap_or(0)) else { return };
+    let table = format!("girder.{}", girder.name);
+    let place = Place { problems: bench.problems(), table: &table };
+    let mut skew = girder.skew_deg;
+    let whose = if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS };
+    ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
+    let change = slider(ui, place, ("skew_deg", text::SKEW), &mut skew, DEGREES, 20.0..=160.0);
+    push(out, change, || edits::skew(scene, one, skew));
+    if let Some(mut gap) = edits::gap_of(scene) {
+        let unit = length_unit(girder.length);
+        let table = scene.abutments.first().map_or_else(String::new, |a| format!("abutment.{}", a.name));
+        let place = Place { problems: bench.problems(), table: &table };
+        let change = slider(ui, place, ("gap_m", text::GAP), &mut gap, unit, 0.0..=girder.length * 0.05);
+        push(out, change, || edits::gap(scene, gap));
+    }
+}
+
+const LAWS: [(FrictionLaw, &str); 2] =
+    [(FrictionLaw::Paper, text::LAW_PAPER), (FrictionLaw::ReturnMapping, text::LAW_RETURN)];
+
+fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    let mut new = scene.contact.clone();
+    let place = Place { problems: bench.problems(), table: "contact" };
+    let changes = [
+        slider(ui, place, ("mu_static", text::MU_STATIC), &mut new.mu_static, PURE, 0.0..=1.0),
+        slider(ui, place, ("mu_kinetic", text::MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
+        slider(ui, place, ("restitution_normal", text::E_NORMAL), &mut new.restitution_normal, PURE, 0.01..=1.0),
+        slider(
+            ui,
+            place,
+            ("restitution_tangential", text::E_TANGENTIAL),
+            &mut new.restitution_tangential,
+            PURE,
+            0.01..=1.0,
+        ),
+        choice_line(ui, place, ("law", text::LAW), &mut new.law, &LAWS),
+    ];
+    push(out, changes.into_iter().flatten().next(), || edits::contact(new));
+}
+
+fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let scene = bench.scene();
+    ground_motion::show(ui, bench, out);
+    let mut duration = scene.duration;
+    let place = Place { problems: bench.problems(), table: "" };
+    let change = slider(ui, place, ("duration_s", text::DURATION), &mut duration, SECONDS, 0.1..=60.0);
+    push(out, change, || edits::duration(scene, duration));
+}
+
+/// Period of the shaking, to count time in \[s\].
+pub(in crate::app) fn period(scene: &Scene) -> Option<f64> {
+    match &scene.motion {
+        Motion::Sine(sine) if sine.frequency_hz > 0.0 => Some(1.0 / sine.frequency_hz),
+        _ => None,
+    }
+}

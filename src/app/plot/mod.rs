@@ -1,0 +1,6 @@
+//! Curves against time or against each other: sampling, drawing, files.
+
+pub(in crate::app) mod plot_files;
+pub(in crate::app) mod plots;
+pub(in crate::app) mod traces;
+pub(in crate::app) mod user_plots;

@@ -1,0 +1,308 @@
+//! Curves for the plots: only what can be seen is sampled, and no force peak is lost.
+//!
+//! About two samples a pixel are taken of the motion. The force of a touch of 10 ms would fall between them, so every
+//! touch in the window adds its start, its end and its peak; where there are more touches than pixels, the highest of
+//! each pixel stands for the rest.
+//!
+//! Of a crowd of girders no single curve can be told from the others: there the room that they all fill is shown instead,
+//! and of all pairs' forces the largest, so that a frame costs as much for a hundred as for eight.
+
+use std::sync::Arc;
+
+use crate::app::panel::pins::Pin;
+use crate::app::run::answer::Answer;
+use crate::sim::Touch;
+
+/// A curve: `[t, value]`.
+pub(in crate::app) type Curve = Vec<[f64; 2]>;
+
+/// More girders or pairs than this are a crowd.
+pub(in crate::app) const CROWD: usize = 8;
+
+/// The room that many curves fill, time by time.
+#[derive(Clone, Debug, Default)]
+pub(in crate::app) struct Band {
+    /// Times \[s\].
+    pub(in crate::app) times: Vec<f64>,
+    /// Lowest values.
+    pub(in crate::app) low: Vec<f64>,
+    /// Highest values.
+    pub(in crate::app) high: Vec<f64>,
+}
+
+impl Band {
+    /// Of curves that were sampled at the same times.
+    fn of(curves: &[Curve]) -> Self {
+        let times = curves.first().into_iter().flatten().map(|p| p[0]).collect();
+        let among = |i: usize, pick: fn(f64, f64) -> f64| {
+            curves.iter().filter_map(|c| c.get(i)).map(|p| p[1]).reduce(pick).unwrap_or_default()
+        };
+        let count = curves.first().map_or(0, Vec::len);
+        let all = |pick: fn(f64, f64) -> f64| (0..count).map(|i| among(i, pick)).collect();
+        Self { times, low: all(f64::min), high: all(f64::max) }
+    }
+}
+
+/// Samples for one window of time.
+#[derive(Clone, Debug, Default)]
+pub(in crate::app) struct Traces {
+    /// Displacement of G along world x, per girder \[mm\].
+    pub(in crate::app) x: Vec<Curve>,
+    /// Displacement of G along world y, per girder \[mm\].
+    pub(in crate::app) y: Vec<Curve>,
+    /// Rotation, per girder \[degrees\].
+    pub(in crate::app) theta: Vec<Curve>,
+    /// x, y and θ by the other model, where there is one.
+    pub(in crate::app) ghosts: [Vec<Curve>; 3],
+    /// x, y and θ of one girder in every run that is kept, with the run's colour.
+    pub(in crate::app) pins: Vec<([Curve; 3], usize)>,
+    /// Largest `|R_k|` of a contact, hit by hit of every pair, or of all pairs together \[N\].
+    pub(in crate::app) force: Vec<Curve>,
+    /// What x, y and θ of a crowd fill.
+    pub(in crate::app) bands: Option<[Band; 3]>,
+}
+
+/// What a [`Traces`] was sampled for.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    answer: u64,
+    window: [f64; 2],
+    points: usize,
+    girder: String,
+    pins: Vec<u64>,
+}
+
+/// Keeps the last samples until something else is to be seen.
+#[derive(Default)]
+pub(in crate::app) struct TraceCache {
+    key: Option<Key>,
+    traces: Arc<Traces>,
+}
+
+impl TraceCache {
+    /// The curves of a window, about `points` samples long; of kept runs, those of the girder of this name.
+    pub(in crate::app) fn of(
+        &mut self,
+        answer: &Answer,
+        window: [f64; 2],
+        points: usize,
+        (girder, pins): (&str, &[Pin]),
+    ) -> Arc<Traces> {
+        let numbers = pins.iter().map(|p| p.answer.number).collect();
+        let key = Key { answer: answer.number, window, points, girder: girder.to_owned(), pins: numbers };
+        if self.key.as_ref() != Some(&key) {
+            let mut traces = sample(answer, window, points.max(2));
+            traces.pins = pins.iter().filter_map(|p| kept(p, girder, window, points.max(2))).collect();
+            self.traces = Arc::new(traces);
+            self.key = Some(key);
+        }
+        self.traces.clone()
+    }
+}
+
+/// Curves of the girder of this name in a kept run.
+fn kept(pin: &Pin, girder: &str, window: [f64; 2], points: usize) -> Option<([Curve; 3], usize)> {
+    let history = &pin.answer.history;
+    let number = history.scene().girders.iter().position(|g| g.name == girder)?;
+    let mut curves = [(); 3].map(|()| Vec::with_capacity(points));
+    for t in grid(window, points, history.end()) {
+        let motion = history.motion(number, t);
+        let values = [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()];
+        for (curve, value) in curves.iter_mut().zip(values) {
+            curve.push([t, value]);
+        }
+    }
+    Some((curves, pin.color))
+}
+
+fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
+    let history = &answer.history;
+    let girders = history.model().bodies.len();
+    let pairs = history.model().pairs.len();
+    let mut traces = Traces {
+        x: vec![Vec::with_capacity(points); girders],
+        y: vec![Vec::with_capacity(points); girders],
+        theta: vec![Vec::with_capacity(points); girders],
+        ghosts: [(); 3].map(|()| vec![Vec::new(); if history.beside().is_some() { girders } else { 0 }]),
+        pins: Vec::new(),
+        force: Vec::new(),
+        bands: None,
+    };
+    for t in grid(window, points, history.end()) {
+        for girder in 0..girders {
+            let motion = history.motion(girder, t);
+            traces.x[girder].push([t, motion.displacement.x * 1e3]);
+            traces.y[girder].push([t, motion.displacement.y * 1e3]);
+            traces.theta[girder].push([t, motion.theta.to_degrees()]);
+            if let Some(ghost) = history.beside().map(|beside| beside.motion(girder, t)) {
+                let values = [ghost.displacement.x * 1e3, ghost.displacement.y * 1e3, ghost.theta.to_degrees()];
+                for (curves, value) in traces.ghosts.iter_mut().zip(values) {
+                    curves[girder].push([t, value]);
+                }
+            }
+        }
+    }
+    traces.bands = (girders > CROWD).then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves)));
+    traces.force = (0..pairs).flat_map(|pair| force(answer, pair, window, points)).collect();
+    if pairs > CROWD {
+        traces.force = vec![largest(&traces.force, window, points)];
+    }
+    traces
+}
+
+/// One curve for many: the largest value within every point, and 0 between.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a column, inside the window")]
+fn largest(curves: &[Curve], window: [f64; 2], points: usize) -> Curve {
+    let per_point = (window[1] - window[0]) / points as f64;
+    let mut columns: Vec<Option<[f64; 2]>> = vec![None; points + 1];
+    for p in curves.iter().flatten().filter(|p| p[1] > 0.0 && p[0] >= window[0]) {
+        let Some(column) = columns.get_mut(((p[0] - window[0]) / per_point) as usize) else { continue };
+        if column.is_none_or(|highest| p[1] > highest[1]) {
+            *column = Some(*p);
+        }
+    }
+    let mut curve = Curve::new();
+    for (i, column) in columns.iter().enumerate() {
+        let Some([t, value]) = *column else { continue };
+        let open = |at: Option<usize>| at.and_then(|at| columns.get(at)).is_none_or(Option::is_none);
+        curve.extend(open(i.checked_sub(1)).then_some([t, 0.0]));
+        curve.push([t, value]);
+        curve.extend(open(Some(i + 1)).then_some([t, 0.0]));
+    }
+    curve
+}
+
+/// Evenly spaced times in a window, both ends included, not past the end of the answer.
+fn grid(window: [f64; 2], points: usize, end: f64) -> impl Iterator<Item = f64> {
+    let step = (window[1] - window[0]) / (points - 1) as f64;
+    (0..points).map(move |i| window[0] + step * i as f64).filter(move |&t| t <= end * (1.0 + 1e-12))
+}
+
+/// One curve for every hit that can be told apart: a spike as high as its peak, or its shape.
+fn force(answer: &Answer, pair: usize, window: [f64; 2], points: usize) -> Vec<Curve> {
+    let per_point = (window[1] - window[0]) / points as f64;
+    let hits = highest(hits(answer.history.touches(), pair, window), per_point);
+    let sites = answer.history.model().contacts.iter().enumerate();
+    let contacts: Vec<usize> = sites.filter(|(_, site)| site.pair == pair).map(|(contact, _)| contact).collect();
+    let curve = |hit: &Hit| {
+        if hit.end - hit.start < 4.0 * per_point {
+            vec![[hit.peak_time, 0.0], [hit.peak_time, hit.peak_force]]
+        } else {
+            shape(answer, &contacts, hit, window, per_point)
+        }
+    };
+    hits.iter().map(curve).collect()
+}
+
+/// A stretch in which a pair is closed, and its highest peak.
+#[derive(Clone, Debug, PartialEq)]
+struct Hit {
+    start: f64,
+    end: f64,
+    peak_time: f64,
+    peak_force: f64,
+    /// Peaks of all its touches \[s\].
+    peaks: Vec<f64>,
+}
+
+/// Merges the touches of a pair's contacts that reach into a window.
+fn hits(touches: &[Touch], pair: usize, window: [f64; 2]) -> Vec<Hit> {
+    let upto = touches.partition_point(|t| t.start <= window[1]);
+    let mut hits: Vec<Hit> = Vec::new();
+    for touch in touches[..upto].iter().filter(|t| t.pair == pair && t.end >= window[0]) {
+        match hits.last_mut() {
+            Some(hit) if touch.start <= hit.end => {
+                hit.end = hit.end.max(touch.end);
+                hit.peaks.push(touch.peak_time);
+                if touch.peak_force > hit.peak_force {
+                    (hit.peak_time, hit.peak_force) = (touch.peak_time, touch.peak_force);
+                }
+            }
+            _ => hits.push(Hit {
+                start: touch.start,
+                end: touch.end,
+                peak_time: touch.peak_time,
+                peak_force: touch.peak_force,
+                peaks: vec![touch.peak_time],
+            }),
+        }
+    }
+    hits
+}
+
+/// Of the hits that end within one point of each other, keeps the highest.
+fn highest(hits: Vec<Hit>, per_point: f64) -> Vec<Hit> {
+    let mut kept: Vec<Hit> = Vec::with_capacity(hits.len());
+    for hit in hits {
+        match kept.last_mut() {
+            Some(last) if hit.end - last.start < per_point => {
+                if hit.peak_force > last.peak_force {
+                    *last = hit;
+                }
+            }
+            _ => kept.push(hit),
+        }
+    }
+    kept
+}
+
+/// Samples a hit that is wide enough to be seen, its peaks among the samples.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of samples, clamped")]
+fn shape(answer: &Answer, contacts: &[usize], hit: &Hit, window: [f64; 2], per_point: f64) -> Curve {
+    let (from, to) = (hit.start.max(window[0]), hit.end.min(window[1]));
+    let n = ((to - from) / per_point).ceil().clamp(4.0, 8000.0) as usize;
+    let mut times: Vec<f64> = (0..=n).map(|i| from + (to - from) * i as f64 / n as f64).collect();
+    times.extend(hit.peaks.iter().filter(|&&t| t > from && t < to));
+    times.sort_by(f64::total_cmp);
+    times.into_iter().map(|t| [t, at(answer, contacts, t)]).collect()
+}
+
+/// Largest `|R_k|` of a pair's contacts \[N\].
+fn at(answer: &Answer, contacts: &[usize], t: f64) -> f64 {
+    let closed = contacts.iter().filter_map(|contact| answer.history.contact_at(*contact, t));
+    closed.map(|now| now.force.length()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn touch(start: f64, end: f64, peak_force: f64) -> Touch {
+        let peak_time = start.midpoint(end);
+        Touch { pair: 0, contact: 0, start, end, peak_time, peak_force, impulse: 0.0, stick: 0.0, slip: end - start }
+    }
+
+    #[test]
+    fn no_peak_is_lost_where_hits_share_a_point() {
+        let touches = [touch(1.0, 1.01, 5.0), touch(1.02, 1.03, 50.0), touch(1.04, 1.05, 7.0), touch(3.0, 3.01, 2.0)];
+        let kept = highest(hits(&touches, 0, [0.0, 10.0]), 0.1);
+        let peaks: Vec<f64> = kept.iter().map(|h| h.peak_force).collect();
+        assert_eq!(peaks, vec![50.0, 2.0], "the highest of the first three, and the last");
+    }
+
+    #[test]
+    fn corners_that_touch_together_are_one_hit() {
+        let touches = [touch(1.0, 1.01, 5.0), touch(1.005, 1.02, 9.0)];
+        let hits = hits(&touches, 0, [0.0, 10.0]);
+        assert_eq!(hits.len(), 1, "they overlap");
+        assert_eq!((hits[0].end, hits[0].peak_force), (1.02, 9.0), "to the last opening, with the higher peak");
+    }
+
+    #[test]
+    fn a_band_holds_every_curve_and_touches_some() {
+        let band = Band::of(&[vec![[0.0, 1.0], [1.0, -2.0]], vec![[0.0, -1.0], [1.0, 3.0]]]);
+        assert_eq!(
+            (band.times, band.low, band.high),
+            (vec![0.0, 1.0], vec![-1.0, -2.0], vec![1.0, 3.0]),
+            "time by time"
+        );
+    }
+
+    #[test]
+    fn of_many_forces_the_largest_is_left_with_gaps_where_nothing_touches() {
+        let spike = |t: f64, force: f64| vec![[t, 0.0], [t, force]];
+        let curve = largest(&[spike(1.01, 5.0), spike(1.02, 9.0), spike(3.0, 2.0)], [0.0, 10.0], 100);
+        let wanted = [[1.02, 0.0], [1.02, 9.0], [1.02, 0.0], [3.0, 0.0], [3.0, 2.0], [3.0, 0.0]];
+        assert_eq!(curve, wanted, "the higher of two in one point, and the other one, each from 0");
+    }
+}

@@ -1,0 +1,214 @@
+//! A finished run with what the window asks of it again and again: closed intervals, state spans, headline numbers.
+
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use crate::app::time::clock::merged;
+use crate::sim::readings::{self, Passed, Reading};
+use crate::sim::{ContactState, EventKind, History, Hit, Quantity, Summary};
+
+/// A stretch of time that a contact of a pair spends in one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// The facing pair.
+    pub pair: usize,
+    /// Stick or slip.
+    pub state: ContactState,
+    /// From \[s\].
+    pub start: f64,
+    /// To \[s\].
+    pub end: f64,
+}
+
+/// How far the two models are apart at the most, where both computed the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apart {
+    /// Displacement of any girder's G \[m\].
+    pub place: f64,
+    /// Rotation of any girder \[rad\].
+    pub turn: f64,
+    /// Whether a whole face hits.
+    pub flush: bool,
+}
+
+/// Instants at which the models are compared.
+const COMPARED: u32 = 1000;
+
+/// A run, ready to be looked at.
+pub struct Answer {
+    /// The run itself.
+    pub history: History,
+    /// Counts the runs of this window, so that what is derived from one can be kept until the next.
+    pub number: u64,
+    /// How long the run took on the wall.
+    pub took: Duration,
+    /// Headline numbers.
+    pub summary: Summary,
+    /// Intervals in which any contact is closed, merged and ordered \[s\].
+    pub touches: Vec<(f64, f64)>,
+    /// Times of events, ordered, without repetition \[s\].
+    pub event_times: Vec<f64>,
+    /// Stick and slip of every contact, ordered by start.
+    pub spans: Vec<Span>,
+    /// Hits of the impact model: pair and time \[s\].
+    pub hits: Vec<(usize, f64)>,
+    /// How far the models are apart, where there are two.
+    pub apart: Option<Apart>,
+    error: OnceLock<f64>,
+    passed: OnceLock<Vec<Passed>>,
+    readings: OnceLock<Vec<OnceLock<Reading>>>,
+    quantities: OnceLock<Vec<(String, Quantity)>>,
+}
+
+impl Answer {
+    /// Gathers what the window asks of a run.
+    pub fn new(history: History, took: Duration, number: u64) -> Self {
+        let summary = history.summary();
+        let touches = merged(history.touches().iter().map(|t| (t.start, t.end)));
+        let runs = [Some(&history), history.beside()];
+        let mut event_times: Vec<f64> =
+            runs.into_iter().flatten().flat_map(History::events).map(|event| event.t).collect();
+        event_times.sort_by(f64::total_cmp);
+        event_times.dedup();
+        let spans = spans(&history);
+        let record = runs.into_iter().flatten().find_map(History::impact);
+        let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
+        let apart = history.beside().map(|beside| apart(&history, beside));
+        Self {
+            history,
+            number,
+            took,
+            summary,
+            touches,
+            event_times,
+            spans,
+            hits,
+            apart,
+            error: OnceLock::new(),
+            passed: OnceLock::new(),
+            readings: OnceLock::new(),
+            quantities: OnceLock::new(),
+        }
+    }
+
+    /// How far the models are apart at `t`: displacement \[m\], rotation \[rad\]; 0 where there is one.
+    pub fn apart_at(&self, t: f64) -> [f64; 2] {
+        self.history.beside().map_or([0.0; 2], |beside| apart_at(&self.history, beside, t))
+    }
+
+    /// How far this run and another are apart at the most: displacement \[m\], rotation \[rad\]. Girders are compared by
+    /// their number, as far as both have them.
+    pub fn apart_from(&self, other: &Self) -> [f64; 2] {
+        let end = self.history.end().min(other.history.end());
+        let at = |i: u32| apart_at(&self.history, &other.history, end * f64::from(i) / f64::from(COMPARED));
+        (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+    }
+
+    /// Energy lost in dashpots, friction and hits until the end \[J\].
+    pub fn lost(&self) -> f64 {
+        let ledger = self.history.ledger(self.history.end());
+        ledger.loss_bearing + ledger.loss_normal + ledger.loss_tangential + ledger.loss_friction + ledger.loss_hits
+    }
+
+    /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.
+    pub fn passed(&self) -> &[Passed] {
+        self.passed.get_or_init(|| readings::passed(&self.history))
+    }
+
+    /// What is read off a girder; reckoned when first asked for.
+    pub fn reading(&self, girder: usize) -> Option<&Reading> {
+        let all = self.readings.get_or_init(|| self.history.model().bodies.iter().map(|_| OnceLock::new()).collect());
+        Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
+    }
+
+    /// Every quantity with its name; listed when first asked for, as a long row has many.
+    pub fn quantities(&self) -> &[(String, Quantity)] {
+        self.quantities.get_or_init(|| Quantity::all(self.history.model()))
+    }
+
+    /// The quantity of this name.
+    pub fn quantity(&self, name: &str) -> Option<Quantity> {
+        self.quantities().iter().find(|(known, _)| known == name).map(|(_, quantity)| *quantity)
+    }
+
+    /// Estimated error, once it is known; NaN when it could not be had \[m\].
+    pub fn error(&self) -> Option<f64> {
+        self.error.get().copied()
+    }
+
+    /// Keeps the estimated error.
+    pub fn set_error(&self, error: f64) {
+        // The first estimate stands: the answer does not change.
+        let _ = self.error.set(error);
+    }
+
+    /// Time of the next event after `t`, or of the one before (`forward` false) \[s\].
+    pub fn neighbour_event(&self, t: f64, forward: bool) -> Option<f64> {
+        // A look-up lands on the event itself: it must not find the same one again.
+        let step = 1e-9 * self.history.end().max(1.0);
+        if forward {
+            let next = self.event_times.partition_point(|&e| e <= t + step);
+            self.event_times.get(next).copied()
+        } else {
+            let next = self.event_times.partition_point(|&e| e < t - step);
+            next.checked_sub(1).map(|i| self.event_times[i])
+        }
+    }
+
+    /// Seconds of the answer per second of computing.
+    pub fn times_real_time(&self) -> f64 {
+        self.history.end() / self.took.as_secs_f64().max(1e-9)
+    }
+}
+
+fn apart(one: &History, other: &History) -> Apart {
+    let end = one.end().min(other.end());
+    let at = |i: u32| apart_at(one, other, end * f64::from(i) / f64::from(COMPARED));
+    let [place, turn] = (0..=COMPARED).map(at).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])));
+    let flush = other.impact().is_some_and(|record| record.hits.iter().any(Hit::is_flush));
+    Apart { place, turn, flush }
+}
+
+fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
+    let girder = |i: usize| {
+        let (a, b) = (one.motion(i, t), other.motion(i, t));
+        [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
+    };
+    let both = one.model().bodies.len().min(other.model().bodies.len());
+    (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
+}
+
+/// Turns events into stretches of one state.
+fn spans(history: &History) -> Vec<Span> {
+    let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
+    let mut spans = Vec::new();
+    for event in history.events() {
+        if event.kind == EventKind::Hit {
+            // It takes no time.
+            continue;
+        }
+        let Some(slot) = open.get_mut(event.contact()) else { continue };
+        if let Some((state, start)) = slot.take() {
+            let pair = history.model().contacts[event.contact()].pair;
+            spans.push(Span { pair, state, start, end: event.t });
+        }
+        *slot = after(event.kind).map(|state| (state, event.t));
+    }
+    for (contact, slot) in open.into_iter().enumerate() {
+        if let Some((state, start)) = slot {
+            let pair = history.model().contacts[contact].pair;
+            spans.push(Span { pair, state, start, end: history.end() });
+        }
+    }
+    spans.sort_by(|a, b| a.start.total_cmp(&b.start));
+    spans
+}
+
+/// The state that an event leaves behind; `None` is open.
+fn after(kind: EventKind) -> Option<ContactState> {
+    match kind {
+        EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
+        EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
+        EventKind::Opened | EventKind::LeftFace | EventKind::Missed | EventKind::Hit => None,
+    }
+}

@@ -1,0 +1,229 @@
+//! Runs the scene that is shown: at once when it is quick, on a thread with progress and cancel when it is not.
+//!
+//! The last good answer stays in view until a better one is there; a scene that cannot be run leaves its complaints.
+//! When the window is idle, a thread estimates the error of the answer.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::{Duration, Instant};
+
+use crate::app::run::answer::Answer;
+use crate::app::time::clock::now;
+use crate::scene::{Scene, SceneErrors};
+use crate::sim::Session;
+
+/// How long a run may hold up a frame before it goes on on a thread.
+const AT_ONCE: Duration = Duration::from_millis(30);
+
+/// How long the window must be left alone before the error is estimated.
+pub(in crate::app) const IDLE_BEFORE_ESTIMATE: Duration = Duration::from_millis(400);
+
+/// Calls the window back when a thread has news; does nothing in a test.
+pub type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// A run on a thread.
+struct Job {
+    cancel: Arc<AtomicBool>,
+    /// Time reached, as the bits of an `f64` \[s\].
+    reached: Arc<AtomicU64>,
+    duration: f64,
+    done: Receiver<Option<Answer>>,
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        self.cancel.store(true, Ordering::Relaxed);
+    }
+}
+
+/// An estimate on a thread.
+struct Estimate {
+    of: u64,
+    done: Receiver<f64>,
+}
+
+/// What the scene's answer is, or what became of it.
+pub(in crate::app) struct Runner {
+    answer: Option<Arc<Answer>>,
+    problems: Option<SceneErrors>,
+    job: Option<Job>,
+    estimate: Option<Estimate>,
+    estimates_wanted: bool,
+    changed: Instant,
+    slow: bool,
+    given_up: bool,
+    count: u64,
+    wake: Wake,
+}
+
+impl Default for Runner {
+    fn default() -> Self {
+        Self {
+            answer: None,
+            problems: None,
+            job: None,
+            estimate: None,
+            estimates_wanted: true,
+            changed: now(),
+            slow: false,
+            given_up: false,
+            count: 0,
+            wake: Arc::new(|| ()),
+        }
+    }
+}
+
+impl Runner {
+    /// Who is to be told when a thread has news.
+    pub(in crate::app) fn set_wake(&mut self, wake: Wake) {
+        self.wake = wake;
+    }
+
+    /// Whether the error is estimated when the window is idle (it is unless told otherwise).
+    pub(in crate::app) fn set_estimates(&mut self, wanted: bool) {
+        self.estimates_wanted = wanted;
+    }
+
+    /// The last good answer.
+    pub(in crate::app) fn answer(&self) -> Option<&Arc<Answer>> {
+        self.answer.as_ref()
+    }
+
+    /// Complaints about the scene as it is now; the answer is an older one then.
+    pub(in crate::app) fn problems(&self) -> Option<&SceneErrors> {
+        self.problems.as_ref()
+    }
+
+    /// Whether the answer shown belongs to an older scene.
+    pub(in crate::app) fn is_stale(&self) -> bool {
+        self.problems.is_some() || self.job.is_some() || self.given_up
+    }
+
+    /// How far the run on a thread has come, 0 to 1.
+    pub(in crate::app) fn progress(&self) -> Option<f64> {
+        let job = self.job.as_ref()?;
+        let reached = f64::from_bits(job.reached.load(Ordering::Relaxed));
+        Some(if job.duration > 0.0 { (reached / job.duration).clamp(0.0, 1.0) } else { 0.0 })
+    }
+
+    /// Runs a scene; whatever ran before is cancelled.
+    pub(in crate::app) fn start(&mut self, scene: &Scene) {
+        self.job = None;
+        self.given_up = false;
+        self.changed = now();
+        match Session::new(scene) {
+            Ok(session) => {
+                self.problems = None;
+                self.begin(session, scene);
+            }
+            Err(errors) => self.problems = Some(errors),
+        }
+    }
+
+    fn begin(&mut self, mut session: Session, scene: &Scene) {
+        let start = now();
+        let budget = if self.slow { Duration::ZERO } else { AT_ONCE };
+        let mut in_time = true;
+        session.advance(scene.duration, &mut |_| {
+            in_time = start.elapsed() < budget;
+            in_time
+        });
+        self.count += 1;
+        if in_time {
+            self.slow = start.elapsed() > AT_ONCE;
+            self.answer = Some(Arc::new(Answer::new(session.finish(), start.elapsed(), self.count)));
+        } else {
+            self.job = Some(self.spawn(session, scene.duration, start));
+        }
+    }
+
+    fn spawn(&self, mut session: Session, duration: f64, start: Instant) -> Job {
+        let (send, done) = channel();
+        let cancel = Arc::new(AtomicBool::new(false));
+        let reached = Arc::new(AtomicU64::new(0));
+        let (cancelled, told, wake, number) = (cancel.clone(), reached.clone(), self.wake.clone(), self.count);
+        std::thread::spawn(move || {
+            session.advance(duration, &mut |reached| {
+                told.store(reached.t.to_bits(), Ordering::Relaxed);
+                !cancelled.load(Ordering::Relaxed)
+            });
+            if !cancelled.load(Ordering::Relaxed) {
+                // Nobody listens any more when the window has closed: nothing to do then.
+                let _ = send.send(Some(Answer::new(session.finish(), start.elapsed(), number)));
+                wake();
+            }
+        });
+        Job { cancel, reached, duration, done }
+    }
+
+    /// Stops the run on a thread; the last good answer stays, and is an older scene's.
+    pub(in crate::app) fn cancel(&mut self) {
+        self.given_up = self.job.take().is_some();
+    }
+
+    /// Takes what threads have finished; `true` when there is a new answer.
+    pub(in crate::app) fn poll(&mut self) -> bool {
+        self.poll_estimate();
+        let Some(job) = &self.job else { return false };
+        match job.done.try_recv() {
+            Ok(answer) => {
+                self.slow = answer.as_ref().is_some_and(|a| a.took > AT_ONCE);
+                self.answer = answer.map(Arc::new);
+                self.changed = now();
+                self.job = None;
+                true
+            }
+            Err(TryRecvError::Empty) => false,
+            Err(TryRecvError::Disconnected) => {
+                self.job = None;
+                self.given_up = true;
+                false
+            }
+        }
+    }
+
+    fn poll_estimate(&mut self) {
+        let Some(estimate) = &self.estimate else { return };
+        let error = match estimate.done.try_recv() {
+            Ok(error) => error,
+            Err(TryRecvError::Empty) => return,
+            // Not to be tried again and again.
+            Err(TryRecvError::Disconnected) => f64::NAN,
+        };
+        if let Some(answer) = self.answer.as_ref().filter(|a| a.number == estimate.of) {
+            answer.set_error(error);
+        }
+        self.estimate = None;
+    }
+
+    /// Starts the estimate of the error when all is quiet; says when to ask again, if it should be asked again.
+    pub(in crate::app) fn when_idle(&mut self) -> Option<Duration> {
+        let answer = self.answer.as_ref()?;
+        if !self.estimates_wanted || self.is_stale() || answer.error().is_some() || self.estimate.is_some() {
+            return None;
+        }
+        let quiet = self.changed.elapsed();
+        if quiet < IDLE_BEFORE_ESTIMATE {
+            return Some(IDLE_BEFORE_ESTIMATE.saturating_sub(quiet));
+        }
+        let (send, done) = channel();
+        let (asked, wake) = (answer.clone(), self.wake.clone());
+        std::thread::spawn(move || {
+            // Nobody listens any more when the window has closed: nothing to do then.
+            let _ = send.send(asked.history.estimate_error());
+            wake();
+        });
+        self.estimate = Some(Estimate { of: answer.number, done });
+        None
+    }
+
+    /// Waits for the run on a thread (tests, export).
+    pub(in crate::app) fn wait(&mut self) {
+        while self.job.is_some() {
+            if !self.poll() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        }
+    }
+}

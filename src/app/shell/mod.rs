@@ -1,0 +1,6 @@
+//! The system's window: events, surface, painting.
+
+pub(in crate::app) mod painter;
+pub(in crate::app) mod surface;
+pub(in crate::app) mod textures;
+pub(in crate::app) mod window;

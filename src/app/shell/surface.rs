@@ -1,0 +1,245 @@
+//! The window's surface, and the painter that draws on it: resized, minimised, out of date, lost, and lost with its
+//! device.
+//!
+//! A device that fails takes everything on it with it: surface, pipelines, textures. All of that is made anew at the
+//! next frames, a few times with growing pauses, since a driver that restarts takes its time. Nothing of the workbench
+//! lives on the device.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use egui::TexturesDelta;
+use egui_wgpu::WgpuSetupCreateNew;
+use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureFormat, TextureViewDescriptor};
+use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
+use winit::window::Window;
+
+use crate::app::shell::painter::{Painter, Shapes, modest};
+use crate::app::shell::textures::Textures;
+use crate::app::time::clock::now;
+use crate::render::{Fault, GpuError};
+
+/// Failures in a row, no frame shown between them, after which it is given up.
+const TRIES: u32 = 6;
+/// Frames in a row without a texture to draw into after which the surface is made anew with its device.
+const MISSES: u32 = 100;
+/// When a frame is tried again that had no texture to draw into.
+const SOON: Duration = Duration::from_millis(10);
+/// When a frame is tried again that nobody would see.
+const LATER: Duration = Duration::from_millis(100);
+
+/// What has become of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Painted {
+    /// It is shown, or the window has no size to show it at.
+    Shown,
+    /// It is to be painted again after this time.
+    Again(Duration),
+    /// There is a new device: everything is to be drawn on it.
+    Anew,
+}
+
+/// What egui draws on.
+pub(in crate::app) struct Surface {
+    window: Arc<Window>,
+    display: OwnedDisplayHandle,
+    textures: Textures,
+    /// Absent between a device that has failed and the next.
+    on: Option<On>,
+    failures: u32,
+    /// When the next one is tried.
+    due: Option<Instant>,
+    format: TextureFormat,
+    largest: u32,
+    adapter: String,
+}
+
+/// A surface and the device that draws on it.
+struct On {
+    // The surface goes first: a window has one at a time.
+    target: wgpu::Surface<'static>,
+    config: SurfaceConfiguration,
+    painter: Painter,
+    instance: wgpu::Instance,
+    misses: u32,
+}
+
+impl Surface {
+    /// Brings up a device that can draw on a window.
+    ///
+    /// # Errors
+    /// No adapter, no device, no surface.
+    pub(in crate::app) fn new(event_loop: &ActiveEventLoop, window: &Arc<Window>) -> Result<Self, GpuError> {
+        let mut surface = Self {
+            window: window.clone(),
+            display: event_loop.owned_display_handle(),
+            textures: Textures::default(),
+            on: None,
+            failures: 0,
+            due: None,
+            format: TextureFormat::Rgba8Unorm,
+            largest: 0,
+            adapter: String::new(),
+        };
+        surface.bring_up()?;
+        Ok(surface)
+    }
+
+    /// What egui draws into.
+    pub(in crate::app) fn format(&self) -> TextureFormat {
+        self.format
+    }
+
+    /// Largest texture side \[pixels\].
+    pub(in crate::app) fn largest(&self) -> usize {
+        self.largest as usize
+    }
+
+    /// What draws, in words.
+    pub(in crate::app) fn adapter(&self) -> &str {
+        &self.adapter
+    }
+
+    fn bring_up(&mut self) -> Result<(), GpuError> {
+        let on = On::new(&self.window, &self.display, &self.textures)?;
+        self.format = on.config.format;
+        self.largest = on.painter.device().limits().max_texture_dimension_2d;
+        self.adapter = on.painter.name();
+        self.on = Some(on);
+        Ok(())
+    }
+
+    /// The window has another size; a minimised one may have none, and nothing is drawn on it.
+    pub(in crate::app) fn resize(&mut self, width: u32, height: u32) {
+        if let Some(on) = &mut self.on {
+            on.resize([width, height].map(|side| side.min(self.largest)));
+        }
+    }
+
+    /// Paints a frame, or goes on with bringing a device up to paint it on.
+    ///
+    /// # Errors
+    /// There is no way to paint any more: the last of the reasons.
+    pub(in crate::app) fn paint(&mut self, shapes: Shapes<'_>, mut delta: TexturesDelta) -> Result<Painted, GpuError> {
+        self.textures.take_in(&delta);
+        let tried = match &mut self.on {
+            Some(on) => on.paint(&self.window, shapes, &delta).map_err(GpuError::from),
+            None => match self.due.and_then(|due| due.checked_duration_since(now())) {
+                Some(wait) => Ok(Painted::Again(wait)),
+                None => self.bring_up().map(|()| Painted::Anew),
+            },
+        };
+        // Whatever became of the frame: its textures are known.
+        delta.clear();
+        match tried {
+            Ok(painted) => {
+                self.failures = if painted == Painted::Shown { 0 } else { self.failures };
+                Ok(painted)
+            }
+            Err(why) => self.failed(why),
+        }
+    }
+
+    /// Gives up what is there, and later everything.
+    fn failed(&mut self, why: GpuError) -> Result<Painted, GpuError> {
+        self.on = None;
+        self.failures += 1;
+        if self.failures > TRIES {
+            return Err(why);
+        }
+        let wait = Duration::from_millis(20 << self.failures);
+        self.due = now().checked_add(wait);
+        Ok(Painted::Again(wait))
+    }
+
+    /// Whether the last frame was shown.
+    #[cfg(test)]
+    pub(in crate::app) fn is_shown(&self) -> bool {
+        self.on.is_some() && self.failures == 0
+    }
+
+    /// Takes the device away, as a driver that restarts does.
+    #[cfg(test)]
+    pub(in crate::app) fn lose(&self) {
+        self.on.iter().for_each(|on| on.painter.device().destroy());
+    }
+}
+
+impl On {
+    fn new(window: &Arc<Window>, display: &OwnedDisplayHandle, textures: &Textures) -> Result<Self, GpuError> {
+        let setup = modest(WgpuSetupCreateNew::from_display_handle(display.clone()));
+        let instance = pollster::block_on(setup.new_instance());
+        let target = instance.create_surface(window.clone()).map_err(|e| no_surface(&instance, &e))?;
+        let painter = Painter::new(setup, &instance, Some(&target), textures)?;
+        let size = window.inner_size();
+        let mut config = target
+            .get_default_config(painter.adapter(), size.width.max(1), size.height.max(1))
+            .ok_or_else(|| GpuError::NoSurface("the adapter and the display do not go together".to_owned()))?;
+        config.format = painter.format();
+        config.view_formats = vec![painter.format()];
+        config.present_mode = wgpu::PresentMode::AutoVsync;
+        let mut on = Self { target, config, painter, instance, misses: 0 };
+        let largest = on.painter.device().limits().max_texture_dimension_2d;
+        on.resize([size.width, size.height].map(|side| side.min(largest)));
+        on.painter.fault().map_or(Ok(on), |fault| Err(fault.into()))
+    }
+
+    fn resize(&mut self, [width, height]: [u32; 2]) {
+        (self.config.width, self.config.height) = (width, height);
+        if width > 0 && height > 0 {
+            self.target.configure(self.painter.device(), &self.config);
+        }
+    }
+
+    fn paint(&mut self, window: &Arc<Window>, shapes: Shapes<'_>, delta: &TexturesDelta) -> Result<Painted, Fault> {
+        self.painter.fault().map_or(Ok(()), Err)?;
+        self.painter.upload(delta);
+        let painted = if self.config.width == 0 || self.config.height == 0 {
+            Ok(Painted::Shown)
+        } else {
+            self.draw(window, shapes)
+        };
+        self.painter.free(delta);
+        painted
+    }
+
+    fn draw(&mut self, window: &Arc<Window>, shapes: Shapes<'_>) -> Result<Painted, Fault> {
+        let frame = match self.acquire(window)? {
+            Ok(frame) => frame,
+            Err(again) => return Ok(Painted::Again(again)),
+        };
+        let view = frame.texture.create_view(&TextureViewDescriptor::default());
+        self.painter.draw(&view, [self.config.width, self.config.height], shapes)?;
+        window.pre_present_notify();
+        self.painter.queue().present(frame);
+        self.misses = 0;
+        self.painter.fault().map_or(Ok(Painted::Shown), Err)
+    }
+
+    /// The next frame's texture, or when to ask again; a surface that is out of date or lost is made anew for that.
+    fn acquire(&mut self, window: &Arc<Window>) -> Result<Result<SurfaceTexture, Duration>, Fault> {
+        match self.target.get_current_texture() {
+            CurrentSurfaceTexture::Success(frame) | CurrentSurfaceTexture::Suboptimal(frame) => return Ok(Ok(frame)),
+            CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => return Ok(Err(LATER)),
+            CurrentSurfaceTexture::Outdated | CurrentSurfaceTexture::Validation => {}
+            CurrentSurfaceTexture::Lost => {
+                let made = self.instance.create_surface(window.clone());
+                self.target = made.map_err(|gone| Fault::Lost(gone.to_string()))?;
+            }
+        }
+        self.target.configure(self.painter.device(), &self.config);
+        self.misses += 1;
+        if self.misses > MISSES {
+            return Err(Fault::Lost("its surface gives nothing to draw into".to_owned()));
+        }
+        self.painter.fault().map_or(Ok(Err(SOON)), Err)
+    }
+}
+
+/// Why there is no surface: most often since there is no adapter.
+fn no_surface(instance: &wgpu::Instance, why: &wgpu::CreateSurfaceError) -> GpuError {
+    match pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())) {
+        Ok(_) => GpuError::NoSurface(why.to_string()),
+        Err(none) => GpuError::NoAdapter(none.to_string()),
+    }
+}

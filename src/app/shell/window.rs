@@ -1,0 +1,319 @@
+//! The window itself: winit's events into the workbench, its shapes onto the surface.
+//!
+//! A frame is drawn when something has happened, never otherwise: the event loop sleeps until an event, a thread's news
+//! or the time that the workbench has asked to be woken at.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::ViewportId;
+use egui_winit::accesskit_winit;
+use winit::application::ApplicationHandler;
+use winit::dpi::LogicalSize;
+use winit::event::{StartCause, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
+use winit::window::{Window, WindowId};
+
+use crate::app::bench::workbench::Workbench;
+use crate::app::command::Command;
+use crate::app::disk::session_files;
+use crate::app::shell::painter::Shapes;
+use crate::app::shell::surface::{Painted, Surface};
+use crate::app::text;
+use crate::app::time::clock::now;
+use crate::render::GpuError;
+use crate::scene::Scene;
+
+/// Shortest side of a window that anything is laid out for \[points\].
+const LEAST: f32 = 100.0;
+
+/// Time between two frames that nobody sees: enough for what is kept in files.
+const UNSEEN: Duration = Duration::from_millis(250);
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum AppError {
+    /// There is no display to open a window on: work without one.
+    #[error("no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY leads to one)")]
+    NoDisplay,
+    /// There is a display, but nothing that could draw on it.
+    #[error("no window could be opened: {0}")]
+    NoWindow(String),
+    /// The window was open, and cannot go on.
+    #[error("the window had to end: {why}{work}", work = if *.kept { "; unsaved work is kept: it is offered when the program is opened again" } else { "" })]
+    Ended {
+        /// What happened.
+        why: String,
+        /// Whether there was unsaved work; it is on the disk.
+        kept: bool,
+    },
+}
+
+/// Opens the workbench on a scene and returns when its window is closed.
+///
+/// # Errors
+/// [`AppError::NoDisplay`] when the machine has no display, [`AppError::NoWindow`] when none can be opened on it,
+/// [`AppError::Ended`] when it was open and the display or the graphics device went away for good.
+pub fn run(scene: Scene, file: Option<PathBuf>) -> Result<(), AppError> {
+    let event_loop = EventLoop::<News>::with_user_event().build().map_err(|_| AppError::NoDisplay)?;
+    let proxy = event_loop.create_proxy();
+    let mut shell = Shell { bench: Workbench::new(scene, file), proxy, open: None, failed: None };
+    let ran = event_loop.run_app(&mut shell);
+    shell.ended(ran.err().map(|problem| problem.to_string()))
+}
+
+/// What comes from elsewhere than the window.
+#[derive(Debug)]
+enum News {
+    /// A thread has something.
+    Wake,
+    /// A screen reader asks.
+    Accesskit(accesskit_winit::Event),
+}
+
+impl From<accesskit_winit::Event> for News {
+    fn from(event: accesskit_winit::Event) -> Self {
+        Self::Accesskit(event)
+    }
+}
+
+/// The event loop's state.
+struct Shell {
+    bench: Workbench,
+    proxy: EventLoopProxy<News>,
+    open: Option<Open>,
+    failed: Option<String>,
+}
+
+/// An open window.
+struct Open {
+    window: Arc<Window>,
+    egui: egui_winit::State,
+    surface: Surface,
+    title: String,
+    /// Nothing of it can be seen, as far as the system tells.
+    hidden: bool,
+}
+
+impl Open {
+    fn new(event_loop: &ActiveEventLoop, bench: &mut Workbench, proxy: &EventLoopProxy<News>) -> Result<Self, String> {
+        let title = bench.title();
+        let size = LogicalSize::new(1280.0, 720.0);
+        // Accessibility wants to be there before the window is seen.
+        let look = Window::default_attributes().with_title(&title).with_inner_size(size).with_visible(false);
+        let look = look.with_min_inner_size(LogicalSize::new(800.0, 480.0));
+        let window = Arc::new(event_loop.create_window(look).map_err(|e| e.to_string())?);
+        let surface = Surface::new(event_loop, &window).map_err(|e| e.to_string())?;
+        let (scale, theme) = (Some(pixels_per_point(&window)), window.theme());
+        let (context, largest) = (egui::Context::default(), Some(surface.largest()));
+        let mut egui = egui_winit::State::new(context, ViewportId::ROOT, event_loop, scale, theme, largest);
+        egui.init_accesskit(event_loop, &window, proxy.clone());
+        bench.set_target(surface.format(), surface.adapter().to_owned());
+        let wake = proxy.clone();
+        bench.set_wake(Arc::new(move || {
+            // The event loop has ended: nobody to wake.
+            let _ = wake.send_event(News::Wake);
+        }));
+        if let Some(folder) = session_files::users_folder() {
+            bench.keep_in(&folder);
+        }
+        window.set_visible(true);
+        Ok(Self { window, egui, surface, title, hidden: false })
+    }
+
+    /// Sees to it that a frame is drawn after a time.
+    fn come_back(&self, event_loop: &ActiveEventLoop, again: Duration) {
+        if again.is_zero() {
+            self.window.request_redraw();
+        }
+        // What does not fit a clock is never.
+        let then = now().checked_add(again).filter(|_| !again.is_zero());
+        event_loop.set_control_flow(then.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+    }
+
+    /// Shows the workbench; answers when it wants to be shown again.
+    fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
+        let mut input = self.egui.take_egui_input(&self.window);
+        // Panels squeezed into next to nothing would not come back to their sizes; egui keeps to the last that it had.
+        input.screen_rect = input.screen_rect.filter(|rect| rect.size().min_elem() >= LEAST);
+        let context = self.egui.egui_ctx().clone();
+        let output = context.run_ui(input, |ui| bench.ui(ui));
+        self.egui.handle_platform_output(&self.window, output.platform_output);
+        let jobs = context.tessellate(output.shapes, output.pixels_per_point);
+        let shapes = Shapes { jobs: &jobs, pixels_per_point: output.pixels_per_point };
+        let painted = self.surface.paint(shapes, output.textures_delta)?;
+        if painted == Painted::Anew {
+            bench.set_target(self.surface.format(), self.surface.adapter().to_owned());
+            bench.notice = Some(text::DRAWN_ANEW.to_owned());
+        }
+        let title = bench.title();
+        if title != self.title {
+            self.window.set_title(&title);
+            self.title = title;
+        }
+        let wanted = output.viewport_output.get(&ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
+        Ok(match painted {
+            Painted::Shown if self.hidden => wanted.max(UNSEEN),
+            Painted::Shown => wanted,
+            Painted::Again(wait) => wait,
+            Painted::Anew => Duration::ZERO,
+        })
+    }
+}
+
+impl Shell {
+    /// How it all ended, once the event loop has: closed, never opened, or broken off.
+    fn ended(self, problem: Option<String>) -> Result<(), AppError> {
+        let Some(why) = self.failed.or(problem) else { return Ok(()) };
+        if self.open.is_none() {
+            return Err(AppError::NoWindow(why));
+        }
+        // The workbench keeps what is unsaved as it goes.
+        let kept = self.bench.is_kept() && self.bench.is_dirty();
+        Err(AppError::Ended { why, kept })
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a scale factor is a small number")]
+fn pixels_per_point(window: &Window) -> f32 {
+    window.scale_factor() as f32
+}
+
+impl ApplicationHandler<News> for Shell {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.open.is_some() {
+            return;
+        }
+        match Open::new(event_loop, &mut self.bench, &self.proxy) {
+            Ok(open) => {
+                open.window.request_redraw();
+                self.open = Some(open);
+            }
+            Err(reason) => {
+                self.failed = Some(reason);
+                event_loop.exit();
+            }
+        }
+    }
+
+    fn new_events(&mut self, _event_loop: &ActiveEventLoop, cause: StartCause) {
+        if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &self.open) {
+            open.window.request_redraw();
+        }
+    }
+
+    fn user_event(&mut self, _event_loop: &ActiveEventLoop, news: News) {
+        let Some(open) = &mut self.open else { return };
+        if let News::Accesskit(event) = news {
+            match event.window_event {
+                accesskit_winit::WindowEvent::InitialTreeRequested => open.egui.egui_ctx().enable_accesskit(),
+                accesskit_winit::WindowEvent::ActionRequested(request) => {
+                    open.egui.on_accesskit_action_request(request);
+                }
+                accesskit_winit::WindowEvent::AccessibilityDeactivated => open.egui.egui_ctx().disable_accesskit(),
+            }
+        }
+        open.window.request_redraw();
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _id: WindowId, event: WindowEvent) {
+        let Some(open) = &mut self.open else { return };
+        match &event {
+            WindowEvent::RedrawRequested => match open.draw(&mut self.bench) {
+                Ok(again) => open.come_back(event_loop, again),
+                Err(reason) => {
+                    self.failed = Some(reason.to_string());
+                    event_loop.exit();
+                }
+            },
+            WindowEvent::CloseRequested => {
+                self.bench.apply(Command::Close);
+                open.window.request_redraw();
+            }
+            WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
+            WindowEvent::Occluded(hidden) => open.hidden = *hidden,
+            _ => {}
+        }
+        if !matches!(event, WindowEvent::RedrawRequested) && open.egui.on_window_event(&open.window, &event).repaint {
+            open.window.request_redraw();
+        }
+        if self.bench.wants_to_close() {
+            event_loop.exit();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    /// Frames shown before the device is taken away, and after.
+    const FRAMES: u32 = 5;
+
+    /// The window as it is, and somebody who takes its device away in the middle of an edit.
+    struct Losing {
+        shell: Shell,
+        frames: u32,
+        seen: Vec<String>,
+    }
+
+    impl ApplicationHandler<News> for Losing {
+        fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+            self.shell.resumed(event_loop);
+            self.shell.bench.apply(Command::AddGirder);
+        }
+
+        fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
+            self.shell.new_events(event_loop, cause);
+        }
+
+        fn user_event(&mut self, event_loop: &ActiveEventLoop, news: News) {
+            self.shell.user_event(event_loop, news);
+        }
+
+        fn window_event(&mut self, event_loop: &ActiveEventLoop, id: WindowId, event: WindowEvent) {
+            let drawn = event == WindowEvent::RedrawRequested;
+            self.shell.window_event(event_loop, id, event);
+            let Some(open) = self.shell.open.as_ref().filter(|_| drawn) else { return };
+            self.frames += 1;
+            self.seen.extend(self.shell.bench.notice.take());
+            match self.frames {
+                FRAMES => open.surface.lose(),
+                // Losing it, bringing up another and the pause between them take frames of their own.
+                n if n == 3 * FRAMES => event_loop.exit(),
+                _ => {}
+            }
+            open.window.request_redraw();
+        }
+    }
+
+    #[test]
+    #[ignore = "wants a display: tests/window/smoke.sh brings one"]
+    fn a_real_window_goes_on_when_its_device_is_lost() {
+        let event_loop = on_any_thread().build().expect("a display");
+        let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), None);
+        let girders = bench.scene().girders.len();
+        let shell = Shell { bench, proxy: event_loop.create_proxy(), open: None, failed: None };
+        let mut losing = Losing { shell, frames: 0, seen: Vec::new() };
+        event_loop.run_app(&mut losing).expect("it ends when it is told to");
+        let Losing { mut shell, seen, .. } = losing;
+        assert_eq!(shell.failed, None, "nothing to give up for");
+        assert!(seen.iter().any(|words| words == text::DRAWN_ANEW), "it was lost, and that was said: {seen:?}");
+        assert!(shell.open.as_ref().is_some_and(|open| open.surface.is_shown()), "and it is shown again");
+        assert_eq!(shell.bench.scene().girders.len(), girders + 1, "with the work");
+        shell.bench.apply(Command::Undo);
+        assert_eq!(shell.bench.scene().girders.len(), girders, "and its past");
+        // What is unsaved here is nobody's.
+        shell.bench.forget_work();
+    }
+
+    /// Tests do not run on the main thread.
+    fn on_any_thread() -> winit::event_loop::EventLoopBuilder<News> {
+        let mut builder = EventLoop::<News>::with_user_event();
+        #[cfg(target_os = "linux")]
+        winit::platform::x11::EventLoopBuilderExtX11::with_any_thread(&mut builder, true);
+        builder
+    }
+}

@@ -1,0 +1,212 @@
+//! The strip of time: every contact of every pair, the playhead, and the mouse on it.
+//!
+//! Each pair has a lane. Stick fills its upper half in blue, slip its lower half in hatched vermilion: the state can be
+//! read by place, texture and colour. A touch shorter than a pixel is still drawn.
+
+use egui::{Align2, FontId, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use crate::app::bench::Workbench;
+use crate::app::command::Command;
+use crate::app::run::answer::{Answer, Span};
+use crate::app::style::theme::{Palette, SLIP, STICK};
+use crate::app::text;
+use crate::app::time::time_axis::{TimeAxis, ticks};
+use crate::sim::ContactState;
+
+/// Height of the ticks' row \[points\].
+const RULER: f32 = 15.0;
+
+/// Height of all lanes together \[points\].
+const LANES: f32 = 24.0;
+
+/// Narrowest bar \[points\].
+const NARROWEST: f32 = 1.5;
+
+/// Between the hatch lines of slip \[points\].
+const HATCH: f32 = 4.0;
+
+/// Lowest bar that a hatch can be seen in, and lowest lane of one pair alone \[points\].
+const LOWEST: f32 = 1.5;
+
+/// Shows the timeline over the rest of the row, its time axis beginning at `left`.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut Vec<Command>) {
+    let size = vec2(ui.available_width(), RULER + LANES);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    let end = bench.end();
+    let t = bench.clock().t;
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::Slider, true, text::TIMELINE);
+        info.value = Some(t);
+        info
+    });
+    let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), rect.max);
+    let axis = TimeAxis::over(strip, bench.time_window(), end);
+    axis.interact(ui, &response, out);
+    let painter = ui.painter_at(rect);
+    let palette = Palette::of(ui);
+    let lanes = Rect::from_min_max(pos2(strip.left(), strip.top() + RULER), strip.max);
+    painter.rect_filled(lanes, 2.0, palette.track);
+    ruler(&painter, &axis, strip, &palette);
+    caption(ui, rect, lanes);
+    if let Some(answer) = bench.answer() {
+        draw_lanes(&painter, answer, &axis, lanes, &palette);
+    }
+    if let Some(span) = bench.clock().span {
+        bracket(&painter, &axis, strip, span, &palette);
+    }
+    flags(&painter, bench, &axis, strip, &palette);
+    playhead(&painter, &axis, strip, t, &palette);
+}
+
+/// The stretch that is played: a bar over the ruler; what is not played is dimmed.
+fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], palette: &Palette) {
+    let [from, to] = span.map(|t| axis.x(t).clamp(strip.left(), strip.right()));
+    let bar = Rect::from_min_max(pos2(from, strip.top()), pos2(to, strip.top() + 3.0));
+    painter.rect_filled(bar, 1.0, palette.theta);
+    for (a, b) in [(strip.left(), from), (to, strip.right())] {
+        let dim = Rect::from_min_max(pos2(a, strip.top()), pos2(b, strip.bottom()));
+        painter.rect_filled(dim, 0.0, palette.track.gamma_multiply(0.55));
+    }
+}
+
+/// A little flag where a limit is passed for the first time.
+fn flags(painter: &Painter, bench: &Workbench, axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    let watched = bench.scene().limits != crate::scene::Limits::default();
+    let Some(answer) = bench.answer().filter(|_| watched && !bench.is_stale()) else { return };
+    for flag in answer.passed() {
+        let x = axis.x(flag.t);
+        if !strip.x_range().contains(x) {
+            continue;
+        }
+        painter.vline(x, strip.y_range(), Stroke::new(1.2, palette.problem));
+        let top = strip.top();
+        let cloth = vec![pos2(x, top), pos2(x + 8.0, top + 3.5), pos2(x, top + 7.0)];
+        painter.add(egui::Shape::convex_polygon(cloth, palette.problem, Stroke::NONE));
+    }
+}
+
+fn caption(ui: &Ui, rect: Rect, lanes: Rect) {
+    let at = pos2(rect.left(), lanes.center().y);
+    ui.painter().text(at, Align2::LEFT_CENTER, text::CONTACTS, small(), Palette::of(ui).weak);
+}
+
+fn small() -> FontId {
+    FontId::proportional(10.5)
+}
+
+fn ruler(painter: &Painter, axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    let every = ticks(axis.window, f64::from(strip.width()) / 90.0);
+    let step = every.get(1).zip(every.first()).map_or(1.0, |(b, a)| b - a);
+    for t in every {
+        let x = axis.x(t);
+        painter.vline(x, strip.top() + RULER - 4.0..=strip.bottom(), Stroke::new(1.0, palette.line));
+        let align = if x > strip.right() - 46.0 { Align2::RIGHT_TOP } else { Align2::LEFT_TOP };
+        let aside = if align == Align2::LEFT_TOP { 2.0 } else { -2.0 };
+        painter.text(pos2(x + aside, strip.top()), align, text::tick(t, step), small(), palette.weak);
+    }
+}
+
+fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
+    let rows = Rows::of(answer, lanes);
+    for i in 1..rows.count {
+        painter.hline(lanes.x_range(), rows.top(i), Stroke::new(0.5, palette.line));
+    }
+    let height = rows.height;
+    let mut last = vec![[f32::NEG_INFINITY; 2]; rows.count];
+    for span in visible(&answer.spans, axis.window) {
+        let slip = usize::from(span.state == ContactState::Slip);
+        let (from, to) = (axis.x(span.start), axis.x(span.end));
+        let to = to.max(from + NARROWEST);
+        // Far out, thousands of touches share a pixel: one bar for each is enough.
+        let Some(done) = last.get_mut(rows.of_pair(span.pair)).map(|l| &mut l[slip]) else { continue };
+        if to - *done < 0.5 {
+            continue;
+        }
+        *done = to;
+        let top = rows.top(rows.of_pair(span.pair)) + slip as f32 * height / 2.0;
+        let bar = Rect::from_min_max(pos2(from, top + 1.0), pos2(to, top + height / 2.0));
+        if slip == 0 {
+            painter.rect_filled(bar, 0.0, STICK);
+        } else {
+            hatched(painter, bar.intersect(lanes));
+        }
+    }
+    hits(painter, answer, axis, lanes, palette);
+}
+
+/// The lanes: one for each pair, as long as they can be told apart.
+struct Rows {
+    count: usize,
+    pairs: usize,
+    first: f32,
+    height: f32,
+}
+
+impl Rows {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]
+    fn of(answer: &Answer, lanes: Rect) -> Self {
+        let pairs = answer.history.model().pairs.len().max(1);
+        let count = pairs.min((lanes.height() / LOWEST) as usize).max(1);
+        Self { count, pairs, first: lanes.top(), height: lanes.height() / count as f32 }
+    }
+
+    fn of_pair(&self, pair: usize) -> usize {
+        pair * self.count / self.pairs
+    }
+
+    fn top(&self, row: usize) -> f32 {
+        self.first + row as f32 * self.height
+    }
+}
+
+/// Hits of the impact model: a tick over the lane's whole height, with a head.
+fn hits(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, palette: &Palette) {
+    let rows = Rows::of(answer, lanes);
+    let height = rows.height;
+    let mut last = vec![f32::NEG_INFINITY; rows.count];
+    for &(pair, t) in &answer.hits {
+        let x = axis.x(t);
+        let Some(done) =
+            last.get_mut(rows.of_pair(pair)).filter(|done| x - **done >= 1.0 && lanes.x_range().contains(x))
+        else {
+            continue;
+        };
+        *done = x;
+        let top = rows.top(rows.of_pair(pair));
+        painter.vline(x, top..=top + height, Stroke::new(1.0, palette.force));
+        let head = vec![pos2(x - 2.5, top), pos2(x + 2.5, top), pos2(x, top + 4.0)];
+        painter.add(egui::Shape::convex_polygon(head, palette.force, Stroke::NONE));
+    }
+}
+
+/// The spans that reach into a window; spans are ordered by start, touches are short.
+fn visible(spans: &[Span], window: [f64; 2]) -> impl Iterator<Item = &Span> {
+    let upto = spans.partition_point(|s| s.start <= window[1]);
+    spans[..upto].iter().filter(move |s| s.end >= window[0])
+}
+
+fn hatched(painter: &Painter, bar: Rect) {
+    let line = Stroke::new(1.2, SLIP);
+    if bar.width() < HATCH || bar.height() < LOWEST {
+        painter.rect_filled(bar, 0.0, SLIP);
+        return;
+    }
+    painter.rect_filled(bar, 0.0, SLIP.gamma_multiply(0.35));
+    let inside = painter.with_clip_rect(painter.clip_rect().intersect(bar));
+    let mut x = bar.left() - bar.height();
+    while x < bar.right() {
+        inside.line_segment([Pos2::new(x, bar.bottom()), Pos2::new(x + bar.height(), bar.top())], line);
+        x += HATCH;
+    }
+}
+
+fn playhead(painter: &Painter, axis: &TimeAxis, strip: Rect, t: f64, palette: &Palette) {
+    let x = axis.x(t);
+    if x < strip.left() - 1.0 || x > strip.right() + 1.0 {
+        return;
+    }
+    painter.vline(x, strip.y_range(), Stroke::new(1.5, palette.playhead));
+    let top = strip.top();
+    let handle = vec![pos2(x - 5.0, top), pos2(x + 5.0, top), pos2(x, top + 7.0)];
+    painter.add(egui::Shape::convex_polygon(handle, palette.playhead, Stroke::NONE));
+}

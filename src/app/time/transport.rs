@@ -1,0 +1,91 @@
+//! Play, step, jump, speed: the row over the timeline.
+
+use egui::{Button, ComboBox, RichText, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::{Command, Way};
+use crate::app::panel::whatif;
+use crate::app::style::icons::{self, Icon};
+use crate::app::text;
+use crate::app::time::clock::SPEEDS;
+
+/// Shows the row.
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        buttons(ui, bench, out);
+        ui.separator();
+        speed(ui, bench, out);
+        let clock = bench.clock();
+        let (mut looping, mut slow) = (clock.looping, clock.slow_at_hits);
+        if ui.checkbox(&mut looping, text::LOOP).on_hover_text(text::LOOP_HINT).changed() {
+            out.push(Command::Loop(looping));
+        }
+        if ui.checkbox(&mut slow, text::SLOW_AT_HITS).on_hover_text(text::SLOW_HINT).changed() {
+            out.push(Command::SlowAtHits(slow));
+        }
+        ui.separator();
+        time(ui, bench);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let all = ui.add_enabled(bench.time_window().is_some(), Button::new(text::ALL_TIME));
+            let span = bench.clock().span.is_some();
+            if span && ui.button(text::ALL_SPAN).on_hover_text(text::ALL_SPAN_HINT).clicked() {
+                out.push(Command::PlaySpan(None));
+            }
+            if all.on_hover_text(text::ALL_TIME_HINT).clicked() {
+                out.push(Command::TimeWindow(None));
+            }
+        });
+    });
+}
+
+/// A button with a sign on it and words for those who cannot see it.
+fn sign(ui: &mut Ui, icon: Icon, words: &str, keys: &str) -> bool {
+    let response = ui.add(Button::new("").min_size(egui::vec2(28.0, 22.0)));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, words));
+    let color = ui.style().interact(&response).text_color();
+    icons::draw(ui.painter(), response.rect, icon, color);
+    response.on_hover_text(format!("{words} ({keys})")).clicked()
+}
+
+fn buttons(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let (play, word) = if bench.clock().playing { (Icon::Pause, text::PAUSE) } else { (Icon::Play, text::PLAY) };
+    let row = [
+        (Icon::Start, text::TO_START, "Home", Command::Seek(0.0)),
+        (Icon::PreviousEvent, text::PREVIOUS_EVENT, "Ctrl Left", Command::StepEvent(Way::Back)),
+        (Icon::StepBack, text::STEP_BACK, "Left", Command::Step(-1.0)),
+        (play, word, "Space", Command::TogglePlay),
+        (Icon::StepForward, text::STEP_FORWARD, "Right", Command::Step(1.0)),
+        (Icon::NextEvent, text::NEXT_EVENT, "Ctrl Right", Command::StepEvent(Way::Forward)),
+        (Icon::End, text::TO_END, "End", Command::Seek(f64::INFINITY)),
+    ];
+    for (icon, words, keys, command) in row {
+        if sign(ui, icon, words, keys) {
+            out.push(command);
+        }
+    }
+}
+
+fn speed(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let now = bench.clock().speed;
+    let mut chosen = now;
+    let label = ui.label(text::SPEED);
+    let combo = ComboBox::from_id_salt("speed").width(64.0).selected_text(text::speed(now)).show_ui(ui, |ui| {
+        for option in SPEEDS {
+            ui.selectable_value(&mut chosen, option, text::speed(option));
+        }
+    });
+    combo.response.labelled_by(label.id).on_hover_text(", .");
+    if chosen != now {
+        out.push(Command::Speed(chosen));
+    }
+}
+
+/// The time in seconds and in periods of the shaking.
+fn time(ui: &mut Ui, bench: &Workbench) {
+    let t = bench.clock().t;
+    ui.label(RichText::new(format!("t = {t:.4} s")).monospace());
+    // In a narrow window the buttons at the other end come first.
+    if let Some(period) = whatif::period(bench.scene()).filter(|_| ui.available_width() > 200.0) {
+        ui.label(RichText::new(text::periods(t / period)).monospace().weak());
+    }
+}
