@@ -20,7 +20,7 @@ fn run(bencher: Bencher<'_, '_>, name: &str) {
     bencher.bench(|| History::of(black_box(&scene)));
 }
 
-/// The same run at several tolerances; `tests/reference.rs` shows what they are worth.
+/// The same run at several tolerances; `tests/core/physics/reference.rs` shows what they are worth.
 #[divan::bench(args = [1e-6, 1e-8, 1e-10, 1e-12])]
 fn tolerance(bencher: Bencher<'_, '_>, tolerance: f64) {
     let mut scene = preset("skew45-abutment");

@@ -1,7 +1,7 @@
-//! What several tests share: reference cases as scenes, small scenes in words, and a helper that prints residuals.
-#![allow(dead_code, reason = "each test file uses its part")]
+//! What several tests of the core share: reference cases as scenes, small scenes in words, and a helper that prints residuals.
 
 pub(crate) mod reference;
+pub(crate) mod rows;
 
 use girderbench::scene::{Scene, format};
 use girderbench::sim::History;

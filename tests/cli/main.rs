@@ -1,0 +1,11 @@
+//! The program as a user calls it: files in, files out, exit status and messages.
+
+mod bad_input;
+mod files;
+mod headless;
+mod killed;
+mod program;
+#[cfg(feature = "render")]
+mod render;
+mod run;
+mod study;

@@ -1,0 +1,215 @@
+//! The rules of a hit: the paper's printed equations, closed forms, energy.
+
+use crate::support::within;
+use girderbench::dynamics::impact2d::State;
+use girderbench::dynamics::impact2d::blow::{Edge, Rules, strike};
+use girderbench::dynamics::impact2d::flush::centroid;
+use girderbench::dynamics::impact2d::hit::{Coefficients, first, second};
+use girderbench::dynamics::impact2d::point::{Cluster, Point};
+use girderbench::scene::{Flush, ImpactSettings};
+use glam::{DVec2, DVec3};
+
+/// Numbers from a seed, in \[0, 1) (splitmix64).
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// A point on a wall with this normal, at this lever from the girder's G.
+fn at_wall(arm: DVec2, n: DVec2) -> Point {
+    Point {
+        bodies: [Some(0), None],
+        n,
+        s: n.perp(),
+        arms: [arm, DVec2::ZERO],
+        gap: 0.0,
+        inset: 1.0,
+        along: arm.dot(n.perp()),
+        bias: [0.0; 2],
+    }
+}
+
+/// One girder per unit mass.
+fn girder(i2: f64, velocity: DVec3) -> Cluster {
+    Cluster {
+        inverse: [DVec3::new(1.0, 1.0, 1.0 / i2)].into_iter().collect(),
+        velocity: [velocity].into_iter().collect(),
+    }
+}
+
+/// The straight girder of Fig. 12, hit on a corner by a wall at x = a + c: `r`, `Ω`, sgn θ.
+struct Straight {
+    r: f64,
+    omega: f64,
+    sign: f64,
+    i2: f64,
+}
+
+impl Straight {
+    fn random(dice: &mut Dice) -> Self {
+        let (a, b) = (dice.between(0.05, 0.2), dice.between(0.01, 0.1));
+        let theta = dice.between(0.01, 0.3);
+        let sign = if dice.next() < 0.5 { -1.0 } else { 1.0 };
+        let r = a.hypot(b);
+        Self { r, omega: b.atan2(a) - theta, sign, i2: (a * a + b * b) / 3.0 }
+    }
+
+    /// (11): the corner from G.
+    fn arm(&self) -> DVec2 {
+        DVec2::new(self.r * self.omega.cos(), -self.sign * self.r * self.omega.sin())
+    }
+}
+
+#[test]
+fn a_corner_hit_is_29_and_31_as_printed() {
+    let mut dice = Dice(29);
+    let mut worst = 0.0f64;
+    for _ in 0..1000 {
+        let g = Straight::random(&mut dice);
+        let [x, y, w] = [(); 3].map(|()| dice.between(-1.0, 1.0));
+        let w = 10.0 * w;
+        let (e_x, e_y) = (dice.next(), dice.between(-1.0, 1.0));
+        let mut cluster = girder(g.i2, DVec3::new(x, y, w));
+        let numbers = Coefficients { e_n: e_x, e_t: e_y, mu_s: 0.2, mu_k: 0.15 };
+        let ([p_n, p_s], _) = first(&mut cluster, &at_wall(g.arm(), DVec2::NEG_X), &numbers);
+        let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
+        let q_x = -(1.0 + e_x) * (x + g.sign * w * r * sin) / (1.0 + r * r * sin * sin / g.i2);
+        let q_y = -(1.0 + e_y) * (y + w * r * cos + g.sign * r * r * cos * sin / g.i2 * q_x)
+            / (1.0 + r * r * cos * cos / g.i2);
+        // The wall's normal is −x, its tangent −y.
+        worst = worst.max((p_n + q_x).abs()).max((p_s + q_y).abs());
+    }
+    within("(29), (31)", worst, 1e-14 * 10.0);
+}
+
+#[test]
+fn a_second_impulse_is_35_37_39_or_43_as_printed() {
+    let (mut dice, mut worst, mut held, mut slid) = (Dice(35), 0.0f64, 0, 0);
+    for _ in 0..4000 {
+        let g = Straight::random(&mut dice);
+        let [x, y, w] = [(); 3].map(|()| dice.between(-1.0, 1.0));
+        let w = 10.0 * w;
+        let mut cluster = girder(g.i2, DVec3::new(x, y, w));
+        let point = at_wall(g.arm(), DVec2::NEG_X);
+        if cluster.speeds(&point)[0] >= 0.0 {
+            continue;
+        }
+        let numbers = Coefficients { e_n: 0.4, e_t: -0.9, mu_s: 0.2, mu_k: 0.15 };
+        let v_s = cluster.speeds(&point)[1];
+        let energy = |c: &Cluster| 0.5 * (c.velocity[0].truncate().length_squared() + g.i2 * c.velocity[0].z.powi(2));
+        let before = energy(&cluster);
+        let again = second(&mut cluster, &point, &numbers);
+        assert!(energy(&cluster) <= before * (1.0 + 1e-14), "no energy is added");
+        let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
+        let after = cluster.velocity[0];
+        if again.held {
+            held += 1;
+            let turn = (g.i2 * w - g.sign * x * r * sin - y * r * cos) / (g.i2 + r * r);
+            let (q_x, q_y) = (-x - g.sign * turn * r * sin, -y - turn * r * cos);
+            worst = worst.max((after.z - turn).abs() / 10.0);
+            worst = worst.max((again.impulse[0] + q_x).abs()).max((again.impulse[1] + q_y).abs());
+        } else if cluster.speeds(&point)[1] * v_s >= 0.0 {
+            slid += 1;
+            // ẏ0' is along +y, our v_s along −y.
+            let slip = -v_s.signum() * numbers.mu_k;
+            let turn = (g.i2 * w - (slip * r * cos + g.sign * r * sin) * x)
+                / (g.i2 + slip * g.sign * r * r * cos * sin + r * r * sin * sin);
+            worst = worst.max((after.z - turn).abs() / 10.0);
+            worst = worst.max((after.x + g.sign * turn * r * sin).abs());
+        }
+    }
+    assert!(held > 100 && slid > 100, "both rules are met: {held} held, {slid} slid");
+    within("(35), (37), (39), (43)", worst, 1e-13);
+}
+
+#[test]
+fn a_flush_hit_acts_where_44_says() {
+    let mut dice = Dice(44);
+    for _ in 0..500 {
+        let (a, b) = (dice.between(0.05, 0.2), dice.between(0.01, 0.1));
+        let (x, w) = (dice.between(0.1, 1.0), dice.between(-1.0, 1.0));
+        let cluster = girder((a * a + b * b) / 3.0, DVec3::new(x, dice.next(), w));
+        // Further back along s = −y is +y.
+        let ends = [DVec2::new(a, b), DVec2::new(a, -b)].map(|arm| at_wall(arm, DVec2::NEG_X));
+        let place = ends[0].towards(&ends[1], centroid(&cluster, &ends)).arms[0].y;
+        let printed = (-b * b * w / (3.0 * x)).clamp(-b, b);
+        assert!((place - printed).abs() < 1e-15, "{place} against {printed}");
+    }
+}
+
+#[test]
+fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
+    let mut dice = Dice(7);
+    let (mut jammed, mut faces) = (0, 0);
+    for round in 0..40_000 {
+        let two = dice.next() < 0.5;
+        let body = |dice: &mut Dice| {
+            let mass = 10f64.powf(dice.between(-2.0, 2.0));
+            DVec3::new(1.0 / mass, 1.0 / mass, 1.0 / (mass * dice.between(0.01, 1.0)))
+        };
+        let speed = |dice: &mut Dice| DVec3::from([(); 3].map(|()| dice.between(-1.0, 1.0)));
+        let cluster = Cluster {
+            inverse: (0..=usize::from(two)).map(|_| body(&mut dice)).collect(),
+            velocity: (0..=usize::from(two)).map(|_| speed(&mut dice)).collect(),
+        };
+        let n = DVec2::from_angle(dice.between(0.0, std::f64::consts::TAU));
+        let mut point = at_wall(DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)), n);
+        point.bodies[1] = two.then_some(1);
+        point.arms[1] = DVec2::new(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+        let mut points = vec![point];
+        if dice.next() < 0.6 {
+            let length = dice.between(0.01, 1.0);
+            let mut other = point;
+            other.arms = point.arms.map(|arm| arm + point.s * length);
+            other.along += length;
+            points.push(other);
+        }
+        if points.iter().all(|p| cluster.speed(p, p.n) >= 0.0) {
+            continue;
+        }
+        let mu_s = dice.between(0.0, 3.0);
+        let numbers = ImpactSettings {
+            restitution_normal: dice.next(),
+            restitution_tangential: dice.between(-1.0, 1.0),
+            mu_static: mu_s,
+            mu_kinetic: mu_s * dice.next(),
+            flush: if round % 2 == 0 { Flush::Paper } else { Flush::TwoCorner },
+            ..ImpactSettings::default()
+        };
+        let hush = cluster.rounding(&points);
+        let rules = Rules { numbers: &numbers, hush, dead: false };
+        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
+        let mut after = cluster.clone();
+        let blow = strike(&mut after, &edge, State::FreeTurning, &rules);
+        // Held by more than friction.
+        let beyond = |p: [f64; 2]| p[1].abs() > mu_s * p[0] * (1.0 + 1e-9);
+        let edge = blow.landing.flush && round % 2 == 1 && beyond(blow.first);
+        jammed += usize::from(edge || blow.second.is_some_and(|(_, again)| again.held && beyond(again.impulse)));
+        faces += usize::from(blow.landing.flush);
+        let energy = |c: &Cluster| {
+            let body = |(v, i): (&DVec3, &DVec3)| (0..3).map(|k| 0.5 * v[k] * v[k] / i[k]).sum::<f64>();
+            c.velocity.iter().zip(&c.inverse).map(body).sum::<f64>()
+        };
+        let (start, end) = (energy(&cluster), energy(&after));
+        assert!(end <= start * (1.0 + 1e-12), "round {round}: {start} J became {end} J: {blow:?}");
+        assert!((start - end - blow.lost).abs() <= 1e-12 * start, "round {round}: {} J lost", blow.lost);
+        if blow.landing.flush || points.len() == 1 {
+            let least = points.iter().map(|p| after.speed(p, p.n)).fold(f64::INFINITY, f64::min);
+            assert!(least >= -10.0 * hush, "round {round}: {least} m/s into the wall: {blow:?}");
+        }
+    }
+    assert!(faces > 1000, "{faces} hits along a face");
+    // Past the Painlevé bound staying put takes w_n/|w_ns| ≤ μ_k of the push at most: less than there is.
+    assert_eq!(jammed, 0, "held by more than friction");
+}

@@ -1,0 +1,48 @@
+//! What needs no feature: the physics of both models, scenes, readings and studies.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod digests;
+
+mod impact {
+    mod limit;
+    mod random;
+    mod reference;
+    mod rules;
+    mod runs;
+    mod tables;
+}
+
+mod physics {
+    mod contact_laws;
+    mod drift;
+    mod energy;
+    mod free_motion;
+    mod long_runs;
+    mod reference;
+    mod rows;
+    mod spatial;
+    mod stick_slip;
+    mod symmetry;
+}
+
+mod scene {
+    mod bad_input;
+    mod data;
+    mod edits;
+    mod facing;
+    mod keys;
+    mod overrides;
+    mod presets;
+    mod runs;
+}
+
+mod study {
+    mod accuracy;
+    mod stability;
+}
+
+mod tables {
+    mod readings;
+}

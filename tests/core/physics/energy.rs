@@ -1,0 +1,68 @@
+//! The energy ledger balances.
+
+use crate::support::{run, within};
+use girderbench::scene::{FrictionLaw, Kind, Motion, presets};
+
+#[test]
+fn every_preset_balances_its_ledger() {
+    for preset in presets::all() {
+        let mut scene = presets::load(preset.name).unwrap_or_else(|errors| panic!("{errors}"));
+        scene.solver.tolerance = 1e-12;
+        let history = run(&scene);
+        for part in [0.25, 0.5, 1.0] {
+            let ledger = history.ledger(history.end() * part);
+            within(&format!("{} at {part}", preset.name), ledger.residual / ledger.scale, 5e-13);
+        }
+    }
+}
+
+#[test]
+fn both_laws_book_every_jump_of_the_anchor() {
+    for law in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
+        let mut scene = presets::load("skew60-abutment").unwrap_or_else(|errors| panic!("{errors}"));
+        scene.solver.tolerance = 1e-12;
+        scene.contact.law = law;
+        let Motion::Sine(sine) = &mut scene.motion else { panic!("it shakes by a sine") };
+        sine.angle_deg = -30.0;
+        let history = run(&scene);
+        let ledger = history.ledger(history.end());
+        assert!(ledger.jump_slip > 0.0, "{law:?}: breakaway releases energy");
+        assert!(ledger.loss_friction > 0.0 && ledger.loss_normal > 0.0, "{law:?}: contacts dissipate");
+        within(&format!("{law:?}"), ledger.residual / ledger.scale, 5e-13);
+    }
+}
+
+#[test]
+fn the_residual_falls_with_the_tolerance() {
+    let mut scene = presets::load("skew45-abutment").unwrap_or_else(|errors| panic!("{errors}"));
+    let mut residuals = Vec::new();
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        scene.solver.tolerance = tolerance;
+        let history = run(&scene);
+        let ledger = history.ledger(history.end());
+        residuals.push(ledger.residual.abs() / ledger.scale);
+    }
+    assert!(residuals[0] > 10.0 * residuals[1] && residuals[1] > 10.0 * residuals[2], "{residuals:?}");
+}
+
+#[test]
+fn a_spatial_deck_is_placed_in_equilibrium() {
+    let mut scene = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
+    assert_eq!(scene.kind, Kind::Spatial, "the deck is spatial");
+    scene.motion = Motion::None;
+    scene.duration = 2.0;
+    let history = run(&scene);
+    // Rounding of a weight of 6 MN over a stiffness of 2e9 N/m is 1e-19 m a step.
+    within("it stays where it was placed", history.motion(0, 2.0).displacement.length(), 1e-15);
+}
+
+#[test]
+fn dashpots_alone_are_booked_over_a_long_flight() {
+    let mut scene = presets::load("flush-free-hit").unwrap_or_else(|errors| panic!("{errors}"));
+    scene.abutments.clear();
+    scene.duration = 10.0;
+    let each = girderbench::scene::Bearing { at: [0.0, 0.0], stiffness: [0.0; 3], damping: [100.0, 100.0, 0.0] };
+    scene.girders[0].bearings = Some(girderbench::scene::Bearings::Each(vec![each]));
+    let ledger = run(&scene).ledger(10.0);
+    within("all of its energy is lost in the dashpots", ledger.loss_bearing / 0.25 - 1.0, 1e-11);
+}

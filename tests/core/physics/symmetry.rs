@@ -1,0 +1,147 @@
+//! What must not change the answer: mirrors, turning the whole scene, the order of bodies, threads, portions.
+
+use crate::support::{run, within};
+use girderbench::scene::{Motion, Scene, presets};
+use girderbench::sim::{History, Session};
+
+fn preset(name: &str) -> Scene {
+    let mut scene = presets::load(name).unwrap_or_else(|errors| panic!("{errors}"));
+    scene.solver.tolerance = 1e-12;
+    scene.duration = 4.0;
+    scene
+}
+
+fn angle(scene: &mut Scene) -> &mut f64 {
+    match &mut scene.motion {
+        Motion::Sine(sine) => &mut sine.angle_deg,
+        _ => panic!("the presets used here shake by a sine"),
+    }
+}
+
+/// Largest difference between two runs under a map of places and rotations.
+fn apart(a: &History, b: &History, map: impl Fn(glam::DVec3, f64) -> (glam::DVec3, f64)) -> f64 {
+    let mut worst = 0.0f64;
+    for i in 0..=400 {
+        let t = 4.0 * f64::from(i) / 400.0;
+        for body in 0..a.model().bodies.len() {
+            let (m, n) = (a.motion(body, t), b.motion(body, t));
+            let (d, theta) = map(m.displacement, m.theta);
+            worst = worst.max((d - n.displacement).length()).max((theta - n.theta).abs() * 0.05);
+        }
+    }
+    worst
+}
+
+#[test]
+fn a_mirrored_scene_answers_mirrored() {
+    for (name, shake) in [("skew45-abutment", 20.0), ("skew60-abutment", -30.0)] {
+        let mut scene = preset(name);
+        *angle(&mut scene) = shake;
+        let mut mirrored = scene.clone();
+        mirrored.girders[0].skew_deg = 180.0 - scene.girders[0].skew_deg;
+        *angle(&mut mirrored) = -shake;
+        let worst = apart(&run(&scene), &run(&mirrored), |d, theta| (d.with_y(-d.y), -theta));
+        // cos 45° and cos 135° differ in the last bit; four seconds of hits carry it on.
+        within(&format!("{name} mirrored"), worst, 1e-11);
+    }
+}
+
+#[test]
+fn a_turned_scene_answers_turned() {
+    for turn in [90.0, 180.0, 33.0] {
+        let scene = preset("skew45-abutment");
+        let mut turned = scene.clone();
+        turned.girders[0].heading_deg = turn;
+        *angle(&mut turned) += turn;
+        let rotation = glam::DMat3::from_rotation_z(f64::to_radians(turn));
+        let worst = apart(&run(&scene), &run(&turned), |d, theta| (rotation * d, theta));
+        within(&format!("turned by {turn}°"), worst, 1e-11);
+    }
+}
+
+#[test]
+fn the_order_of_bodies_in_the_file_does_not_matter() {
+    let scene = preset("straight-straight");
+    let mut swapped = scene.clone();
+    swapped.girders.reverse();
+    let (a, b) = (run(&scene), run(&swapped));
+    let mut worst = 0.0f64;
+    for i in 0..=400 {
+        let t = 4.0 * f64::from(i) / 400.0;
+        for body in 0..2 {
+            let apart = a.motion(body, t).displacement - b.motion(1 - body, t).displacement;
+            worst = worst.max(apart.length());
+        }
+    }
+    // Sums run in another order.
+    within("swapped", worst, 1e-11);
+}
+
+#[test]
+fn the_answer_is_the_same_to_the_bit_again_in_portions_and_on_any_number_of_threads() {
+    for name in ["skew45-abutment", "straight-straight", "row-of-5"] {
+        let mut scene = preset(name);
+        scene.solver.tolerance = 1e-9;
+        if name != "straight-straight" {
+            // A second group that no pair joins to the first.
+            let mut far = scene.girders[0].clone();
+            far.name = "far".into();
+            far.position[1] += 1000.0;
+            scene.girders.push(far);
+        }
+        let first = run(&scene);
+        assert!(!first.touches().is_empty(), "{name}: contacts are in play");
+        assert_eq!(first.digest(), run(&scene).digest(), "{name}: again");
+        let mut session = Session::new(&scene).expect("valid");
+        for until in [0.3, 1.0, 2.7, scene.duration, 4.0] {
+            session.advance(until, &mut |_| true);
+            for (girder, now) in session.motions().expect("it goes on").iter().enumerate() {
+                let apart = (now.displacement - first.motion(girder, until).displacement).length();
+                assert!(apart < 1e-12, "{name}: girder {girder} on the way, at {until}: {apart:e} m");
+            }
+        }
+        assert_eq!(first.digest(), session.finish().digest(), "{name}: in portions");
+        for threads in [1, 2, 5] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            assert_eq!(first.digest(), pool.install(|| run(&scene).digest()), "{name}: {threads} threads");
+        }
+    }
+}
+
+#[test]
+fn an_answer_cut_short_is_that_of_a_shorter_scene() {
+    let scene = preset("skew45-abutment");
+    let whole = run(&scene);
+    let until = whole.events()[whole.events().len() / 2].t + 1e-3;
+    let (cut, short) = (whole.cut(until), run(&Scene { duration: until, ..scene }));
+    assert_eq!(cut.end(), short.end());
+    assert_eq!(cut.events(), short.events());
+    assert_eq!(cut.touches().len(), short.touches().len());
+    for (a, b) in cut.touches().iter().zip(short.touches()) {
+        assert_eq!((a.contact, a.start, a.end), (b.contact, b.start, b.end));
+        // The shorter run's last step ends where the other one is read within.
+        within("peak force", (a.peak_force - b.peak_force).abs(), 1e-9 * b.peak_force);
+    }
+    for i in 0..=20 {
+        let t = until * f64::from(i) / 20.0;
+        within("place", (cut.motion(0, t).displacement - short.motion(0, t).displacement).length(), 1e-12);
+        let [a, b] = [cut.ledger(t), short.ledger(t)];
+        within("friction", (a.loss_friction - b.loss_friction).abs(), 1e-10 * b.scale.max(1e-6));
+        within("residual", (a.residual - b.residual).abs(), 1e-10 * b.scale.max(1e-6));
+    }
+}
+
+#[test]
+fn a_cancelled_run_keeps_what_it_has() {
+    let scene = preset("skew45-abutment");
+    let mut session = Session::new(&scene).expect("valid");
+    session.advance(4.0, &mut |reached| reached.t < 1.5);
+    let part = session.finish();
+    assert!(part.end() >= 1.4 && part.end() < 4.0, "it stops where it was told, at {}", part.end());
+    let whole = run(&scene);
+    for i in 0..=100 {
+        // The last product may round to beyond the end, where only the whole run goes on.
+        let t = (part.end() * f64::from(i) / 100.0).min(part.end());
+        assert_eq!(part.motion(0, t), whole.motion(0, t), "the same to the bit at {t}");
+    }
+}

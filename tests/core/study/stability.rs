@@ -1,0 +1,154 @@
+//! Seeded random scenes over wide ranges: every answer holds every check.
+
+use girderbench::scene::{format, validate};
+use girderbench::sim::Session;
+use girderbench::study::stability::{self, Check, Limits, Outcome, examine, family};
+
+/// Seeds examined here; `GIRDERBENCH_SEEDS` asks for another number, `GIRDERBENCH_FROM` for another first one.
+const SEEDS: u64 = 500;
+
+/// Seeds that used to fail: sliding that stopped and began again without end (1040, 1794, 1807, 2238), grazes within
+/// rounding (1274), steps too small (3552), slides that turned too fast for their steps (776, 1150), nodes that came out
+/// and went in again between the looks at a step (1570), sliding that went on within rounding too coarse for its steps
+/// (7434), blows that one implicit step went over (7285, 7617), a first step beyond its estimate (1502), a ground faster than the
+/// steps of what it holds (1192, 7360), millions of looks at girders that swing together (3729), a stretch that
+/// shrinks along the edge of its cone (5447), sliding without friction that stopped (5472), friction by a node that hangs
+/// before its face (1002, 7625), losses of thousands of steps that add up (647, 7375, 8039, 8076), a slip's angle followed
+/// to where it has no meaning (3329) or to another's tolerance (2513), contacts pressed less deep than a place rounds (1167, 1420,
+/// 1610, 1849, 2357, 3292, 8169), stops in two directions between the looks at a step (1151, 1656), a node that goes by as
+/// others enter (2538), a push from rest (1223), a clamped force that stays near 0 (1737, 2473),
+/// gaps that bend more sharply than was thought where the node is an abutment's (3300, 7636), creep in jerks (3810), explicit
+/// steps measured against a weight that bearings hold (4461, 6903), stick and slip that alternate over a long step (5076),
+/// steps over what decays where their estimate is blind (4360, 4974, 6924), a swing whose errors add up (7249), Jacobians
+/// across a face (2668, 3328), chance that was trusted (7696), a stop in 1e-13 s (1015), a slip that turns where its touch ends
+/// (4994) or that stops (3191), a million steps of a girder that tumbles, a blow in steps of less than a billion roundings of
+/// its time (5735), flights over half a period of the ground in a step (9327), girders that touch as placed and are shaken
+/// alike (111).
+const ONCE: &[u64] = &[
+    111, 647, 776, 1002, 1015, 1040, 1150, 1151, 1167, 1192, 1223, 1274, 1420, 1502, 1570, 1610, 1656, 1737, 1794,
+    1807, 1849, 2080, 2238, 2357, 2473, 2513, 2538, 2668, 3121, 3191, 3263, 3292, 3300, 3328, 3329, 3552, 3729, 3810,
+    4360, 4461, 4974, 4994, 5076, 5084, 5447, 5472, 5735, 6903, 6924, 7249, 7285, 7360, 7375, 7434, 7617, 7625, 7636,
+    7696, 8039, 8076, 8169, 8785, 8954, 9139, 9327, 9374, 9610, 9806,
+];
+
+/// No end of patience; as many events as the command asks for by itself.
+const ENOUGH: Limits = Limits { patience: f64::INFINITY, events: 20_000 };
+/// Two ticks of a clock.
+const PATIENT: Limits = Limits { patience: 2.0, events: 20_000 };
+
+fn asked_by(variable: &str, otherwise: u64) -> u64 {
+    std::env::var(variable).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
+}
+
+/// No test asserts a time: the engine's own work bound ends what would not.
+fn no_clock() -> f64 {
+    0.0
+}
+
+#[test]
+fn every_seed_passes_every_check() {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let (from, seeds) = (asked_by("GIRDERBENCH_FROM", 0), asked_by("GIRDERBENCH_SEEDS", SEEDS));
+    let wanted: Vec<u64> = (from..from + seeds).collect();
+    let verdicts = stability::run_seeds(&wanted, threads, ENOUGH, &no_clock, &|_| ());
+    let said = |v: &stability::Verdict| format!("seed {} ({}): {:?}", v.seed, v.family, v.examined.outcome);
+    let failed: Vec<String> = verdicts.iter().filter(|v| v.examined.outcome != Outcome::Passed).map(said).collect();
+    let touches: usize = verdicts.iter().map(|v| v.examined.figures.touches).sum();
+    assert!(failed.is_empty(), "{} of {seeds}:\n{}", failed.len(), failed.join("\n"));
+    assert!(touches as u64 > 20 * seeds, "contacts are in play: {touches} touches");
+}
+
+#[test]
+fn seeds_that_failed_once_pass() {
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    for verdict in stability::run_seeds(ONCE, threads, ENOUGH, &no_clock, &|_| ()) {
+        assert_eq!(verdict.examined.outcome, Outcome::Passed, "seed {} ({})", verdict.seed, verdict.family);
+    }
+}
+
+/// Whether they stick or slip was decided by roundings of equal speeds, at coarse tolerances in another way than at fine ones.
+#[test]
+fn girders_that_touch_as_placed_and_are_shaken_alike_come_together_one_way_at_any_tolerance() {
+    let (_, mut scene) = family::scene(111);
+    scene.duration = 0.015;
+    let held = [1e-5, 1e-7, 1e-9, 1e-11, 1e-13].map(|tolerance| {
+        scene.solver.tolerance = tolerance;
+        let mut session = Session::new(&scene).unwrap_or_else(|e| panic!("{e}"));
+        session.advance(scene.duration, &mut |_| true);
+        let contacts = session.finish().contacts(scene.duration);
+        // Those of the second girder and the third, of which the last is stopped by an abutment.
+        (8..16).map(|number| contacts.iter().find(|c| c.contact == number).map(|c| c.state)).collect::<Vec<_>>()
+    });
+    assert!(held[4].iter().all(Option::is_some), "all eight touch: {:?}", held[4]);
+    assert!(held.iter().all(|states| *states == held[4]), "{held:?}");
+}
+
+#[test]
+fn every_seed_is_a_file_that_opens_and_makes_sense() {
+    for seed in 0..3000 {
+        let (family, scene) = family::scene(seed);
+        let text = format::write(&scene);
+        let read = format::parse(&text, "seed").unwrap_or_else(|errors| panic!("seed {seed}, {family}: {errors}"));
+        assert_eq!(read, scene, "seed {seed} comes back from its file as it was");
+        validate::validate(&scene).unwrap_or_else(|errors| panic!("seed {seed}, {family}: {errors}"));
+        let k = scene.contact.stiffness.unwrap_or(0.0);
+        assert!((1e2..=1e12).contains(&k), "seed {seed}: K = {k}");
+        assert!((1e-13..=1e-3).contains(&scene.solver.tolerance), "seed {seed}: {}", scene.solver.tolerance);
+        for girder in &scene.girders {
+            assert!((1e-3..=1e8).contains(&girder.mass), "seed {seed}: m = {}", girder.mass);
+            assert!((4.99..=175.01).contains(&girder.skew_deg), "seed {seed}: skew {}", girder.skew_deg);
+        }
+    }
+}
+
+#[test]
+fn every_family_comes_up_and_ten_seeds_in_ten_thousand_shake_for_an_hour() {
+    let mut count = std::collections::BTreeMap::<&str, usize>::new();
+    for seed in 0..10_000 {
+        *count.entry(family::scene(seed).0).or_default() += 1;
+    }
+    assert_eq!(count.len(), family::names().count(), "all families: {count:?}");
+    assert_eq!(count["hour"], 10, "ten hours");
+    assert!(count.iter().all(|(name, n)| *name == "hour" || *n > 600), "evenly: {count:?}");
+}
+
+#[test]
+fn a_seed_is_the_same_answer_every_time() {
+    let digest = |seed: u64| {
+        let (_, scene) = family::scene(seed);
+        girderbench::sim::Session::run(&scene).map(|history| history.digest()).ok()
+    };
+    for seed in [3, 5, 12, 13] {
+        let first = digest(seed);
+        assert!(first.is_some() && first == digest(seed), "seed {seed}");
+    }
+}
+
+#[test]
+fn impatience_panics_and_nonsense_are_told_apart() {
+    let (_, scene) = family::scene(3);
+    let first = |outcome: Outcome| match outcome {
+        Outcome::Failed(complaints) => complaints.first().map(|c| c.check),
+        _ => None,
+    };
+    let ticks = std::sync::atomic::AtomicU32::new(0);
+    let racing = || f64::from(ticks.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
+    assert_eq!(first(examine(&scene, &racing, PATIENT).outcome), Some(Check::Time), "a clock that races");
+    let broken = || panic!("the clock is broken");
+    assert_eq!(first(examine(&scene, &broken, PATIENT).outcome), Some(Check::Panic), "a clock that panics");
+    let mut nonsense = scene;
+    nonsense.girders[0].mass = -1.0;
+    assert!(matches!(examine(&nonsense, &no_clock, PATIENT).outcome, Outcome::Refused(_)), "no mass");
+}
+
+#[test]
+fn a_scene_of_many_events_is_examined_up_to_those_asked_for() {
+    let (_, scene) = family::scene(13);
+    let whole = examine(&scene, &no_clock, ENOUGH);
+    assert!(whole.until.total_cmp(&scene.duration).is_eq() && whole.figures.events > 40, "{whole:?}");
+    let part = examine(&scene, &no_clock, Limits { events: 20, ..ENOUGH });
+    assert_eq!(part.outcome, Outcome::Passed, "its beginning");
+    assert!(part.until < whole.until && (20..40).contains(&part.figures.events), "{part:?}");
+    let alone = examine(&scene, &no_clock, Limits { events: whole.figures.events, ..ENOUGH });
+    assert_eq!(alone, whole, "as many as there are");
+}
