@@ -4,10 +4,11 @@
 use divan::{Bencher, black_box};
 use girderbench::contact::locate;
 use girderbench::dynamics::Model;
-use girderbench::dynamics::body_state::{Wrench, planar_slope};
-use girderbench::dynamics::dop853::{Dop853, System, next_factor};
-use girderbench::dynamics::flight::{self, Flight};
-use girderbench::dynamics::search::{Found, Outlook, first_crossing, root};
+use girderbench::dynamics::free_flight::flight;
+use girderbench::dynamics::free_flight::flight::Flight;
+use girderbench::dynamics::integrator::dop853::{Dop853, System, next_factor};
+use girderbench::dynamics::locate::advancement::{Found, Outlook, first_crossing, root};
+use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
 use girderbench::scene::presets;
 
 #[path = "../tests/support/rows.rs"]

@@ -3,8 +3,8 @@
 
 use divan::{Bencher, black_box};
 use girderbench::contact::{Frame, Law, Local, Mode, law::Friction, locate};
-use girderbench::dynamics::penalty3d::act;
-use girderbench::dynamics::track::Closed;
+use girderbench::dynamics::penalty3d::contact_force::act;
+use girderbench::dynamics::penalty3d::contact_state::Closed;
 use girderbench::dynamics::{ContactSite, Model};
 use girderbench::scene::presets;
 use glam::{DVec2, DVec3};

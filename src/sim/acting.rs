@@ -5,11 +5,11 @@
 
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
-use crate::dynamics::base::{Base, seen_from};
-use crate::dynamics::body_state;
-use crate::dynamics::path::Kept;
-use crate::dynamics::penalty3d::{Action, act_in, to_world};
-use crate::dynamics::track::Closed;
+use crate::dynamics::model::reference_pose::{Base, seen_from};
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
+use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::trajectory::stored_path::Kept;
 
 /// A closed contact at one instant.
 struct Seen {
@@ -26,7 +26,7 @@ struct Seen {
 impl History {
     /// A body within a step, counted from its base; nothing where it is in no step.
     fn since(&self, body: usize, t: f64) -> Option<(Base, Frame)> {
-        let (mut state, width) = ([0.0; body_state::SPATIAL], body_state::width(self.model().kind));
+        let (mut state, width) = ([0.0; rigid_body::SPATIAL], rigid_body::width(self.model().kind));
         let (state, own) = (&mut state[..width], &self.model().bodies[body]);
         let base = match self.paths[body].at(t)? {
             (_, Kept::Step(piece)) => Base::by(self.model().kind, own, piece.read_since(t, state)),

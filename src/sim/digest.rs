@@ -4,9 +4,9 @@ use xxhash_rust::xxh3::Xxh3;
 
 use super::History;
 use crate::contact::Mode;
-use crate::dynamics::contact_log::ContactLog;
-use crate::dynamics::path::Kept;
-use crate::dynamics::track::Contact;
+use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::trajectory::stored_path::Kept;
 
 /// Hash of paths, contact states and events.
 pub(super) fn of(history: &History) -> u64 {

@@ -6,14 +6,15 @@ use super::ledger::Books;
 use super::replayed::Replayed;
 use super::{Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
 use crate::contact::Frame;
-use crate::dynamics::contact_log::ContactLog;
-use crate::dynamics::engine::{Effort, Finished};
-use crate::dynamics::flight::System;
+use crate::dynamics::Model;
+use crate::dynamics::event_loop::contact_engine::{Effort, Finished};
+use crate::dynamics::free_flight::flight::System;
 use crate::dynamics::impact2d::Record;
-use crate::dynamics::path::{BodyPath, Kept};
-use crate::dynamics::piece::Piece;
-use crate::dynamics::replay::Past;
-use crate::dynamics::{Model, body_state};
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::recomputed_steps::Past;
+use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::trajectory::stored_path::{BodyPath, Kept};
 use crate::scene::{ModelKind, Scene, SceneErrors};
 
 /// Instants at which two runs are compared for the error estimate.
@@ -184,10 +185,10 @@ impl History {
     }
 
     /// State of a body as its integrator holds it, at `t` clamped to what was computed.
-    pub(super) fn state(&self, body: usize, t: f64) -> [f64; body_state::SPATIAL] {
+    pub(super) fn state(&self, body: usize, t: f64) -> [f64; rigid_body::SPATIAL] {
         let t = t.clamp(0.0, self.end);
-        let mut state = [0.0; body_state::SPATIAL];
-        let width = body_state::width(self.model.kind);
+        let mut state = [0.0; rigid_body::SPATIAL];
+        let width = rigid_body::width(self.model.kind);
         match (self.paths[body].at(t), &self.systems[body]) {
             (Some((from, Kept::Start(start))), Some(system)) => {
                 state[..6].copy_from_slice(&system.state(&system.fly(from, start), t));
@@ -203,7 +204,7 @@ impl History {
             }
             // Nothing was computed: the run gave up at its start.
             (None, _) => {
-                let initial = body_state::initial(self.model.kind, &self.model.bodies[body]);
+                let initial = rigid_body::initial(self.model.kind, &self.model.bodies[body]);
                 state[..initial.len()].copy_from_slice(&initial);
             }
         }
@@ -226,7 +227,7 @@ impl History {
 
     /// Pose and twist of a body.
     pub fn frame(&self, body: usize, t: f64) -> Frame {
-        body_state::frame(self.model.kind, &self.model.bodies[body], &self.state(body, t))
+        rigid_body::frame(self.model.kind, &self.model.bodies[body], &self.state(body, t))
     }
 
     /// Motion of a girder at `t`, clamped to what was computed.

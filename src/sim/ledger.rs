@@ -8,10 +8,11 @@ use glam::DVec3;
 use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger, impact};
-use crate::dynamics::body_state::{self, bearing_forces, world_inertia};
 use crate::dynamics::impact2d::Stay;
-use crate::dynamics::penalty3d::Action;
-use crate::dynamics::track::Contact;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::{bearing_forces, world_inertia};
+use crate::dynamics::penalty3d::contact_force::Action;
+use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::motion::Ground;
 use crate::scene::Kind;
 
@@ -227,7 +228,7 @@ fn body_powers(history: &History, number: usize, t: f64) -> [f64; 3] {
     let model = history.model();
     let body = &model.bodies[number];
     let state = history.state(number, t);
-    let here = body_state::frame(model.kind, body, &state);
+    let here = rigid_body::frame(model.kind, body, &state);
     let ground = -body.mass * model.ground.acceleration(t).dot(here.velocity);
     let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
     let loss = match model.kind {
@@ -254,7 +255,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
     let model = history.model();
     let body = &model.bodies[number];
     let state = history.state(number, t);
-    let here = body_state::frame(model.kind, body, &state);
+    let here = rigid_body::frame(model.kind, body, &state);
     let inertia = match model.kind {
         Kind::Planar => body.mass * body.gyration2 * here.spin.z * here.spin.z,
         Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation(&body.axes)) * here.spin),
@@ -268,7 +269,7 @@ fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
         }
         Kind::Spatial => {
             let into_axes = body.axes.transpose();
-            let strain = |b: &crate::dynamics::bearing::Bearing| {
+            let strain = |b: &crate::dynamics::model::bearing::Bearing| {
                 let moved = into_axes * (here.shift + here.turned * (body.axes * b.place));
                 0.5 * moved.dot(b.stiffness * moved)
             };

@@ -2,8 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use crate::dynamics::piece::Piece;
-use crate::dynamics::replay::{Past, Replay};
+use crate::dynamics::record::recomputed_steps::{Past, Replay};
+use crate::dynamics::trajectory::step_polynomial::Piece;
 
 /// How many are kept: the two sides of a contact and their neighbours.
 const KEPT: usize = 4;
@@ -69,7 +69,7 @@ mod tests {
 
     use super::*;
     use crate::dynamics::Model;
-    use crate::dynamics::engine::Engine;
+    use crate::dynamics::event_loop::contact_engine::Engine;
     use crate::scene::{Motion, Scene, presets};
     use crate::sim::History;
 
@@ -138,9 +138,10 @@ mod tests {
         // Head-on a girder moves along one axis: two numbers of its state, sixteen of its polynomial.
         for (angle, most) in [(0.0, 72.0), (20.0, 110.0)] {
             let (whole, none) = (row(angle, usize::MAX), row(angle, 0));
-            let stretches: usize = none.paths.iter().map(crate::dynamics::path::BodyPath::len).sum();
+            let stretches: usize = none.paths.iter().map(crate::dynamics::trajectory::stored_path::BodyPath::len).sum();
             let each = |history: &History| {
-                let kept = history.paths.iter().map(crate::dynamics::path::BodyPath::bytes).sum::<usize>();
+                let kept =
+                    history.paths.iter().map(crate::dynamics::trajectory::stored_path::BodyPath::bytes).sum::<usize>();
                 (kept + history.replayed.iter().map(Replayed::bytes).sum::<usize>()) as f64 / stretches as f64
             };
             assert!(each(&none) < most, "{} bytes a stretch at {angle}°", each(&none));

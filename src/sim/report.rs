@@ -2,8 +2,9 @@
 
 use glam::{DQuat, DVec3};
 
-pub use crate::dynamics::event::{Event, EventKind, Stop};
-use crate::dynamics::{Model, body_state};
+use crate::dynamics::Model;
+use crate::dynamics::model::rigid_body;
+pub use crate::dynamics::record::event::{Event, EventKind, Stop};
 use crate::scene::Kind;
 
 /// A body's motion at one instant, relative to the ground.
@@ -27,11 +28,11 @@ impl Motion {
     /// Of a girder in a state as its integrator holds it.
     pub(super) fn of(model: &Model, girder: usize, state: &[f64]) -> Self {
         let body = &model.bodies[girder];
-        let here = body_state::frame(model.kind, body, state);
+        let here = rigid_body::frame(model.kind, body, state);
         let (theta, attitude) = match model.kind {
             Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
             Kind::Spatial => {
-                let attitude = body_state::turn(state) * DQuat::from_mat3(&body.axes);
+                let attitude = rigid_body::turn(state) * DQuat::from_mat3(&body.axes);
                 let x = here.turn(DVec3::X);
                 (x.y.atan2(x.x), attitude)
             }

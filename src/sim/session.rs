@@ -5,8 +5,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::{History, Motion, Stop};
-use crate::dynamics::engine::{self, Engine};
-use crate::dynamics::replay::Replay;
+use crate::dynamics::event_loop::contact_engine;
+use crate::dynamics::event_loop::contact_engine::Engine;
+use crate::dynamics::record::recomputed_steps::Replay;
 use crate::dynamics::{Model, impact2d};
 use crate::scene::{ModelKind, Scene, SceneErrors};
 
@@ -181,10 +182,10 @@ fn each<E: Send>(engines: &mut [E], work: impl Fn(&mut E) + Sync + Send) {
 }
 
 /// What both models leave, and what the impact model leaves beside it.
-fn split(finished: impact2d::engine::Finished) -> (engine::Finished, impact2d::Record) {
+fn split(finished: impact2d::engine::Finished) -> (contact_engine::Finished, impact2d::Record) {
     let impact2d::engine::Finished { end, stop, bodies, record, effort } = finished;
     let bodies =
         bodies.into_iter().map(|(body, path, system)| (body, path.into_iter().collect(), Some(system))).collect();
     let replay = Replay::default();
-    (engine::Finished { end, stop, bodies, contacts: Vec::new(), replay, events: Vec::new(), effort }, record)
+    (contact_engine::Finished { end, stop, bodies, contacts: Vec::new(), replay, events: Vec::new(), effort }, record)
 }

@@ -2,7 +2,7 @@
 
 use super::{History, Touch};
 use crate::contact::Mode;
-use crate::dynamics::track::Contact;
+use crate::dynamics::penalty3d::contact_state::Contact;
 
 /// Looks per step of an integrator when a peak is searched; a step is short against the contact's period.
 const LOOKS: usize = 6;

@@ -6,7 +6,7 @@ use crate::app::bench::Workbench;
 use crate::app::command::Command;
 use crate::app::run::answer::Answer;
 use crate::app::{field, text};
-use crate::dynamics::bearing::Quantities;
+use crate::dynamics::model::bearing::Quantities;
 use crate::scene::Girder;
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::cli::digits::{list, six};
 use crate::dynamics::Body;
-use crate::dynamics::bearing::Quantities;
+use crate::dynamics::model::bearing::Quantities;
 use crate::scene::{Direction, Girder, Initial, Kind, Push, Seat};
 
 /// All of it, a fact a line.
@@ -101,7 +101,7 @@ fn vertical(body: &Body, kind: Kind) -> String {
     if kind == Kind::Planar || body.bearings.is_empty() {
         return String::new();
     }
-    let sum = |of: fn(&crate::dynamics::bearing::Bearing) -> f64| body.bearings.iter().map(of).sum::<f64>();
+    let sum = |of: fn(&crate::dynamics::model::bearing::Bearing) -> f64| body.bearings.iter().map(of).sum::<f64>();
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };

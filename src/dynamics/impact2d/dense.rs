@@ -1,6 +1,6 @@
 //! Small dense systems, as they come with a few contacts.
 
-use crate::dynamics::lu::Lu;
+use crate::dynamics::integrator::dense_lu::Lu;
 
 /// What is added to the diagonal of a system without a single answer, in parts of its largest entry: faces that are held
 /// twice over share the load as if they gave by this little.

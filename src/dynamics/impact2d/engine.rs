@@ -11,13 +11,13 @@ use super::side::Aim;
 use super::track::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::agenda::{Agenda, Item};
-use crate::dynamics::approach::Spot;
-use crate::dynamics::body_state;
-use crate::dynamics::engine::Effort;
-use crate::dynamics::event::Stop;
-use crate::dynamics::flight::{Planar, System};
-use crate::dynamics::track::{Path, Segment};
+use crate::dynamics::closing::in_flight::Spot;
+use crate::dynamics::event_loop::contact_engine::Effort;
+use crate::dynamics::event_loop::event_queue::{Agenda, Item};
+use crate::dynamics::free_flight::flight::{Planar, System};
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::contact_state::{Path, Segment};
+use crate::dynamics::record::event::Stop;
 
 /// Hits, searches and steps per body after which a run gives up.
 const WORK: usize = 3_000_000;
@@ -93,7 +93,7 @@ impl Engine {
         let group = &model.groups[number];
         for &body in group {
             let system = System::new(&model.bodies[body], &model.ground, model.duration);
-            let initial = body_state::initial(model.kind, &model.bodies[body]);
+            let initial = rigid_body::initial(model.kind, &model.bodies[body]);
             let state: Planar = std::array::from_fn(|i| initial[i]);
             let now = Going::Flight(system.fly(0.0, state));
             let (segments, pairs) = (Vec::new(), Vec::new());

@@ -8,13 +8,14 @@
 use glam::DVec3;
 
 use super::reaction::{Answer, Scenery, Seat, Way, middle, react, shaking};
-use super::slide::Slide;
-use crate::dynamics::dop853::{DENSE, Dense, Dop853, System, next_factor};
-use crate::dynamics::flight::Planar;
-use crate::dynamics::piece::Piece;
-use crate::dynamics::search::root;
-use crate::dynamics::track::Path;
-use crate::dynamics::{Model, body_state};
+use crate::dynamics::Model;
+use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::free_flight::sliding_face::Slide;
+use crate::dynamics::integrator::dop853::{DENSE, Dense, Dop853, System, next_factor};
+use crate::dynamics::locate::advancement::root;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::contact_state::Path;
+use crate::dynamics::trajectory::step_polynomial::Piece;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;
 
@@ -25,7 +26,7 @@ const NEAR: f64 = 0.05;
 /// Steps refused one after another before it is given up.
 const REFUSED: usize = 60;
 /// Components of a planar body.
-const WIDTH: usize = body_state::PLANAR;
+const WIDTH: usize = rigid_body::PLANAR;
 
 /// What ends a stretch of lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@ use super::settle::DRIFT;
 use super::state::{After, Row};
 use super::track::Going;
 use super::{Few, State};
-use crate::dynamics::flight::Planar;
+use crate::dynamics::free_flight::flight::Planar;
 
 /// Points nearer than this touch, and faces with both ends nearer are flush, in parts of the girder's size.
 pub(super) const TOUCH: f64 = 1e-9;

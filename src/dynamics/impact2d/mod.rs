@@ -26,7 +26,6 @@ pub mod record;
 mod search;
 mod settle;
 mod side;
-pub mod slide;
 pub mod state;
 mod track;
 mod wedge;

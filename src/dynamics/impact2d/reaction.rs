@@ -11,8 +11,9 @@ use super::dense;
 use super::point::{Cluster, Point, inverse_mass, rates};
 use super::{Few, State};
 use crate::contact::Frame;
-use crate::dynamics::flight::Planar;
-use crate::dynamics::{Body, Model, body_state};
+use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::{Body, Model};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;
 
@@ -106,7 +107,7 @@ impl Scenery {
         for (&number, state) in bodies.iter().zip(states) {
             let body = &model.bodies[number];
             let mut rate = [0.0; 6];
-            body_state::planar_slope(body, state, &body_state::Wrench::default(), ground, &mut rate);
+            rigid_body::planar_slope(body, state, &rigid_body::Wrench::default(), ground, &mut rate);
             scenery.frames.push(body.planar_frame(state));
             scenery.cluster.velocity.push(rates(state));
             scenery.free.push(DVec3::new(rate[3], rate[4], rate[5]));

@@ -9,8 +9,8 @@ use super::engine::Engine;
 use super::leap::{Cubic, crossing};
 use super::side::{View, gap, poses};
 use super::track::Going;
-use crate::dynamics::predict::{RESOLUTION, in_front};
-use crate::dynamics::search::{Hunt, MOST, Outlook, Sight, root};
+use crate::dynamics::closing::next_closing::{RESOLUTION, in_front};
+use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, root};
 use crate::motion::Ground;
 
 /// Periods of a sine that one search covers: girders in step with the ground hit once in a period.

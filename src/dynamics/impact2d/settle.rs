@@ -13,7 +13,7 @@ use super::reaction::{Scenery, Seat, Way, middle, shaking};
 use super::record::Transition;
 use super::state::Row;
 use super::track::Going;
-use crate::dynamics::flight::Planar;
+use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::{Body, Model};
 
 /// A point so little behind a face, in parts of its girder's size, is there by the rounding of the search's gap, not by a hop: to

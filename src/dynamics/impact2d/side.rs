@@ -11,12 +11,12 @@ use super::engine::Engine;
 use super::leap::Cubic;
 use super::track::Going;
 use crate::dynamics::Model;
-use crate::dynamics::approach::Spot;
-use crate::dynamics::bound::Bound;
-use crate::dynamics::dof::Dof;
-use crate::dynamics::flight::{Planar, System, SystemForm};
-use crate::dynamics::relative::{Apart, Flyer};
-use crate::dynamics::search::Outlook;
+use crate::dynamics::closing::in_flight::Spot;
+use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
+use crate::dynamics::free_flight::motion_bounds::Bound;
+use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
+use crate::dynamics::free_flight::uncoupled_axis::Dof;
+use crate::dynamics::locate::advancement::Outlook;
 use crate::motion::Ground;
 
 /// Where a declared contact is as placed, in plan.

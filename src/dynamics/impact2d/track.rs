@@ -2,9 +2,9 @@
 
 use super::State;
 use super::side::Aim;
-use crate::dynamics::approach::Spot;
-use crate::dynamics::flight::{Flight, System};
-use crate::dynamics::track::Segment;
+use crate::dynamics::closing::in_flight::Spot;
+use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::penalty3d::contact_state::Segment;
 
 /// What a body does now.
 #[derive(Clone, Debug)]

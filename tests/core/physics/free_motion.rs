@@ -2,8 +2,8 @@
 
 use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
-use girderbench::dynamics::body_state::{Wrench, planar_slope};
-use girderbench::dynamics::dop853::{Dop853, System};
+use girderbench::dynamics::integrator::dop853::{Dop853, System};
+use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
 use girderbench::scene::Scene;
 
 fn girder(bearings: &str, rest: &str) -> Scene {

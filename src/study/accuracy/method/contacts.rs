@@ -4,9 +4,9 @@
 use glam::DVec2;
 
 use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
-use crate::dynamics::body_state::Wrench;
-use crate::dynamics::penalty3d::{Action, act};
-use crate::dynamics::track::{Closed, Contact};
+use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::penalty3d::contact_force::{Action, act};
+use crate::dynamics::penalty3d::contact_state::{Closed, Contact};
 use crate::dynamics::{ContactSite, Model};
 use crate::scene::{FrictionLaw, Sharing};
 

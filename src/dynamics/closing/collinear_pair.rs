@@ -1,0 +1,280 @@
+//! When a pair closes next whose faces stand square to the one axis that its bodies move along: all of its nodes have one
+//! gap, the difference of two coordinates, and one search finds them all.
+//!
+//! `g = g₀ ± (q_a − q_b)`. What bounds it is what bounds the two coordinates; how it is searched is as for any gap
+//! ([`search`], [`prowl`](crate::dynamics::closing::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
+//! closed or behind the face, are for [`predict`](crate::dynamics::closing).
+
+use crate::dynamics::Model;
+use crate::dynamics::closing::in_flight;
+use crate::dynamics::closing::next_closing::RESOLUTION;
+use crate::dynamics::closing::subdivision::{Look, Prowl};
+use crate::dynamics::event_loop::contact_engine::{ContactTrack, Engine, Trajectory};
+use crate::dynamics::free_flight::relative_bounds;
+use crate::dynamics::free_flight::uncoupled_axis::Dof;
+use crate::dynamics::integrator::dop853::Dense;
+use crate::dynamics::locate::advancement::{Found, Outlook, first_crossing_from};
+use crate::dynamics::penalty3d::collinear_island;
+use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::scene::Kind;
+
+/// Gaps as placed that differ by less than this part of what moves are one: rounding.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A pair with all its faces square to one axis and all its nodes equally far from them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::dynamics) struct Abreast {
+    axis: usize,
+    /// `g₀` \[m\].
+    rest: f64,
+    /// What the gap gains per displacement of the pair's first side along the axis, ±1.
+    towards: f64,
+    /// Size of what moves, which its places round with \[m\].
+    size: f64,
+}
+
+/// How one side moves along the axis.
+enum Mover<'a> {
+    /// An abutment.
+    Stands,
+    /// By one oscillator of its own; `part` is its free motion at `start`.
+    Flies { dof: &'a Dof, part: [f64; 2], start: f64, push: f64 },
+    /// As two components of an island's planned step, from `from` to `until`, the place counted from `base`.
+    Steps { island: usize, dense: &'a Dense, at: usize, base: f64, from: f64, until: f64 },
+}
+
+/// Both sides of a pair.
+struct Gauge<'a> {
+    engine: &'a Engine,
+    pair: Abreast,
+    movers: [Mover<'a>; 2],
+    drive: f64,
+}
+
+impl Abreast {
+    /// Of a pair's contacts, where the pair is so placed.
+    pub(in crate::dynamics) fn of(model: &Model, pair: usize, contacts: &[ContactTrack]) -> Option<Self> {
+        let first = model.pairs[pair].bodies[0];
+        let one = |track: &ContactTrack, axis: usize| {
+            let site = &model.contacts[track.site];
+            let normal = site.home.axes.z_axis;
+            let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
+            let side = if site.node_body == first { 1.0 } else { -1.0 };
+            square.then(|| Self {
+                axis,
+                rest: track.spot.home_gap,
+                towards: side * normal[axis],
+                size: track.spot.size,
+            })
+        };
+        let all = |axis: usize| {
+            let whole = one(contacts.first()?, axis)?;
+            let like = |track: &ContactTrack| {
+                one(track, axis).is_some_and(|other| {
+                    other.towards == whole.towards && (other.rest - whole.rest).abs() <= ROUNDING * whole.size
+                })
+            };
+            contacts.iter().all(like).then_some(whole)
+        };
+        (model.kind == Kind::Planar).then(|| all(0).or_else(|| all(1))).flatten()
+    }
+}
+
+/// Searches a pair from `t` on and enters when its contacts close; when the pair is due, infinite when it is not \[s\].
+/// Nothing where the pair is not in line, or its contacts are not all open.
+pub(in crate::dynamics) fn search(engine: &mut Engine, pair: usize, t: f64) -> Option<f64> {
+    let whole = engine.pairs[pair].abreast?;
+    let contacts = engine.pairs[pair].contacts.clone();
+    if !contacts.clone().all(|contact| engine.contacts[contact].state == Contact::Open { armed: true }) {
+        return None;
+    }
+    let gauge = Gauge::of(engine, pair, whole)?;
+    let resolution = RESOLUTION * (whole.size + gauge.moved(t));
+    let (due, closing, looks) = match gauge.planned() {
+        Some(until) => {
+            let closing = gauge.in_step(t, until, resolution);
+            (closing.unwrap_or(f64::INFINITY), closing, 0)
+        }
+        None => gauge.in_flight(t, resolution),
+    };
+    engine.effort.looks += looks;
+    for contact in contacts {
+        (engine.contacts[contact].closing, engine.contacts[contact].out) = (closing, None);
+    }
+    Some(due)
+}
+
+impl<'a> Gauge<'a> {
+    fn of(engine: &'a Engine, pair: usize, whole: Abreast) -> Option<Self> {
+        let [first, second] = engine.pairs[pair].slots.map(|slot| Mover::of(engine, slot, whole.axis));
+        let gauge = Self { engine, pair: whole, movers: [first?, second?], drive: engine.model.ground.drive() };
+        gauge.is_bounded().then_some(gauge)
+    }
+
+    /// Whether [`relative`] bounds the difference by the two motions: like girders of other masses it knows better.
+    fn is_bounded(&self) -> bool {
+        match &self.movers {
+            [Mover::Flies { dof: a, .. }, Mover::Flies { dof: b, .. }] => {
+                a.oscillator == b.oscillator || !relative_bounds::alike([a, b])
+            }
+            _ => true,
+        }
+    }
+
+    /// Where the first planned step of the sides ends; nothing when both fly or stand \[s\].
+    fn planned(&self) -> Option<f64> {
+        let ends = self.movers.iter().filter_map(|mover| match mover {
+            Mover::Steps { until, .. } => Some(*until),
+            _ => None,
+        });
+        ends.min_by(f64::total_cmp)
+    }
+
+    /// Displacement and speed of both sides.
+    fn sides(&self, t: f64) -> [[f64; 2]; 2] {
+        let phase = self.engine.model.ground.phase(t);
+        [&self.movers[0], &self.movers[1]].map(|mover| mover.state(t, phase, self.drive))
+    }
+
+    fn moved(&self, t: f64) -> f64 {
+        self.sides(t).iter().map(|side| side[0].abs()).sum()
+    }
+
+    fn gap(&self, [a, b]: [[f64; 2]; 2]) -> [f64; 2] {
+        let Abreast { rest, towards, .. } = self.pair;
+        [rest + towards * (a[0] - b[0]), towards * (a[1] - b[1])]
+    }
+
+    /// In planned steps, the first of which ends at `until`: when the gap closes.
+    fn in_step(&self, t: f64, until: f64, resolution: f64) -> Option<f64> {
+        if until <= t {
+            return None;
+        }
+        let seen = |t: f64| {
+            let [gap, rate] = self.gap(self.sides(t));
+            Look { t, gap, rate }
+        };
+        let before = seen(t);
+        let far: f64 = self.movers.iter().map(|mover| mover.excursion(t, until, self)).sum();
+        if before.gap > far {
+            return None;
+        }
+        if before.gap <= resolution && before.rate < 0.0 {
+            return Some(t);
+        }
+        let bend = self.bend(t, until);
+        let looks = [before, seen(until)];
+        // What moves along one axis neither sticks nor slips: how it goes in makes no difference.
+        Prowl::new((seen, |_: &Look, _| bend, |_| 0.0), true, resolution, 0.0).closing(&looks)
+    }
+
+    /// Bound on `|g̈|` from `t` to `until`.
+    fn bend(&self, t: f64, until: f64) -> f64 {
+        if let [Mover::Steps { island: a, dense, at, .. }, Mover::Steps { island: b, at: other, .. }] = self.movers
+            && a == b
+        {
+            return dense.swing_apart(at..at + 1, other)[1];
+        }
+        let bend = |mover: &Mover<'_>| match mover {
+            Mover::Stands => 0.0,
+            Mover::Flies { .. } => mover.limits(t, until - t, self)[2],
+            Mover::Steps { dense, at, .. } => dense.swing(*at..at + 1)[1],
+        };
+        self.movers.iter().map(bend).sum()
+    }
+
+    /// In flight: when the pair is due, when it closes if that is why, and how many looks it took.
+    fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
+        let model = &self.engine.model;
+        let until = in_flight::horizon(&model.ground, t, model.duration);
+        let here = self.outlook(t, model.duration);
+        if here.out_of_reach {
+            return (f64::INFINITY, None, 1);
+        }
+        let mut looks = 1;
+        let ask = |at: f64| {
+            looks += 1;
+            self.outlook(at, until)
+        };
+        match first_crossing_from(here, ask, [t, until], true, resolution) {
+            Found::Crossing(at) => (at, Some(at), looks),
+            Found::NoneUntil(at) if at >= model.duration => (f64::INFINITY, None, looks),
+            Found::NoneUntil(at) => (at, None, looks),
+        }
+    }
+
+    fn outlook(&self, t: f64, until: f64) -> Outlook {
+        let horizon = (until - t).max(f64::MIN_POSITIVE);
+        let phase = self.engine.model.ground.phase(t);
+        let [a, b] = [&self.movers[0], &self.movers[1]].map(|mover| (mover.state(t, phase, self.drive), mover));
+        let [gap, rate] = self.gap([a.0, b.0]);
+        let free = |(state, mover): ([f64; 2], &Mover<'_>)| mover.free(state, phase, self.drive);
+        let [reach, _, curvature] = match (a.1, b.1) {
+            (Mover::Flies { dof: first, push: p, .. }, Mover::Flies { dof: second, push: q, .. }) => {
+                relative_bounds::limits([first, second], [free(a), free(b)], [*p, *q], self.drive, horizon)
+            }
+            (Mover::Flies { dof, push, .. }, _) => dof.limits(free(a), self.drive, *push, horizon),
+            (_, Mover::Flies { dof, push, .. }) => dof.limits(free(b), self.drive, *push, horizon),
+            _ => [0.0; 3],
+        };
+        Outlook { gap, rate, curvature, window: horizon, out_of_reach: self.pair.rest > reach }
+    }
+}
+
+impl<'a> Mover<'a> {
+    /// Nothing for one that is not in line with the axis, or has no such simple motion.
+    fn of(engine: &'a Engine, slot: Option<usize>, axis: usize) -> Option<Self> {
+        let Some(slot) = slot else { return Some(Self::Stands) };
+        let track = &engine.bodies[slot];
+        match (&track.now, &track.system) {
+            (Trajectory::Flight(flight), Some(system)) => {
+                let straight =
+                    engine.model.bodies[track.body].straight[axis] && collinear_island::along(&flight.state, axis);
+                let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
+                Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
+            }
+            (&Trajectory::Island { island: number, index }, _) => {
+                let island = engine.islands[number].as_ref()?;
+                let (dense, at, base) = island.along(index, axis)?;
+                Some(Self::Steps { island: number, dense, at, base, from: island.from, until: island.until })
+            }
+            (Trajectory::Flight(_), None) => None,
+        }
+    }
+
+    /// Displacement and speed at `t`.
+    fn state(&self, t: f64, phase: [f64; 2], drive: f64) -> [f64; 2] {
+        match self {
+            Self::Stands => [0.0; 2],
+            Self::Flies { dof, part, start, push } => {
+                let [q, v] = dof.advance(*part, [*push, 0.0], t - start);
+                let [steady, rate] = dof.steady(phase, drive);
+                [q + steady, v + rate]
+            }
+            Self::Steps { dense, at, base, .. } => [base + dense.component(*at, t), dense.component(at + 3, t)],
+        }
+    }
+
+    /// The free part of a state.
+    fn free(&self, [q, v]: [f64; 2], phase: [f64; 2], drive: f64) -> [f64; 2] {
+        let Self::Flies { dof, .. } = self else { return [q, v] };
+        let [steady, rate] = dof.steady(phase, drive);
+        [q - steady, v - rate]
+    }
+
+    /// Displacement, speed and acceleration that one in flight does not exceed for so long from `t` on.
+    fn limits(&self, t: f64, horizon: f64, gauge: &Gauge<'_>) -> [f64; 3] {
+        let Self::Flies { dof, push, .. } = self else { return [0.0; 3] };
+        let phase = gauge.engine.model.ground.phase(t);
+        dof.limits(self.free(self.state(t, phase, gauge.drive), phase, gauge.drive), gauge.drive, *push, horizon)
+    }
+
+    /// How far it goes at most from where it is at `t` \[m\].
+    fn excursion(&self, t: f64, until: f64, gauge: &Gauge<'_>) -> f64 {
+        match self {
+            Self::Stands => 0.0,
+            Self::Flies { .. } => self.limits(t, until - t, gauge)[1] * (until - t),
+            Self::Steps { dense, at, from, .. } => dense.span(*at..at + 1) * if t > *from { 2.0 } else { 1.0 },
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! How sharply a gap between two bodies can bend while at least one of them is in a planned step.
+//!
+//! The other may fly in closed form or be in a step of its own; two bodies of one island share their step, so that what they
+//! do together cancels.
+
+use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
+use crate::dynamics::free_flight::motion_bounds::Bound;
+
+/// What two bodies can do against each other over a stretch of time.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Swing {
+    /// Each by itself.
+    sides: [Bound; 2],
+    /// Speed of one G against the other \[m/s\].
+    speed: f64,
+    /// Its change \[m/s²\].
+    acceleration: f64,
+}
+
+impl Swing {
+    /// Of the bodies in two slots from `from` to `to`; an abutment stands.
+    pub(in crate::dynamics) fn of(engine: &Engine, slots: [Option<usize>; 2], from: f64, to: f64) -> Self {
+        let sides = slots.map(|slot| slot.map_or(Bound::still(f64::INFINITY), |slot| bound(engine, slot, from, to)));
+        let summed = [sides[0].speed + sides[1].speed, sides[0].acceleration + sides[1].acceleration];
+        let [speed, acceleration] = together(engine, slots).unwrap_or(summed);
+        Self { sides, speed, acceleration }
+    }
+
+    /// Whether it holds for so long \[s\].
+    pub(in crate::dynamics) fn holds(&self, stretch: f64) -> bool {
+        self.sides[0].window.min(self.sides[1].window) >= stretch
+    }
+
+    /// Bound on `|g̈|` of a node of side `node`, at `arms` from its own G and from the other side's at the start of the
+    /// stretch \[m/s²\]. `g = n·r`, r from the face's G to the node, and n turns with the face.
+    pub(in crate::dynamics) fn curvature(&self, node: usize, [arm, apart]: [f64; 2], stretch: f64) -> f64 {
+        let (face, node) = (&self.sides[1 - node], &self.sides[node]);
+        let speed = self.speed + node.spin * arm;
+        let apart = apart + speed * stretch;
+        self.acceleration
+            + (node.spin_rate + node.spin * node.spin) * arm
+            + (face.spin_rate + face.spin * face.spin) * apart
+            + 2.0 * face.spin * speed
+    }
+}
+
+/// The difference of two bodies of one island.
+fn together(engine: &Engine, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
+    let [a, b] = slots.map(|slot| match engine.bodies[slot?].now {
+        Trajectory::Island { island, index } => Some((island, index)),
+        Trajectory::Flight(_) => None,
+    });
+    let ((island, a), (other, b)) = (a?, b?);
+    (island == other).then(|| engine.islands[island].as_ref().map(|island| island.apart(&engine.model, [a, b])))?
+}
+
+/// What a body can do at most on its trajectory.
+fn bound(engine: &Engine, slot: usize, from: f64, to: f64) -> Bound {
+    match (&engine.bodies[slot].now, &engine.bodies[slot].system) {
+        (Trajectory::Island { island, index }, _) => engine.islands[*island]
+            .as_ref()
+            .map_or(Bound::still(f64::INFINITY), |island| island.bound(&engine.model, *index)),
+        (Trajectory::Flight(flight), Some(system)) => system.prospect(flight, from, to - from).1,
+        _ => Bound::still(f64::INFINITY),
+    }
+}

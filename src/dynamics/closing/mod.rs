@@ -1,0 +1,7 @@
+//! When an open gap closes next: in flight, inside a planned step, and for a pair that moves along one axis.
+
+pub(in crate::dynamics) mod collinear_pair;
+pub(in crate::dynamics) mod gap_curvature;
+pub(in crate::dynamics) mod in_flight;
+pub mod next_closing;
+pub(in crate::dynamics) mod subdivision;

@@ -1,0 +1,61 @@
+//! Where the bodies of a group are on the trajectories that they are on.
+
+use crate::contact::Frame;
+use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
+use crate::dynamics::model::reference_pose::Base;
+
+impl Engine {
+    /// State of a body on its trajectory.
+    pub(in crate::dynamics) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
+        let track = &self.bodies[slot];
+        match &track.now {
+            Trajectory::Flight(flight) => {
+                track.system.as_ref().map_or(flight.state, |system| system.state(flight, t)).to_vec()
+            }
+            Trajectory::Island { island, index } => match &self.islands[*island] {
+                Some(island) => {
+                    let mut state = island.state_at(&self.model, *index, t);
+                    island.bases[*index].add(&mut state);
+                    state
+                }
+                None => Vec::new(),
+            },
+        }
+    }
+
+    /// State of a body that is about to touch, and what it is counted from: where it is, unless it touches already.
+    pub(in crate::dynamics) fn caught(&self, slot: usize, t: f64) -> (Base, Vec<f64>) {
+        let track = &self.bodies[slot];
+        if let Trajectory::Island { island, index } = track.now
+            && let Some(island) = &self.islands[island]
+            && !island.active.is_empty()
+        {
+            return (island.bases[index], island.state_at(&self.model, index, t));
+        }
+        let mut state = self.state(slot, t);
+        (Base::of(self.model.kind, &self.model.bodies[track.body], &mut state), state)
+    }
+
+    /// Pose of a body on its trajectory.
+    pub(in crate::dynamics) fn frame(&self, slot: usize, t: f64) -> Frame {
+        let track = &self.bodies[slot];
+        let body = &self.model.bodies[track.body];
+        match (&track.now, &track.system) {
+            (Trajectory::Flight(flight), Some(system)) => body.planar_frame(&system.state(flight, t)),
+            (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
+                Some(island) => island.frame(&self.model, *index, t),
+                None => Frame::fixed(body.home),
+            },
+            _ => Frame::fixed(body.home),
+        }
+    }
+
+    /// Pose of one side of a contact.
+    pub(in crate::dynamics) fn side(&self, contact: usize, side: usize, t: f64) -> Frame {
+        let track = &self.contacts[contact];
+        match track.slots[side] {
+            Some(slot) => self.frame(slot, t),
+            None => self.model.contacts[track.site].stand,
+        }
+    }
+}

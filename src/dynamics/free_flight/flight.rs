@@ -1,0 +1,365 @@
+//! Free motion of a planar girder in closed form: no steps (physics section 2).
+//!
+//! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
+//! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go
+//! through [`Coupled`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
+//! crossings can leap without missing one.
+
+use crate::dynamics::free_flight::matrix_exponential;
+
+use glam::{DMat3, DVec3};
+
+use crate::dynamics::Body;
+use crate::dynamics::free_flight::matrix_exponential::Coupled;
+use crate::dynamics::free_flight::motion_bounds::Bound;
+use crate::dynamics::free_flight::oscillator::{Free, Oscillator};
+use crate::dynamics::free_flight::uncoupled_axis::{Dof, PieceStep};
+use crate::dynamics::model::bearing::is_diagonal;
+use crate::motion::{Ground, LinearPiece};
+
+/// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
+pub type Planar = [f64; 6];
+
+/// Every so many samples of a record a flight keeps its state; between them it is advanced again, exactly.
+const STRIDE: usize = 8;
+
+/// A planar girder's free equation of motion, prepared once.
+#[derive(Clone, Debug)]
+pub struct System {
+    pub(in crate::dynamics) form: SystemForm,
+    pub(in crate::dynamics) ground: Ground,
+    /// `−direction` on x and y: what the ground's acceleration does to the girder.
+    forced: DVec3,
+    /// Constant push per unit mass.
+    pub(in crate::dynamics) push: [f64; 3],
+    /// `√‖K/m‖` and `‖C/m‖`, for bounds.
+    pub(in crate::dynamics) rates: [f64; 2],
+    /// Radius of gyration, which turns θ into a length \[m\].
+    pub(in crate::dynamics) gyration: f64,
+    /// Its three directions where nothing couples them, whether or not a sine resonates.
+    pub(in crate::dynamics) plain: Option<[Dof; 3]>,
+}
+
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) enum SystemForm {
+    Split { dof: [Dof; 3], step: Option<Box<[PieceStep; 3]>> },
+    Coupled(Box<Coupled>),
+}
+
+/// One stretch of free motion.
+#[derive(Clone, Debug)]
+pub struct Flight {
+    /// When it begins \[s\].
+    pub start: f64,
+    /// State at its beginning.
+    pub state: Planar,
+    form: FlightForm,
+}
+
+#[derive(Clone, Debug)]
+enum FlightForm {
+    /// Free parts `(q, v)` at the start.
+    Split([[f64; 2]; 3]),
+    Coupled(matrix_exponential::State),
+    /// States at every [`STRIDE`]-th kink after the start; `first` is the piece that holds the start.
+    Record {
+        first: usize,
+        anchors: Vec<Planar>,
+    },
+}
+
+impl Flight {
+    /// At home and at rest, before the run begins.
+    pub fn at_rest() -> Self {
+        Self { start: 0.0, state: [0.0; 6], form: FlightForm::Split([[0.0; 2]; 3]) }
+    }
+
+    /// Whether it keeps states beyond its start, for looking up a record's answer fast.
+    pub(in crate::dynamics) fn has_anchors(&self) -> bool {
+        matches!(self.form, FlightForm::Record { .. })
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
+        size_of::<Self>() + anchors * size_of::<Planar>()
+    }
+
+    /// Every number that the flight's answer depends on, for hashing.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        std::iter::once(self.start).chain(self.state)
+    }
+}
+
+impl System {
+    /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
+    pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
+        let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
+        let free = [body.free[0], body.free[1], body.free[5]];
+        let mask = DVec3::from(free.map(|f| if f { 1.0 } else { 0.0 }));
+        let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
+        let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
+        let push = (DVec3::new(body.push.x, body.push.y, body.moment) * inverse * mask).to_array();
+        let axis = ground.axis();
+        let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
+        let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, ground, forced);
+        let form = split.unwrap_or_else(|| {
+            let (drive, amplitude) = match ground {
+                Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
+                _ => (0.0, 1.0),
+            };
+            SystemForm::Coupled(Box::new(Coupled::new(k, c, push.into(), forced * amplitude, drive, duration)))
+        });
+        // In lengths: θ counts by the radius of gyration.
+        let length = DVec3::new(1.0, 1.0, body.gyration2.sqrt());
+        let symmetric = |m: DMat3| frobenius(DMat3::from_diagonal(length) * m * DMat3::from_diagonal(length.recip()));
+        Self {
+            form,
+            ground: ground.clone(),
+            forced,
+            push,
+            rates: [symmetric(k).sqrt(), symmetric(c)],
+            gyration: body.gyration2.sqrt(),
+            plain: plain(&body.planar.stiffness, &body.planar.damping, k, c, free),
+        }
+    }
+
+    /// Whether flights under this system have kinks, at which a record changes its slope.
+    pub(in crate::dynamics) fn has_kinks(&self) -> bool {
+        matches!(self.ground, Ground::Record { .. })
+    }
+
+    /// Begins a flight.
+    pub fn fly(&self, start: f64, state: Planar) -> Flight {
+        let form = if self.has_kinks() {
+            FlightForm::Record { first: self.ground.piece_number(start), anchors: Vec::new() }
+        } else {
+            match &self.form {
+                SystemForm::Split { dof, .. } => {
+                    let steady = self.steady(dof, start);
+                    let part = |i: usize| [state[i] - steady[i], state[3 + i] - steady[3 + i]];
+                    FlightForm::Split([part(0), part(1), part(2)])
+                }
+                SystemForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
+            }
+        };
+        Flight { start, state, form }
+    }
+
+    /// Steady response to the sine at `t`.
+    pub(in crate::dynamics) fn steady(&self, dof: &[Dof; 3], t: f64) -> Planar {
+        self.steady_in(dof, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase.
+    fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
+        let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
+        let [x, y, turn] = [0, 1, 2].map(|i| dof[i].steady([s, c], omega));
+        [x[0], y[0], turn[0], x[1], y[1], turn[1]]
+    }
+
+    /// One direction of a flight whose free motion and steady response are parted, and its free part at the start.
+    pub(in crate::dynamics) fn along(&self, flight: &Flight, i: usize) -> Option<(&Dof, [f64; 2])> {
+        match (&flight.form, &self.form) {
+            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => Some((&dof[i], parts[i])),
+            _ => None,
+        }
+    }
+
+    fn augmented(&self, t: f64, state: &Planar) -> matrix_exponential::State {
+        let mut z = [0.0; matrix_exponential::SIZE];
+        z[..6].copy_from_slice(state);
+        z[matrix_exponential::ONE] = 1.0;
+        if let Ground::Sine { omega, phase, .. } = self.ground {
+            let (s, c) = (omega * t + phase).sin_cos();
+            (z[matrix_exponential::SIN], z[matrix_exponential::SIN + 1]) = (s, c);
+        }
+        z
+    }
+
+    /// State at `t` in `flight`.
+    pub fn state(&self, flight: &Flight, t: f64) -> Planar {
+        let tau = t - flight.start;
+        match (&flight.form, &self.form) {
+            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => {
+                let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, tau));
+                (0..6).for_each(|i| out[i] += free[i]);
+                out
+            }
+            (FlightForm::Coupled(z), SystemForm::Coupled(system)) => first_six(&system.advance(z, tau)),
+            (FlightForm::Record { first, anchors }, _) => self.record_state(flight, *first, anchors, t),
+            // A flight is begun by its own system.
+            _ => flight.state,
+        }
+    }
+
+    /// The free parts after τ. Directions with the same oscillator share its factors.
+    fn free(&self, dof: &[Dof; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
+        let mut out = [0.0; 6];
+        let mut known: Option<(Oscillator, Free)> = None;
+        for (i, d) in dof.iter().enumerate() {
+            let (part, force) = (parts[i], [self.push[i], 0.0]);
+            [out[i], out[3 + i]] = if !d.free || (part == [0.0; 2] && force == [0.0; 2]) {
+                part
+            } else {
+                let factors = known.filter(|(same, _)| *same == d.oscillator).map(|(_, factors)| factors);
+                let factors = factors.unwrap_or_else(|| d.oscillator.free(tau));
+                known = Some((d.oscillator, factors));
+                d.oscillator.carry(&factors, part, force, tau)
+            };
+        }
+        out
+    }
+
+    /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
+    pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
+        let (state, free) = self.parts(flight, t);
+        (state, self.bound_from(t, &state, free.as_ref(), horizon))
+    }
+
+    /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
+    pub(in crate::dynamics) fn parts(&self, flight: &Flight, t: f64) -> (Planar, Option<Planar>) {
+        self.parts_in(flight, t, self.ground.phase(t))
+    }
+
+    /// The same by the ground's phase at `t`.
+    pub(in crate::dynamics) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> (Planar, Option<Planar>) {
+        if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
+            let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
+            (0..6).for_each(|i| out[i] += free[i]);
+            return (out, Some(free));
+        }
+        (self.state(flight, t), None)
+    }
+
+    fn record_state(&self, flight: &Flight, first: usize, anchors: &[Planar], t: f64) -> Planar {
+        let target = self.ground.piece_number(t);
+        let (mut state, mut number, mut at) = (flight.state, first, flight.start);
+        if target > first && !anchors.is_empty() {
+            let k = ((target - first - 1) / STRIDE).min(anchors.len() - 1);
+            (state, number) = (anchors[k], first + 1 + k * STRIDE);
+            at = self.ground.piece(number).from;
+        }
+        while number < target {
+            let piece = self.ground.piece(number);
+            state = self.cross(&piece, &state, at);
+            (number, at) = (number + 1, piece.until);
+        }
+        self.within(&self.ground.piece(target), &state, at, t - at)
+    }
+
+    /// From `at` in a piece to its end.
+    fn cross(&self, piece: &LinearPiece, state: &Planar, at: f64) -> Planar {
+        match &self.form {
+            SystemForm::Split { dof, step: Some(steps) } if at == piece.from => {
+                let mut out = [0.0; 6];
+                for i in 0..3 {
+                    let force = [self.forced[i] * piece.start + self.push[i], self.forced[i] * piece.slope];
+                    [out[i], out[3 + i]] = dof[i].step(&steps[i], [state[i], state[3 + i]], force);
+                }
+                out
+            }
+            _ => self.within(piece, state, at, piece.until - at),
+        }
+    }
+
+    /// From `at` in a piece on by τ within it.
+    fn within(&self, piece: &LinearPiece, state: &Planar, at: f64, tau: f64) -> Planar {
+        let value = piece.start + piece.slope * (at - piece.from);
+        match &self.form {
+            SystemForm::Split { dof, .. } => {
+                let mut out = [0.0; 6];
+                for i in 0..3 {
+                    let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
+                    [out[i], out[3 + i]] = dof[i].advance([state[i], state[3 + i]], force, tau);
+                }
+                out
+            }
+            SystemForm::Coupled(system) => {
+                let mut z = self.augmented(at, state);
+                (z[matrix_exponential::VALUE], z[matrix_exponential::VALUE + 1]) = (value, piece.slope);
+                first_six(&system.advance(&z, tau))
+            }
+        }
+    }
+
+    /// Keeps the states that later look-ups up to `t` start from.
+    pub fn remember(&self, flight: &mut Flight, t: f64) {
+        let FlightForm::Record { first, anchors } = &mut flight.form else { return };
+        let first = *first;
+        loop {
+            let next = first + 1 + anchors.len() * STRIDE;
+            let at = self.ground.piece(next).from;
+            if at > t || !at.is_finite() || self.ground.piece(next - 1).until.is_infinite() {
+                return;
+            }
+            let state = self.record_state_at_kink(flight.start, &flight.state, first, anchors, next);
+            anchors.push(state);
+        }
+    }
+
+    fn record_state_at_kink(&self, start: f64, from: &Planar, first: usize, anchors: &[Planar], next: usize) -> Planar {
+        let (mut state, mut number, mut at) = match anchors.last() {
+            Some(last) => {
+                let number = first + 1 + (anchors.len() - 1) * STRIDE;
+                (*last, number, self.ground.piece(number).from)
+            }
+            None => (*from, first, start),
+        };
+        while number < next {
+            let piece = self.ground.piece(number);
+            state = self.cross(&piece, &state, at);
+            (number, at) = (number + 1, piece.until);
+        }
+        state
+    }
+}
+
+fn first_six(z: &matrix_exponential::State) -> Planar {
+    [z[0], z[1], z[2], z[3], z[4], z[5]]
+}
+
+fn frobenius(m: DMat3) -> f64 {
+    m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Three oscillators without a steady response, when nothing couples them.
+fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]) -> Option<[Dof; 3]> {
+    let dof = |i: usize| Dof {
+        oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
+        free: free[i],
+        steady: (0.0, 0.0),
+        amplitude: 0.0,
+    };
+    (is_diagonal(stiffness) && is_diagonal(damping)).then(|| std::array::from_fn(dof))
+}
+
+/// Three oscillators, when nothing couples them and no sine resonates.
+fn split(
+    stiffness: &DMat3,
+    damping: &DMat3,
+    k: DMat3,
+    c: DMat3,
+    free: [bool; 3],
+    ground: &Ground,
+    forced: DVec3,
+) -> Option<SystemForm> {
+    let mut dof = plain(stiffness, damping, k, c, free)?;
+    let mut step = None;
+    match ground {
+        Ground::Still => {}
+        Ground::Sine { omega, amplitude, .. } => {
+            for (d, f) in dof.iter_mut().zip((forced * amplitude.length()).to_array()) {
+                if d.free && f != 0.0 {
+                    let (re, im) = d.oscillator.gain(*omega)?;
+                    d.steady = (f * re, f * im);
+                    d.amplitude = d.steady.0.hypot(d.steady.1);
+                }
+            }
+        }
+        Ground::Record { dt, .. } => {
+            step = Some(Box::new(dof.map(|d| PieceStep::of(&d.oscillator, *dt))));
+        }
+    }
+    Some(SystemForm::Split { dof, step })
+}

@@ -1,0 +1,187 @@
+//! Three coupled degrees of freedom in closed form: `z(t + τ) = e^{Gτ} z(t)`.
+//!
+//! Eccentric bearings couple x, y and θ with dashpots that no modal transformation makes diagonal, and an undamped
+//! resonance has no steady response. The force is therefore part of the state: `z = (q, v, sin, cos, u0, u1, 1)` with
+//! the sine's phase, the record's value and slope and the constant push, so every case is one matrix exponential and
+//! none is singular. `τ = n h + r`: the powers of `e^{Gh}` are kept, the rest is a Taylor series.
+
+use glam::{DMat3, DVec3};
+use twofloat::TwoFloat;
+
+/// Length of the augmented state.
+pub const SIZE: usize = 11;
+/// The augmented state.
+pub type State = [f64; SIZE];
+type Matrix = [[f64; SIZE]; SIZE];
+/// With twice the digits: every squaring doubles what a power is off by, relative to its size, so a long flight would have
+/// thousands of roundings.
+type Doubled = [[TwoFloat; SIZE]; SIZE];
+
+/// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
+pub const SIN: usize = 6;
+/// Where the record's value stands.
+pub const VALUE: usize = 8;
+/// Where the constant 1 stands.
+pub const ONE: usize = 10;
+
+/// Terms of the Taylor series: at most 0.5 per factor, the last is 0.5^20/20! ≈ 4e-25, below ε after 1e8 cells.
+const TERMS: u32 = 20;
+
+/// A coupled linear system and the powers of its propagator.
+#[derive(Clone, Debug)]
+pub struct Coupled {
+    generator: Matrix,
+    cell: f64,
+    powers: Vec<Matrix>,
+}
+
+impl Coupled {
+    /// `q̈ = −k q − c v + push + forced (sine + record)`, per unit mass; `drive` is the sine's Ω, `longest` the longest
+    /// time that will be asked for \[s\].
+    pub fn new(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64, longest: f64) -> Self {
+        let generator = generator(k, c, push, forced, drive);
+        let rate = norm(k).sqrt().max(norm(c)).max(drive).max(1e-3);
+        let cell = 0.5 / rate;
+        let mut power = exponential(&generator, cell);
+        let mut powers = vec![rounded(&power)];
+        let mut reach = cell;
+        while reach < longest {
+            power = product(&power, &power);
+            powers.push(rounded(&power));
+            reach *= 2.0;
+        }
+        Self { generator, cell, powers }
+    }
+
+    /// `e^{Gτ} z`.
+    pub fn advance(&self, z: &State, tau: f64) -> State {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "τ is in [0, longest]")]
+        let mut cells = (tau / self.cell) as u64;
+        let mut z = taylor(&self.generator, z, tau - cells as f64 * self.cell);
+        let mut level = 0;
+        while cells > 0 {
+            let power = &self.powers[level.min(self.powers.len() - 1)];
+            if level >= self.powers.len() {
+                // Asked for beyond `longest`: the largest power, as often as it takes.
+                for _ in 0..(cells << (level - self.powers.len() + 1)) {
+                    z = times(power, &z);
+                }
+                return z;
+            }
+            if cells & 1 == 1 {
+                z = times(power, &z);
+            }
+            cells >>= 1;
+            level += 1;
+        }
+        z
+    }
+}
+
+/// Largest absolute row sum.
+fn norm(m: DMat3) -> f64 {
+    (0..3).map(|i| m.row(i).abs().element_sum()).fold(0.0, f64::max)
+}
+
+fn generator(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64) -> Matrix {
+    let mut g = [[0.0; SIZE]; SIZE];
+    for i in 0..3 {
+        g[i][3 + i] = 1.0;
+        for j in 0..3 {
+            g[3 + i][j] = -k.col(j)[i];
+            g[3 + i][3 + j] = -c.col(j)[i];
+        }
+        g[3 + i][SIN] = forced[i];
+        g[3 + i][VALUE] = forced[i];
+        g[3 + i][ONE] = push[i];
+    }
+    g[SIN][SIN + 1] = drive;
+    g[SIN + 1][SIN] = -drive;
+    g[VALUE][VALUE + 1] = 1.0;
+    g
+}
+
+fn times(m: &Matrix, z: &State) -> State {
+    std::array::from_fn(|i| m[i].iter().zip(z).map(|(a, b)| a * b).sum())
+}
+
+fn product(a: &Doubled, b: &Doubled) -> Doubled {
+    let mut sum = [[TwoFloat::from(0.0); SIZE]; SIZE];
+    for (row, sum) in a.iter().zip(&mut sum) {
+        for (factor, b) in row.iter().zip(b).filter(|(factor, _)| factor.hi() != 0.0) {
+            for (s, b) in sum.iter_mut().zip(b).filter(|(_, b)| b.hi() != 0.0) {
+                *s += *factor * *b;
+            }
+        }
+    }
+    sum
+}
+
+fn rounded(m: &Doubled) -> Matrix {
+    m.map(|row| row.map(|x| x.hi()))
+}
+
+fn taylor(g: &Matrix, z: &State, tau: f64) -> State {
+    let (mut sum, mut term) = (*z, *z);
+    for n in 1..=TERMS {
+        let factor = tau / f64::from(n);
+        term = times(g, &term).map(|x| x * factor);
+        for (s, t) in sum.iter_mut().zip(term) {
+            *s += t;
+        }
+    }
+    sum
+}
+
+fn exponential(g: &Matrix, tau: f64) -> Doubled {
+    let g = g.map(|row| row.map(TwoFloat::from));
+    let mut term: Doubled =
+        std::array::from_fn(|i| std::array::from_fn(|j| TwoFloat::from(if i == j { 1.0 } else { 0.0 })));
+    let mut sum = term;
+    for n in 1..=TERMS {
+        let factor = TwoFloat::from(tau) / f64::from(n);
+        term = product(&g, &term).map(|row| row.map(|x| x * factor));
+        for (s, t) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
+            *s += *t;
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::free_flight::oscillator::Oscillator;
+
+    #[test]
+    fn a_diagonal_system_answers_as_its_oscillators() {
+        let (k, c) = (DVec3::new(266.9, 100.0, 0.0), DVec3::new(9.1, 0.0, 1.0));
+        let push = DVec3::new(0.0, 2.0, 1.0);
+        let system = Coupled::new(DMat3::from_diagonal(k), DMat3::from_diagonal(c), push, DVec3::X, 0.0, 20.0);
+        let mut z = [0.0; SIZE];
+        z[..6].copy_from_slice(&[0.01, 0.02, 0.03, 0.1, 0.2, 0.3]);
+        (z[VALUE], z[VALUE + 1], z[ONE]) = (0.7, 0.3, 1.0);
+        let after = system.advance(&z, 7.3);
+        for i in 0..3 {
+            let o = Oscillator { gamma: c[i] / 2.0, omega2: k[i] };
+            let force = if i == 0 { [0.7, 0.3] } else { [push[i], 0.0] };
+            let [q, v] = o.advance([z[i], z[3 + i]], force, 7.3);
+            // Roundings at the size of the values.
+            assert!((q - after[i]).abs() < 1e-12 * (1.0 + q.abs()), "q{i}: {q} against {}", after[i]);
+            assert!((v - after[3 + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[3 + i]);
+        }
+    }
+
+    #[test]
+    fn an_undamped_resonance_grows_as_the_textbook_says() {
+        let w = 10.0;
+        let system =
+            Coupled::new(DMat3::from_diagonal(DVec3::splat(w * w)), DMat3::ZERO, DVec3::ZERO, DVec3::X, w, 5.0);
+        let mut z = [0.0; SIZE];
+        z[SIN + 1] = 1.0;
+        let t: f64 = 4.7;
+        let exact = ((w * t).sin() - w * t * (w * t).cos()) / (2.0 * w * w);
+        let got = system.advance(&z, t)[0];
+        assert!((got - exact).abs() < 1e-13, "{got} against {exact}");
+    }
+}

@@ -1,0 +1,9 @@
+//! Free motion between contacts in closed form, and bounds on it.
+
+pub mod flight;
+pub mod matrix_exponential;
+pub mod motion_bounds;
+pub mod oscillator;
+pub(in crate::dynamics) mod relative_bounds;
+pub mod sliding_face;
+pub(in crate::dynamics) mod uncoupled_axis;

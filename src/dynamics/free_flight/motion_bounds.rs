@@ -1,0 +1,116 @@
+//! How far, how fast and how sharply a flight can move at most, so that a search for crossings can leap.
+
+use glam::DVec3;
+
+use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
+use crate::dynamics::free_flight::uncoupled_axis::Dof;
+
+/// Bounds on a motion over `[t, t + window]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// How long they hold \[s\].
+    pub window: f64,
+    /// Displacement of G \[m\].
+    pub reach: f64,
+    /// |θ| \[rad\].
+    pub turn: f64,
+    /// Speed of G \[m/s\].
+    pub speed: f64,
+    /// |θ̇| \[rad/s\].
+    pub spin: f64,
+    /// Acceleration of G \[m/s²\].
+    pub acceleration: f64,
+    /// |θ̈| \[rad/s²\].
+    pub spin_rate: f64,
+}
+
+impl Bound {
+    /// Of what does not move.
+    pub fn still(window: f64) -> Self {
+        Self { window, reach: 0.0, turn: 0.0, speed: 0.0, spin: 0.0, acceleration: 0.0, spin_rate: 0.0 }
+    }
+}
+
+impl System {
+    /// Bounds on the motion from `t`, where it is at `state`, for at most `horizon` \[s\].
+    ///
+    /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,
+    /// its work bounds it over a short window.
+    pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> Bound {
+        self.bound_from(t, state, None, horizon)
+    }
+
+    /// The same, where the free part may be known already.
+    pub(in crate::dynamics) fn bound_from(&self, t: f64, state: &Planar, free: Option<&Planar>, horizon: f64) -> Bound {
+        match (&self.form, free) {
+            (SystemForm::Split { dof, .. }, Some(free)) => self.bound_split(dof, free, horizon),
+            (SystemForm::Split { dof, .. }, None) if !self.has_kinks() => {
+                let steady = self.steady(dof, t);
+                self.bound_split(dof, &std::array::from_fn(|i| state[i] - steady[i]), horizon)
+            }
+            _ => {
+                let whole = self.bound_whole(state, horizon);
+                let Some(dof) = &self.plain else { return whole };
+                // The ground drives G, never the rotation.
+                let [turn, spin, spin_rate] = dof[2].limits([state[2], state[5]], 0.0, self.push[2], horizon);
+                Bound { turn, spin, spin_rate, ..whole }
+            }
+        }
+    }
+
+    /// From the free parts, three displacements and their rates.
+    fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
+        let drive = self.ground.drive();
+        let limits: [[f64; 3]; 3] =
+            std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));
+        let plan = |k: usize| length(limits[0][k], limits[1][k]);
+        Bound {
+            window: horizon,
+            reach: plan(0),
+            turn: limits[2][0],
+            speed: plan(1),
+            spin: limits[2][1],
+            acceleration: plan(2),
+            spin_rate: limits[2][2],
+        }
+    }
+
+    fn bound_whole(&self, state: &Planar, horizon: f64) -> Bound {
+        let [omega, damping] = self.rates;
+        let window = horizon.min(0.5 / omega.max(damping).max(1e-9));
+        let i = self.gyration;
+        let push = DVec3::new(self.push[0], self.push[1], self.push[2] * i).length();
+        let force = self.ground.peak() + push;
+        let speed0 = DVec3::new(state[3], state[4], state[5] * i).length();
+        let place = DVec3::new(state[0], state[1], state[2] * i).length();
+        let speed = speed0.hypot(omega * place) + force * window;
+        let acceleration = (damping + omega) * speed + force;
+        let reach = place + speed * window;
+        Bound { window, reach, turn: reach / i, speed, spin: speed / i, acceleration, spin_rate: acceleration / i }
+    }
+}
+
+impl Dof {
+    /// `[displacement, speed, acceleration]` that free part, steady response and push never exceed.
+    pub(in crate::dynamics) fn limits(&self, [q, v]: [f64; 2], drive: f64, push: f64, horizon: f64) -> [f64; 3] {
+        if !self.free {
+            return [q.abs(), 0.0, 0.0];
+        }
+        let (omega, gamma) = (self.oscillator.omega(), self.oscillator.gamma);
+        let amplitude = self.amplitude;
+        let resting = if omega > 0.0 { push / self.oscillator.omega2 } else { 0.0 };
+        let driven = if omega > 0.0 { 0.0 } else { push.abs() };
+        let speed = length(v, omega * (q - resting)) + driven * horizon;
+        let free_reach = if omega > 0.0 { resting.abs() + speed / omega } else { q.abs() + speed * horizon };
+        [
+            free_reach + amplitude,
+            speed + drive * amplitude,
+            (2.0 * gamma + omega) * speed + driven + drive * drive * amplitude,
+        ]
+    }
+}
+
+/// `√(a² + b²)` of numbers far from the ends of the scale.
+fn length(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
+}

@@ -1,0 +1,181 @@
+//! How far, fast and sharply two girders can move against each other: less than the sum of what each can do.
+//!
+//! Under one ground motion the steady responses of like girders cancel, and the difference of two free motions of like
+//! oscillators is a free motion itself, whose energy never grows. In a row that sways as one no gap can close, and no
+//! look at it is needed until somebody is hit.
+
+use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
+use crate::dynamics::free_flight::motion_bounds::Bound;
+use crate::dynamics::free_flight::uncoupled_axis::Dof;
+
+/// Oscillators that differ by no more than this part are one but for rounding.
+const ALIKE: f64 = 1e-12;
+
+/// A girder in flight: its system, its state, and the free part of it where that is split off.
+pub(in crate::dynamics) struct Flyer<'a> {
+    pub system: &'a System,
+    pub state: Planar,
+    pub free: Option<Planar>,
+    pub bound: Bound,
+}
+
+/// Bounds on the difference of two motions of G over `[t, t + window]`. Rotations have bounds of their own, which hold as
+/// long where nothing couples them.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Apart {
+    /// Displacement \[m\].
+    pub reach: f64,
+    /// Speed \[m/s\].
+    pub speed: f64,
+    /// Acceleration \[m/s²\].
+    pub acceleration: f64,
+    /// How long they hold \[s\].
+    pub window: f64,
+}
+
+impl Apart {
+    /// Of two sides, one of which may stand.
+    pub(in crate::dynamics) fn of(sides: &[Option<Flyer<'_>>; 2], horizon: f64) -> Self {
+        match sides {
+            [Some(a), Some(b)] => Self::between(a, b, horizon).unwrap_or_else(|| Self::sum(&a.bound, &b.bound)),
+            [Some(a), None] | [None, Some(a)] => Self::sum(&a.bound, &Bound::still(horizon)),
+            [None, None] => Self::sum(&Bound::still(horizon), &Bound::still(horizon)),
+        }
+    }
+
+    fn sum(a: &Bound, b: &Bound) -> Self {
+        Self {
+            reach: a.reach + b.reach,
+            speed: a.speed + b.speed,
+            acceleration: a.acceleration + b.acceleration,
+            window: a.window.min(b.window),
+        }
+    }
+
+    /// Two girders in flight; nothing where more than a sum cannot be said.
+    fn between(a: &Flyer<'_>, b: &Flyer<'_>, horizon: f64) -> Option<Self> {
+        let (first, second) = (a.dofs()?, b.dofs()?);
+        let (mut limits, mut window) = ([[0.0; 3]; 2], horizon);
+        for (i, limit) in limits.iter_mut().enumerate() {
+            let dofs = [&first[i], &second[i]];
+            let pushes = [a.system.push[i], b.system.push[i]];
+            let free = dofs[0].free && dofs[1].free;
+            let like = dofs[0].oscillator == dofs[1].oscillator && free;
+            *limit = match (&a.free, &b.free) {
+                (Some(p), Some(q)) if like => {
+                    difference(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon)
+                }
+                // Under one ground motion its force itself cancels.
+                _ if like => {
+                    let plain = [&Dof { steady: (0.0, 0.0), ..*dofs[0] }, &Dof { steady: (0.0, 0.0), ..*dofs[1] }];
+                    difference(plain, [part(&a.state, i), part(&b.state, i)], pushes, 0.0, horizon)
+                }
+                _ if free && alike(dofs) => {
+                    window = window.min(b.bound.window);
+                    nearly(dofs, [&a.state, &b.state], i, pushes, &b.bound, window)
+                }
+                (Some(p), Some(q)) => both(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon),
+                _ => return None,
+            };
+        }
+        let plan = |k: usize| (limits[0][k] * limits[0][k] + limits[1][k] * limits[1][k]).sqrt();
+        Some(Self { reach: plan(0), speed: plan(1), acceleration: plan(2), window })
+    }
+}
+
+impl Flyer<'_> {
+    /// Its directions, where nothing couples them.
+    fn dofs(&self) -> Option<&[Dof; 3]> {
+        match &self.system.form {
+            SystemForm::Split { dof, .. } => Some(dof),
+            SystemForm::Coupled(_) => self.system.plain.as_ref(),
+        }
+    }
+}
+
+/// Whether two oscillators are the same but for rounding: girders of one frequency and other masses.
+pub(in crate::dynamics) fn alike([a, b]: [&Dof; 2]) -> bool {
+    let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
+    near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)
+}
+
+/// The difference of two motions of oscillators that are nearly one: the first's free motion, driven by what the second's
+/// differs from it. The root of its energy, `√(v² + ω²q²)`, grows by no more than that force.
+fn nearly(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], second: &Bound, horizon: f64) -> [f64; 3] {
+    let dof = Dof { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
+    let [one, other] = dofs.map(|dof| dof.oscillator);
+    let force = (one.omega2 - other.omega2).abs() * second.reach + 2.0 * (one.gamma - other.gamma).abs() * second.speed;
+    let [reach, speed, acceleration] = dof.limits([p[i] - q[i], p[3 + i] - q[3 + i]], 0.0, push[0] - push[1], horizon);
+    let (omega, more) = (one.omega(), force * horizon);
+    let further = if omega > 0.0 { (more / omega).min(more * horizon) } else { more * horizon };
+    [reach + further, speed + more, acceleration + (2.0 * one.gamma + omega) * more + force]
+}
+
+fn drive(system: &System) -> f64 {
+    system.ground.drive()
+}
+
+/// The phasors' difference as an amplitude \[m\].
+fn amplitude([a, b]: [&Dof; 2]) -> f64 {
+    (a.steady.0 - b.steady.0).hypot(a.steady.1 - b.steady.1)
+}
+
+/// Displacement and speed of one direction.
+fn part(state: &Planar, i: usize) -> [f64; 2] {
+    [state[i], state[3 + i]]
+}
+
+/// Bounds on the difference of two flights along one direction, from the free parts of both: displacement, speed,
+/// acceleration.
+pub(in crate::dynamics) fn limits(
+    dofs: [&Dof; 2],
+    free: [[f64; 2]; 2],
+    push: [f64; 2],
+    drive: f64,
+    horizon: f64,
+) -> [f64; 3] {
+    let like = dofs[0].oscillator == dofs[1].oscillator && dofs[0].free && dofs[1].free;
+    if like { difference(dofs, free, push, drive, horizon) } else { both(dofs, free, push, drive, horizon) }
+}
+
+fn difference(dofs: [&Dof; 2], [p, q]: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+    let dof = Dof { amplitude: amplitude(dofs), ..*dofs[0] };
+    dof.limits([p[0] - q[0], p[1] - q[1]], drive, push[0] - push[1], horizon)
+}
+
+fn both(dofs: [&Dof; 2], free: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+    let steady = amplitude(dofs);
+    let mut sum = [steady, drive * steady, drive * drive * steady];
+    for ((dof, part), push) in dofs.into_iter().zip(free).zip(push) {
+        let free = Dof { amplitude: 0.0, ..*dof }.limits(part, drive, push, horizon);
+        (0..3).for_each(|k| sum[k] += free[k]);
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::free_flight::oscillator::Oscillator;
+
+    #[test]
+    fn oscillators_that_differ_by_rounding_stay_together_as_long_as_said() {
+        let dof = |omega2: f64| {
+            let oscillator = Oscillator { gamma: 0.01, omega2 };
+            Dof { oscillator, free: true, steady: (0.0, 0.0), amplitude: 0.0 }
+        };
+        let (a, b) = (dof(9.0), dof(9.0 * (1.0 + 5e-13)));
+        assert!(alike([&a, &b]) && !alike([&a, &dof(9.001)]), "rounding, and more than it");
+        let (start, horizon) = ([1.0, 0.0, 0.0, 0.5, 0.0, 0.0], 40.0);
+        let second = Bound { reach: 1.1, speed: 3.1, ..Bound::still(horizon) };
+        let [reach, speed, _] = nearly([&a, &b], [&start, &start], 0, [0.0; 2], &second, horizon);
+        let mut worst = [0.0f64; 2];
+        for k in 0..400 {
+            let t = horizon * f64::from(k) / 400.0;
+            let [p, q] = [a, b].map(|dof| dof.oscillator.advance([1.0, 0.5], [0.0; 2], t));
+            worst = [worst[0].max((p[0] - q[0]).abs()), worst[1].max((p[1] - q[1]).abs())];
+        }
+        assert!(worst[0] <= reach && worst[1] <= speed, "{worst:?} against {reach}, {speed}");
+        assert!(reach < 1e-9, "far less than each by itself: {reach}");
+    }
+}

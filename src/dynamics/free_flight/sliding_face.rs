@@ -1,0 +1,186 @@
+//! A face that slides along a wall, in closed form (state e, (17)–(20)).
+//!
+//! The girder cannot turn and stays on the wall, so one number is left, the way `u` along `s`. With `f` all forces per mass
+//! but the wall's, `N/m = −n·f` and `T = −μ_k σ N`, so `ü = d·f` with `d = s + μ_k σ n`. Forces of bearings and dashpots are
+//! linear in `u` and `u̇`: friction only tilts the direction along which they are felt, and what is left is one oscillator
+//! `ü + (d·C s/m) u̇ + (d·K s/m) u = d·(f(0) − a_g)`. Bearings that are so unlike along x and y that the tilt makes a negative
+//! stiffness or damping of them, and an undamped resonance, go through the matrix exponential.
+
+use glam::{DVec2, DVec3};
+
+use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::free_flight::matrix_exponential;
+use crate::dynamics::free_flight::matrix_exponential::Coupled;
+use crate::dynamics::free_flight::oscillator::Oscillator;
+use crate::dynamics::impact2d::reaction::{Scenery, Seat, Way, middle};
+use crate::dynamics::{Body, Model};
+use crate::motion::{Ground, LinearPiece};
+use crate::scene::ImpactSettings;
+
+/// One stretch of sliding, within one piece of a record.
+#[derive(Clone, Debug)]
+pub struct Slide {
+    /// When it begins \[s\].
+    pub from: f64,
+    /// Longest time over which looks at it see every turn \[s\].
+    pub sight: f64,
+    place: DVec3,
+    along: DVec2,
+    law: Law,
+}
+
+#[derive(Clone, Debug)]
+enum Law {
+    /// Free part at the start, constant force and its rate, steady response to the sine.
+    Oscillator { oscillator: Oscillator, part: [f64; 2], force: [f64; 2], steady: Steady },
+    /// The same as a matrix; what it is made of is kept for hashing.
+    Matrix { system: Box<Coupled>, start: Box<matrix_exponential::State>, felt: Felt },
+}
+
+/// `re sin(Ωt + φ) + im cos(Ωt + φ)`.
+#[derive(Clone, Copy, Debug, Default)]
+struct Steady {
+    re: f64,
+    im: f64,
+    drive: f64,
+    phase: f64,
+}
+
+impl Steady {
+    fn at(&self, t: f64) -> [f64; 2] {
+        if self.drive == 0.0 {
+            return [0.0; 2];
+        }
+        let (sin, cos) = (self.drive * t + self.phase).sin_cos();
+        [self.re * sin + self.im * cos, self.drive * (self.re * cos - self.im * sin)]
+    }
+}
+
+/// What moves the face along: stiffness, damping and force per mass, as felt along `d`.
+#[derive(Clone, Copy, Debug)]
+struct Felt {
+    omega2: f64,
+    damping: f64,
+    /// Constant part of the force at the start, without the ground's.
+    force: f64,
+    /// Per unit of the ground's acceleration: along the sine's amplitude, or the record's direction.
+    ground: f64,
+}
+
+impl Felt {
+    fn of(body: &Body, q: DVec3, s: DVec2, d: DVec2, ground: &Ground) -> Self {
+        let felt = |force: DVec3| d.dot(force.truncate()) / body.mass;
+        let per_ground = match ground {
+            Ground::Still => 0.0,
+            Ground::Sine { amplitude, .. } => -d.dot(amplitude.truncate()),
+            Ground::Record { direction, .. } => -d.dot(direction.truncate()),
+        };
+        Self {
+            omega2: felt(body.planar.stiffness * s.extend(0.0)),
+            damping: felt(body.planar.damping * s.extend(0.0)),
+            force: felt(body.push.truncate().extend(0.0) - body.planar.stiffness * q),
+            ground: per_ground,
+        }
+    }
+}
+
+impl Slide {
+    /// The slide of one girder whose face lies on a wall, from `state` at `t` on, for at most `longest` \[s\]; nothing for
+    /// any other lasting contact.
+    pub(in crate::dynamics) fn begin(
+        model: &Model,
+        (body, seats): (usize, &[Seat]),
+        numbers: &ImpactSettings,
+        piece: &LinearPiece,
+        (t, state): (f64, &Planar),
+        longest: f64,
+    ) -> Option<Self> {
+        let [seat] = seats else { return None };
+        let (Way::Slides(sign), true) = (seat.way, seat.is_flush()) else { return None };
+        let (sides, girder) = (model.pairs[seat.pair].bodies, &model.bodies[body]);
+        if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
+            return None;
+        }
+        let scenery = Scenery::new(model, &[body], std::slice::from_ref(state), DVec3::ZERO);
+        let touching = middle(&scenery.points(model, seat));
+        // The wall's normal towards the girder, whichever side of the pair it is.
+        let n = if sides[0].is_none() { -touching.n } else { touching.n };
+        let s = n.perp();
+        let d = s + n * (seat.friction(numbers)[1] * sign);
+        let place = DVec3::new(state[0], state[1], state[2]);
+        let felt = Felt::of(girder, place, s, d, &model.ground);
+        let speed = DVec2::new(state[3], state[4]).dot(s);
+        let fastest = felt.omega2.abs().sqrt().max(felt.damping.abs());
+        let law = Law::of(&felt, &model.ground, piece, t, speed, longest);
+        Some(Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law })
+    }
+
+    /// State at `t`.
+    pub fn state(&self, t: f64) -> Planar {
+        let [u, v] = self.law.at(self.from, t);
+        let [q, rate] = [self.along * u, self.along * v];
+        [self.place.x + q.x, self.place.y + q.y, self.place.z, rate.x, rate.y, 0.0]
+    }
+
+    /// Every number that the answer depends on, for hashing.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let of_law = match &self.law {
+            Law::Oscillator { oscillator, part, force, steady } => {
+                let own = [oscillator.gamma, oscillator.omega2, steady.re, steady.im, steady.drive, steady.phase];
+                [&own[..], &part[..], &force[..]].concat()
+            }
+            Law::Matrix { start, felt, .. } => {
+                [&start[..], &[felt.omega2, felt.damping, felt.force, felt.ground]].concat()
+            }
+        };
+        [self.from, self.place.x, self.place.y, self.place.z, self.along.x, self.along.y].into_iter().chain(of_law)
+    }
+}
+
+impl Law {
+    fn of(felt: &Felt, ground: &Ground, piece: &LinearPiece, t: f64, speed: f64, longest: f64) -> Self {
+        let oscillator = Oscillator { gamma: felt.damping / 2.0, omega2: felt.omega2 };
+        let (gain, drive, phase) = match ground {
+            Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega), *omega, *phase),
+            _ => (Some((0.0, 0.0)), 0.0, 0.0),
+        };
+        let value = piece.start + piece.slope * (t - piece.from);
+        match gain {
+            Some((re, im)) if felt.omega2 >= 0.0 && felt.damping >= 0.0 => {
+                let steady = Steady { re: felt.ground * re, im: felt.ground * im, drive, phase };
+                let [q, v] = steady.at(t);
+                let force = [felt.force + felt.ground * value, felt.ground * piece.slope];
+                Self::Oscillator { oscillator, part: [-q, speed - v], force, steady }
+            }
+            _ => {
+                let along = |x: f64| DVec3::new(x, 0.0, 0.0);
+                let (k, c) = (glam::DMat3::from_diagonal(along(felt.omega2)), along(felt.damping));
+                let c = glam::DMat3::from_diagonal(c);
+                let system = Coupled::new(k, c, along(felt.force), along(felt.ground), drive, longest);
+                let mut start = Box::new([0.0; matrix_exponential::SIZE]);
+                (start[3], start[matrix_exponential::ONE]) = (speed, 1.0);
+                (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, piece.slope);
+                if drive > 0.0 {
+                    (start[matrix_exponential::SIN], start[matrix_exponential::SIN + 1]) =
+                        (drive * t + phase).sin_cos();
+                }
+                Self::Matrix { system: Box::new(system), start, felt: *felt }
+            }
+        }
+    }
+
+    /// `[u, u̇]` at `t` of what began at `from`.
+    fn at(&self, from: f64, t: f64) -> [f64; 2] {
+        let tau = t - from;
+        match self {
+            Self::Oscillator { oscillator, part, force, steady } => {
+                let ([q, v], [u, rate]) = (steady.at(t), oscillator.advance(*part, *force, tau));
+                [u + q, rate + v]
+            }
+            Self::Matrix { system, start, .. } => {
+                let z = system.advance(start, tau.max(0.0));
+                [z[0], z[3]]
+            }
+        }
+    }
+}

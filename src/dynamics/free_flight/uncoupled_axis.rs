@@ -1,0 +1,58 @@
+//! One direction of a girder that nothing couples to the others: an oscillator, and its steady response to a sine.
+
+use crate::dynamics::free_flight::oscillator::{Free, Oscillator};
+
+/// One direction of a girder without eccentricity.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Dof {
+    pub(in crate::dynamics) oscillator: Oscillator,
+    pub(in crate::dynamics) free: bool,
+    /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
+    pub(in crate::dynamics) steady: (f64, f64),
+    /// Its amplitude.
+    pub(in crate::dynamics) amplitude: f64,
+}
+
+/// Factors that carry one direction across a whole interval of a record.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct PieceStep {
+    free: Free,
+    s1: f64,
+    s2: f64,
+}
+
+impl PieceStep {
+    /// Of an oscillator, across `dt` \[s\].
+    pub(in crate::dynamics) fn of(oscillator: &Oscillator, dt: f64) -> Self {
+        let free = oscillator.free(dt);
+        let (s1, s2) = oscillator.forced(dt, &free);
+        Self { free, s1, s2 }
+    }
+}
+
+impl Dof {
+    /// Steady response and its rate by sine and cosine of the ground's phase.
+    #[inline]
+    pub(in crate::dynamics) fn steady(&self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
+        let (re, im) = self.steady;
+        [re * s + im * c, drive * (re * c - im * s)]
+    }
+
+    /// `(q, v)` after τ under a force `c0 + c1 τ`.
+    #[inline]
+    pub(in crate::dynamics) fn advance(&self, part: [f64; 2], force: [f64; 2], tau: f64) -> [f64; 2] {
+        if self.free { self.oscillator.advance(part, force, tau) } else { part }
+    }
+
+    /// Across the interval that `step` is of, under `c0 + c1 τ`.
+    pub(in crate::dynamics) fn step(&self, step: &PieceStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
+        if !self.free {
+            return [q, v];
+        }
+        let f = &step.free;
+        [
+            q * f.c + v * f.s + c0 * step.s1 + c1 * step.s2,
+            -self.oscillator.omega2 * f.s * q + f.s_rate * v + c0 * f.s + c1 * step.s1,
+        ]
+    }
+}

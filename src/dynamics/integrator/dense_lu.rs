@@ -1,0 +1,231 @@
+//! Gaussian elimination of small dense systems, real or complex, in place and without allocating.
+
+use num_complex::Complex64;
+
+/// A number that can be eliminated with.
+pub(in crate::dynamics) trait Entry:
+    Copy
+    + std::ops::Sub<Output = Self>
+    + std::ops::Mul<Output = Self>
+    + std::ops::Mul<f64, Output = Self>
+    + std::ops::AddAssign
+    + std::ops::SubAssign
+    + PartialEq
+{
+    /// 0.
+    const ZERO: Self;
+    /// Size, for choosing a pivot.
+    fn size(self) -> f64;
+    /// `1/self`.
+    fn recip(self) -> Self;
+    /// `self − x`.
+    fn less(self, x: f64) -> Self;
+    /// What [`Self::over`] divides by a pivot with.
+    fn divisor(self) -> Self;
+    /// Divided by the pivot that this is the divisor of.
+    fn over(self, divisor: Self) -> Self;
+}
+
+impl Entry for f64 {
+    const ZERO: Self = 0.0;
+
+    fn size(self) -> f64 {
+        self.abs()
+    }
+
+    fn recip(self) -> Self {
+        self.recip()
+    }
+
+    fn less(self, x: f64) -> Self {
+        self - x
+    }
+
+    fn divisor(self) -> Self {
+        self
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        self / divisor
+    }
+}
+
+impl Entry for Complex64 {
+    const ZERO: Self = Self::new(0.0, 0.0);
+
+    fn size(self) -> f64 {
+        self.re.abs() + self.im.abs()
+    }
+
+    fn recip(self) -> Self {
+        self.inv()
+    }
+
+    fn less(self, x: f64) -> Self {
+        self - x
+    }
+
+    /// A complex division costs as much as four products.
+    fn divisor(self) -> Self {
+        self.inv()
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        self * divisor
+    }
+}
+
+/// A factored matrix, rows after one another, with the order of its rows; its pivots stand in it as their divisors.
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) struct Lu<T> {
+    entries: Vec<T>,
+    rows: Vec<usize>,
+}
+
+impl<T> Default for Lu<T> {
+    fn default() -> Self {
+        Self { entries: Vec::new(), rows: Vec::new() }
+    }
+}
+
+impl<T: Entry> Lu<T> {
+    /// Factors the matrix of `n` rows that `entry(row, column)` describes; `false` when it is singular or not finite.
+    pub(in crate::dynamics) fn factor(&mut self, n: usize, entry: impl Fn(usize, usize) -> T) -> bool {
+        self.entries.clear();
+        for i in 0..n {
+            self.entries.extend((0..n).map(|j| entry(i, j)));
+        }
+        self.rows.clear();
+        self.rows.extend(0..n);
+        (0..n).all(|k| self.eliminate(n, k))
+    }
+
+    fn eliminate(&mut self, n: usize, k: usize) -> bool {
+        let size = |i: usize| self.entries[i * n + k].size();
+        let mut pivot = k;
+        for i in k + 1..n {
+            if size(i) > size(pivot) {
+                pivot = i;
+            }
+        }
+        let largest = size(pivot);
+        if !(largest > 0.0 && largest.is_finite()) {
+            return false;
+        }
+        if pivot != k {
+            for j in 0..n {
+                self.entries.swap(k * n + j, pivot * n + j);
+            }
+            self.rows.swap(k, pivot);
+        }
+        let (above, below) = self.entries.split_at_mut((k + 1) * n);
+        let row = &mut above[k * n..];
+        row[k] = row[k].divisor();
+        let row = &*row;
+        for other in below.chunks_exact_mut(n) {
+            if other[k] != T::ZERO {
+                let factor = other[k].over(row[k]);
+                other[k] = factor;
+                for (entry, pivot) in other[k + 1..].iter_mut().zip(&row[k + 1..]) {
+                    *entry -= factor * *pivot;
+                }
+            }
+        }
+        true
+    }
+
+    /// Solves for `right`; the answer goes to `out`.
+    pub(in crate::dynamics) fn solve(&self, right: &[T], out: &mut [T]) {
+        let n = self.rows.len();
+        for i in 0..n {
+            let mut sum = right[self.rows[i]];
+            for (entry, x) in self.entries[i * n..i * n + i].iter().zip(out.iter()) {
+                sum -= *entry * *x;
+            }
+            out[i] = sum;
+        }
+        for i in (0..n).rev() {
+            let mut sum = out[i];
+            for (entry, x) in self.entries[i * n + i + 1..(i + 1) * n].iter().zip(&out[i + 1..]) {
+                sum -= *entry * *x;
+            }
+            out[i] = sum.over(self.entries[i * n + i]);
+        }
+    }
+}
+
+impl Lu<f64> {
+    /// Size of the smallest pivot: how far the matrix is from singular.
+    pub(in crate::dynamics) fn least_pivot(&self) -> f64 {
+        let n = self.rows.len();
+        (0..n).map(|k| self.entries[k * n + k].abs()).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Solves as many equations as there are rows at once: the right-hand side stands behind the matrix in each, and then the
+/// answer; `false` where they are singular.
+pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> bool {
+    let n = rows.len();
+    for k in 0..n {
+        let pivot = (k..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
+        rows.swap(k, pivot);
+        let row = rows[k];
+        let inverse = row[k].recip();
+        if !inverse.is_finite() {
+            return false;
+        }
+        for other in &mut rows[k + 1..] {
+            let factor = other[k] * inverse;
+            other[k + 1..=n].iter_mut().zip(&row[k + 1..=n]).for_each(|(entry, above)| *entry -= factor * above);
+        }
+    }
+    for k in (0..n).rev() {
+        let sum: f64 = (k + 1..n).map(|j| rows[k][j] * rows[j][n]).sum();
+        rows[k][n] = (rows[k][n] - sum) / rows[k][k];
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn residual<T: Entry + std::ops::Neg<Output = T>>(n: usize, entry: impl Fn(usize, usize) -> T, right: &[T]) -> f64 {
+        let (mut lu, mut x) = (Lu::default(), vec![T::ZERO; n]);
+        assert!(lu.factor(n, &entry), "regular");
+        lu.solve(right, &mut x);
+        let row = |i: usize| {
+            let mut sum = right[i];
+            (0..n).for_each(|j| sum -= entry(i, j) * x[j]);
+            sum.size()
+        };
+        (0..n).map(row).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn what_is_solved_satisfies_the_equations() {
+        let real = |i: usize, j: usize| if i == j { 0.0 } else { ((3 * i + 7 * j) % 11) as f64 - 4.0 };
+        assert!(residual(9, real, &[1.0, 2.0, -3.0, 4.0, 0.5, 6.0, -7.0, 8.0, 9.0]) < 1e-12, "real, zero diagonal");
+        let complex = |i: usize, j: usize| Complex64::new(real(i, j), real(j, i) + if i == j { 2.0 } else { 0.0 });
+        let right: Vec<Complex64> = (0..9).map(|i| Complex64::new(f64::from(i), 1.0)).collect();
+        assert!(residual(9, complex, &right) < 1e-12, "complex");
+    }
+
+    #[test]
+    fn both_eliminations_agree() {
+        let (mut lu, mut x) = (Lu::default(), [0.0; 3]);
+        let rows = [[0.0, 2.0, 1.0, 5.0], [3.0, 1.0, -1.0, 2.0], [1.0, -2.0, 4.0, -7.0]];
+        assert!(lu.factor(3, |i, j| rows[i][j]), "regular");
+        lu.solve(&rows.map(|row| row[3]), &mut x);
+        let mut at_once = rows;
+        assert!(eliminate(&mut at_once), "regular at once");
+        (0..3).for_each(|i| assert!((at_once[i][3] - x[i]).abs() < 1e-14, "{at_once:?} against {x:?}"));
+        assert!(!eliminate(&mut [[1.0, 2.0, 0.0], [2.0, 4.0, 0.0]]), "rows that are one");
+    }
+
+    #[test]
+    fn a_singular_matrix_is_refused() {
+        assert!(!Lu::<f64>::default().factor(3, |i, _| i as f64), "equal columns");
+        assert!(!Lu::<f64>::default().factor(2, |_, _| f64::NAN), "not numbers");
+    }
+}

@@ -1,0 +1,11 @@
+//! Integrators of ordinary differential equations: explicit, implicit, and step-size control. No physics.
+
+mod constants;
+pub(in crate::dynamics) mod dense_lu;
+pub mod dop853;
+pub(in crate::dynamics) mod dop853_tableau;
+pub(in crate::dynamics) mod low_rank_correction;
+pub(in crate::dynamics) mod newton_matrix;
+pub(in crate::dynamics) mod radau_iia;
+pub(in crate::dynamics) mod radau_tableaus;
+pub(in crate::dynamics) mod step_control;

@@ -1,0 +1,287 @@
+//! The linear systems of an implicit step: `(s − J) x = r` for the shifts `s = λ/h` of the method's matrix.
+//!
+//! A mechanical system's places move at `ṗ = B v`, which elimination by hand halves: with `u` the displacement that
+//! `B u` is, its speeds obey `(s − D − K/s) v = r_v + K B⁺ r_p / s`, and `p = (r_p + B v)/s`. The change of `B` with the
+//! places is left out of the Jacobian: attitudes turn slowly against a step.
+
+use std::ops::Range;
+
+use num_complex::Complex64;
+
+use crate::dynamics::integrator::dense_lu::{Entry, Lu};
+use crate::dynamics::integrator::dop853::System;
+use crate::dynamics::integrator::radau_tableaus::Table;
+
+/// A component of a place that a speed carries: `B` by its entries.
+#[derive(Clone, Copy, Debug)]
+struct Carry {
+    /// Component of the state.
+    place: usize,
+    /// Number among the speeds.
+    speed: usize,
+    value: f64,
+}
+
+/// A Jacobian, by what is left when the places are eliminated.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Linear {
+    /// Components of the state that are unknowns.
+    speeds: Vec<usize>,
+    /// The others.
+    places: Vec<usize>,
+    carry: Vec<Carry>,
+    /// `|B_j|⁻²`, speed by speed; 0 where nothing is carried.
+    inverse: Vec<f64>,
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+}
+
+impl Linear {
+    /// Unknowns.
+    pub(in crate::dynamics) fn size(&self) -> usize {
+        self.speeds.len()
+    }
+
+    /// Numbers of the unknowns among `n` components, and that nothing answers to anything.
+    pub(in crate::dynamics) fn quiet(&mut self, system: &impl System, n: usize) {
+        let (width, places) = system.bodies().unwrap_or((1, 0));
+        self.speeds.clear();
+        self.speeds.extend((0..n).filter(|i| i % width >= places));
+        self.places.clear();
+        self.places.extend((0..n).filter(|i| i % width < places));
+        let m = self.size();
+        self.carry.clear();
+        self.inverse.clear();
+        self.inverse.resize(m, 0.0);
+        for matrix in [&mut self.damping, &mut self.stiffness] {
+            matrix.clear();
+            matrix.resize(m * m, 0.0);
+        }
+    }
+
+    /// By differences at `(t, y)`, where the slope is `slope`: each unknown, and then each displacement, moves by what
+    /// changes the state by the root of a rounding.
+    pub(in crate::dynamics) fn differentiate(
+        &mut self,
+        system: &mut impl System,
+        t: f64,
+        [y, slope]: [&[f64]; 2],
+        [state, moved]: [&mut [f64]; 2],
+        n: usize,
+    ) {
+        self.quiet(system, n);
+        let (m, small, (width, places)) = (self.size(), f64::EPSILON.sqrt(), system.bodies().unwrap_or((1, 0)));
+        state.copy_from_slice(y);
+        for j in 0..m {
+            let at = self.speeds[j];
+            state[at] = y[at] + small * system.extent(at, y[at]);
+            let step = state[at] - y[at];
+            system.slope(t, state, moved);
+            let change = |i: usize| (moved[i] - slope[i]) / step;
+            for (i, &to) in self.speeds.iter().enumerate() {
+                self.damping[i * m + j] = change(to);
+            }
+            let first = at - at % width;
+            let carried = (first..first + places).map(|place| Carry { place, speed: j, value: change(place) });
+            self.carry.extend(carried.filter(|c| c.value != 0.0));
+            state[at] = y[at];
+        }
+        self.carry.iter().for_each(|c| self.inverse[c.speed] += c.value * c.value);
+        self.inverse.iter_mut().filter(|i| **i > 0.0).for_each(|i| *i = i.recip());
+        let mut from = 0;
+        while from < self.carry.len() {
+            let speed = self.carry[from].speed;
+            let until = self.carry[from..].iter().position(|c| c.speed != speed).map_or(self.carry.len(), |k| from + k);
+            self.displace(system, t, [y, slope], [state, moved], from..until);
+            from = until;
+        }
+    }
+
+    /// The column of the stiffness of the displacement that these entries describe.
+    fn displace(
+        &mut self,
+        system: &mut impl System,
+        t: f64,
+        [y, slope]: [&[f64]; 2],
+        [state, moved]: [&mut [f64]; 2],
+        entries: Range<usize>,
+    ) {
+        let (m, entries) = (self.size(), &self.carry[entries]);
+        let Some(largest) = entries.iter().max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())) else { return };
+        let (j, length2) = (largest.speed, self.inverse[largest.speed]);
+        let step = f64::EPSILON.sqrt() * system.extent(largest.place, y[largest.place]) * length2.sqrt();
+        let mut gone = 0.0;
+        for c in entries {
+            state[c.place] = y[c.place] + step * c.value;
+            gone += length2 * c.value * (state[c.place] - y[c.place]);
+        }
+        system.slope(t, state, moved);
+        for (i, &to) in self.speeds.iter().enumerate() {
+            self.stiffness[i * m + j] = (moved[to] - slope[to]) / gone;
+        }
+        for c in entries {
+            state[c.place] = y[c.place];
+        }
+    }
+
+    /// `J x`.
+    pub(in crate::dynamics) fn times(&self, x: &[f64], out: &mut [f64]) {
+        let m = self.size();
+        out.fill(0.0);
+        let mut displacement = vec![0.0; m];
+        for c in &self.carry {
+            out[c.place] += c.value * x[self.speeds[c.speed]];
+            displacement[c.speed] += self.inverse[c.speed] * c.value * x[c.place];
+        }
+        for (i, &to) in self.speeds.iter().enumerate() {
+            let damping = self.damping[i * m..(i + 1) * m].iter().zip(&self.speeds).map(|(d, &at)| d * x[at]);
+            let stiffness = self.stiffness[i * m..(i + 1) * m].iter().zip(&displacement).map(|(k, u)| k * u);
+            out[to] = damping.chain(stiffness).sum();
+        }
+    }
+
+    /// The unknowns' part of a vector.
+    pub(in crate::dynamics) fn gather(&self, from: &[f64]) -> impl Iterator<Item = f64> {
+        self.speeds.iter().map(|&i| from[i])
+    }
+}
+
+/// One of the systems, factored.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Shifted<T> {
+    lu: Lu<T>,
+    /// `1/s`.
+    inverse: T,
+    right: Vec<T>,
+    /// The speeds found.
+    pub found: Vec<T>,
+}
+
+impl<T: Entry> Shifted<T> {
+    /// For the shift `s`; `false` when the system is singular.
+    pub(in crate::dynamics) fn factor(&mut self, linear: &Linear, s: T) -> bool {
+        let (m, inverse) = (linear.size(), s.recip());
+        self.inverse = inverse;
+        self.found.resize(m, T::ZERO);
+        let held = linear.carry.is_empty();
+        self.lu.factor(m, |i, j| {
+            let own = if i == j { s } else { T::ZERO };
+            let (damping, stiffness) = (linear.damping[i * m + j], linear.stiffness[i * m + j]);
+            if held { own.less(damping) } else { own.less(damping) - inverse * stiffness }
+        })
+    }
+
+    /// Finds the speeds for the right-hand side `r`.
+    pub(in crate::dynamics) fn solve(&mut self, linear: &Linear, r: &[T]) {
+        let m = linear.size();
+        self.right.clear();
+        self.right.resize(2 * m, T::ZERO);
+        let (right, displacement) = self.right.split_at_mut(m);
+        right.iter_mut().zip(&linear.speeds).for_each(|(to, &from)| *to = r[from]);
+        if !linear.carry.is_empty() {
+            for c in &linear.carry {
+                displacement[c.speed] += r[c.place] * (linear.inverse[c.speed] * c.value);
+            }
+            for d in displacement.iter_mut() {
+                *d = *d * self.inverse;
+            }
+            for (to, row) in right.iter_mut().zip(linear.stiffness.chunks_exact(m)) {
+                row.iter().zip(displacement.iter()).for_each(|(k, u)| *to += *u * *k);
+            }
+        }
+        self.lu.solve(right, &mut self.found);
+    }
+
+    /// Completes `r` to the whole answer from the speeds.
+    pub(in crate::dynamics) fn complete(&self, linear: &Linear, r: &mut [T]) {
+        for (speed, &at) in self.found.iter().zip(&linear.speeds) {
+            r[at] = *speed;
+        }
+        // Every place, be it carried or not, is what is left over the shift.
+        for &place in &linear.places {
+            r[place] = r[place] * self.inverse;
+        }
+        for c in &linear.carry {
+            r[c.place] += self.found[c.speed] * self.inverse * c.value;
+        }
+    }
+
+    /// Speeds that a right-hand side of speeds alone gives.
+    pub(in crate::dynamics) fn respond(&self, right: &[T], out: &mut [T]) {
+        self.lu.solve(right, out);
+    }
+}
+
+/// The systems of a step, in the eigenvectors of the method's matrix: one real and a complex one for every two further
+/// stages.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Systems {
+    /// The Jacobian.
+    pub linear: Linear,
+    /// Of the real eigenvalue.
+    pub real: Shifted<f64>,
+    /// Of the complex ones, as many as the method has.
+    pub complex: [Shifted<Complex64>; 3],
+    right: Vec<f64>,
+    rights: [Vec<Complex64>; 3],
+}
+
+impl Systems {
+    /// For a step of length `h`; `false` when one is singular.
+    pub(in crate::dynamics) fn factor(&mut self, table: &Table, h: f64) -> bool {
+        let mut done = self.real.factor(&self.linear, table.real / h);
+        for (system, &(re, im)) in self.complex.iter_mut().zip(table.complex) {
+            done &= system.factor(&self.linear, Complex64::new(re, im) * h.recip());
+        }
+        done
+    }
+
+    /// Finds the speeds of a Newton correction, of `leading` components of stages `width` wide, from their slopes and
+    /// increments.
+    pub(in crate::dynamics) fn project(
+        &mut self,
+        table: &Table,
+        h: f64,
+        [slopes, stages]: [&[f64]; 2],
+        [width, leading]: [usize; 2],
+    ) {
+        let rows = || slopes.chunks_exact(width).zip(stages.chunks_exact(width));
+        self.right.clear();
+        self.right.resize(leading, 0.0);
+        for (left, (slopes, stages)) in table.real_left.iter().zip(rows()) {
+            let value = table.real / h;
+            self.right.iter_mut().zip(slopes).zip(stages).for_each(|((r, f), z)| *r += left * (f - value * z));
+        }
+        self.real.solve(&self.linear, &self.right);
+        for (m, (right, system)) in self.rights.iter_mut().zip(&mut self.complex[..table.complex.len()]).enumerate() {
+            right.clear();
+            right.resize(leading, Complex64::ZERO);
+            let (re, im) = (table.complex[m].0 / h, table.complex[m].1 / h);
+            for (&(a, b), (slopes, stages)) in table.complex_left[m].iter().zip(rows()) {
+                for ((r, f), z) in right.iter_mut().zip(slopes).zip(stages) {
+                    let (x, y) = (f - re * z, im * z);
+                    r.re += a * x + b * y;
+                    r.im += b * x - a * y;
+                }
+            }
+            system.solve(&self.linear, right);
+        }
+    }
+
+    /// The correction of the stages, `width` wide, from the speeds found.
+    pub(in crate::dynamics) fn expand(&mut self, table: &Table, correction: &mut [f64], width: usize) {
+        self.real.complete(&self.linear, &mut self.right);
+        for (right, system) in self.rights.iter_mut().zip(&self.complex[..table.complex.len()]) {
+            system.complete(&self.linear, right);
+        }
+        for (k, row) in correction.chunks_exact_mut(width).enumerate() {
+            let weight = table.real_right[k];
+            row.iter_mut().zip(&self.right).for_each(|(d, w)| *d = weight * w);
+            for (right, found) in table.complex_right.iter().zip(&self.rights) {
+                // The conjugate eigenvector adds the conjugate.
+                let (a, b) = (2.0 * right[k].0, 2.0 * right[k].1);
+                row.iter_mut().zip(found).for_each(|(d, w)| *d += a * w.re - b * w.im);
+            }
+        }
+    }
+}

@@ -1,0 +1,386 @@
+//! Radau IIA: implicit, for what an explicit method follows only in steps far shorter than the motion (Hairer and Wanner,
+//! section IV.8): a stiff contact that lasts, the turning of a fast slip. Seven stages (order 13) as a rule; fewer where
+//! a step is short.
+//!
+//! The stages are found by Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
+//! method's matrix: one real and a complex system for every two further stages. What turns too much within a step for one
+//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`Slides`]. The continuous
+//! answer is the collocation polynomial itself.
+
+use crate::dynamics::integrator::constants::{
+    CAUTION, COARSE, FARTHEST, GOOD, LEFT, PATIENCE, QUIET, ROUNDS, SAME, SHORT, STALLED,
+};
+use crate::dynamics::integrator::dop853::{DENSE, Dense, System};
+use crate::dynamics::integrator::low_rank_correction::Slides;
+use crate::dynamics::integrator::newton_matrix::Systems;
+use crate::dynamics::integrator::radau_tableaus::{FIVE, SEVEN, THREE, Table};
+
+/// Most stages, and as many coefficients of the continuous answer beyond its start.
+const STAGES: usize = DENSE - 1;
+/// The integrator's memory for systems of one size.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Radau {
+    table: &'static Table,
+    size: usize,
+    /// Components before those that follow.
+    leading: usize,
+    systems: Systems,
+    slides: Slides,
+    /// Step and stages for which the matrices are factored; 0 when they are not.
+    factored: (f64, usize),
+    /// Whether the Jacobian is of the state at hand, and whether there is one.
+    fresh: bool,
+    known: bool,
+    /// Whether the step is so short that nothing changes within it but what follows or slides.
+    quiet: bool,
+    /// How well the last solution converged.
+    rate: f64,
+    stages: Vec<f64>,
+    slopes: Vec<f64>,
+    /// Rates of the components that follow, stage by stage, and what is left of their equations.
+    rates: Vec<f64>,
+    follow: Vec<f64>,
+    scratch: Scratch,
+    /// Length of the last accepted step, and its polynomial in increments.
+    last: Option<(f64, Vec<[f64; STAGES]>)>,
+}
+
+#[derive(Debug, Default)]
+struct Scratch {
+    state: Vec<f64>,
+    slope: Vec<f64>,
+    correction: Vec<f64>,
+    error: Vec<f64>,
+}
+
+impl Radau {
+    /// Makes room for a system of `size` components and forgets the last.
+    pub(in crate::dynamics) fn resize(&mut self, size: usize) {
+        self.size = size;
+        self.slides.forget();
+        (self.rate, self.quiet) = (0.0, false);
+        self.rates.clear();
+        (self.factored, self.fresh, self.known, self.last) = ((0.0, 0), false, false, None);
+        for one in [&mut self.scratch.state, &mut self.scratch.slope, &mut self.scratch.error] {
+            one.resize(size, 0.0);
+        }
+    }
+
+    /// Tries a step of length `h` from `(t, y)`, where the slope is `slope`; returns the error, 1 being the tolerance,
+    /// infinite where Newton's method fails.
+    pub(in crate::dynamics) fn attempt(
+        &mut self,
+        system: &mut impl System,
+        t: f64,
+        y: &[f64],
+        slope: &[f64],
+        h: f64,
+    ) -> f64 {
+        self.leading = self.size - system.followers();
+        self.choose(system, h);
+        if !self.known || !self.fresh && self.rate > GOOD {
+            self.differentiate(system, t, y, slope);
+        }
+        if !self.factor(h) {
+            return f64::INFINITY;
+        }
+        self.guess(h);
+        if !self.solve(system, t, y, h) {
+            if self.slides.unite(system) || !self.fresh {
+                self.differentiate(system, t, y, slope);
+                return self.attempt(system, t, y, slope, h);
+            }
+            return f64::INFINITY;
+        }
+        let error = self.error(system, t, y, slope, h);
+        if self.rate > GOOD && self.slides.unite(system) {
+            self.known = false;
+        }
+        error
+    }
+
+    /// With how many stages a step of length `h` is taken.
+    fn choose(&mut self, system: &impl System, h: f64) {
+        let tolerance = system.tolerance();
+        let short = QUIET.min(SHORT * tolerance.sqrt().sqrt());
+        self.quiet = h * system.quickest() < short;
+        self.table = match self.quiet {
+            true => &THREE,
+            false if tolerance >= COARSE => &FIVE,
+            false => &SEVEN,
+        };
+        let length = self.table.stages() * self.size;
+        for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
+            stages.resize(length, 0.0);
+        }
+    }
+
+    /// The Jacobian at the start of a step; none where nothing changes within it.
+    fn differentiate(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64]) {
+        let n = self.leading;
+        let Scratch { state, slope: moved, .. } = &mut self.scratch;
+        self.systems.linear.quiet(system, n);
+        if self.slides.together(system) {
+            self.slides.gather(system, &self.systems.linear, y, n);
+        }
+        if !self.quiet {
+            system.slope(t, y, moved);
+            system.hold(true);
+            self.systems.linear.differentiate(system, t, [y, slope], [state, moved], n);
+        }
+        system.hold(false);
+        (self.known, self.fresh, self.factored) = (!self.quiet, true, (0.0, 0));
+    }
+
+    /// Factors the systems for a step of length `h`, if they are not.
+    fn factor(&mut self, h: f64) -> bool {
+        let (table, stages) = (self.table, self.table.stages());
+        if self.factored.1 == stages && (self.factored.0 - h).abs() <= SAME * h {
+            return true;
+        }
+        let done = self.systems.factor(table, h);
+        if done {
+            self.slides.factor(table, &self.systems);
+        }
+        self.factored = if done { (h, stages) } else { (0.0, 0) };
+        done
+    }
+
+    /// Increments of the stages to begin with: the last step's polynomial, continued.
+    fn guess(&mut self, h: f64) {
+        let Some((before, polynomial)) = self.last.as_ref().filter(|(before, _)| h < FARTHEST * before) else {
+            return self.stages.fill(0.0);
+        };
+        for (stage, c) in self.stages.chunks_exact_mut(self.size).zip(self.table.c) {
+            let weights = increments(1.0 + c * h / before);
+            for (z, p) in stage.iter_mut().zip(polynomial) {
+                let there: f64 = weights.iter().zip(p).map(|(w, p)| w * p).sum();
+                *z = there - p[0];
+            }
+        }
+    }
+
+    /// Newton's method for the stages.
+    fn solve(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> bool {
+        let (n, mut before, mut rate) = (self.size, 0.0f64, 0.0f64);
+        let (followers, stages) = (n - self.leading, self.table.stages());
+        self.rates.resize(stages * followers, 0.0);
+        self.follow.resize(stages * followers, 0.0);
+        for round in 0..PATIENCE {
+            for (stage, c) in self.table.c.iter().enumerate() {
+                let range = stage * n..(stage + 1) * n;
+                let state = &mut self.scratch.state;
+                state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
+                system.slope(t + c * h, state, &mut self.slopes[range]);
+                self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
+                self.slides.record(stage, system.channels());
+            }
+            if !self.correct(h) {
+                return false;
+            }
+            // Elimination leaves rounding where nothing may move.
+            for i in (0..self.leading).filter(|&i| system.is_held(i)) {
+                (0..stages).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
+            }
+            let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
+            let size = (size2 / stages as f64).sqrt();
+            if !size.is_finite() {
+                return false;
+            }
+            self.stages.iter_mut().zip(&self.scratch.correction).for_each(|(z, d)| *z += d);
+            if round > 0 && before > 0.0 {
+                rate = size / before;
+            }
+            self.rate = rate;
+            // What is left is what a geometric series of corrections would still add; where something turns, two corrections
+            // tell half of the digits of its ratio.
+            let ratio = if round == 1 && followers > 0 { rate.sqrt() } else { rate };
+            if size == 0.0 || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= LEFT) || size <= 2e-3 * LEFT
+            {
+                return true;
+            }
+            if round > 1 && rate >= 1.0 {
+                return size <= STALLED;
+            }
+            before = size;
+        }
+        before <= STALLED
+    }
+
+    /// One Newton correction from the stages and their slopes, eigenvector by eigenvector, and of what follows.
+    fn correct(&mut self, h: f64) -> bool {
+        let (n, leading, table) = (self.size, self.leading, self.table);
+        let followers = n - leading;
+        self.systems.project(table, h, [&self.slopes, &self.stages], [n, leading]);
+        for (k, row) in table.inverse.iter().enumerate() {
+            for (i, left) in (leading..n).zip(&mut self.follow[k * followers..]) {
+                let moved: f64 = row.iter().enumerate().map(|(l, a)| a * self.stages[l * n + i]).sum();
+                *left = self.slopes[k * n + i] - moved / h;
+            }
+        }
+        let rates = &self.rates;
+        let rate = |k: usize, follower: usize| rates[k * followers + follower];
+        if !self.slides.complete(table, &mut self.systems, &mut self.follow, h, rate) {
+            return false;
+        }
+        let correction = &mut self.scratch.correction;
+        self.systems.expand(table, correction, n);
+        for (row, follow) in correction.chunks_exact_mut(n).zip(self.follow.chunks_exact(followers.max(1))) {
+            row[leading..].copy_from_slice(&follow[..followers]);
+        }
+        true
+    }
+
+    /// Error of the stages just found: the embedded formula, filtered so that what decays at once does not count.
+    fn error(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64], h: f64) -> f64 {
+        let error = self.filtered(system, slope, h);
+        if error < 1.0 || !error.is_finite() {
+            return error;
+        }
+        let (mut state, mut again) = (std::mem::take(&mut self.scratch.state), std::mem::take(&mut self.scratch.slope));
+        state.iter_mut().zip(y).zip(&self.scratch.error).for_each(|((s, y), e)| *s = y + e);
+        system.slope(t, &state, &mut again);
+        let error = self.filtered(system, &again, h);
+        (self.scratch.state, self.scratch.slope) = (state, again);
+        error
+    }
+
+    fn filtered(&mut self, system: &impl System, slope: &[f64], h: f64) -> f64 {
+        let (n, leading, shift) = (self.size, self.leading, self.table.real / h);
+        let found = &mut self.scratch.error;
+        found.fill(0.0);
+        for (e, stage) in self.table.error.iter().zip(self.stages.chunks_exact(n)) {
+            found.iter_mut().zip(stage).for_each(|(x, z)| *x += e * z);
+        }
+        found.iter_mut().zip(slope).for_each(|(x, f)| *x = f + *x * shift);
+        let (first, follow) = found.split_at_mut(leading);
+        self.systems.real.solve(&self.systems.linear, first);
+        let rates = &self.rates;
+        if !self.slides.filter(shift, &mut self.systems.real, follow, |follower| rates[follower]) {
+            return f64::INFINITY;
+        }
+        self.systems.real.complete(&self.systems.linear, first);
+        let error = system.size2(found).sqrt() * if self.table.stages() == 5 { CAUTION } else { 1.0 };
+        if error.is_nan() { f64::INFINITY } else { error }
+    }
+
+    /// Factor for the next step from the error of the last: the estimate is of the order of the stages' number, kept between
+    /// a fifth and eight.
+    pub(in crate::dynamics) fn next_factor(&self, error: f64) -> f64 {
+        let order = self.table.stages() as f64;
+        if error == 0.0 { 8.0 } else { (0.9 * error.powf(-1.0 / (order + 1.0))).clamp(0.2, 8.0) }
+    }
+
+    /// Accepts the step just tried: its continuous answer; `y` becomes the state at its end.
+    pub(in crate::dynamics) fn accept(&mut self, t: f64, y: &mut [f64], h: f64) -> Dense {
+        let n = self.size;
+        let mut polynomial = vec![[0.0; STAGES]; n];
+        for (k, stage) in self.stages.chunks_exact(n).enumerate() {
+            for (p, z) in polynomial.iter_mut().zip(stage) {
+                p.iter_mut().zip(self.table.dense).for_each(|(p, row)| *p += row[k] * z);
+            }
+        }
+        let coefficients =
+            polynomial.iter().zip(y.iter()).map(|(p, &y)| [y, p[0], p[1], p[2], p[3], p[4], p[5], p[6]]).collect();
+        let last = self.stages.len() - n;
+        y.iter_mut().zip(&self.stages[last..]).for_each(|(y, z)| *y += z);
+        (self.last, self.fresh) = (Some((h, polynomial)), false);
+        Dense::new(t, h, coefficients)
+    }
+
+    /// The fastest rate in the Jacobian at hand, by the power method in the system's own measure; 0 without one \[1/s\].
+    pub(in crate::dynamics) fn fastest(&mut self, system: &impl System) -> f64 {
+        let n = self.leading;
+        let mut rate = self.rates.iter().fold(self.slides.fastest(), |a, r| a.max(r.abs()));
+        let Scratch { state, slope, .. } = &mut self.scratch;
+        state.fill(0.0);
+        slope.fill(0.0);
+        state[..n].fill(1.0);
+        for round in 0..ROUNDS {
+            self.systems.linear.times(&state[..n], &mut slope[..n]);
+            let (before, after) = (system.size2(state).sqrt(), system.size2(slope).sqrt());
+            if !(before > 0.0 && after > 0.0 && after.is_finite()) {
+                return rate;
+            }
+            // An oscillation grows by turns: the last rounds tell.
+            if round >= ROUNDS / 2 {
+                rate = rate.max(after / before);
+            }
+            state.iter_mut().zip(slope.iter()).for_each(|(x, y)| *x = y / after);
+        }
+        rate
+    }
+
+    /// Nothing is known of what comes: after a kink.
+    pub(in crate::dynamics) fn forget(&mut self) {
+        (self.last, self.fresh) = (None, false);
+    }
+}
+
+/// Factors of the collocation polynomial's coefficients in its increment at `x`, nested as in [`Dense`].
+fn increments(x: f64) -> [f64; STAGES] {
+    let (mut factor, y) = (1.0, 1.0 - x);
+    std::array::from_fn(|k| {
+        factor *= if k % 2 == 0 { x } else { y };
+        factor
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slow circle that a fast decay pulls towards itself: Prothero and Robinson's problem beside an oscillator.
+    struct Stiff(f64);
+
+    impl System for Stiff {
+        fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+            (out[0], out[1]) = (y[1], -y[0]);
+            out[2] = -self.0 * (y[2] - t.cos()) - t.sin();
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d.iter().map(|x| (x / 1e-13).powi(2)).sum()
+        }
+
+        fn extent(&self, _: usize, y: f64) -> f64 {
+            y.abs().max(1.0)
+        }
+    }
+
+    /// Largest errors over three units of time: of the circle and of what decays, at the ends of steps and between them.
+    fn errors(steps: u32, stiffness: f64) -> [f64; 3] {
+        let (mut system, h) = (Stiff(stiffness), 3.0 / f64::from(steps));
+        let (mut radau, mut y, mut slope, mut worst) =
+            (Radau::default(), vec![0.0, 1.0, 1.0], vec![0.0; 3], [0.0f64; 3]);
+        radau.resize(3);
+        for i in 0..steps {
+            let t = f64::from(i) * h;
+            system.slope(t, &y, &mut slope);
+            assert!(radau.attempt(&mut system, t, &y, &slope, h).is_finite(), "Newton's method ends");
+            let dense = radau.accept(t, &mut y, h);
+            let mut middle = [0.0; 3];
+            dense.read(0..3, t + 0.5 * h, &mut middle);
+            worst[0] = worst[0].max((y[0] - (t + h).sin()).abs());
+            worst[1] = worst[1].max((y[2] - (t + h).cos()).abs());
+            worst[2] = worst[2].max((middle[0] - (t + 0.5 * h).sin()).abs());
+        }
+        worst
+    }
+
+    #[test]
+    fn the_order_is_thirteen_and_seven_between_the_steps() {
+        let order = |a: f64, b: f64| (a / b).log2();
+        let (coarse, fine) = (errors(1, 1.0), errors(2, 1.0));
+        // A linear step is the Padé approximation (6, 7) of the exponential: error 6! 7!/(13! 14!) h¹⁴, here of two steps.
+        let pade = 2.0 * 720.0 * 5040.0 / (6_227_020_800.0 * 87_178_291_200.0) * 1.5f64.powi(14);
+        assert!((0.3..1.5).contains(&(fine[0] / pade)), "steps: {} against {pade}", fine[0]);
+        assert!(order(coarse[2], fine[2]) > 6.5, "between: {coarse:?} {fine:?}");
+    }
+
+    #[test]
+    fn a_step_of_a_billion_time_constants_is_as_good_as_a_short_one() {
+        assert!(errors(20, 1e10).iter().all(|&e| e < 1e-12), "all: {:?}", errors(20, 1e10));
+        assert!(errors(1, 1e9)[1] < 1e-13, "what decays, in one step: {:?}", errors(1, 1e9));
+    }
+}

@@ -1,0 +1,364 @@
+//! Finding the first crossing without missing one.
+//!
+//! In flight the second derivative of a gap is bounded, so from `g, ġ` the first crossing cannot come before the
+//! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
+//! everything else.
+
+use crate::dynamics::closing::next_closing::in_front;
+
+/// Leaps before a search reports how far it has come.
+pub(in crate::dynamics) const MOST: u32 = 100_000;
+
+/// A gap at one instant, with a promise about its future.
+#[derive(Clone, Copy, Debug)]
+pub struct Outlook {
+    /// `g` \[m\].
+    pub gap: f64,
+    /// `ġ` \[m/s\].
+    pub rate: f64,
+    /// Bound on `|g̈|` while the promise holds \[m/s²\].
+    pub curvature: f64,
+    /// How long the promise holds \[s\].
+    pub window: f64,
+    /// Whether the gap cannot close while the promise holds, whatever the parabola says.
+    pub out_of_reach: bool,
+}
+
+/// What a search found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Found {
+    /// The gap crosses 0 inwards \[s\].
+    Crossing(f64),
+    /// It does not, up to this time \[s\].
+    NoneUntil(f64),
+}
+
+/// Leaps at one resolution before it is doubled: a gap that stays at rounding level for long (two faces at rest on each
+/// other) ends in a defined way.
+const PATIENCE: u32 = 512;
+
+/// What a look shows of a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::dynamics) enum Sight {
+    /// It is open, or was not armed.
+    Open,
+    /// It has closed since the last look.
+    Closed,
+    /// It closes within rounding of this look.
+    Closing,
+}
+
+/// One gap under search: how it stands, and how finely it is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Hunt {
+    here: Outlook,
+    armed: bool,
+    /// When a look found it in front \[s\].
+    out: Option<f64>,
+    resolution: f64,
+    finest: f64,
+    floored: u32,
+}
+
+impl Hunt {
+    /// Begins where the gap is `here`.
+    pub(in crate::dynamics) fn begin(here: Outlook, armed: bool, resolution: f64) -> Self {
+        Self { here, armed, out: None, resolution, finest: resolution, floored: 0 }
+    }
+
+    /// Whether the gap can close at all.
+    pub(in crate::dynamics) fn armed(&self) -> bool {
+        self.armed
+    }
+
+    /// `g` at the last look \[m\].
+    pub(in crate::dynamics) fn gap(&self) -> f64 {
+        self.here.gap
+    }
+
+    /// When a look found the node in front, that was not when the search began \[s\].
+    pub(in crate::dynamics) fn out(&self) -> Option<f64> {
+        self.out
+    }
+
+    /// Whether the gap cannot close while the promise holds.
+    pub(in crate::dynamics) fn out_of_reach(&self) -> bool {
+        self.armed && self.here.out_of_reach
+    }
+
+    /// Whether it closes where the search begins.
+    pub(in crate::dynamics) fn at_once(&self) -> bool {
+        self.armed && self.closing(&self.here)
+    }
+
+    fn closing(&self, look: &Outlook) -> bool {
+        look.gap <= self.resolution && look.rate < 0.0 && closes_at_once(look, self.resolution)
+    }
+
+    /// How far the next look may be \[s\].
+    pub(in crate::dynamics) fn leap(&mut self) -> f64 {
+        self.leap_past(0.0)
+    }
+
+    /// The same, where the gap is known to stay open for `open` \[s\].
+    pub(in crate::dynamics) fn leap_past(&mut self, open: f64) -> f64 {
+        let here = &self.here;
+        let leap = if self.out_of_reach() { here.window } else { leap(here, self.armed, self.finest) };
+        let leap = if self.armed { leap.max(open) } else { leap };
+        // Only leaps at the finest count: those that get on need no help.
+        self.floored = if leap <= floor_of(here, self.finest) { self.floored + 1 } else { 0 };
+        leap.min(here.window)
+    }
+
+    /// The next look, at `t`.
+    pub(in crate::dynamics) fn arrive(&mut self, there: Outlook, t: f64) -> Sight {
+        if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
+            return Sight::Closed;
+        }
+        if self.armed && self.closing(&there) {
+            return Sight::Closing;
+        }
+        if !self.armed && in_front(there.gap, there.rate, t, self.resolution) {
+            (self.armed, self.out) = (true, Some(t));
+        }
+        self.here = there;
+        self.finest = match self.floored {
+            0 => self.resolution,
+            n if n % PATIENCE == 0 => 16.0 * self.finest,
+            _ => self.finest,
+        };
+        Sight::Open
+    }
+}
+
+/// First crossing of 0 from above in `[from, to]`; `resolution` is the depth of a dip that may go unseen \[m\].
+///
+/// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
+/// is above 0 again.
+pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, armed: bool, resolution: f64) -> Found {
+    let here = ask(from);
+    first_crossing_from(here, ask, [from, to], armed, resolution)
+}
+
+/// The same where the first look is known.
+pub(in crate::dynamics) fn first_crossing_from(
+    here: Outlook,
+    mut ask: impl FnMut(f64) -> Outlook,
+    [from, to]: [f64; 2],
+    armed: bool,
+    resolution: f64,
+) -> Found {
+    let (mut t, mut hunt) = (from, Hunt::begin(here, armed, resolution));
+    if hunt.at_once() {
+        return Found::Crossing(t);
+    }
+    for _ in 0..MOST {
+        if t >= to {
+            break;
+        }
+        let next = (t + hunt.leap()).min(to);
+        if next <= t {
+            // Less than the clock can tell.
+            return if hunt.armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
+        }
+        let there = ask(next);
+        match hunt.arrive(there, next) {
+            Sight::Open => t = next,
+            Sight::Closed => return Found::Crossing(root(|at| -ask(at).gap, t, next)),
+            Sight::Closing => return Found::Crossing(polish(&mut ask, next, &there, to)),
+        }
+    }
+    Found::NoneUntil(t.min(to))
+}
+
+/// The safe leap: root of the parabola that bounds the gap from below (armed) or above (waiting to be armed).
+fn leap(here: &Outlook, armed: bool, finest: f64) -> f64 {
+    let (gap, rate) = if armed { (here.gap.max(0.0), here.rate) } else { (-here.gap, -here.rate) };
+    let m = here.curvature;
+    let root = (rate * rate + 2.0 * m * gap).sqrt();
+    let safe = if rate < 0.0 {
+        2.0 * gap / (root - rate)
+    } else if m > 0.0 {
+        (rate + root) / m
+    } else {
+        f64::INFINITY
+    };
+    safe.max(if armed { floor_of(here, finest) } else { curved_floor(m, finest) })
+}
+
+/// The shortest leap worth taking: within it no dip is deeper than `finest`.
+fn floor_of(here: &Outlook, finest: f64) -> f64 {
+    let floor = curved_floor(here.curvature, finest);
+    // Where the speed is real, rounding of the gap is a time, not a curvature.
+    if here.rate < 0.0 { floor.min(finest / -here.rate) } else { floor }
+}
+
+fn curved_floor(curvature: f64, finest: f64) -> f64 {
+    if curvature > 0.0 { (2.0 * finest / curvature).sqrt() } else { f64::INFINITY }
+}
+
+/// Within the resolution and going in faster than the bound can turn it round.
+fn closes_at_once(here: &Outlook, resolution: f64) -> bool {
+    here.rate * here.rate > 2.0 * here.curvature * (here.gap.max(0.0) + resolution)
+}
+
+/// Newton's method from inside the resolution.
+pub(in crate::dynamics) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64) -> f64 {
+    let (mut t, mut here) = (t, *here);
+    for _ in 0..3 {
+        let next = (t - here.gap / here.rate).min(to);
+        if next == t || !next.is_finite() {
+            break;
+        }
+        t = next;
+        here = ask(t);
+        if here.rate >= 0.0 {
+            break;
+        }
+    }
+    t
+}
+
+/// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0, to the last bit.
+pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
+    let (fa, fb) = (f(a), f(b));
+    root_between(f, [a, b], [fa, fb])
+}
+
+/// The same where the values at both ends are known: secants, weighed as Anderson and Björck do where one end stays, and
+/// four halvings where four of them have not done as much.
+pub(in crate::dynamics) fn root_between(
+    mut f: impl FnMut(f64) -> f64,
+    [mut a, mut b]: [f64; 2],
+    [fa, fb]: [f64; 2],
+) -> f64 {
+    let (mut fa, mut fb) = (fa, fb);
+    if fa >= 0.0 {
+        return a;
+    }
+    if fb <= 0.0 {
+        return b;
+    }
+    let (mut last_side, mut width, mut slow) = (0, b - a, false);
+    let mut hair = f64::EPSILON * a.abs().max(b.abs());
+    for count in 1..200 {
+        let middle = f64::midpoint(a, b);
+        if middle <= a || middle >= b {
+            break;
+        }
+        let secant = b - fb * (b - a) / (fb - fa);
+        // Never closer to an end than a hair: the root that is there is then passed, and held from both sides.
+        let x = if slow || 2.0 * hair >= b - a || !(secant > a && secant < b) {
+            middle
+        } else {
+            let x = secant.max(a + hair).min(b - hair);
+            hair *= if x == secant { 1.0 } else { 4.0 };
+            x
+        };
+        let fx = f(x);
+        if fx == 0.0 {
+            return x;
+        }
+        if fx < 0.0 {
+            fb *= if last_side < 0 { weight(fx, fa) } else { 1.0 };
+            (a, fa, last_side) = (x, fx, -1);
+        } else {
+            fa *= if last_side > 0 { weight(fx, fb) } else { 1.0 };
+            (b, fb, last_side) = (x, fx, 1);
+        }
+        if b - a <= f64::EPSILON * a.abs().max(b.abs()) {
+            break;
+        }
+        if count % 4 == 0 {
+            (slow, width) = (!slow && b - a > width / 16.0, b - a);
+        }
+    }
+    b
+}
+
+/// What the value at the end that stays counts, when the other one has gone from `before` to `now`.
+fn weight(now: f64, before: f64) -> f64 {
+    let left = 1.0 - now / before;
+    if left > 0.0 { left } else { 0.5 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave(offset: f64, ask_count: &mut u32) -> impl FnMut(f64) -> Outlook {
+        move |t| {
+            *ask_count += 1;
+            Outlook {
+                gap: offset + t.cos(),
+                rate: -t.sin(),
+                curvature: 1.0,
+                window: f64::INFINITY,
+                out_of_reach: false,
+            }
+        }
+    }
+
+    #[test]
+    fn a_dip_of_a_billionth_is_found_where_it_begins() {
+        let mut count = 0;
+        let depth: f64 = 1e-9;
+        let found = first_crossing(wave(1.0 - depth, &mut count), 0.0, 100.0, true, 1e-15);
+        let exact = std::f64::consts::PI - (2.0 * depth).sqrt();
+        let Found::Crossing(t) = found else { panic!("missed: {found:?}") };
+        // Near the tip rounding of the gap, 1e-16, moves the crossing by 1e-16/√(2e-9).
+        assert!((t - exact).abs() < 1e-11, "{t} against {exact}");
+        assert!(count < 200, "{count} looks");
+    }
+
+    #[test]
+    fn a_graze_above_the_face_is_no_crossing_and_costs_little() {
+        let mut count = 0;
+        let found = first_crossing(wave(1.0 + 1e-12, &mut count), 0.0, 20.0, true, 1e-15);
+        assert_eq!(found, Found::NoneUntil(20.0), "never touches");
+        assert!(count < 400, "{count} looks");
+    }
+
+    #[test]
+    fn faces_at_rest_on_each_other_end_the_search() {
+        let mut count = 0u32;
+        let rest = |_t: f64| Outlook { gap: 0.0, rate: 0.0, curvature: 10.0, window: 1.0, out_of_reach: false };
+        let found = first_crossing(
+            |t| {
+                count += 1;
+                rest(t)
+            },
+            0.0,
+            10.0,
+            true,
+            1e-15,
+        );
+        assert_eq!(found, Found::NoneUntil(10.0), "no motion, no touch");
+        assert!(count < 20_000, "{count} looks");
+    }
+
+    #[test]
+    fn roots_come_to_the_last_bits_in_a_dozen_looks() {
+        let mut count = 0;
+        let t = root(
+            |t| {
+                count += 1;
+                t * t - 2.0
+            },
+            0.0,
+            2.0,
+        );
+        assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{t}");
+        assert!(count <= 14, "{count} looks");
+        count = 0;
+        let flat = root(
+            |t| {
+                count += 1;
+                (t - 1e-3).powi(3)
+            },
+            0.0,
+            1.0,
+        );
+        assert!((flat - 1e-3).abs() < 1e-12 && count <= 120, "a threefold root at {flat}, {count} looks");
+    }
+}

@@ -1,0 +1,184 @@
+//! Bearings: Voigt elements under a girder (paper equations (1)–(5)).
+//!
+//! A planar girder sees them linear at every rotation, through one stiffness and one dashpot matrix over `(x, y, θ)`; a
+//! spatial one sees each at its true attachment point. The printed (2c,d) pair `k_x` with `l_x²`; a spring along x has
+//! the lever `l_y`, as here.
+
+use glam::{DMat3, DVec3};
+
+/// Eccentricity below this part of the matrix is rounding of the legs' places.
+const DECOUPLED: f64 = 1e-14;
+/// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
+const CARRIED: f64 = 1e-12;
+
+/// One bearing of a girder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearing {
+    /// Attachment point in the body frame \[m\].
+    pub place: DVec3,
+    /// `k_x, k_y, k_z` along the girder's axes as placed \[N/m\].
+    pub stiffness: DVec3,
+    /// `c_x, c_y, c_z` along the girder's axes as placed \[N·s/m\].
+    pub damping: DVec3,
+    /// Force at rest, which carries the girder's weight (spatial) \[N\].
+    pub preload: DVec3,
+}
+
+/// What bearings leave of a girder's weight. Adding up their preloads against it in every evaluation would leave a rounding
+/// of it, too.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Standing {
+    /// Force, upwards: 0 where they carry it all \[N\].
+    pub left: f64,
+    /// `Σ f l` of the preloads, at `l` from G in the body frame: upright where they leave no moment \[N·m\].
+    pub first_moment: DVec3,
+}
+
+/// Stiffness and dashpots of a planar girder over `(x, y, θ)`, world axes: symmetric matrices, N/m, N and N·m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanarBearings {
+    /// The right-hand sides of (1) gathered.
+    pub stiffness: DMat3,
+    /// Likewise the dashpots.
+    pub damping: DMat3,
+}
+
+impl PlanarBearings {
+    /// Gathers the bearings of a girder whose axes as placed are the columns of `axes`.
+    pub fn gather(bearings: &[Bearing], axes: DMat3) -> Self {
+        let sum = |of: fn(&Bearing) -> DVec3| {
+            bearings.iter().fold(DMat3::ZERO, |sum, b| sum + element(axes * b.place, axes, of(b)))
+        };
+        Self { stiffness: sum(|b| b.stiffness), damping: sum(|b| b.damping) }
+    }
+}
+
+/// One Voigt element's matrix over `(x, y, θ)`: `Bᵀ K B` with `B = [1, ẑ × l]`.
+fn element(lever: DVec3, axes: DMat3, diagonal: DVec3) -> DMat3 {
+    let (u, v) = (axes.x_axis, axes.y_axis);
+    let along = |a: DVec3| DVec3::new(a.x, a.y, lever.x * a.y - lever.y * a.x);
+    let outer = |a: DVec3, k: f64| DMat3::from_cols(a * (a.x * k), a * (a.y * k), a * (a.z * k));
+    outer(along(u), diagonal.x) + outer(along(v), diagonal.y)
+}
+
+/// What (3), (4) call a planar girder by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantities {
+    /// `ω_x, ω_y, ω_θ` \[rad/s\].
+    pub omega: [f64; 3],
+    /// `h_x, h_y, h_θ`, of critical; 0 where there is no stiffness.
+    pub damping_ratio: [f64; 3],
+    /// `ε_x, ε_y`: eccentricities of the stiffness \[m\].
+    pub stiffness_eccentricity: [f64; 2],
+    /// `η_x, η_y`: eccentricities of the dashpots \[m\].
+    pub damping_eccentricity: [f64; 2],
+    /// `i`, radius of gyration about the vertical (4e) \[m\].
+    pub gyration: f64,
+}
+
+impl Quantities {
+    /// From a girder's bearings, mass and `i²`, in its own axes.
+    pub fn of(bearings: &[Bearing], mass: f64, gyration2: f64) -> Self {
+        let PlanarBearings { stiffness: k, damping: c } = PlanarBearings::gather(bearings, DMat3::IDENTITY);
+        let inertia = [mass, mass, mass * gyration2];
+        let omega: [f64; 3] = std::array::from_fn(|i| (k.col(i)[i] / inertia[i]).sqrt());
+        let damping_ratio = std::array::from_fn(|i| ratio(c.col(i)[i], 2.0 * inertia[i] * omega[i]));
+        Self {
+            omega,
+            damping_ratio,
+            stiffness_eccentricity: eccentricity(k),
+            damping_eccentricity: eccentricity(c),
+            gyration: gyration2.sqrt(),
+        }
+    }
+}
+
+/// `ε_x = Σ k_y l_x / k_y`, `ε_y = Σ k_x l_y / k_x`.
+fn eccentricity(m: DMat3) -> [f64; 2] {
+    [ratio(m.z_axis.y, m.y_axis.y), ratio(-m.z_axis.x, m.x_axis.x)]
+}
+
+fn ratio(part: f64, whole: f64) -> f64 {
+    if whole == 0.0 { 0.0 } else { part / whole }
+}
+
+/// Vertical forces that carry a weight on the bearings without a moment about G, shared by vertical stiffness: the
+/// least-norm answer of `Σ f = W`, `Σ f l = 0`. Where the bearings stand on a line or a point, what they can.
+pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
+    let levers: Vec<DVec3> = bearings.iter().map(|b| axes * b.place).collect();
+    let shares: Vec<f64> = bearings.iter().map(|b| b.stiffness.z).collect();
+    let mut gram = DMat3::ZERO;
+    for (l, k) in levers.iter().zip(&shares) {
+        let row = DVec3::new(1.0, l.x, l.y);
+        gram += DMat3::from_cols(row * (row.x * k), row * (row.y * k), row * (row.z * k));
+    }
+    // A hair of stiffness in the two moment rows keeps a line of bearings solvable without moving a full plan.
+    let floor = 1e-14 * (gram.y_axis.y + gram.z_axis.z).max(f64::MIN_POSITIVE);
+    gram.y_axis.y += floor;
+    gram.z_axis.z += floor;
+    if gram.x_axis.x == 0.0 {
+        return Standing { left: -weight, first_moment: DVec3::ZERO };
+    }
+    let factor = gram.inverse() * DVec3::new(weight, 0.0, 0.0);
+    for ((bearing, l), k) in bearings.iter_mut().zip(&levers).zip(&shares) {
+        bearing.preload = DVec3::Z * (k * (factor.x + factor.y * l.x + factor.z * l.y));
+    }
+    let forces: f64 = bearings.iter().map(|b| b.preload.z).sum();
+    let moment: DVec3 = bearings.iter().map(|b| b.place * b.preload.z).sum();
+    let size: f64 = bearings.iter().map(|b| b.place.length() * b.preload.z.abs()).sum();
+    let unless_rounding = |part: f64, whole: f64| if part.abs() > CARRIED * whole { part } else { 0.0 };
+    Standing {
+        left: unless_rounding(forces - weight, weight),
+        first_moment: DVec3::new(unless_rounding(moment.x, size), unless_rounding(moment.y, size), moment.z),
+    }
+}
+
+/// Whether what stands off the diagonal is rounding, against the geometric mean of the diagonal it couples.
+pub(in crate::dynamics) fn is_diagonal(m: &DMat3) -> bool {
+    (0..3).all(|i| (0..i).all(|j| m.col(i)[j].abs() <= DECOUPLED * (m.col(i)[i] * m.col(j)[j]).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn legs(ecc: f64) -> Vec<Bearing> {
+        [(0.07, 0.025), (0.07, -0.025), (-0.07, 0.025), (-0.07, -0.025)]
+            .map(|(x, y)| Bearing {
+                place: DVec3::new(x + ecc, y, 0.0),
+                stiffness: DVec3::new(100.0, 200.0, 400.0),
+                damping: DVec3::new(1.0, 2.0, 4.0),
+                preload: DVec3::ZERO,
+            })
+            .to_vec()
+    }
+
+    #[test]
+    fn the_matrix_is_that_of_the_settled_equations() {
+        let m = PlanarBearings::gather(&legs(0.01), DMat3::IDENTITY).stiffness;
+        let k_theta: f64 = legs(0.01).iter().map(|b| 100.0 * b.place.y.powi(2) + 200.0 * b.place.x.powi(2)).sum();
+        assert_eq!(m.x_axis.x, 400.0, "k_x");
+        assert!((m.z_axis.y - 800.0 * 0.01).abs() < 1e-12, "k_y ε_x, got {}", m.z_axis.y);
+        assert!((m.z_axis.z - k_theta).abs() < 1e-12, "k_θ = Σ(k_x l_y² + k_y l_x²)");
+    }
+
+    #[test]
+    fn the_weight_is_carried_without_a_moment() {
+        let mut bearings = legs(0.013);
+        let standing = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let total: DVec3 = bearings.iter().map(|b| b.preload).sum();
+        let moment: DVec3 = bearings.iter().map(|b| b.place.cross(b.preload)).sum();
+        assert!((total.z - 50.0).abs() < 1e-11, "whole weight, got {}", total.z);
+        assert!(moment.length() < 1e-11, "no moment, got {moment}");
+        assert_eq!(standing, Standing::default(), "exactly: all legs are as high as G");
+    }
+
+    #[test]
+    fn what_one_bearing_beside_g_leaves_is_its_moment() {
+        let mut bearings = vec![Bearing { place: DVec3::new(0.2, 0.0, -0.1), ..legs(0.0)[0] }];
+        let Standing { left, first_moment } = carry(50.0, &mut bearings, DMat3::IDENTITY);
+        let away = (first_moment - DVec3::new(10.0, 0.0, -5.0)).length();
+        assert!(away < 1e-9 && left.abs() < 1e-9, "{first_moment}, {left} left");
+        assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
+    }
+}

@@ -1,0 +1,316 @@
+//! Bodies that move along one axis and touch flush across it: nothing slides and nothing turns, so the nodes of two faces
+//! push as one and a body's rate is that of one coordinate.
+//!
+//! `m ẍ + c ẋ + k x = Σ ±(K δ + C δ̇) − m Ẍ` with the sums of a face's K and C (physics sections 2 and 4). What makes it
+//! so is exact: bearings and ground that do not lead off the axis, faces square to it, levers across it that cancel, and a
+//! state whose other components are 0. These stay 0 then, to the last bit; where one is not, all is computed.
+
+use glam::{DMat3, DVec3};
+
+use crate::contact::{Frame, Measured, Mode, law::Friction, measure};
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::penalty3d::equations_of_motion::Active;
+use crate::dynamics::{Body, Model};
+use crate::motion::Ground;
+use crate::scene::Kind;
+
+/// Levers and places that cancel do so to this part of their size: rounding.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Two sides that touch flush.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Joint {
+    /// Who owns the node and who the face, as the joint's first contact has it; nothing for an abutment.
+    sides: [Option<usize>; 2],
+    /// The face's normal along the axis, ±1.
+    normal: f64,
+    /// `g` as placed \[m\].
+    rest: f64,
+    /// `Σ K` \[N/m\] and `Σ C` \[N·s/m\] of its contacts.
+    law: [f64; 2],
+}
+
+/// An island in one line.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::dynamics) struct Line {
+    axis: usize,
+    joints: Vec<Joint>,
+    /// The first contact of each contact's joint.
+    first: Vec<usize>,
+}
+
+/// A contact as the line sees it.
+struct Touch {
+    sides: [Option<usize>; 2],
+    normal: f64,
+    rest: f64,
+    law: [f64; 2],
+    /// Levers of its force across the axis from G of either side \[m\].
+    levers: [f64; 2],
+    reach: f64,
+}
+
+/// Whether ground, bearings and pushes never drive a body off a world axis, 0 or 1, that it moves along.
+pub(in crate::dynamics) fn keeps(body: &Body, ground: &Ground, axis: usize) -> bool {
+    let across = 1 - axis;
+    let held = [!body.free[across], !body.free[5]];
+    let straight = |m: &DMat3| (held[0] || m.col(axis)[across] == 0.0) && (held[1] || m.col(axis)[2] == 0.0);
+    let undriven = held[0] || (ground.axis()[across] == 0.0 && body.push[across] == 0.0);
+    straight(&body.planar.stiffness) && straight(&body.planar.damping) && undriven && (held[1] || body.moment == 0.0)
+}
+
+/// Whether a planar state is in line with an axis.
+#[inline]
+pub(in crate::dynamics) fn along(state: &[f64], axis: usize) -> bool {
+    let across = 1 - axis;
+    state[across] == 0.0 && state[2] == 0.0 && state[3 + across] == 0.0 && state[5] == 0.0
+}
+
+impl Line {
+    /// Of bodies with these closed contacts, where they may be in line.
+    pub(in crate::dynamics) fn of(model: &Model, bodies: &[usize], bases: &[Base], active: &[Active]) -> Option<Self> {
+        if model.kind != Kind::Planar || active.is_empty() {
+            return None;
+        }
+        let straight = |axis: usize| {
+            let mut both = bodies.iter().zip(bases);
+            both.all(|(&b, base)| model.bodies[b].straight[axis] && along(&base.state(), axis))
+        };
+        (0..2).filter(|&axis| straight(axis)).find_map(|axis| Self::across(model, bodies, active, axis))
+    }
+
+    fn across(model: &Model, bodies: &[usize], active: &[Active], axis: usize) -> Option<Self> {
+        let touches: Option<Vec<Touch>> = active.iter().map(|a| Touch::of(model, bodies, a, axis)).collect();
+        let touches = touches?;
+        let first: Vec<usize> =
+            touches.iter().map(|touch| touches.iter().position(|other| touch.joins(other)).unwrap_or(0)).collect();
+        let mut joints = Vec::new();
+        for number in (0..touches.len()).filter(|&number| first[number] == number) {
+            let members = || (number..touches.len()).filter(|&n| first[n] == number).map(|n| &touches[n]);
+            joints.push(Touch::together(&touches[number], members)?);
+        }
+        Some(Self { axis, joints, first })
+    }
+
+    /// Whether states in a row are in line.
+    #[inline]
+    pub(in crate::dynamics) fn holds(&self, y: &[f64]) -> bool {
+        y.chunks_exact(PLANAR).all(|state| along(state, self.axis))
+    }
+
+    /// The axis: 0 is x, 1 is y.
+    pub(in crate::dynamics) fn axis(&self) -> usize {
+        self.axis
+    }
+
+    /// The first contact that is as deep as this one wherever the line holds.
+    pub(in crate::dynamics) fn first(&self, contact: usize) -> usize {
+        self.first[contact]
+    }
+
+    /// Rates of states that are in line.
+    #[inline]
+    pub(in crate::dynamics) fn slope(
+        &self,
+        model: &Model,
+        bodies: &[usize],
+        bases: &[Base],
+        ground: DVec3,
+        y: &[f64],
+        out: &mut [f64],
+    ) {
+        let axis = self.axis;
+        out.fill(0.0);
+        for joint in &self.joints {
+            let at = |side: Option<usize>, from: usize| side.map_or(0.0, |i| y[i * PLANAR + from + axis]);
+            let [node, face] = joint.sides;
+            let gap = joint.rest + joint.normal * (at(node, 0) - at(face, 0));
+            let rate = joint.normal * (at(node, 3) - at(face, 3));
+            let force = -joint.normal * (joint.law[0] * gap + joint.law[1] * rate);
+            for (side, force) in [(node, force), (face, -force)] {
+                if let Some(i) = side {
+                    out[i * PLANAR + 3 + axis] += force;
+                }
+            }
+        }
+        for (i, &body) in bodies.iter().enumerate() {
+            let (body, from) = (&model.bodies[body], i * PLANAR + axis);
+            let (place, speed) = (bases[i].planar()[axis] + y[from], y[from + 3]);
+            let bearings = body.planar.stiffness.col(axis)[axis] * place + body.planar.damping.col(axis)[axis] * speed;
+            let force = out[from + 3] + body.push[axis] - bearings;
+            let rates = [speed, force / body.mass - ground[axis]];
+            [out[from], out[from + 3]] = if body.free[axis] { rates } else { [0.0; 2] };
+        }
+    }
+}
+
+impl Touch {
+    fn of(model: &Model, bodies: &[usize], active: &Active, axis: usize) -> Option<Self> {
+        let site = &model.contacts[active.site];
+        let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
+        let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
+        let normal = active.home.axes.z_axis;
+        let square = normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0 && site.face.is_upright();
+        let Measured { here, arm, apart } = measure(&active.home, &node, &face);
+        let (closed, law) = (&active.closed, &active.closed.law);
+        let still = match closed.mode {
+            Mode::Stick { anchor } => anchor == here.way,
+            Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == Friction::ReturnMapping && law.v_stick == 0.0,
+        };
+        (square && still && active.angle.is_none()).then(|| Self {
+            sides: [active.node, active.face],
+            normal: normal[axis],
+            rest: here.gap,
+            law: if closed.slack { [0.0; 2] } else { [law.k, law.c_n] },
+            levers: [arm[1 - axis], apart[1 - axis]],
+            reach: site.reach(),
+        })
+    }
+
+    /// Whether both are between the same two sides, either way round.
+    fn joins(&self, other: &Self) -> bool {
+        let [a, b] = other.sides;
+        (self.sides == [a, b] && self.normal == other.normal) || (self.sides == [b, a] && self.normal == -other.normal)
+    }
+
+    /// The joint of contacts between the same sides, where they are equally deep and leave no moment.
+    fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<Joint> {
+        let level = members().all(|m| m.law == first.law && (m.rest - first.rest).abs() <= ROUNDING * m.reach);
+        let lever = |side: Option<usize>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
+        let balanced = first.sides.into_iter().all(|side| {
+            let (sum, size) = members().fold((0.0, 0.0f64), |(sum, size), m| {
+                let lever = lever(side, m);
+                (sum + lever, size.max(lever.abs()))
+            });
+            side.is_none() || f64::abs(sum) <= ROUNDING * size
+        });
+        let count = members().count() as f64;
+        let rest = members().map(|m| m.rest).sum::<f64>() / count;
+        let law = first.law.map(|of_one| of_one * count);
+        (level && balanced).then_some(Joint { sides: first.sides, normal: first.normal, rest, law })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Law;
+    use crate::dynamics::ContactSite;
+    use crate::dynamics::integrator::dop853::System;
+    use crate::dynamics::penalty3d::contact_state::Closed;
+    use crate::dynamics::penalty3d::equations_of_motion::{Field, Scale, Sliding};
+    use crate::scene::{Motion, Scene, presets};
+
+    /// Two straight girders and what they stick to, all nodes closed.
+    fn pressed(scene: &Scene) -> (Model, Vec<Active>) {
+        let model = Model::compile(scene).expect("a valid scene");
+        let stick = |site: usize| {
+            let here = crate::contact::locate(
+                &model.contacts[site].home,
+                &frame(&model, model.contacts[site].node_body, site),
+                &frame(&model, model.contacts[site].face_body, site),
+            );
+            let (k, c_n, c_t) = (4e4, 11.0, 7.0);
+            let law = Law {
+                k,
+                c_n,
+                c_t,
+                mu_s: 0.2,
+                mu_k: 0.15,
+                friction: Friction::ReturnMapping,
+                clamp: false,
+                v_stick: 0.0,
+            };
+            let mode = Mode::Stick { anchor: here.way };
+            let closed =
+                Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: false };
+            let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
+            let home = model.contacts[site].home;
+            Active { site, node, face, closed, home, angle: None }
+        };
+        let active = (0..model.contacts.len()).map(stick).collect();
+        (model, active)
+    }
+
+    fn straight_row() -> Scene {
+        let mut scene = presets::load("row-of-5").expect("a preset");
+        shake_along(&mut scene, 0.0);
+        scene
+    }
+
+    fn shake_along(scene: &mut Scene, degrees: f64) {
+        let Motion::Sine(sine) = &mut scene.motion else { panic!("it is shaken by a sine") };
+        sine.angle_deg = degrees;
+    }
+
+    fn bases(model: &Model) -> Vec<Base> {
+        model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect()
+    }
+
+    fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {
+        body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
+    }
+
+    fn slopes(model: &Model, active: &[Active], line: Option<&Line>, y: &[f64]) -> Vec<f64> {
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        let mut out = vec![9.0; y.len()];
+        let mut field = Field {
+            model,
+            bodies: &bodies,
+            bases: &bases(model),
+            active,
+            piece: model.ground.piece(model.ground.piece_number(0.3)),
+            scale: Scale::default(),
+            angles: &[],
+            line,
+            frames: &mut Vec::new(),
+            wrenches: &mut Vec::new(),
+            rates: &mut Vec::new(),
+            sliding: &mut Sliding::of(active),
+        };
+        field.slope(0.3, y, &mut out);
+        out
+    }
+
+    #[test]
+    fn in_line_the_rates_are_those_of_the_plan() {
+        let scene = straight_row();
+        let (model, active) = pressed(&scene);
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        let line = Line::of(&model, &bodies, &bases(&model), &active).expect("a straight row");
+        let mut y = vec![0.0; PLANAR * bodies.len()];
+        for (i, state) in y.chunks_exact_mut(PLANAR).enumerate() {
+            (state[0], state[3]) = (1e-3 * (1.7 * i as f64).sin(), 0.2 * (2.9 * i as f64).cos());
+        }
+        let (short, whole) = (slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y));
+        let largest = whole.iter().fold(0.0f64, |most, rate| most.max(rate.abs()));
+        for (i, (a, b)) in short.iter().zip(&whole).enumerate() {
+            // Sums in another order.
+            assert!((a - b).abs() <= 1e-13 * largest, "component {i}: {a} against {b}");
+        }
+        // What is not in line is computed in the plan.
+        y[2] = 1e-9;
+        assert_eq!(slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y), "turned");
+    }
+
+    #[test]
+    fn what_turns_or_slides_is_not_in_line() {
+        let scene = straight_row();
+        let (model, active) = pressed(&scene);
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_some(), "all nodes of flush faces");
+        assert!(Line::of(&model, &bodies, &bases(&model), &active[1..]).is_none(), "a corner alone turns its girder");
+        let mut dragged = active.clone();
+        if let Mode::Stick { anchor } = &mut dragged[0].closed.mode {
+            anchor.x += 1e-6;
+        }
+        assert!(Line::of(&model, &bodies, &bases(&model), &dragged).is_none(), "a stretched spring pulls sideways");
+        let mut aslant = scene.clone();
+        shake_along(&mut aslant, 1.0);
+        let (model, active) = pressed(&aslant);
+        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_none(), "the ground drives it off");
+        let (model, active) = pressed(&presets::load("skew45-abutment").expect("a preset"));
+        assert!(Line::of(&model, &[0], &bases(&model), &active).is_none(), "a skewed face is not square to its girder");
+    }
+}

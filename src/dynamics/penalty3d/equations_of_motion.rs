@@ -1,0 +1,375 @@
+//! The equations of motion of bodies in contact, as an integrator sees them: one vector of body states, then the angles
+//! of slips that turn.
+
+use glam::{DVec2, DVec3};
+
+use crate::contact::{Forces, Frame, Home, Local, Mode, law::Friction, locate};
+use crate::dynamics::Model;
+use crate::dynamics::integrator::dop853::System;
+use crate::dynamics::integrator::low_rank_correction::Channel;
+use crate::dynamics::model::rate_bounds::quickest;
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::contact_force;
+use crate::dynamics::penalty3d::contact_force::Action;
+use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::motion::{Ground, LinearPiece};
+use crate::scene::Kind;
+
+/// A closed contact between bodies of one island.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Active {
+    /// Its number in the model.
+    pub site: usize,
+    /// Which of the island's bodies owns the node; nothing for an abutment.
+    pub node: Option<usize>,
+    /// Which owns the face.
+    pub face: Option<usize>,
+    /// Its state.
+    pub closed: Closed,
+    /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
+    pub home: Home,
+    /// Where its slip angle stands in the vector, if it is a state.
+    pub angle: Option<usize>,
+}
+
+impl Active {
+    /// The node against the face, with the island's bodies in `frames`, counted from their bases.
+    pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
+        let site = &model.contacts[self.site];
+        let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
+        locate(&self.home, frame(self.node), frame(self.face))
+    }
+
+    /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
+    pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
+        let law = &self.closed.law;
+        let slips = matches!(self.closed.mode, Mode::Slip { .. });
+        slips && law.friction == Friction::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
+    }
+
+    /// The contact with its slip direction as the vector has it.
+    #[inline]
+    pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> Closed {
+        let mut closed = self.closed;
+        if let Some(at) = self.angle {
+            closed.mode = Mode::Slip { direction: direction(y[at]) };
+        }
+        closed
+    }
+}
+
+/// The unit vector at an angle.
+pub(in crate::dynamics) fn direction(angle: f64) -> DVec2 {
+    let (sin, cos) = angle.sin_cos();
+    DVec2::new(cos, sin)
+}
+
+/// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::dynamics) struct Scale {
+    /// What the tolerance allows \[m/s\].
+    pub speed: f64,
+    /// Fastest circular frequency in play \[rad/s\].
+    pub omega: f64,
+    /// Size of what moves \[m\].
+    pub place: f64,
+}
+
+/// The right-hand side for one island.
+#[derive(Debug)]
+pub(in crate::dynamics) struct Field<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    /// Its bodies, numbers in the model.
+    pub bodies: &'a [usize],
+    /// What their states are counted from.
+    pub bases: &'a [Base],
+    /// Its closed contacts.
+    pub active: &'a [Active],
+    /// The stretch of ground motion that the step stays in.
+    pub piece: LinearPiece,
+    /// Error scale.
+    pub scale: Scale,
+    /// What the tolerance allows of each slip angle \[rad\].
+    pub angles: &'a [f64],
+    /// Its one line, where it may have one.
+    pub line: Option<&'a Line>,
+    /// Scratch.
+    pub frames: &'a mut Vec<Frame>,
+    /// Scratch.
+    pub wrenches: &'a mut Vec<Wrench>,
+    /// How fast each slip angle returns to the direction of its velocity, with the sign of a rate \[1/s\].
+    pub rates: &'a mut Vec<f64>,
+    /// Sliding in two directions.
+    pub sliding: &'a mut Sliding,
+}
+
+/// Contacts that slide in two directions, as an implicit step sees them.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Sliding {
+    /// Numbers of those contacts among the closed ones.
+    pub sliders: Vec<usize>,
+    /// How their friction answers to `V_t`.
+    channels: Vec<Channel>,
+    /// What their friction pointed against, `V_t / max(|V_t|, v_stick)`.
+    against: Vec<DVec2>,
+    /// Contacts that slid without friction, a hair before their faces.
+    loose: Vec<bool>,
+    /// Whether all that stays as it was.
+    held: bool,
+}
+
+impl Sliding {
+    /// Of these closed contacts.
+    pub(in crate::dynamics) fn of(active: &[Active]) -> Self {
+        let slides = |a: &Active| a.angle.is_some() || a.turns_at_once();
+        let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
+        Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
+    }
+}
+
+/// Change of a slip angle by which its force's change is measured \[rad\].
+const TURN: f64 = 1e-6;
+
+impl Sliding {
+    /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
+    fn follows(
+        &mut self,
+        [slider, follower]: [usize; 2],
+        closed: &Closed,
+        direction: DVec2,
+        action: &Action,
+        length: f64,
+    ) {
+        let turned = Mode::Slip { direction: (direction + direction.perp() * TURN) / (1.0 + TURN * TURN).sqrt() };
+        let turned = closed.forces_in(&turned, &action.here);
+        let force = (turned.tangential_total() - action.forces.tangential_total()) / TURN;
+        self.channels.push(Channel { slider, force, speed: direction.perp() / length, follower: Some(follower) });
+    }
+
+    /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
+    fn turns(&mut self, slider: usize, closed: &Closed, here: &Local, forces: &Forces) {
+        let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
+        let against = forces.sliding / speed.max(least);
+        let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
+        let across = along.perp();
+        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
+        let slowing = if speed < least { -friction / least } else { 0.0 };
+        self.against[slider] = against;
+        self.channels.push(Channel {
+            slider,
+            force: across * (-friction / speed.max(least)),
+            speed: across,
+            follower: None,
+        });
+        self.channels.push(Channel { slider, force: along * slowing, speed: along, follower: None });
+    }
+}
+
+impl Field<'_> {
+    fn ground(&self, t: f64) -> DVec3 {
+        match &self.model.ground {
+            Ground::Record { direction, .. } => {
+                *direction * (self.piece.start + self.piece.slope * (t - self.piece.from))
+            }
+            other => other.acceleration(t),
+        }
+    }
+
+    fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
+        let mut slider = 0;
+        for (number, active) in self.active.iter().enumerate() {
+            let site = &self.model.contacts[active.site];
+            let node = active.node.map_or(&site.stand, |i| &self.frames[i]);
+            let face = active.face.map_or(&site.stand, |i| &self.frames[i]);
+            let at_once = active.turns_at_once();
+            let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
+            let (mut held, mut closed) = (active.closed, &active.closed);
+            if self.sliding.held {
+                if at_once {
+                    mode = Mode::Slip { direction: self.sliding.against[slider] };
+                    held.law.v_stick = 0.0;
+                }
+                // Friction comes and goes at the face: differences across it would be of neither side.
+                held.at_face = false;
+                if self.sliding.loose[number] {
+                    held.law.mu_k = 0.0;
+                }
+                closed = &held;
+            }
+            let action = contact_force::act_in(&active.home, closed, &mode, node, face);
+            if !self.sliding.held {
+                self.sliding.loose[number] = closed.is_loose(&action.here);
+            }
+            if let Some(i) = active.node {
+                self.wrenches[i].push(action.force, action.node_arm);
+            }
+            if let Some(i) = active.face {
+                self.wrenches[i].push(-action.force, action.face_arm);
+            }
+            if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
+                let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
+                out[at] = direction.perp_dot(action.here.rate) / length;
+                self.rates.push(-direction.dot(action.here.rate) / length);
+                self.sliding.follows([slider, self.rates.len() - 1], closed, direction, &action, length);
+                slider += 1;
+            } else if at_once {
+                if !self.sliding.held {
+                    self.sliding.turns(slider, closed, &action.here, &action.forces);
+                }
+                slider += 1;
+            }
+        }
+    }
+}
+
+impl System for Field<'_> {
+    fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
+        let (model, width) = (self.model, rigid_body::width(self.model.kind));
+        self.frames.clear();
+        self.wrenches.clear();
+        self.rates.clear();
+        self.sliding.channels.clear();
+        if let Some(line) = self.line.filter(|line| line.holds(y)) {
+            line.slope(model, self.bodies, self.bases, self.ground(t), y, out);
+            return;
+        }
+        for (i, &body) in self.bodies.iter().enumerate() {
+            self.frames.push(self.bases[i].since(&model.bodies[body], &y[i * width..]));
+            self.wrenches.push(Wrench::default());
+        }
+        self.contacts(y, out);
+        let ground = self.ground(t);
+        for (i, &body) in self.bodies.iter().enumerate() {
+            let (state, rate) = (&y[i * width..(i + 1) * width], &mut out[i * width..(i + 1) * width]);
+            let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
+            let base = &self.bases[i];
+            match model.kind {
+                Kind::Planar => rigid_body::planar_slope_from(body, base.planar(), state, wrench, ground, rate),
+                Kind::Spatial => {
+                    let here = base.whole(&self.frames[i]);
+                    rigid_body::spatial_slope(body, &here, state, wrench, ground, rate);
+                }
+            }
+        }
+    }
+
+    fn size2(&self, d: &[f64]) -> f64 {
+        let width = rigid_body::width(self.model.kind);
+        let omega2 = self.scale.omega * self.scale.omega;
+        let mut sum = 0.0;
+        for (i, &body) in self.bodies.iter().enumerate() {
+            let d = &d[i * width..(i + 1) * width];
+            let arm2 = self.model.bodies[body].gyration2;
+            let (place, speed) = match self.model.kind {
+                Kind::Planar => (square(&d[..2]) + arm2 * d[2] * d[2], square(&d[3..5]) + arm2 * d[5] * d[5]),
+                // A quaternion turns half the angle.
+                Kind::Spatial => {
+                    (square(&d[..3]) + 4.0 * arm2 * square(&d[3..7]), square(&d[7..10]) + arm2 * square(&d[10..13]))
+                }
+            };
+            // Summed, not the largest: a NaN must come through and refuse the step.
+            sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
+        }
+        let angles = d[self.bodies.len() * width..].iter().zip(self.angles);
+        sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
+    }
+
+    fn is_held(&self, i: usize) -> bool {
+        let width = rigid_body::width(self.model.kind);
+        let Some(&body) = self.bodies.get(i / width) else { return false };
+        let free = &self.model.bodies[body].free;
+        match (self.model.kind, i % width) {
+            (Kind::Planar, i) => !free[[0, 1, 5][i % 3]],
+            (Kind::Spatial, 3..7) => false,
+            (Kind::Spatial, i @ 0..3) => !free[i],
+            (Kind::Spatial, i) => !free[i - 7],
+        }
+    }
+
+    fn bodies(&self) -> Option<(usize, usize)> {
+        Some(match self.model.kind {
+            Kind::Planar => (rigid_body::PLANAR, 3),
+            Kind::Spatial => (rigid_body::SPATIAL, 7),
+        })
+    }
+
+    fn quickest(&self) -> f64 {
+        self.scale.omega.max(quickest(self.model, self.active))
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.model.tolerance
+    }
+
+    fn followers(&self) -> usize {
+        self.active.iter().filter(|a| a.angle.is_some()).count()
+    }
+
+    fn rates(&self) -> &[f64] {
+        self.rates
+    }
+
+    fn sliders(&self) -> usize {
+        self.sliding.sliders.len()
+    }
+
+    fn channels(&self) -> &[Channel] {
+        &self.sliding.channels
+    }
+
+    fn hold(&mut self, held: bool) {
+        self.sliding.held = held;
+    }
+
+    fn slider(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+        let Some(active) = self.sliding.sliders.get(slider).map(|&i| &self.active[i]) else { return };
+        // Planar faces are slid along in one direction only.
+        if self.model.kind == Kind::Planar {
+            return;
+        }
+        let (width, n) = (rigid_body::SPATIAL, push.len() / 2);
+        let site = &self.model.contacts[active.site];
+        let frame = |side: Option<usize>| {
+            side.map_or(site.stand, |i| self.bases[i].since(&self.model.bodies[self.bodies[i]], &y[i * width..]))
+        };
+        let frames = [active.node, active.face].map(frame);
+        let turned = active.turned(y);
+        let action = contact_force::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
+        let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
+        for (axis, along) in [active.home.axes.x_axis, active.home.axes.y_axis].into_iter().enumerate() {
+            let along = frames[1].turn(along);
+            for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
+                let Some(i) = side else { continue };
+                let body = &self.model.bodies[self.bodies[i]];
+                let rotation = self.bases[i].whole(&frames[which]).rotation(&body.axes);
+                let (linear, turning) = rigid_body::response(body, &rotation, along * sign, arm);
+                let from = axis * n + i * width + 7;
+                push[from..from + 6].copy_from_slice(&[linear.to_array(), turning.to_array()].concat());
+                let lever = arm.cross(along) * sign;
+                view[from..from + 6].copy_from_slice(&[(along * sign).to_array(), lever.to_array()].concat());
+            }
+        }
+    }
+
+    fn extent(&self, i: usize, y: f64) -> f64 {
+        let width = rigid_body::width(self.model.kind);
+        let (places, turns) = match self.model.kind {
+            Kind::Planar => (2, 3),
+            Kind::Spatial => (3, 7),
+        };
+        let rate = if i % width < turns { 1.0 } else { self.scale.omega };
+        let length = |component: usize| if component < places { self.scale.place } else { 1.0 };
+        if i >= self.bodies.len() * width {
+            return 1.0;
+        }
+        y.abs().max(rate * length(i % width % turns))
+    }
+}
+
+fn square(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum()
+}

@@ -1,0 +1,193 @@
+//! What a step of an island may err by, and what its contacts are where it begins.
+
+use glam::DVec3;
+
+use crate::contact::{Mode, law::Friction};
+use crate::dynamics::Model;
+use crate::dynamics::integrator::dop853::SEEN;
+use crate::dynamics::model::rate_bounds::decay;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::equations_of_motion::Scale;
+use crate::dynamics::penalty3d::event_location::is_at_face;
+use crate::dynamics::penalty3d::island::{Distance, Island};
+use crate::motion::Ground;
+use crate::scene::Kind;
+
+/// Rounding of a place and a speed over one explicit step, which spans less than a radian, in parts of how far corners have
+/// come: a gap is a sum of three. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
+/// what that comes to cannot be had by a shorter step.
+const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
+/// one sign where it swings, and so come to no more than their logarithm.
+const LONG: f64 = 1000.0;
+/// The same of steps without contact: they all swing, and each of a turning girder loses a twelfth of a tolerance.
+const SWINGING: f64 = 250.0;
+/// What turns back is about to move at this part of what its acceleration gives it in one radian.
+const TURNING: f64 = 0.1;
+/// Longest implicit step with contact, in radians of the ground motion.
+const DRIVE: f64 = 1.0;
+/// Longest step without contact, likewise: one of four radians loses 0.4 of a coarse tolerance, always of one sign, and its
+/// error follows no order there.
+const SWAY: f64 = 2.0;
+/// What has hardly moved rounds with this part of its size.
+const LITTLE: f64 = 1e-3;
+/// Bodies are near enough to their bases within this part of how far they have come.
+const NEAR: f64 = 1e-2;
+/// However near, no step is asked to err by less than what this part of that rounds with: a swing so small that nothing damps
+/// it would be followed for ever.
+const BEYOND_DOUBT: f64 = 0.1;
+/// The same where a slip turns: its steps are implicit and need not follow such a swing, and a tenth of what contacts of
+/// grams under 1e12 N/m round with is more than they may err by.
+const TURNING_DOUBT: f64 = 0.01;
+/// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
+const FINEST: f64 = 1e-13;
+/// The same without contact, where no stiff spring is between a place and its force: a million steps of a tumbling girder
+/// leave 1e-10 of its energy at ten times this, and a tenth of that here.
+const FINEST_FLYING: f64 = 1e-14;
+
+impl Island {
+    /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
+    /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
+    pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> Scale {
+        let (omega, width) = (self.omega.max(self.turning(model)), rigid_body::width(model.kind));
+        let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut farthest, mut near) = (0.0f64, 0.0f64);
+        let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
+        let turns = self.active.iter().any(|active| active.angle.is_some());
+        let doubt = if turns { TURNING_DOUBT } else { BEYOND_DOUBT };
+        self.frames.clear();
+        for (i, &b) in self.bodies.iter().enumerate() {
+            let body = &model.bodies[b];
+            let here = self.bases[i].since(body, &self.y[i * width..]);
+            let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
+            speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
+            place = place.max(here.shift.length() + self.radii[i]);
+            let since = here.moved(self.radii[i]);
+            self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
+            let known = since.max(doubt * self.moved[i]);
+            // However fast a body tumbles, its place moves it no faster than its bearings do.
+            bits = bits.max(self.omega * known + here.speed(self.radii[i]));
+            (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
+            pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
+            if body.free[2] {
+                weight = weight.max(body.standing.left.abs() / body.mass);
+            }
+            if self.active.is_empty() {
+                gained = gained.max(self.gained(model, i));
+            }
+            self.frames.push(here);
+        }
+        self.angles.clear();
+        if !self.active.is_empty() {
+            speed2 = 0.0;
+        }
+        for (number, active) in self.active.iter().enumerate() {
+            if self.first_like(number) != number {
+                continue;
+            }
+            let here = active.look(model, &self.frames);
+            speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
+            if let Mode::Stick { anchor } = active.closed.mode {
+                speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
+            }
+            if active.angle.is_some() {
+                // As deep as it goes from here: on the way out the direction counts for less and less.
+                let inwards = (-here.gap_rate).max(0.0);
+                self.angles.push(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
+            }
+        }
+        // From rest nothing is moving yet: what the ground and a push do to it in one radian.
+        let floor = (model.ground.peak() + weight + pushed + 1e-9) / omega;
+        let speed = speed2.sqrt().max(1e-3 * floor).max(TURNING * gained / omega);
+        // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
+        // frequency, and that of its speed.
+        let pace = self.stepper.pace();
+        let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { ROUNDING };
+        let (long, finest) = if self.active.is_empty() { (SWINGING, FINEST_FLYING) } else { (LONG, FINEST) };
+        let asked = model.tolerance * (long / self.taken as f64).min(1.0);
+        let tolerance = asked.max(model.tolerance.min(finest));
+        let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
+        self.distance = if strayed { Distance::Strayed } else { Distance::Near };
+        let speed = tolerance * speed + rounding * (bits + floor);
+        // A direction counts by the place that it puts p at.
+        for stretch in &mut self.angles {
+            *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
+        }
+        Scale { speed, omega, place }
+    }
+
+    /// How fast the fastest of its bodies turns, where nothing touches: what tumbles on no bearing swings by that alone, and
+    /// an error of its attitude is one of its place a radian later \[rad/s\].
+    fn turning(&self, model: &Model) -> f64 {
+        if !self.active.is_empty() || model.kind == Kind::Planar {
+            return 0.0;
+        }
+        let states = self.y.chunks_exact(rigid_body::width(model.kind)).take(self.bodies.len());
+        states.map(|y| DVec3::from_slice(&y[10..13]).length()).fold(0.0, f64::max)
+    }
+
+    /// How fast one of its bodies gains speed where the next step begins \[m/s²\].
+    fn gained(&self, model: &Model, index: usize) -> f64 {
+        let from = index * rigid_body::width(model.kind);
+        let slope = &self.stepper.slope()[from..];
+        let (linear, turning) = match model.kind {
+            Kind::Planar => (&slope[3..5], &slope[5..6]),
+            Kind::Spatial => (&slope[7..10], &slope[10..13]),
+        };
+        let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
+        (square(linear) + model.bodies[self.bodies[index]].gyration2 * square(turning)).sqrt()
+    }
+
+    /// Where a step ends at the latest for the ground's sake. It drives what a stiff contact holds as slowly as itself, which
+    /// no error measured by the contact's own speed would show; and where nothing touches, little else may ask for short steps.
+    pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
+        let Ground::Sine { omega, .. } = model.ground else { return cap };
+        if self.active.is_empty() {
+            cap.min(self.until + SWAY / omega)
+        } else if self.stepper.pace().stiff {
+            cap.min(self.until + DRIVE / omega)
+        } else {
+            cap
+        }
+    }
+
+    /// How long the next step may be at most: an explicit one must see the error of what decays.
+    pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
+        let pace = self.stepper.pace();
+        // Seldom near: first by what no contact alone exceeds.
+        let crude = self.quickest * self.active.len() as f64;
+        if pace.stiff || pace.step > 0.0 && pace.step * crude < SEEN {
+            return f64::INFINITY;
+        }
+        let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active));
+        if decay > 0.0 { SEEN / decay } else { f64::INFINITY }
+    }
+
+    /// What the places of a contact's two sides round with: how far both have come since they were placed, or a little of
+    /// their size \[m\].
+    pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
+        let active = &self.active[number];
+        let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
+        moved.max(LITTLE * model.contacts[active.site].reach())
+    }
+
+    /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether
+    /// that changes a force there. Only the paper's law: the other one's spring drops with the pressure, and takes back what it
+    /// gives.
+    pub(in crate::dynamics) fn note_faces(&mut self, model: &Model) -> bool {
+        let mut changed = false;
+        for number in 0..self.active.len() {
+            if self.active[number].closed.law.friction != Friction::Paper {
+                continue;
+            }
+            let here = self.active[number].look(model, &self.frames);
+            let at_face = is_at_face(model, self, number, &here);
+            let active = &mut self.active[number];
+            changed |= active.closed.at_face != at_face && here.gap > 0.0;
+            active.closed.at_face = at_face;
+        }
+        changed
+    }
+}

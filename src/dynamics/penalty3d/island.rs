@@ -1,0 +1,399 @@
+//! Bodies that are integrated together: everyone who touches, until they part.
+
+use crate::contact::{Frame, Mode};
+use crate::dynamics::Model;
+use crate::dynamics::integrator::dop853::Dense;
+use crate::dynamics::integrator::radau_iia::Radau;
+use crate::dynamics::integrator::step_control::{Limits, Pace, Stepper};
+use crate::dynamics::model::rate_bounds::{fastest, quickest};
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::equations_of_motion::{Active, Field, Scale, Sliding, direction};
+use crate::dynamics::penalty3d::event_location::{Due, Reason};
+use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::motion::LinearPiece;
+use crate::scene::Kind;
+
+/// A step shorter than this part of the contact's period means that the equations cannot be followed: a hard blow takes a
+/// sliding past its stop, within `V_STICK`, in less than a billionth.
+const SMALLEST: f64 = 1e-12;
+/// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
+const INSIDE: f64 = 0.03;
+/// An explicit step taken again for an event goes this part further, and an implicit one, whose end knows what lies beyond.
+const BEYOND: f64 = 1e-3;
+const IMPLICIT_BEYOND: f64 = 1e-5;
+/// Only below this tolerance: from there on the 30 m deck is as exact without, for a tenth less work.
+const FINE: f64 = 1e-9;
+/// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
+const FIRST: f64 = 0.48;
+
+/// Bodies in one integrator, with the step that is planned but not yet committed.
+#[derive(Debug)]
+pub(in crate::dynamics) struct Island {
+    /// Slots of its bodies in the engine, rising.
+    pub slots: Vec<usize>,
+    /// Their numbers in the model.
+    pub(in crate::dynamics) bodies: Vec<usize>,
+    /// What their states in `y` are counted from.
+    pub(in crate::dynamics) bases: Vec<Base>,
+    /// Closed contacts between them.
+    pub active: Vec<Active>,
+    /// Numbers of those contacts in the engine.
+    pub contacts: Vec<usize>,
+    /// Where the planned step begins \[s\].
+    pub from: f64,
+    /// Where it ends \[s\].
+    pub until: f64,
+    /// Its number among the stretches whose steps are taken again, once it has one.
+    pub stretch: Option<u32>,
+    /// Time and stretch of the ground motion that the slope at the start of the next step is of.
+    sloped: (f64, usize),
+    /// Whether the planned step, taken again from its start alone, is the same.
+    again: bool,
+    /// Spatial: the states that the slopes at the start of the planned step and of the next one are of, before quaternions
+    /// were given their length.
+    raw: Vec<f64>,
+    next_raw: Vec<f64>,
+    /// What is due at `until`, if anything but the next step.
+    pub due: Vec<Due>,
+    pub(in crate::dynamics) dense: Option<Dense>,
+    pub(in crate::dynamics) y: Vec<f64>,
+    /// Stretches in the longest of its bodies' paths, with the planned step.
+    pub taken: usize,
+    explicit: bool,
+    /// What the error of the planned step was measured against.
+    measure: Scale,
+    pub(in crate::dynamics) stepper: Stepper,
+    pub(in crate::dynamics) omega: f64,
+    /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
+    pub(in crate::dynamics) quickest: f64,
+    /// Rate that they decay by at most all together, once that was asked for \[1/s\].
+    pub(in crate::dynamics) decay: Option<f64>,
+    /// Largest distance of a corner from G, body by body \[m\].
+    pub(in crate::dynamics) radii: Vec<f64>,
+    /// How far any corner had come at most since it was placed where the step began, body by body \[m\].
+    pub(in crate::dynamics) moved: Vec<f64>,
+    /// How far it is from its bases.
+    pub(in crate::dynamics) distance: Distance,
+    pub(in crate::dynamics) frames: Vec<Frame>,
+    wrenches: Vec<Wrench>,
+    rates: Vec<f64>,
+    pub(in crate::dynamics) angles: Vec<f64>,
+    sliding: Sliding,
+    line: Option<Line>,
+    /// Whether its bodies are in that line as it stands.
+    in_line: bool,
+}
+
+/// How far bodies are from their bases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::dynamics) enum Distance {
+    /// What that rounds with is less than what an error may be.
+    Near,
+    /// So far that it is more: it would be better to count from somewhere nearer.
+    Strayed,
+}
+
+/// Why a step could not be made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::dynamics) struct StepTooSmall {
+    /// Its length \[s\].
+    pub step: f64,
+}
+
+impl Island {
+    /// Gathers bodies at `t`, with what their states in `y` are counted from.
+    pub(in crate::dynamics) fn new(
+        model: &Model,
+        slots: Vec<usize>,
+        (bodies, bases): (Vec<usize>, Vec<Base>),
+        contacts: Vec<(usize, Active)>,
+        mut y: Vec<f64>,
+        t: f64,
+        pace: Pace,
+    ) -> Self {
+        let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
+        for a in &mut active {
+            if let Some(angle) = a.closed.turning() {
+                a.angle = Some(y.len());
+                y.push(angle);
+            }
+        }
+        // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
+        let turns = active.iter().any(|a| a.angle.is_some());
+        let pace = Pace { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
+        let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
+        let mut island = Self {
+            omega: fastest(model, &bodies, &active),
+            quickest: quickest(model, &active),
+            decay: None,
+            moved: vec![0.0; radii.len()],
+            radii,
+            slots,
+            bodies,
+            bases,
+            contacts: contacts.into_iter().map(|(c, _)| c).collect(),
+            active,
+            from: t,
+            until: t,
+            due: Vec::new(),
+            stretch: None,
+            sloped: (t, 0),
+            again: false,
+            raw: Vec::new(),
+            next_raw: Vec::new(),
+            dense: None,
+            taken: 0,
+            explicit: false,
+            measure: Scale::default(),
+            stepper: Stepper::new(y.len(), pace),
+            y,
+            distance: Distance::Near,
+            frames: Vec::new(),
+            wrenches: Vec::new(),
+            rates: Vec::new(),
+            angles: Vec::new(),
+            sliding: Sliding::default(),
+            line: None,
+            in_line: false,
+        };
+        if island.active.is_empty() {
+            island.stepper.trust();
+        }
+        island.sliding = Sliding::of(&island.active);
+        island.line = Line::of(model, &island.bodies, &island.bases, &island.active);
+        island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
+        island.rewind(model, t);
+        island
+    }
+
+    /// Evaluates the slope at the start of the next step anew: at a start, and after a kink of the ground motion.
+    pub(in crate::dynamics) fn rewind(&mut self, model: &Model, t: f64) {
+        self.sloped = (t, model.ground.piece_number(t));
+        let piece = model.ground.piece(self.sloped.1);
+        let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
+        self.note_raw(model, &y);
+        (self.stepper, self.y) = (stepper, y);
+    }
+
+    /// Notes what the slope at the start of the next step is of.
+    fn note_raw(&mut self, model: &Model, y: &[f64]) {
+        if model.kind == Kind::Spatial {
+            self.next_raw.clear();
+            self.next_raw.extend_from_slice(y);
+        }
+    }
+
+    fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: Scale) -> Field<'a> {
+        Field {
+            model,
+            bodies: &self.bodies,
+            bases: &self.bases,
+            active: &self.active,
+            piece,
+            scale,
+            angles: &self.angles,
+            line: self.line.as_ref(),
+            frames: &mut self.frames,
+            wrenches: &mut self.wrenches,
+            rates: &mut self.rates,
+            sliding: &mut self.sliding,
+        }
+    }
+
+    /// Plans the next step from `from`, at most to `cap`; something is likely to change after `soon` \[s\].
+    ///
+    /// # Errors
+    /// When the step that the tolerance asks for is too small to follow.
+    pub(in crate::dynamics) fn plan(&mut self, model: &Model, cap: f64, soon: f64) -> Result<(), StepTooSmall> {
+        let t = self.until;
+        self.from = t;
+        self.taken += 1;
+        let scale = self.scale(model);
+        self.measure = scale;
+        if self.note_faces(model) {
+            self.rewind(model, t);
+        }
+        let number = model.ground.piece_number(t);
+        let piece = model.ground.piece(number);
+        let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
+        let loose = self.active.iter().any(|active| active.closed.at_face);
+        self.explicit = !self.stepper.pace().stiff;
+        self.again = known && !loose && self.explicit;
+        // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
+        // estimate to be judged by, which tells little far beyond stability.
+        let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
+        let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { self.quickest };
+        let first = FIRST * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
+        let longest = self.longest(model);
+        let cap = self.drive_cap(model, cap);
+        let limits = Limits { cap, first, longest, soon, smallest: SMALLEST / scale.omega };
+        let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
+        let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
+        std::mem::swap(&mut self.raw, &mut self.next_raw);
+        self.note_raw(model, &y);
+        normalise(model, &self.bodies, &mut y);
+        (self.stepper, self.y) = (stepper, y);
+        let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
+        // The slope is asked for at the sum, which may be the end but for its last bit.
+        self.sloped = (t + dense.step, number);
+        (self.dense, self.until) = (Some(dense), end);
+        Ok(())
+    }
+
+    /// Takes the planned step again so that it ends just beyond `t`, well inside it: between its ends the continuous answer is
+    /// an order less exact than at them, and what happens at `t` is to start from its end. Whether it did.
+    pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64, due: &[Due]) -> bool {
+        let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
+        let part = (t - self.from) / dense.step;
+        if !(INSIDE..1.0 - INSIDE).contains(&part) {
+            return false;
+        }
+        let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
+        if !self.explicit {
+            let turns = |due: &Due| match due.reason {
+                Reason::Opening => self.active[due.number].angle.is_some(),
+                Reason::Switching => self.active[due.number].turns_at_once(),
+                Reason::Edge | Reason::Kink => false,
+            };
+            return model.tolerance < FINE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
+        }
+        let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + BEYOND), y);
+        let number = model.ground.piece_number(from);
+        let piece = model.ground.piece(number);
+        let mut stepper = std::mem::take(&mut self.stepper);
+        self.note_raw(model, &y);
+        std::mem::swap(&mut self.raw, &mut self.next_raw);
+        let dense = stepper.again(&mut self.field(model, piece, Scale::default()), from, &mut y, h);
+        self.note_raw(model, &y);
+        normalise(model, &self.bodies, &mut y);
+        self.sloped = (from + dense.step, number);
+        (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
+        true
+    }
+
+    /// The same of an implicit step from `y` in which a touch ends whose slip turns, or sliding stops that turns at once: a
+    /// direction bends sharply there, and the continuous answer of a step across that is right on neither side.
+    fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
+        let (from, h) = (self.from, (t - self.from) * (1.0 + IMPLICIT_BEYOND));
+        let number = model.ground.piece_number(from);
+        let piece = model.ground.piece(number);
+        let mut stepper = std::mem::take(&mut self.stepper);
+        let measure = self.measure;
+        let dense = stepper.again_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
+        let ended = dense.is_some();
+        if let Some(dense) = dense {
+            normalise(model, &self.bodies, &mut y);
+            (self.y, self.until, self.dense) = (y, from + dense.step, Some(dense));
+        }
+        self.stepper = stepper;
+        self.rewind(model, self.until);
+        ended
+    }
+
+    /// After everything is counted from elsewhere: the next step begins anew.
+    pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
+        (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
+        self.line = Line::of(model, &self.bodies, &self.bases, &self.active);
+        self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
+        self.stepper.forget();
+        self.rewind(model, self.until);
+    }
+
+    /// Whether its bodies move along one axis: nothing slides and nothing turns.
+    pub(in crate::dynamics) fn is_in_line(&self) -> bool {
+        self.in_line
+    }
+
+    /// The first of the contacts that are as deep as this one all along.
+    pub(in crate::dynamics) fn first_like(&self, contact: usize) -> usize {
+        self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
+    }
+
+    /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it
+    /// stands in it, and from where that is counted \[m\].
+    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize, f64)> {
+        let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
+        let base = self.bases[index].planar()[axis];
+        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * rigid_body::PLANAR + axis, base))
+    }
+
+    /// A contact's state with its slip direction as it is at `t`.
+    pub(in crate::dynamics) fn closed_at(&self, number: usize, t: f64) -> Closed {
+        let active = &self.active[number];
+        let mut closed = active.closed;
+        if let Some(at) = active.angle {
+            let mut angle = [self.y[at]];
+            if let Some(dense) = &self.dense {
+                dense.read(at..at + 1, t, &mut angle);
+            }
+            closed.mode = Mode::Slip { direction: direction(angle[0]) };
+        }
+        closed
+    }
+
+    /// The planned step's continuous answer for one body.
+    pub(in crate::dynamics) fn path(&self, model: &Model, index: usize) -> Option<Piece> {
+        let width = rigid_body::width(model.kind);
+        self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width, Some(&self.bases[index])))
+    }
+
+    /// Length of the planned step and its bodies' states at the start, counted from their bases, where it may be kept by
+    /// these alone.
+    pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
+        let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
+        let mut start = dense.coefficients().iter().map(|c| c[0]);
+        if model.kind == Kind::Planar {
+            return Some((dense.step, start.collect()));
+        }
+        // What has its length already may get another by its last bit.
+        let mut normal = self.raw.clone();
+        normalise(model, &self.bodies, &mut normal);
+        let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
+        same.then(|| (dense.step, self.raw.clone()))
+    }
+
+    /// The planned step's continuous answer for the slip angle of one of its contacts.
+    pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<Dense> {
+        let at = self.active[number].angle?;
+        self.dense.as_ref().map(|dense| dense.part(at..at + 1))
+    }
+
+    /// How its integrator would go on.
+    pub(in crate::dynamics) fn pace(&self) -> Pace {
+        self.stepper.pace()
+    }
+
+    /// Takes over the memory of an integrator that is no longer in use.
+    pub(in crate::dynamics) fn borrow(&mut self, spare: Option<Box<Radau>>) {
+        self.stepper.borrow(spare);
+    }
+
+    /// Gives its own away at its end.
+    pub(in crate::dynamics) fn give_back(&mut self) -> Option<Box<Radau>> {
+        self.stepper.give_back()
+    }
+
+    /// Fastest circular frequency of its contacts and bearings \[rad/s\].
+    pub(in crate::dynamics) fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+/// Keeps the quaternions of spatial bodies at length 1.
+pub(in crate::dynamics) fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
+    if model.kind == Kind::Planar {
+        return;
+    }
+    for i in 0..bodies.len() {
+        let q = &mut y[i * rigid_body::SPATIAL + 3..i * rigid_body::SPATIAL + 7];
+        let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for x in q {
+            *x /= length;
+        }
+    }
+}

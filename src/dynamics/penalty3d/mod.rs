@@ -1,0 +1,11 @@
+//! The contact-friction model: states and forces of closed contacts, the equations of motion of bodies that touch.
+
+pub(in crate::dynamics) mod collinear_island;
+pub mod contact_force;
+pub mod contact_state;
+pub(in crate::dynamics) mod equations_of_motion;
+pub(in crate::dynamics) mod error_scale;
+pub(in crate::dynamics) mod event_forecast;
+pub(in crate::dynamics) mod event_location;
+pub(in crate::dynamics) mod island;
+pub(in crate::dynamics) mod island_poses;

@@ -1,0 +1,5 @@
+//! What a run leaves besides trajectories: events, contact states over time, steps to be computed again.
+
+pub mod contact_log;
+pub mod event;
+pub mod recomputed_steps;

@@ -1,0 +1,274 @@
+//! Steps that a long run does not keep as polynomials: their starts, from which the same step is taken again.
+//!
+//! An explicit step of an island depends on the state at its start, its length and the states of its contacts, which are
+//! logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either: they
+//! end in it, and what states in contact are counted from is where the flight before them ended. The first slope of a spatial
+//! step is that of its start before quaternions were given their length, which is what is kept.
+
+use crate::dynamics::Model;
+use crate::dynamics::free_flight::flight::{Planar, System};
+use crate::dynamics::integrator::dop853::{Dense, Dop853};
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::model::{reference_pose, rigid_body};
+use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::equations_of_motion::{Active, Field, Scale, Sliding};
+use crate::dynamics::penalty3d::island::normalise;
+use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::trajectory::packed_states::Packed;
+use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::trajectory::stored_path::{BodyPath, Kept};
+use crate::scene::Kind;
+
+/// No start is kept: the members' flights end in it.
+const FLOWN: u32 = u32::MAX;
+/// Most numbers of a base.
+const NUMBERS: usize = 7;
+/// Bit of a member's base that says where it stands.
+const KEPT: u32 = 1 << 31;
+
+/// Steps of a group of bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Replay {
+    stretches: Vec<Stretch>,
+    members: Vec<Member>,
+    seats: Vec<Seat>,
+    steps: Vec<Step>,
+    starts: Packed,
+}
+
+/// Bodies that go on with the same contacts for some steps: where its members and contacts begin.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    members: u32,
+    seats: u32,
+}
+
+/// A body, and what its states are counted from.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Member {
+    /// Its number in the model.
+    pub body: u32,
+    /// Number of the flight that ended there, or with [`KEPT`] that of where it is among the starts.
+    base: u32,
+}
+
+impl Member {
+    /// A body that flew to its base; a path has fewer stretches than [`KEPT`].
+    pub(in crate::dynamics) fn flown(body: u32, number: u32) -> Self {
+        Self { body, base: number & !KEPT }
+    }
+
+    /// A body whose base is kept.
+    pub(in crate::dynamics) fn kept(body: u32, number: u32) -> Self {
+        Self { body, base: number | KEPT }
+    }
+}
+
+/// A closed contact, and its state's number in the contact's log.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Seat {
+    /// Its number in the model.
+    pub site: u32,
+    /// The entry.
+    pub entry: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    length: f64,
+    stretch: u32,
+    start: u32,
+}
+
+/// What a step is taken again from.
+#[derive(Clone, Copy, Debug)]
+pub struct Past<'a> {
+    /// The scene.
+    pub model: &'a Model,
+    /// Paths of all bodies.
+    pub paths: &'a [BodyPath],
+    /// Their free motions.
+    pub systems: &'a [Option<System>],
+    /// States of all contacts.
+    pub logs: &'a [ContactLog],
+}
+
+fn count(n: usize) -> Option<u32> {
+    u32::try_from(n).ok()
+}
+
+impl Replay {
+    /// Opens a stretch; its number.
+    pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, seats: Vec<Seat>) -> Option<u32> {
+        let stretch = Stretch { members: count(self.members.len())?, seats: count(self.seats.len())? };
+        let number = count(self.stretches.len())?;
+        self.members.extend(members);
+        self.seats.extend(seats);
+        self.stretches.push(stretch);
+        Some(number)
+    }
+
+    /// Keeps what states of a body are counted from; its number.
+    pub(in crate::dynamics) fn keep(&mut self, base: &Base) -> Option<u32> {
+        self.starts.push(&base.numbers()).filter(|number| number & KEPT == 0)
+    }
+
+    /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
+    pub(in crate::dynamics) fn push<'a>(
+        &mut self,
+        stretch: u32,
+        length: f64,
+        start: Option<impl ExactSizeIterator<Item = &'a [f64]>>,
+    ) -> Option<u32> {
+        // A code of a path has 30 bits for it.
+        let number = count(self.steps.len()).filter(|n| *n < 1 << 30)?;
+        let first = match start {
+            None => FLOWN,
+            Some(states) => {
+                let first = count(self.starts.len() + states.len()).map(|_| self.starts.len())?;
+                for state in states {
+                    self.starts.push(state)?;
+                }
+                count(first)?
+            }
+        };
+        self.steps.push(Step { length, stretch, start: first });
+        Some(number)
+    }
+
+    /// How many steps there are.
+    pub fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    fn of(&self, stretch: usize) -> (&[Member], &[Seat]) {
+        let Stretch { members, seats } = self.stretches[stretch];
+        let next = self.stretches.get(stretch + 1);
+        let (to, end) = next.map_or((self.members.len(), self.seats.len()), |n| (n.members as usize, n.seats as usize));
+        (&self.members[members as usize..to], &self.seats[seats as usize..end])
+    }
+
+    /// The bodies that take a step together.
+    pub fn bodies(&self, number: u32) -> impl Iterator<Item = usize> + '_ {
+        self.of(self.steps[number as usize].stretch as usize).0.iter().map(|member| member.body as usize)
+    }
+
+    /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
+    pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<Piece> {
+        let (dense, bases) = self.dense(number, from, past);
+        let width = rigid_body::width(past.model.kind);
+        let piece = |(place, base)| Piece::of(&dense, place * width..(place + 1) * width, Some(base));
+        bases.iter().enumerate().map(piece).collect()
+    }
+
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (Dense, Vec<Base>) {
+        let Step { length, stretch, start } = self.steps[number as usize];
+        let (members, seats) = self.of(stretch as usize);
+        let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
+        let (kind, width) = (past.model.kind, rigid_body::width(past.model.kind));
+        // Where it was caught, and the speed that it had there where it flew.
+        let caught = |member: &Member| {
+            let body = &past.model.bodies[member.body as usize];
+            if member.base & KEPT == 0 {
+                let mut state = landed(*member, past);
+                return (Base::of(kind, body, &mut state), state);
+            }
+            let mut numbers = [0.0; NUMBERS];
+            let numbers = &mut numbers[..if kind == Kind::Planar { PLANAR / 2 } else { NUMBERS }];
+            self.starts.read(member.base & !KEPT, numbers);
+            (Base::from_kept(kind, body, numbers), [0.0; PLANAR])
+        };
+        let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
+        let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
+        let mut y = vec![0.0; bodies.len() * width];
+        for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
+            if start == FLOWN {
+                state.copy_from_slice(landed);
+            } else {
+                self.starts.read(start + i, state);
+            }
+        }
+        let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
+        let line = Line::of(past.model, &bodies, &bases, &active);
+        let piece = past.model.ground.piece(past.model.ground.piece_number(from));
+        let mut field = Field {
+            model: past.model,
+            bodies: &bodies,
+            bases: &bases,
+            active: &active,
+            piece,
+            scale: Scale::default(),
+            angles: &[],
+            line: line.as_ref(),
+            frames: &mut frames,
+            wrenches: &mut wrenches,
+            rates: &mut rates,
+            sliding: &mut Sliding::of(&active),
+        };
+        (again(&mut field, from, &mut y, length), bases)
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        self.stretches.len() * size_of::<Stretch>()
+            + self.members.len() * size_of::<Member>()
+            + self.seats.len() * size_of::<Seat>()
+            + self.steps.len() * size_of::<Step>()
+            + self.starts.bytes()
+    }
+
+    /// Gives back the memory that more steps would have taken.
+    pub fn shrink(&mut self) {
+        self.stretches.shrink_to_fit();
+        self.members.shrink_to_fit();
+        self.seats.shrink_to_fit();
+        self.steps.shrink_to_fit();
+        self.starts.shrink();
+    }
+}
+
+/// The explicit step of this length.
+fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense {
+    let mut rk = Dop853::default();
+    rk.resize(y.len());
+    rk.start(field, from, y);
+    normalise(field.model, field.bodies, y);
+    // It was within the tolerance.
+    let _ = rk.attempt(field, from, y, length);
+    rk.accept(field, from, y, length)
+}
+
+/// Where a body's flight ended: where the next stretch of its path begins.
+fn landed(member: Member, past: &Past<'_>) -> Planar {
+    let (body, flown) = (member.body as usize, member.base as usize);
+    match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
+        ((from, Kept::Start(state)), Some(until), Some(system)) => system.state(&system.fly(from, state), until),
+        // Only flights kept as their start are left out, and only once something followed.
+        _ => [0.0; PLANAR],
+    }
+}
+
+/// A closed contact as the island had it.
+fn active(seat: Seat, bodies: &[usize], bases: &[Base], past: &Past<'_>) -> Option<Active> {
+    let site = &past.model.contacts[seat.site as usize];
+    let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
+    let [node, face] = [site.node_body, site.face_body].map(index);
+    let sides = [node, face].map(|i| bases.get(i?));
+    // Steps that begin at a face are kept as they were.
+    let closed = Closed { at_face: false, ..past.logs[seat.site as usize].closed(seat.entry)? };
+    Some(Active {
+        site: seat.site as usize,
+        node,
+        face,
+        closed,
+        home: reference_pose::seen_from(site, sides, closed.at),
+        angle: None,
+    })
+}

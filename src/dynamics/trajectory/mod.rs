@@ -1,0 +1,5 @@
+//! Trajectories of bodies as stored: polynomials of steps, flights, packed states.
+
+pub mod packed_states;
+pub mod step_polynomial;
+pub mod stored_path;

@@ -1,0 +1,82 @@
+//! One body's part of a step, as a history keeps it: components that stay 0 are left out.
+//!
+//! A girder that is hit head-on moves along one axis and never turns: a third of its state is all there is to keep.
+
+use crate::dynamics::integrator::dop853::{DENSE, Dense};
+use crate::dynamics::model::reference_pose;
+use crate::dynamics::model::reference_pose::Base;
+
+/// A body's continuous answer over one step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Where the step begins \[s\].
+    from: f64,
+    /// Its length \[s\].
+    step: f64,
+    /// Which components are kept, lowest bit first; the others stay 0.
+    kept: u16,
+    coefficients: Box<[[f64; DENSE]]>,
+    /// What they are counted from, if not from where the body was placed.
+    base: Box<[f64]>,
+}
+
+impl Piece {
+    /// Components `range`, at most 16, of a continuous answer that is counted from a base.
+    pub(in crate::dynamics) fn of(dense: &Dense, range: std::ops::Range<usize>, base: Option<&Base>) -> Self {
+        let all = &dense.coefficients()[range];
+        let moves = |c: &&[f64; DENSE]| c.iter().any(|x| *x != 0.0);
+        let bit = |(i, c): (usize, &[f64; DENSE])| u16::from(moves(&c)) << i;
+        let kept = all.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
+        let coefficients = all.iter().filter(moves).copied().collect();
+        let base = base.map(Base::numbers).unwrap_or_default();
+        Self { from: dense.from, step: dense.step, kept, coefficients, base }
+    }
+
+    /// All components at `t`, written to `out`.
+    pub fn read(&self, t: f64, out: &mut [f64]) {
+        let base = self.read_since(t, out);
+        reference_pose::add(base, out);
+    }
+
+    /// All components at `t` as they are counted, written to `out`; and what they are counted from: place and attitude, or
+    /// nothing where that is where the body was placed.
+    pub fn read_since(&self, t: f64, out: &mut [f64]) -> &[f64] {
+        let x = (t - self.from) / self.step;
+        let mut kept = self.coefficients.iter();
+        for (i, value) in out.iter_mut().enumerate() {
+            let moving = self.kept & (1 << i) != 0;
+            *value = if moving { kept.next().map_or(0.0, |c| Dense::value(c, x)) } else { 0.0 };
+        }
+        &self.base
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.coefficients) + size_of_val(&*self.base)
+    }
+
+    /// Every number that the answer depends on, for hashing.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let head = [self.from, self.step, f64::from(self.kept)].into_iter();
+        head.chain(self.base.iter().copied()).chain(self.coefficients.iter().flatten().copied())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_piece_answers_as_the_step_did_and_keeps_what_moves() {
+        let line = |start: f64, rise: f64| [start, rise, 0.1 * rise, -0.2, 0.0, 0.3, 0.0, 1e-3];
+        let dense = Dense::new(1.0, 0.5, vec![line(2.0, 3.0), [0.0; DENSE], line(-1.0, 0.0), [0.0; DENSE]]);
+        let piece = Piece::of(&dense, 0..4, None);
+        for t in [1.0, 1.1, 1.37, 1.5] {
+            let (mut whole, mut part) = ([0.0; 4], [9.0; 4]);
+            dense.read(0..4, t, &mut whole);
+            piece.read(t, &mut part);
+            assert_eq!(whole, part, "at {t}");
+        }
+        assert_eq!(piece.coefficients.len(), 2, "two components move");
+    }
+}
