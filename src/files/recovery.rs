@@ -45,7 +45,7 @@ impl SideFile {
         let folder = folder_of(file);
         let fail = |source| WriteError { path: numbered(file, 1), source };
         std::fs::create_dir_all(folder).map_err(fail)?;
-        let mut staged = stage_scene(scene, &numbered(file, 1))?;
+        let mut staged = stage_scene(scene, None, &numbered(file, 1))?;
         hold(staged.as_file());
         for number in 1..=MOST {
             let path = numbered(file, number);
@@ -75,7 +75,7 @@ impl SideFile {
     /// # Errors
     /// When it cannot be written; what stood there still does.
     pub fn write(&mut self, scene: &Scene) -> Result<(), WriteError> {
-        let staged = stage_scene(scene, &self.path)?;
+        let staged = stage_scene(scene, None, &self.path)?;
         hold(staged.as_file());
         // Not every system puts a file in the place of one that is open.
         self.held = None;

@@ -20,24 +20,28 @@ pub struct WriteError {
 /// Saves a scene as TOML.
 ///
 /// A record is written by the path it was read from if that path, seen from the new folder, is there; else its samples
-/// go into the scene, so that a saved scene always opens again.
+/// go into the scene, so that a saved scene always opens again. Of the text of `opened`, the file that the scene was read
+/// from, comments, order and spelling stay; without such a file the text is written anew.
 ///
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
-pub fn save_scene(scene: &Scene, path: &Path) -> Result<(), WriteError> {
-    persist(stage_scene(scene, path)?, path)
+pub fn save_scene(scene: &Scene, opened: Option<&Path>, path: &Path) -> Result<(), WriteError> {
+    let text = opened.and_then(|file| std::fs::read_to_string(file).ok());
+    persist(stage_scene(scene, text.as_deref(), path)?, path)
 }
 
-/// Puts a scene on the disk beside `path`, down to the medium: a power cut after the renaming must not leave a name
-/// without its contents.
-pub(super) fn stage_scene(scene: &Scene, path: &Path) -> Result<NamedTempFile, WriteError> {
-    let file = stage(path, scene_text(scene, path).as_bytes())?;
+/// Puts a scene on the disk beside `path`, in `text` where there is one, down to the medium: a power cut after the
+/// renaming must not leave a name without its contents.
+pub(super) fn stage_scene(scene: &Scene, text: Option<&str>, path: &Path) -> Result<NamedTempFile, WriteError> {
+    let scene = portable(scene, path);
+    let text = text.map_or_else(|| format::write(&scene), |text| format::update(text, &scene));
+    let file = stage(path, text.as_bytes())?;
     file.as_file().sync_all().map_err(|source| WriteError { path: path.to_owned(), source })?;
     Ok(file)
 }
 
-/// The text of a scene that will stand at `path`.
-fn scene_text(scene: &Scene, path: &Path) -> String {
+/// A scene that can be opened again at `path`.
+fn portable(scene: &Scene, path: &Path) -> Scene {
     let mut scene = scene.clone();
     if let Motion::Record(record) = &mut scene.motion
         && let (Some(file), Some((dt, samples))) = (&record.file, &record.loaded)
@@ -45,7 +49,7 @@ fn scene_text(scene: &Scene, path: &Path) -> String {
     {
         (record.dt, record.samples, record.file) = (Some(*dt), Some(samples.clone()), None);
     }
-    format::write(&scene)
+    scene
 }
 
 /// Writes one file: readers see what stood there before or all of `bytes`.

@@ -39,7 +39,7 @@ fn write_for_ever() {
     let file = folder.join("mine.toml");
     let mut side = SideFile::create(&scene(0), &file).expect("written");
     for writing in 1.. {
-        save_scene(&scene(writing), &file).expect("written");
+        save_scene(&scene(writing), None, &file).expect("written");
         side.write(&scene(writing)).expect("written");
     }
 }

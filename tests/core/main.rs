@@ -36,6 +36,7 @@ mod scene {
     mod overrides;
     mod presets;
     mod runs;
+    mod text;
 }
 
 mod study {

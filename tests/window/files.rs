@@ -24,7 +24,7 @@ fn kept(folder: &Path) -> Harness<'static, Workbench> {
 /// A scene file of one's own.
 fn file(folder: &Path, name: &str) -> PathBuf {
     let path = folder.join(name);
-    save_scene(&presets::load("skew60-abutment").expect("ships"), &path).expect("written");
+    save_scene(&presets::load("skew60-abutment").expect("ships"), None, &path).expect("written");
     path
 }
 
@@ -199,7 +199,7 @@ fn change(path: &Path) -> Scene {
     let mut scene = load_scene(&path.to_string_lossy(), &[]).expect("good");
     scene.girders[0].skew_deg = 52.25;
     scene.description.push_str(" Changed.");
-    save_scene(&scene, path).expect("written");
+    save_scene(&scene, None, path).expect("written");
     scene
 }
 

@@ -287,7 +287,7 @@ impl Workbench {
             self.closing = Closing::Open;
             return;
         }
-        match save_scene(&self.scene_as_seen(), path) {
+        match save_scene(&self.scene_as_seen(), self.document.file(), path) {
             Ok(()) => {
                 self.forget_work();
                 self.document.saved_as(path.to_owned());

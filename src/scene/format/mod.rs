@@ -2,16 +2,19 @@
 //!
 //! Reading says what stands where and what would be right instead; whether the numbers make sense is
 //! [`validate`](super::validate)'s business, so that a scene may pass through a senseless state while it is edited.
-//! Writing keeps every digit: `parse(&write(&scene)) == scene`.
+//! Writing keeps every digit: `parse(&write(&scene)) == scene`; [`update`] writes into the text that a scene was read
+//! from and keeps its comments.
 
 mod fault;
 mod read;
+mod update;
 mod write;
 
 use serde::Deserialize;
 use toml::{Table, Value};
 
 pub(crate) use fault::did_you_mean;
+pub use update::update;
 pub use write::write;
 
 use super::{Scene, SceneError, SceneErrors};

@@ -1,0 +1,168 @@
+//! Changes the lists of the text: which item of the new list is which of the old one, and what comes and goes.
+
+use toml::Value;
+use toml_edit::{Array, ArrayOfTables, Item, Table};
+
+use super::spell;
+use super::tables::{Node, merge_table, merge_value};
+
+/// For each new item the old one that it was, by name; without names by being equal, then by place.
+fn origins(before: &[Value], after: &[Value]) -> Vec<Option<usize>> {
+    let mut free: Vec<usize> = (0..before.len()).collect();
+    let mut take = |wanted: &dyn Fn(&Value) -> bool| {
+        let at = free.iter().position(|&old| wanted(&before[old]))?;
+        Some(free.remove(at))
+    };
+    let mut found: Vec<_> = after.iter().map(|new| take(&|old| is_same(old, new))).collect();
+    for (new, origin) in after.iter().zip(&mut found) {
+        *origin = origin.or_else(|| take(&|old| is_like(old, new)));
+    }
+    found
+}
+
+/// What tells an item from the others: the name of a body, the ends of a pair.
+fn identity(item: &Value) -> Option<[Option<&Value>; 2]> {
+    let keys = if item.get("name").is_some() { ["name", ""] } else { ["between", "ends"] };
+    let identity = keys.map(|key| item.get(key));
+    identity[0].is_some().then_some(identity)
+}
+
+fn is_same(old: &Value, new: &Value) -> bool {
+    if identity(new).is_some() { identity(old) == identity(new) } else { old == new }
+}
+
+/// Whether one item is the other under another name or with a few other values: half of its values or more are equal.
+fn is_like(old: &Value, new: &Value) -> bool {
+    let (Value::Table(old), Value::Table(new)) = (old, new) else { return true };
+    let equal = new.iter().filter(|(key, value)| old.get(*key) == Some(*value)).count();
+    2 * equal >= new.len()
+}
+
+/// Changes a list of tables under headers, `[[girder]]`.
+pub(super) fn merge_tables(path: &str, text: &mut ArrayOfTables, before: &[Value], after: &[Value]) {
+    let mut old: Vec<Option<Table>> = text.iter().cloned().map(Some).collect();
+    let origins = origins(before, after);
+    let mut tables: Vec<(Table, bool)> = Vec::new();
+    for (origin, new) in origins.iter().zip(after) {
+        let Value::Table(new) = new else { continue };
+        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before[n].as_table()?)));
+        tables.push(match kept {
+            Some((mut table, was)) => {
+                merge_table(path, &mut Node::Headed(&mut table), was, new);
+                (table, true)
+            }
+            None => (spell::under_header(path, new, false), false),
+        });
+    }
+    if !origins.is_sorted() || origins.contains(&None) {
+        reposition(&mut tables);
+    }
+    text.clear();
+    tables.into_iter().for_each(|(table, _)| text.push(table));
+}
+
+/// Tables are printed in the order of their positions in the text: the old positions, in the new order of the list. A
+/// new table and what stands below a table come directly behind, at the same position.
+fn reposition(tables: &mut [(Table, bool)]) {
+    let mut positions: Vec<isize> = tables.iter().filter_map(|(table, _)| table.position()).collect();
+    positions.sort_unstable();
+    let mut next = positions.iter().copied();
+    let mut position = positions.first().copied();
+    for (table, kept) in tables {
+        if *kept {
+            position = next.next().or(position);
+        }
+        table.set_position(position);
+        table.iter_mut().for_each(|(_, item)| unplace(item));
+    }
+}
+
+fn unplace(item: &mut Item) {
+    let clear = |table: &mut Table| {
+        table.set_position(None);
+        table.iter_mut().for_each(|(_, item)| unplace(item));
+    };
+    match item {
+        Item::Table(table) => clear(table),
+        Item::ArrayOfTables(tables) => tables.iter_mut().for_each(clear),
+        Item::Value(_) | Item::None => {}
+    }
+}
+
+/// Changes a list in brackets: numbers by place, tables as what they are.
+pub(super) fn merge_array(path: &str, text: &mut Array, before: &[Value], after: &[Value]) {
+    let by_place = || (0..after.len()).map(|n| (n < text.len()).then_some(n)).collect();
+    let origins: Vec<Option<usize>> =
+        if after.iter().any(Value::is_table) { origins(before, after) } else { by_place() };
+    let same_places = text.len() == after.len() && origins.iter().enumerate().all(|(n, origin)| *origin == Some(n));
+    let several_lines = text.to_string().contains('\n');
+    let layout = Layout::of(text);
+    let mut old: Vec<_> = text.iter().cloned().map(Some).collect();
+    text.clear();
+    for (origin, new) in origins.iter().zip(after) {
+        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before.get(n))));
+        text.push_formatted(match kept {
+            Some((mut value, was)) => {
+                if was != Some(new) {
+                    merge_value(path, &mut value, was, new);
+                }
+                value
+            }
+            None => spell::plain(path, new),
+        });
+    }
+    match (same_places, several_lines) {
+        (true, _) => {}
+        (false, true) => layout.lay_out(text, &origins),
+        (false, false) => text.fmt(),
+    }
+}
+
+/// What stands between the items of a list of several lines. A comment behind an item, on its line, is the item's.
+struct Layout {
+    /// Behind the opening bracket.
+    open: String,
+    /// Of each item: its line break, the comments above it and its indentation; what stands behind it on its line.
+    items: Vec<[String; 2]>,
+    /// Before the closing bracket.
+    end: String,
+}
+
+impl Layout {
+    fn of(text: &Array) -> Self {
+        let mut gaps: Vec<[String; 2]> = text
+            .iter()
+            .map(|item| split_at_line(item.decor().prefix().and_then(|prefix| prefix.as_str()).unwrap_or_default()))
+            .collect();
+        gaps.push(split_at_line(text.trailing().as_str().unwrap_or_default()));
+        let behind: Vec<String> = gaps.iter_mut().map(|[behind, _]| std::mem::take(behind)).collect();
+        let end = gaps.pop().map(|[_, before]| before).unwrap_or_default();
+        let items = gaps.into_iter().zip(&behind[1..]).map(|([_, above], behind)| [above, behind.clone()]).collect();
+        Self { open: behind[0].clone(), items, end }
+    }
+
+    /// Sets the items off from each other as each of them was; new ones as the last one was.
+    fn lay_out(&self, text: &mut Array, origins: &[Option<usize>]) {
+        let indentation = self.items.last().map_or("", |[above, _]| above.rsplit('\n').next().unwrap_or_default());
+        let new = [format!("\n{indentation}"), String::new()];
+        let mut behind = &self.open;
+        for (item, origin) in text.iter_mut().zip(origins) {
+            let [above, after] = origin.and_then(|n| self.items.get(n)).unwrap_or(&new);
+            item.decor_mut().set_prefix(joined(behind, above));
+            behind = after;
+        }
+        text.set_trailing(joined(behind, &self.end));
+    }
+}
+
+/// Two gaps, one behind the other; a comment ends with its line.
+fn joined(behind: &str, above: &str) -> String {
+    let line_end = if behind.contains('#') && !above.starts_with('\n') { "\n" } else { "" };
+    format!("{behind}{line_end}{above}")
+}
+
+/// What stands before the first line break, and the rest with it.
+fn split_at_line(gap: &str) -> [String; 2] {
+    let (line, rest) = gap.split_at(gap.find('\n').unwrap_or(0));
+    [line.to_owned(), rest.to_owned()]
+}

@@ -1,0 +1,156 @@
+//! Changes the keys of a table of the text.
+
+use toml::{Table, Value};
+use toml_edit::{InlineTable, Item, Key, TableLike};
+
+use super::{below, lists, rank, spell, unwritten};
+
+/// A table of the text.
+pub(super) enum Node<'a> {
+    /// With a header, or of dotted keys.
+    Headed(&'a mut toml_edit::Table),
+    /// In braces.
+    Inline(&'a mut InlineTable),
+}
+
+impl Node<'_> {
+    fn get_mut(&mut self, key: &str) -> Option<&mut Item> {
+        match self {
+            Self::Headed(table) => table.get_mut(key),
+            Self::Inline(table) => (*table as &mut dyn TableLike).get_mut(key),
+        }
+    }
+
+    fn names(&self) -> Vec<String> {
+        match self {
+            Self::Headed(table) => table.iter().map(|(key, _)| key.to_owned()).collect(),
+            Self::Inline(table) => table.iter().map(|(key, _)| key.to_owned()).collect(),
+        }
+    }
+
+    /// Whether a table may be put into it under a header.
+    fn takes_headers(&self) -> bool {
+        matches!(self, Self::Headed(table) if !table.is_dotted())
+    }
+
+    fn remove(&mut self, key: &str) {
+        match self {
+            Self::Headed(table) => drop(table.remove(key)),
+            Self::Inline(table) => {
+                table.remove(key);
+                tidy(table);
+            }
+        }
+    }
+
+    /// Puts a key behind the last one that the documentation lists before it.
+    fn insert(&mut self, path: &str, key: &str, item: Item) {
+        let names = self.names();
+        let own = rank(path, key);
+        let at = names.iter().rposition(|name| rank(path, name) <= own).map_or(0, |before| before + 1);
+        match self {
+            Self::Headed(table) => {
+                let later: Vec<_> = names[at..].iter().filter_map(|name| table.remove_entry(name)).collect();
+                table.insert_formatted(&Key::new(key), item);
+                later.into_iter().for_each(|(key, item)| drop(table.insert_formatted(&key, item)));
+            }
+            Self::Inline(table) => {
+                let later: Vec<_> = names[at..].iter().filter_map(|name| table.remove_entry(name)).collect();
+                item.into_value().into_iter().for_each(|value| drop(table.insert_formatted(&Key::new(key), value)));
+                later.into_iter().for_each(|(key, value)| drop(table.insert_formatted(&key, value)));
+                tidy(table);
+            }
+        }
+    }
+}
+
+/// Spaces and commas of an inline table after a key has come or gone; one of several lines stays as it is laid out.
+fn tidy(table: &mut InlineTable) {
+    if !table.to_string().contains('\n') {
+        table.fmt();
+    }
+}
+
+/// Changes in the text what differs between two states of a table.
+pub(super) fn merge_table(path: &str, text: &mut Node<'_>, before: &Table, after: &Table) {
+    let gone = before.keys().filter(|key| !after.contains_key(*key));
+    let defaults: Vec<_> = gone.map(|key| (key.as_str(), unwritten(&below(path, key)))).collect();
+    for (key, default) in &defaults {
+        match default {
+            Some(default) => merge_key(path, text, key, before.get(*key), default),
+            None => text.remove(key),
+        }
+    }
+    for (key, value) in spell::in_order(path, after) {
+        if before.get(key) != Some(value) {
+            merge_key(path, text, key, before.get(key), value);
+        }
+    }
+}
+
+fn merge_key(path: &str, text: &mut Node<'_>, key: &str, before: Option<&Value>, after: &Value) {
+    let here = below(path, key);
+    let default = if before.is_none() { unwritten(&here) } else { None };
+    let before = before.or(default.as_ref());
+    if before == Some(after) {
+        return;
+    }
+    let headed = text.takes_headers();
+    if let Some(item) = text.get_mut(key) {
+        if merge_item(&here, item, before, after) {
+            return;
+        }
+        // Another shape: a list of bearings in place of a table.
+        text.remove(key);
+        return text.insert(path, key, spell::item(&here, after, headed));
+    }
+    let new = changed(before, after);
+    text.insert(path, key, spell::item(&here, &new, headed));
+}
+
+/// Of a table that the text leaves out only the keys that are not the default any more.
+fn changed(before: Option<&Value>, after: &Value) -> Value {
+    match (before, after) {
+        (Some(Value::Table(before)), Value::Table(after)) => {
+            let differs = after.iter().filter(|(key, value)| before.get(*key) != Some(*value));
+            differs.map(|(key, value)| (key.clone(), changed(before.get(key), value))).collect::<Table>().into()
+        }
+        _ => after.clone(),
+    }
+}
+
+/// Changes what stands under a key; `false` where it has not the shape of the new value.
+fn merge_item(path: &str, item: &mut Item, before: Option<&Value>, after: &Value) -> bool {
+    match (item, before, after) {
+        (Item::Table(table), Some(Value::Table(before)), Value::Table(after)) => {
+            merge_table(path, &mut Node::Headed(table), before, after);
+            true
+        }
+        (Item::ArrayOfTables(tables), Some(Value::Array(before)), Value::Array(after)) => {
+            lists::merge_tables(path, tables, before, after);
+            true
+        }
+        (Item::Value(value), before, after) => {
+            merge_value(path, value, before, after);
+            true
+        }
+        _ => false,
+    }
+}
+
+/// Changes a value that is no table with a header; what stands around it stays.
+pub(super) fn merge_value(path: &str, text: &mut toml_edit::Value, before: Option<&Value>, after: &Value) {
+    match (&mut *text, before, after) {
+        (toml_edit::Value::InlineTable(table), Some(Value::Table(before)), Value::Table(after)) => {
+            merge_table(path, &mut Node::Inline(table), before, after);
+        }
+        (toml_edit::Value::Array(list), Some(Value::Array(before)), Value::Array(after)) => {
+            lists::merge_array(path, list, before, after);
+        }
+        _ => {
+            let mut new = spell::plain(path, after);
+            *new.decor_mut() = text.decor().clone();
+            *text = new;
+        }
+    }
+}
