@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::{ContactNow, ContactState, Event, EventKind, History, Touch};
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
-use crate::dynamics::impact2d::reaction::{Reaction, Scenery, Seat, Way, middle, react, shaking};
+use crate::dynamics::impact2d::lasting::constrained_motion::{Reaction, Scenery, Seat, Way, middle, react, shaking};
 use crate::dynamics::impact2d::{Record, Stay};
 
 /// Looks for the largest push of a lasting contact.

@@ -12,7 +12,7 @@ use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::Coupled;
 use crate::dynamics::free_flight::oscillator::Oscillator;
-use crate::dynamics::impact2d::reaction::{Scenery, Seat, Way, middle};
+use crate::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat, Way, middle};
 use crate::dynamics::{Body, Model};
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;

@@ -7,7 +7,7 @@ use crate::dynamics::integrator::dense_lu::Lu;
 const GIVE: f64 = 1e-12;
 
 /// Solves `A x = b`; nothing where the numbers are not finite.
-pub(super) fn solve(
+pub(in crate::dynamics::impact2d) fn solve(
     size: usize,
     entry: impl Fn(usize, usize) -> f64,
     right: impl Fn(usize) -> f64,

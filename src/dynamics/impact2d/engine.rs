@@ -3,18 +3,18 @@
 
 use std::sync::Arc;
 
-use super::Few;
-use super::grip::{Ending, Grip};
-use super::record::{Record, Stay};
-use super::search;
-use super::side::Aim;
-use super::track::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::event_loop::contact_engine::Effort;
 use crate::dynamics::event_loop::event_queue::{Agenda, Item};
 use crate::dynamics::free_flight::flight::{Planar, System};
+use crate::dynamics::impact2d::Few;
+use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
+use crate::dynamics::impact2d::closing::next_impact;
+use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
+use crate::dynamics::impact2d::record::{Record, Stay};
+use crate::dynamics::impact2d::tracks::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::contact_state::{Path, Segment};
 use crate::dynamics::record::event::Stop;
@@ -29,21 +29,21 @@ const RESTLESS: usize = 50;
 const MOMENT: f64 = 1e-3;
 /// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
 /// rounding.
-pub(super) const SINK: f64 = 1e-12;
+pub(in crate::dynamics::impact2d) const SINK: f64 = 1e-12;
 
 /// The run of one group of bodies under the impact model.
 #[derive(Debug)]
 pub struct Engine {
-    pub(super) model: Arc<Model>,
-    pub(super) bodies: Vec<BodyTrack>,
-    pub(super) pairs: Vec<PairTrack>,
-    pub(super) sites: Vec<SiteTrack>,
-    pub(super) grips: Vec<Option<Grip>>,
-    pub(super) agenda: Agenda,
-    pub(super) record: Record,
+    pub(in crate::dynamics::impact2d) model: Arc<Model>,
+    pub(in crate::dynamics::impact2d) bodies: Vec<BodyTrack>,
+    pub(in crate::dynamics::impact2d) pairs: Vec<PairTrack>,
+    pub(in crate::dynamics::impact2d) sites: Vec<SiteTrack>,
+    pub(in crate::dynamics::impact2d) grips: Vec<Option<Grip>>,
+    pub(in crate::dynamics::impact2d) agenda: Agenda,
+    pub(in crate::dynamics::impact2d) record: Record,
     /// Fastest that anybody has been, and farthest from home, corners included \[m/s\], \[m\].
-    pub(super) largest: [f64; 2],
-    pub(super) effort: Effort,
+    pub(in crate::dynamics::impact2d) largest: [f64; 2],
+    pub(in crate::dynamics::impact2d) effort: Effort,
     stop: Option<Stop>,
     now: f64,
     work: usize,
@@ -97,7 +97,15 @@ impl Engine {
             let state: Planar = std::array::from_fn(|i| initial[i]);
             let now = Going::Flight(system.fly(0.0, state));
             let (segments, pairs) = (Vec::new(), Vec::new());
-            self.bodies.push(BodyTrack { body, system, now, segments, since: 0.0, state: super::State::Free, pairs });
+            self.bodies.push(BodyTrack {
+                body,
+                system,
+                now,
+                segments,
+                since: 0.0,
+                state: crate::dynamics::impact2d::State::Free,
+                pairs,
+            });
         }
         for &number in &model.group_pairs[number] {
             let pair = &model.pairs[number];
@@ -181,25 +189,25 @@ impl Engine {
     }
 
     /// Names of bodies by their numbers in the model.
-    pub(super) fn names(&self, bodies: &[usize]) -> String {
+    pub(in crate::dynamics::impact2d) fn names(&self, bodies: &[usize]) -> String {
         bodies.iter().map(|&b| self.model.bodies[b].name.as_str()).collect::<Vec<_>>().join(", ")
     }
 
-    pub(super) fn give_up(&mut self, t: f64, place: String, reason: String) {
+    pub(in crate::dynamics::impact2d) fn give_up(&mut self, t: f64, place: String, reason: String) {
         if self.stop.is_none() {
             self.stop = Some(Stop { t, place, reason });
         }
     }
 
     /// Looks for a pair's next meeting from `t` and enters it.
-    pub(super) fn seek(&mut self, pair: usize, t: f64) {
+    pub(in crate::dynamics::impact2d) fn seek(&mut self, pair: usize, t: f64) {
         for site in self.pairs[pair].sites.clone() {
             let track = &mut self.sites[site];
             if track.out.take().is_some_and(|at| at <= t) {
                 track.arm();
             }
         }
-        let found = search::pair(self, pair, t);
+        let found = next_impact::pair(self, pair, t);
         self.pairs[pair].meets = found.meets;
         if found.due.is_finite() {
             self.agenda.set(Item::Pair(pair), found.due);
@@ -239,7 +247,7 @@ impl Engine {
     }
 
     /// Plans a grip's next step.
-    pub(super) fn plan(&mut self, number: usize) {
+    pub(in crate::dynamics::impact2d) fn plan(&mut self, number: usize) {
         let Some(mut grip) = self.grips[number].take() else { return };
         self.effort.steps += 1;
         let [speed, reach] = self.largest;
@@ -267,14 +275,14 @@ impl Engine {
     }
 
     /// Looks for the next meetings of everybody who is in a pair with these bodies.
-    pub(super) fn seek_around(&mut self, slots: &[usize], t: f64) {
+    pub(in crate::dynamics::impact2d) fn seek_around(&mut self, slots: &[usize], t: f64) {
         for pair in self.pairs_of(slots) {
             self.seek(pair, t);
         }
     }
 
     /// Pairs that these bodies are in, each once, rising.
-    pub(super) fn pairs_of(&self, slots: &[usize]) -> Few<usize> {
+    pub(in crate::dynamics::impact2d) fn pairs_of(&self, slots: &[usize]) -> Few<usize> {
         let mut pairs: Few<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
         pairs.sort_unstable();
         pairs.dedup();
@@ -282,12 +290,12 @@ impl Engine {
     }
 
     /// Slots of bodies by their numbers in the model.
-    pub(super) fn slots(&self, bodies: &[usize]) -> Few<usize> {
+    pub(in crate::dynamics::impact2d) fn slots(&self, bodies: &[usize]) -> Few<usize> {
         bodies.iter().filter_map(|b| self.bodies.binary_search_by_key(b, |track| track.body).ok()).collect()
     }
 
     /// Where a body's planned step ends; nothing in flight \[s\].
-    pub(super) fn planned(&self, slot: usize) -> Option<f64> {
+    pub(in crate::dynamics::impact2d) fn planned(&self, slot: usize) -> Option<f64> {
         match self.bodies[slot].now {
             Going::Grip(grip, _) => self.grips[grip].as_ref().map(|grip| grip.until),
             Going::Flight(_) => None,
@@ -295,7 +303,7 @@ impl Engine {
     }
 
     /// Lets a flight under a record keep the states that looks up to `until` start from.
-    pub(super) fn remember(&mut self, slot: usize, until: f64) {
+    pub(in crate::dynamics::impact2d) fn remember(&mut self, slot: usize, until: f64) {
         let track = &mut self.bodies[slot];
         if let Going::Flight(flight) = &mut track.now {
             track.system.remember(flight, until);
@@ -313,7 +321,7 @@ impl Engine {
     }
 
     /// State of a body on its trajectory.
-    pub(super) fn state(&self, slot: usize, t: f64) -> Planar {
+    pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> Planar {
         let track = &self.bodies[slot];
         match &track.now {
             Going::Flight(flight) => track.system.state(flight, t),
@@ -322,19 +330,19 @@ impl Engine {
     }
 
     /// Pose of a body on its trajectory.
-    pub(super) fn frame(&self, slot: usize, t: f64) -> Frame {
+    pub(in crate::dynamics::impact2d) fn frame(&self, slot: usize, t: f64) -> Frame {
         self.model.bodies[self.bodies[slot].body].planar_frame(&self.state(slot, t))
     }
 
     /// Notes how fast and how far a body is.
-    pub(super) fn note(&mut self, slot: usize, state: &Planar) {
+    pub(in crate::dynamics::impact2d) fn note(&mut self, slot: usize, state: &Planar) {
         let radius = self.model.bodies[self.bodies[slot].body].radius;
         self.largest[0] = self.largest[0].max(state[3].hypot(state[4]) + radius * state[5].abs());
         self.largest[1] = self.largest[1].max(state[0].hypot(state[1]) + radius * state[2].abs());
     }
 
     /// Keeps what a body did until `t`.
-    pub(super) fn close_segment(&mut self, slot: usize, t: f64) {
+    pub(in crate::dynamics::impact2d) fn close_segment(&mut self, slot: usize, t: f64) {
         if let Going::Grip(..) = self.bodies[slot].now {
             // A slide may begin and end at rest.
             for part in [0.25, 0.5, 0.75, 1.0] {
@@ -360,7 +368,7 @@ impl Engine {
     }
 
     /// Ends a grip at `t` and keeps what it was.
-    pub(super) fn end_grip(&mut self, number: usize, t: f64) {
+    pub(in crate::dynamics::impact2d) fn end_grip(&mut self, number: usize, t: f64) {
         self.agenda.remove(Item::Island(number));
         if let Some(grip) = self.grips[number].take()
             && t > grip.since

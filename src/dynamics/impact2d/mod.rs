@@ -1,34 +1,29 @@
-//! The 2D rigid-body impact model (paper section 3, physics section 5).
+//! The 2D rigid-body impact model (paper section 3, [physics](../../../docs/physics.md#impact-model)).
 //!
-//! Girders are rigid and so are their faces: a hit is an impulse, lasting contact a constraint. Planar scenes; a wall at
-//! any end, and girder against girder by the same impulses with both bodies' levers. Flights, rest and
-//! a face that slides along a wall are closed forms, hits are found to rounding.
+//! Girders and their faces are rigid: a hit is an impulse, a lasting contact a constraint. Planar scenes; a wall at any end,
+//! and girder against girder by the same impulses with the levers of both bodies. Free flight, rest and a face that slides
+//! along a wall are closed forms; hits are located to round-off.
 //!
-//! - [`hit`]: the two impulses of a corner (26)–(43); [`flush`]: of a whole face (44)–(48), or at both of its ends.
-//! - [`reaction`]: the constrained motion of states c–f (7)–(25); [`decide`]: who stays in contact (Tables 4–7).
-//! - [`state`]: the six states and the rows of Tables 4–10; [`record`]: what a run logs.
+//! - [`impulse`]: impulses of a corner (26)–(43), of a face (44)–(48), and of several contacts at once.
+//! - [`lasting`]: constrained motion of states c–f (7)–(25), contact modes (Tables 4–7), integration between changes.
+//! - [`closing`]: the next impact of a pair.
+//! - [`delassus`]: velocities at a contact point per unit impulse; [`instant`]: contacts and impulses of one instant;
+//!   [`after_impact`]: contacts and trajectories from there on.
+//! - [`state`]: the six states and the rows of Tables 4–10; [`record`]: what a run logs; [`engine`]: the event loop.
 //!
-//! Left out: the spread of a push along an elastic face, waves, and everything that takes time in a hit.
+//! Left out: the spread of a contact force along an elastic face, waves, and the duration of a hit.
 
-mod agree;
-pub mod blow;
-pub mod decide;
+mod after_impact;
+mod closing;
+pub mod delassus;
 mod dense;
 pub mod engine;
-pub mod flush;
-mod grip;
-pub mod hit;
-mod leap;
-mod meet;
-pub mod point;
-pub mod reaction;
+pub mod impulse;
+mod instant;
+pub mod lasting;
 pub mod record;
-mod search;
-mod settle;
-mod side;
 pub mod state;
-mod track;
-mod wedge;
+mod tracks;
 
 /// A list of what an instant concerns: mostly one girder or two, and as many points.
 pub type Few<T> = smallvec::SmallVec<[T; 2]>;

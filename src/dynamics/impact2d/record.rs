@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use super::hit::Second;
-use super::reaction::Seat;
-use super::state::{Row, State};
+use crate::dynamics::impact2d::impulse::corner::Second;
+use crate::dynamics::impact2d::lasting::constrained_motion::Seat;
+use crate::dynamics::impact2d::state::{Row, State};
 
 /// A hit of a pair.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use crate::support::within;
 use girderbench::dynamics::impact2d::State;
-use girderbench::dynamics::impact2d::blow::{Edge, Rules, strike};
-use girderbench::dynamics::impact2d::flush::centroid;
-use girderbench::dynamics::impact2d::hit::{Coefficients, first, second};
-use girderbench::dynamics::impact2d::point::{Cluster, Point};
+use girderbench::dynamics::impact2d::delassus::{Cluster, Point};
+use girderbench::dynamics::impact2d::impulse::collision::{Edge, Rules, strike};
+use girderbench::dynamics::impact2d::impulse::corner::{Coefficients, first, second};
+use girderbench::dynamics::impact2d::impulse::face::centroid;
 use girderbench::scene::{Flush, ImpactSettings};
 use glam::{DVec2, DVec3};
 

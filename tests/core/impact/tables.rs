@@ -1,10 +1,10 @@
 //! Every row of the paper's Tables 4–10, each by a state that was made for it.
 
 use girderbench::dynamics::Model;
-use girderbench::dynamics::impact2d::blow::{Edge, Rules, strike};
-use girderbench::dynamics::impact2d::decide::{Candidate, RuledOut, decide};
-use girderbench::dynamics::impact2d::point::{Cluster, Point};
-use girderbench::dynamics::impact2d::reaction::{Scenery, Seat};
+use girderbench::dynamics::impact2d::delassus::{Cluster, Point};
+use girderbench::dynamics::impact2d::impulse::collision::{Edge, Rules, strike};
+use girderbench::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat};
+use girderbench::dynamics::impact2d::lasting::mode_selection::{Candidate, RuledOut, decide};
 use girderbench::dynamics::impact2d::{Row, State};
 use girderbench::scene::{ImpactSettings, format};
 use glam::{DVec2, DVec3};

@@ -7,11 +7,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::dense;
-use super::point::{Cluster, Point, inverse_mass, rates};
-use super::{Few, State};
 use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::impact2d::delassus::{Cluster, Point, inverse_mass, rates};
+use crate::dynamics::impact2d::dense;
+use crate::dynamics::impact2d::{Few, State};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::{Body, Model};
 use crate::motion::{Ground, LinearPiece};
@@ -138,7 +138,7 @@ impl Scenery {
     /// A push or a hold at a point that is rounding \[N\].
     pub fn rounding(&self, point: &Point) -> f64 {
         let w_n = self.cluster.mobilities(point)[0];
-        if w_n > 0.0 { super::decide::ROUNDING * self.scale() / w_n } else { 0.0 }
+        if w_n > 0.0 { crate::dynamics::impact2d::lasting::mode_selection::ROUNDING * self.scale() / w_n } else { 0.0 }
     }
 
     /// The kept points of a seat.

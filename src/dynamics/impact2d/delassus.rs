@@ -7,9 +7,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::Few;
 use crate::contact::{Frame, locate};
 use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::impact2d::Few;
 use crate::dynamics::{Body, Model};
 
 /// A point where the two sides of a pair touch or may touch.

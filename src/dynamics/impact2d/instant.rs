@@ -4,20 +4,20 @@ use glam::{DVec2, DVec3};
 
 use smallvec::smallvec;
 
-use super::blow::{Blow, Edge, Rules, strike};
-use super::engine::Engine;
-use super::grip::Ending;
-use super::point::Point;
-use super::reaction::{Scenery, shaking};
-use super::record::{Hit, Transition};
-use super::settle::DRIFT;
-use super::state::{After, Row};
-use super::track::Going;
-use super::{Few, State};
 use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::impact2d::after_impact::DRIFT;
+use crate::dynamics::impact2d::delassus::Point;
+use crate::dynamics::impact2d::engine::Engine;
+use crate::dynamics::impact2d::impulse::collision::{Blow, Edge, Rules, strike};
+use crate::dynamics::impact2d::lasting::constrained_motion::{Scenery, shaking};
+use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::record::{Hit, Transition};
+use crate::dynamics::impact2d::state::{After, Row};
+use crate::dynamics::impact2d::tracks::Going;
+use crate::dynamics::impact2d::{Few, State};
 
 /// Points nearer than this touch, and faces with both ends nearer are flush, in parts of the girder's size.
-pub(super) const TOUCH: f64 = 1e-9;
+pub(in crate::dynamics::impact2d) const TOUCH: f64 = 1e-9;
 /// Hits at one instant with a bounce; girders that are wedged between others lose theirs after as many.
 const LIVELY: usize = 64;
 /// Hits at one instant after which all who are still driven in stop together.
@@ -27,21 +27,21 @@ const MOST: usize = 256;
 const RUN: f64 = 1e-14;
 
 /// Everybody whom an instant concerns.
-pub(super) struct Moment {
-    pub(super) t: f64,
+pub(in crate::dynamics::impact2d) struct Moment {
+    pub(in crate::dynamics::impact2d) t: f64,
     /// Slots, rising; so are the numbers in the model.
-    pub(super) slots: Few<usize>,
-    pub(super) states: Few<Planar>,
-    pub(super) scenery: Scenery,
+    pub(in crate::dynamics::impact2d) slots: Few<usize>,
+    pub(in crate::dynamics::impact2d) states: Few<Planar>,
+    pub(in crate::dynamics::impact2d) scenery: Scenery,
     /// State among a–f before.
-    pub(super) before: Few<State>,
-    pub(super) edges: Few<Edge>,
-    pub(super) hush: f64,
+    pub(in crate::dynamics::impact2d) before: Few<State>,
+    pub(in crate::dynamics::impact2d) edges: Few<Edge>,
+    pub(in crate::dynamics::impact2d) hush: f64,
 }
 
 impl Engine {
     /// States at t = 0.
-    pub(super) fn begin(&mut self) {
+    pub(in crate::dynamics::impact2d) fn begin(&mut self) {
         self.flag_those_behind();
         let mut seen = vec![false; self.bodies.len()];
         for slot in 0..self.bodies.len() {
@@ -68,7 +68,7 @@ impl Engine {
     }
 
     /// A declared contact, on the trajectories in force.
-    pub(super) fn point(&self, site: usize, pair: usize, t: f64) -> Point {
+    pub(in crate::dynamics::impact2d) fn point(&self, site: usize, pair: usize, t: f64) -> Point {
         let slots = self.pairs[pair].slots;
         let still = crate::contact::Frame::fixed(DVec3::ZERO);
         let frames = slots.map(|slot| slot.map_or(still, |slot| self.frame(slot, t)));
@@ -77,7 +77,12 @@ impl Engine {
     }
 
     /// Meets whoever touches these bodies at `t`; returns the slots of all whom it concerned.
-    pub(super) fn meet(&mut self, t: f64, seeds: &[usize], ending: Option<Ending>) -> Few<usize> {
+    pub(in crate::dynamics::impact2d) fn meet(
+        &mut self,
+        t: f64,
+        seeds: &[usize],
+        ending: Option<Ending>,
+    ) -> Few<usize> {
         let mut moment = self.moment(t, seeds);
         let slots = moment.slots.clone();
         if t == 0.0 && self.overlaps(&moment) {
@@ -136,7 +141,7 @@ impl Engine {
     }
 
     /// Whether a point is on its face.
-    pub(super) fn touches(&self, site: usize, pair: usize, point: &Point) -> bool {
+    pub(in crate::dynamics::impact2d) fn touches(&self, site: usize, pair: usize, point: &Point) -> bool {
         if self.sites[site].left {
             return false;
         }
@@ -146,13 +151,13 @@ impl Engine {
     }
 
     /// Size of the smaller girder of a pair \[m\].
-    pub(super) fn reach(&self, pair: usize) -> f64 {
+    pub(in crate::dynamics::impact2d) fn reach(&self, pair: usize) -> f64 {
         let radius = |slot: usize| self.model.bodies[self.bodies[slot].body].radius;
         self.pairs[pair].slots.into_iter().flatten().map(radius).fold(f64::INFINITY, f64::min)
     }
 
     /// Pairs of a moment that touch: at a corner, or at the two outermost points of a face.
-    pub(super) fn edges(&self, moment: &Moment) -> Few<Edge> {
+    pub(in crate::dynamics::impact2d) fn edges(&self, moment: &Moment) -> Few<Edge> {
         let mut edges = Few::new();
         for pair in self.pairs_of(&moment.slots) {
             let here = |slot: Option<usize>| slot.is_none_or(|slot| moment.slots.binary_search(&slot).is_ok());
@@ -223,7 +228,7 @@ impl Engine {
                 break;
             }
             if count > MOST {
-                super::wedge::stop(&mut moment.scenery.cluster, &moment.edges, &[]);
+                crate::dynamics::impact2d::impulse::simultaneous::stop(&mut moment.scenery.cluster, &moment.edges, &[]);
                 break;
             }
             lost += self.hit(moment, &edge, to, count > LIVELY);
@@ -232,7 +237,7 @@ impl Engine {
     }
 
     /// Whether all points of an edge are in lasting contact already.
-    pub(super) fn is_kept(&self, edge: &Edge) -> bool {
+    pub(in crate::dynamics::impact2d) fn is_kept(&self, edge: &Edge) -> bool {
         edge.sites.iter().all(|&number| self.sites.iter().any(|site| site.number == number && site.kept))
     }
 
@@ -305,7 +310,7 @@ fn landed(blow: &Blow, to_wall: bool) -> State {
 }
 
 /// Kinetic energy of a moment \[J\].
-pub(super) fn kinetic(moment: &Moment) -> f64 {
+pub(in crate::dynamics::impact2d) fn kinetic(moment: &Moment) -> f64 {
     let cluster = &moment.scenery.cluster;
     let part = |v: f64, inverse: f64| if inverse > 0.0 { 0.5 * v * v / inverse } else { 0.0 };
     let body = |(v, inverse): (&DVec3, &DVec3)| (0..3).map(|i| part(v[i], inverse[i])).sum::<f64>();

@@ -4,13 +4,13 @@
 //! `|T| ≤ μ_s N`, else it slides the way whose own solution agrees. A face is kept while both of its ends are pushed, which
 //! is `|η| ≤ b_f`. Where stick and slide are both consistent (high μ, before the Painlevé bound), stick is taken.
 
-use super::point::Point;
-use super::reaction::{Answer, Scenery, Seat, Way, middle, react};
 use crate::dynamics::Model;
+use crate::dynamics::impact2d::delassus::Point;
+use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle, react};
 use crate::scene::ImpactSettings;
 
 /// Accelerations and forces that differ by less than this part of the largest are the same.
-pub(super) const ROUNDING: f64 = 1e-10;
+pub(in crate::dynamics::impact2d) const ROUNDING: f64 = 1e-10;
 /// Guesses for all seats together; with more pairs than that, seat by seat.
 const MOST_GUESSES: usize = 4096;
 /// Rounds of going through the seats one by one.

@@ -10,8 +10,8 @@
 //! energy, the restitution is lowered until they do not. Where friction would drive the face in whichever way it slid, the
 //! edge is held, whatever friction that takes: the least pushes that stop it, which add no energy.
 
-use super::hit::Coefficients;
-use super::point::{Cluster, Point};
+use crate::dynamics::impact2d::delassus::{Cluster, Point};
+use crate::dynamics::impact2d::impulse::corner::Coefficients;
 
 /// Two ends of a face, the one further back along `s` first.
 pub type Ends = [Point; 2];
@@ -123,7 +123,7 @@ fn attempt(
         let (p, d) = row(r);
         pushed.get(r).map_or(0.0, |&i| asked[i]) - cluster.speed(p, d)
     };
-    let solution = super::dense::solve(size, entry, right)?;
+    let solution = crate::dynamics::impact2d::dense::solve(size, entry, right)?;
     let mut normal = [0.0; 2];
     for (&i, &p) in pushed.iter().zip(&solution) {
         normal[i] = p;

@@ -7,21 +7,21 @@
 
 use glam::DVec2;
 
-use super::engine::Engine;
-use super::leap::Cubic;
-use super::track::Going;
 use crate::dynamics::Model;
 use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
 use crate::dynamics::free_flight::motion_bounds::Bound;
 use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
 use crate::dynamics::free_flight::uncoupled_axis::Dof;
+use crate::dynamics::impact2d::closing::cubic_advancement::Cubic;
+use crate::dynamics::impact2d::engine::Engine;
+use crate::dynamics::impact2d::tracks::Going;
 use crate::dynamics::locate::advancement::Outlook;
 use crate::motion::Ground;
 
 /// Where a declared contact is as placed, in plan.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Aim {
+pub(in crate::dynamics::impact2d) struct Aim {
     /// From the face body's G to the node body's \[m\].
     home: DVec2,
     /// Node from its G \[m\].
@@ -34,11 +34,11 @@ pub(super) struct Aim {
 
 impl Aim {
     /// Whether both are seen from the same face.
-    pub(super) fn shares_face(&self, other: &Self) -> bool {
+    pub(in crate::dynamics::impact2d) fn shares_face(&self, other: &Self) -> bool {
         self.normal == other.normal && self.level == other.level
     }
 
-    pub(super) fn of(model: &Model, site: usize) -> Self {
+    pub(in crate::dynamics::impact2d) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let placed = |body: Option<usize>| match body {
             Some(body) => model.bodies[body].planar_frame(&[0.0; 6]),
@@ -56,7 +56,7 @@ impl Aim {
 
 /// One side at an instant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pose {
+pub(in crate::dynamics::impact2d) struct Pose {
     shift: DVec2,
     /// Cosine and sine of θ.
     turn: DVec2,
@@ -79,12 +79,12 @@ impl Pose {
 }
 
 /// The poses of a pair's sides at `t`.
-pub(super) fn poses(engine: &Engine, slots: [Option<usize>; 2], t: f64) -> [Pose; 2] {
+pub(in crate::dynamics::impact2d) fn poses(engine: &Engine, slots: [Option<usize>; 2], t: f64) -> [Pose; 2] {
     slots.map(|slot| slot.map_or(Pose::STILL, |slot| Pose::of(&engine.state(slot, t))))
 }
 
 /// `[g, ġ]` of a contact, `sides` being those of its node and its face.
-pub(super) fn gap(aim: &Aim, sides: [Option<usize>; 2], poses: &[Pose; 2]) -> [f64; 2] {
+pub(in crate::dynamics::impact2d) fn gap(aim: &Aim, sides: [Option<usize>; 2], poses: &[Pose; 2]) -> [f64; 2] {
     let [gap, rate, ..] = Line::of(aim, sides, poses).gap(aim);
     [gap, rate]
 }
@@ -248,7 +248,7 @@ struct Scope {
 const SHARED: u32 = 4;
 
 /// Both sides of a pair at an instant, with what they can do.
-pub(super) struct View {
+pub(in crate::dynamics::impact2d) struct View {
     pub poses: [Pose; 2],
     scope: Scope,
     accelerations: Option<[[f64; 3]; 2]>,
@@ -271,12 +271,18 @@ impl Scope {
 
 impl View {
     /// Of two sides that fly or stand.
-    pub(super) fn of(engine: &Engine, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+    pub(in crate::dynamics::impact2d) fn of(engine: &Engine, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
         Self::with(engine, slots, [t, until], None)
     }
 
     /// The next look, later in the same flights.
-    pub(super) fn then(&self, engine: &Engine, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+    pub(in crate::dynamics::impact2d) fn then(
+        &self,
+        engine: &Engine,
+        slots: [Option<usize>; 2],
+        t: f64,
+        until: f64,
+    ) -> Self {
         let scope = Scope { looks: self.scope.looks.saturating_sub(1), ..self.scope };
         Self::with(engine, slots, [t, until], (scope.looks > 0).then_some(scope))
     }
@@ -300,7 +306,7 @@ impl View {
     }
 
     /// How far both have come: places round with it \[m\].
-    pub(super) fn moved(&self) -> f64 {
+    pub(in crate::dynamics::impact2d) fn moved(&self) -> f64 {
         self.poses[0].shift.length() + self.poses[1].shift.length()
     }
 
@@ -318,7 +324,7 @@ impl View {
     }
 
     /// Whether neither side ever turns while this holds, as it stands: points of one face keep their distances.
-    pub(super) fn is_straight(&self) -> bool {
+    pub(in crate::dynamics::impact2d) fn is_straight(&self) -> bool {
         self.accelerations.is_some() && self.poses.iter().all(|pose| pose.spin == 0.0) && {
             let turns = |swing: &Swing| swing.turn[1] != 0.0 || swing.turn[2] != 0.0;
             !self.scope.swings.iter().any(turns)
@@ -326,7 +332,7 @@ impl View {
     }
 
     /// What the gap of a contact can do at most, and the leap that its third derivative allows; `depth` is added to it.
-    pub(super) fn outlook(
+    pub(in crate::dynamics::impact2d) fn outlook(
         &self,
         aim: &Aim,
         spot: &Spot,

@@ -10,15 +10,15 @@
 
 use glam::DVec2;
 
-use super::blow::Edge;
-use super::dense;
-use super::point::{Cluster, Point};
+use crate::dynamics::impact2d::delassus::{Cluster, Point};
+use crate::dynamics::impact2d::dense;
+use crate::dynamics::impact2d::impulse::collision::Edge;
 
 /// Changes of who is pushed.
 const ROUNDS: usize = 500;
 
 /// Stops everybody who is driven in, and these points along the face.
-pub(super) fn stop(cluster: &mut Cluster, edges: &[Edge], slides: &[Point]) {
+pub(in crate::dynamics::impact2d) fn stop(cluster: &mut Cluster, edges: &[Edge], slides: &[Point]) {
     let normals = edges.iter().flat_map(|edge| edge.points.iter().map(|p| (*p, p.n)));
     let rows: Vec<(Point, DVec2)> = slides.iter().map(|p| (*p, p.s)).chain(normals).collect();
     let speeds: Vec<f64> = rows.iter().map(|(p, direction)| cluster.speed(p, *direction)).collect();
@@ -30,7 +30,12 @@ pub(super) fn stop(cluster: &mut Cluster, edges: &[Edge], slides: &[Point]) {
 
 /// The least pushes along these directions after which no rate is below 0; the first few may push either way and bring
 /// theirs to 0.
-pub(super) fn least(cluster: &Cluster, rows: &[(Point, DVec2)], rates: &[f64], either: usize) -> Vec<f64> {
+pub(in crate::dynamics::impact2d) fn least(
+    cluster: &Cluster,
+    rows: &[(Point, DVec2)],
+    rates: &[f64],
+    either: usize,
+) -> Vec<f64> {
     let hush = 1e-13 * rates.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let give = |i: usize, j: usize| cluster.mobility(&rows[i].0, rows[i].1, &rows[j].0, rows[j].1);
     let mut pushes = vec![0.0; rows.len()];

@@ -2,29 +2,35 @@
 
 use glam::{DVec2, DVec3};
 
-use super::State;
-use super::blow::Edge;
-use super::decide::{Candidate, RuledOut, decide};
-use super::engine::{Engine, SINK};
-use super::grip::{Ending, Grip};
-use super::meet::{Moment, TOUCH, kinetic};
-use super::point::Point;
-use super::reaction::{Scenery, Seat, Way, middle, shaking};
-use super::record::Transition;
-use super::state::Row;
-use super::track::Going;
 use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::impact2d::State;
+use crate::dynamics::impact2d::delassus::Point;
+use crate::dynamics::impact2d::engine::{Engine, SINK};
+use crate::dynamics::impact2d::impulse::collision::Edge;
+use crate::dynamics::impact2d::instant::{Moment, TOUCH, kinetic};
+use crate::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat, Way, middle, shaking};
+use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
+use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, RuledOut, decide};
+use crate::dynamics::impact2d::record::Transition;
+use crate::dynamics::impact2d::state::Row;
+use crate::dynamics::impact2d::tracks::Going;
 use crate::dynamics::{Body, Model};
 
 /// A point so little behind a face, in parts of its girder's size, is there by the rounding of the search's gap, not by a hop: to
 /// take it out would turn a girder that is hit square.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Speeds off the face that a kept point may have gathered by its integrator's error, in parts of the fastest.
-pub(super) const DRIFT: f64 = 1e-8;
+pub(in crate::dynamics::impact2d) const DRIFT: f64 = 1e-8;
 
 impl Engine {
     /// Decides who stays in contact, and sends everybody on; `energy` is the kinetic energy that the hits have left.
-    pub(super) fn settle(&mut self, moment: &mut Moment, to: &[State], energy: f64, ending: Option<Ending>) {
+    pub(in crate::dynamics::impact2d) fn settle(
+        &mut self,
+        moment: &mut Moment,
+        to: &[State],
+        energy: f64,
+        ending: Option<Ending>,
+    ) {
         let numbers = self.model.impact;
         // The velocities are those after the hits.
         for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
@@ -74,7 +80,7 @@ impl Engine {
     }
 
     /// Pairs of a moment with points that neither come nor go.
-    pub(super) fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
+    pub(in crate::dynamics::impact2d) fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
         let mut all = Vec::new();
         for edge in self.edges(moment) {
             let loose = self.looseness(&edge);
@@ -132,8 +138,8 @@ impl Engine {
         }
         let cluster = &moment.scenery.cluster;
         let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
-        let speeds = super::dense::solve(kept, entry, |r| -cluster.speed(&rows[r].0, rows[r].1));
-        let shifts = super::dense::solve(rows.len(), entry, |r| -rows[r].2);
+        let speeds = crate::dynamics::impact2d::dense::solve(kept, entry, |r| -cluster.speed(&rows[r].0, rows[r].1));
+        let shifts = crate::dynamics::impact2d::dense::solve(rows.len(), entry, |r| -rows[r].2);
         for (solution, from) in [(shifts, 0), (speeds, 3)] {
             for ((point, direction, _), size) in rows.iter().zip(solution.unwrap_or_default()) {
                 for (body, row) in point.row(*direction * size) {
@@ -288,7 +294,7 @@ fn turns_by_itself(body: &Body) -> bool {
 }
 
 /// Speed along the face of what a candidate keeps \[m/s\].
-pub(super) fn along(moment: &Moment, candidate: &Candidate) -> f64 {
+pub(in crate::dynamics::impact2d) fn along(moment: &Moment, candidate: &Candidate) -> f64 {
     let middle = middle(&candidate.points);
     moment.scenery.cluster.speed(&middle, middle.s)
 }

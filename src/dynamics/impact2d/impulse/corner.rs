@@ -6,7 +6,7 @@
 //! that turns the slip round can add energy, `ΔE = ½ P_n' (v_n' − μ_k σ (v_s' + v_s''))`; there, and only there, the program
 //! departs from the paper: it ends the slide where the point stops, and holds it or slides it back from there.
 
-use super::point::{Cluster, Point};
+use crate::dynamics::impact2d::delassus::{Cluster, Point};
 
 /// Coefficients in force at a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,11 +5,11 @@
 
 use smallvec::SmallVec;
 
-use super::engine::Engine;
-use super::leap::{Cubic, crossing};
-use super::side::{View, gap, poses};
-use super::track::Going;
 use crate::dynamics::closing::next_closing::{RESOLUTION, in_front};
+use crate::dynamics::impact2d::closing::cubic_advancement::{Cubic, crossing};
+use crate::dynamics::impact2d::closing::gap_derivatives::{View, gap, poses};
+use crate::dynamics::impact2d::engine::Engine;
+use crate::dynamics::impact2d::tracks::Going;
 use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, root};
 use crate::motion::Ground;
 
@@ -22,7 +22,7 @@ const LOOKS: usize = 12;
 
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Found {
+pub(in crate::dynamics::impact2d) struct Found {
     /// When the pair is to be met, or searched on; infinite when neither is needed \[s\].
     pub due: f64,
     /// Whether it is met then.
@@ -55,7 +55,7 @@ fn gap_at(engine: &Engine, pair: usize, site: usize, depth: f64, t: f64) -> [f64
 }
 
 /// Searches a pair from `t` on.
-pub(super) fn pair(engine: &mut Engine, pair: usize, t: f64) -> Found {
+pub(in crate::dynamics::impact2d) fn pair(engine: &mut Engine, pair: usize, t: f64) -> Found {
     let slots = engine.pairs[pair].slots;
     let planned = slots.into_iter().flatten().filter_map(|slot| engine.planned(slot)).fold(f64::INFINITY, f64::min);
     let mut until = horizon(&engine.model.ground, t, engine.model.duration).min(planned);

@@ -1,14 +1,14 @@
 //! What the event loop knows of each body, pair and declared contact.
 
-use super::State;
-use super::side::Aim;
 use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::impact2d::State;
+use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
 use crate::dynamics::penalty3d::contact_state::Segment;
 
 /// What a body does now.
 #[derive(Clone, Debug)]
-pub(super) enum Going {
+pub(in crate::dynamics::impact2d) enum Going {
     /// It flies.
     Flight(Flight),
     /// It is in lasting contact, at a place of that grip.
@@ -17,7 +17,7 @@ pub(super) enum Going {
 
 /// A body of the group.
 #[derive(Debug)]
-pub(super) struct BodyTrack {
+pub(in crate::dynamics::impact2d) struct BodyTrack {
     /// Its number in the model.
     pub body: usize,
     /// Its free motion.
@@ -36,7 +36,7 @@ pub(super) struct BodyTrack {
 
 /// A pair of the group.
 #[derive(Debug)]
-pub(super) struct PairTrack {
+pub(in crate::dynamics::impact2d) struct PairTrack {
     /// Its number in the model.
     pub number: usize,
     /// Slots of its bodies; nothing for an abutment.
@@ -50,7 +50,7 @@ pub(super) struct PairTrack {
 /// A declared contact of the group.
 #[derive(Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each says another thing about one point")]
-pub(super) struct SiteTrack {
+pub(in crate::dynamics::impact2d) struct SiteTrack {
     /// Its number in the model.
     pub number: usize,
     /// Which side of the pair owns the node, and which the face; nothing for an abutment.
@@ -75,7 +75,7 @@ pub(super) struct SiteTrack {
 
 impl SiteTrack {
     /// It is in front of the face: its next crossing counts.
-    pub(super) fn arm(&mut self) {
+    pub(in crate::dynamics::impact2d) fn arm(&mut self) {
         (self.armed, self.lifted, self.left) = (true, false, false);
     }
 }

@@ -11,7 +11,7 @@ const CLOSE: f64 = 1e-2;
 
 /// A gap `g`, its derivatives `ġ`, `g̈`, and a bound `J` on the third.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cubic {
+pub(in crate::dynamics::impact2d) struct Cubic {
     pub gap: f64,
     pub rate: f64,
     pub bend: f64,
@@ -28,7 +28,7 @@ impl Cubic {
     }
 
     /// A time before which the gap cannot close; infinite where it never can \[s\].
-    pub(super) fn leap(&self) -> f64 {
+    pub(in crate::dynamics::impact2d) fn leap(&self) -> f64 {
         if self.gap < 0.0 || !self.jerk.is_finite() {
             return 0.0;
         }
@@ -55,7 +55,7 @@ impl Cubic {
     }
 
     /// Whether it stays above another for good, whatever their roots.
-    pub(super) fn is_above(&self, other: &Self) -> bool {
+    pub(in crate::dynamics::impact2d) fn is_above(&self, other: &Self) -> bool {
         self.gap >= other.gap && self.rate >= other.rate && self.bend >= other.bend && self.jerk <= other.jerk
     }
 
@@ -104,7 +104,7 @@ impl Cubic {
 }
 
 /// Where a gap, not below 0 at `a` and below at `b`, crosses 0: Newton's method kept in a bracket, to the clock's last bits.
-pub(super) fn crossing(mut ask: impl FnMut(f64) -> [f64; 2], a: f64, b: f64) -> f64 {
+pub(in crate::dynamics::impact2d) fn crossing(mut ask: impl FnMut(f64) -> [f64; 2], a: f64, b: f64) -> f64 {
     let (mut a, mut b, mut t) = (a, b, b);
     let [mut gap, mut rate] = ask(t);
     let mut before = b - a;

@@ -12,18 +12,18 @@
 
 use glam::DVec3;
 
-use super::decide::{Candidate, decide};
-use super::engine::Engine;
-use super::grip::Ending;
-use super::meet::Moment;
-use super::point::{Cluster, Point};
-use super::reaction::{Answer, Scenery, Seat, Way, middle};
-use super::settle::along;
-use super::wedge;
+use crate::dynamics::impact2d::after_impact::along;
+use crate::dynamics::impact2d::delassus::{Cluster, Point};
+use crate::dynamics::impact2d::engine::Engine;
+use crate::dynamics::impact2d::impulse::simultaneous;
+use crate::dynamics::impact2d::instant::Moment;
+use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle};
+use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, decide};
 
 impl Engine {
     /// Who may stay in contact, and how they do; velocities change where friction has to stop a slide.
-    pub(super) fn agree(
+    pub(in crate::dynamics::impact2d) fn agree(
         &self,
         moment: &mut Moment,
         ending: Option<Ending>,
@@ -73,7 +73,7 @@ impl Engine {
     /// Stops the slides at these points, from the velocities `before`.
     fn stop_at_once(&self, moment: &mut Moment, before: &Cluster, slides: &[Point], shaking: DVec3) {
         let mut cluster = before.clone();
-        wedge::stop(&mut cluster, &moment.edges, slides);
+        simultaneous::stop(&mut cluster, &moment.edges, slides);
         for (state, v) in moment.states.iter_mut().zip(&cluster.velocity) {
             state[3..].copy_from_slice(&v.to_array());
         }
@@ -87,7 +87,7 @@ fn smooth(scenery: &Scenery, candidates: &[Candidate]) -> Vec<Seat> {
     let points: Vec<Point> = candidates.iter().flat_map(|candidate| candidate.points.clone()).collect();
     let rates: Vec<f64> = points.iter().map(|p| free.along(p, p.n, p.bias[0])).collect();
     let rows: Vec<_> = points.iter().map(|p| (*p, p.n)).collect();
-    let pushes = wedge::least(&scenery.cluster, &rows, &rates, 0);
+    let pushes = simultaneous::least(&scenery.cluster, &rows, &rates, 0);
     let mut pushed = points.iter().zip(pushes).map(|(point, push)| push > scenery.rounding(point));
     let mut seats = Vec::new();
     for candidate in candidates {

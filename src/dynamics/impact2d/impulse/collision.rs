@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 
-use super::Few;
-use super::flush::{Ends, centroid, two_corner};
-use super::hit::{Coefficients, Second, first, second};
-use super::point::{Cluster, Point};
-use super::reaction::middle;
-use super::state::{After, Landing, State};
+use crate::dynamics::impact2d::Few;
+use crate::dynamics::impact2d::delassus::{Cluster, Point};
+use crate::dynamics::impact2d::impulse::corner::{Coefficients, Second, first, second};
+use crate::dynamics::impact2d::impulse::face::{Ends, centroid, two_corner};
+use crate::dynamics::impact2d::lasting::constrained_motion::middle;
+use crate::dynamics::impact2d::state::{After, Landing, State};
 use crate::scene::{Flush, ImpactSettings};
 
 /// Where a pair touches: a corner, or the two outermost points of a face, the one further back along `s` first.
@@ -175,7 +175,7 @@ fn lie_down(cluster: &mut Cluster, ends: &Ends, from: State) -> Blow {
     let before = [0, 1].map(|i| cluster.speed(&ends[i], ends[i].n));
     let entry = |r: usize, c: usize| cluster.mobility(&ends[r], ends[r].n, &ends[c], ends[c].n);
     // Two ends that give way have an answer; one that is held takes no push.
-    let pushes = super::dense::solve(2, entry, |r| -before[r]).unwrap_or_else(|| vec![0.0; 2]);
+    let pushes = crate::dynamics::impact2d::dense::solve(2, entry, |r| -before[r]).unwrap_or_else(|| vec![0.0; 2]);
     cluster.push(&ends[0], [pushes[0], 0.0]);
     cluster.push(&ends[1], [pushes[1], 0.0]);
     let lost = 0.5 * (0..2).map(|i| -pushes[i] * before[i]).sum::<f64>();

@@ -7,10 +7,10 @@
 
 use glam::DVec3;
 
-use super::reaction::{Answer, Scenery, Seat, Way, middle, react, shaking};
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::sliding_face::Slide;
+use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle, react, shaking};
 use crate::dynamics::integrator::dop853::{DENSE, Dense, Dop853, System, next_factor};
 use crate::dynamics::locate::advancement::root;
 use crate::dynamics::model::rigid_body;
@@ -30,7 +30,7 @@ const WIDTH: usize = rigid_body::PLANAR;
 
 /// What ends a stretch of lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Ending {
+pub(in crate::dynamics::impact2d) enum Ending {
     /// The declared contact is not pushed any more.
     Lets(usize),
     /// The declared contact comes to the edge of the face.
@@ -50,7 +50,7 @@ enum Course {
 
 /// Bodies in lasting contact, with the step that is planned but not yet committed.
 #[derive(Clone, Debug)]
-pub(super) struct Grip {
+pub(in crate::dynamics::impact2d) struct Grip {
     /// Their numbers in the model, rising.
     pub bodies: Vec<usize>,
     /// What touches, and how.
@@ -122,7 +122,7 @@ fn states(y: &[f64]) -> Vec<Planar> {
 
 impl Grip {
     /// Bodies in lasting contact from `t` on.
-    pub(super) fn new(bodies: Vec<usize>, seats: Vec<Seat>, states: &[Planar], t: f64) -> Self {
+    pub(in crate::dynamics::impact2d) fn new(bodies: Vec<usize>, seats: Vec<Seat>, states: &[Planar], t: f64) -> Self {
         let y = states.iter().flatten().copied().collect();
         Self { bodies, seats, since: t, from: t, until: t, ending: None, course: None, y, step: 0.0 }
     }
@@ -134,7 +134,7 @@ impl Grip {
     }
 
     /// Whether friction is left out of it for want of a motion that agrees with it: it is decided anew at every step.
-    pub(super) fn is_makeshift(&self) -> bool {
+    pub(in crate::dynamics::impact2d) fn is_makeshift(&self) -> bool {
         self.seats.iter().any(|seat| seat.way == Way::Slides(0.0))
     }
 
@@ -143,7 +143,7 @@ impl Grip {
     ///
     /// # Errors
     /// When no step is short enough.
-    pub(super) fn plan(
+    pub(in crate::dynamics::impact2d) fn plan(
         &mut self,
         model: &Model,
         numbers: &ImpactSettings,
@@ -208,7 +208,7 @@ impl Grip {
     }
 
     /// State of a body, by its place here.
-    pub(super) fn state(&self, place: usize, t: f64) -> Planar {
+    pub(in crate::dynamics::impact2d) fn state(&self, place: usize, t: f64) -> Planar {
         let mut state = [0.0; WIDTH];
         match &self.course {
             Some(Course::Slide(slide)) => state = slide.state(t),
@@ -219,7 +219,7 @@ impl Grip {
     }
 
     /// What a history keeps of a body in the planned step.
-    pub(super) fn path(&self, place: usize) -> Option<Path> {
+    pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<Path> {
         self.course.as_ref().map(|course| match course {
             Course::Slide(slide) => Path::Slide(slide.clone()),
             Course::Step(dense) => Path::Step(Piece::of(dense, place * WIDTH..(place + 1) * WIDTH, None)),
@@ -227,7 +227,7 @@ impl Grip {
     }
 
     /// Commits the planned step: its end becomes the next start.
-    pub(super) fn commit(&mut self) {
+    pub(in crate::dynamics::impact2d) fn commit(&mut self) {
         let t = self.until;
         self.y = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
         self.course = None;

@@ -1,0 +1,6 @@
+//! Impulses of a hit: at a corner, along a face, and at several contacts together.
+
+pub mod collision;
+pub mod corner;
+pub mod face;
+pub(in crate::dynamics::impact2d) mod simultaneous;
