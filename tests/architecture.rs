@@ -162,6 +162,31 @@ fn first_words_of_group(group: &str) -> Vec<String> {
     words
 }
 
+/// The anchor of a heading in a rendered page: lower case, hyphens for spaces, other punctuation dropped.
+fn anchor(heading: &str) -> String {
+    let kept = |c: char| if c == ' ' { Some('-') } else { (is_word(c) || c == '-').then_some(c) };
+    heading.trim().to_lowercase().chars().filter_map(kept).collect()
+}
+
+/// Anchors of a page's headings, code blocks left out.
+fn anchors(page: &str) -> BTreeSet<String> {
+    let outside = page.split("\n```").step_by(2);
+    let headings = outside.flat_map(str::lines).filter(|line| line.starts_with('#'));
+    headings.map(|line| anchor(line.trim_start_matches('#'))).collect()
+}
+
+/// Pages of `docs/` that a text names with an anchor, `("solver", "the-record")`.
+fn named_anchors(text: &str) -> Vec<(&str, &str)> {
+    text.split("docs/").skip(1).filter_map(named_anchor).collect()
+}
+
+/// `solver.md#the-record, …` without its rest.
+fn named_anchor(text: &str) -> Option<(&str, &str)> {
+    let word = |s: &str| s.find(|c: char| !is_word(c) && c != '-').unwrap_or(s.len());
+    let (page, rest) = text.split_once(".md#")?;
+    (word(page) == page.len()).then(|| (page, &rest[..word(rest)]))
+}
+
 /// Fails with every complaint in one message.
 fn expect_none(complaints: &[String], rule: &str) {
     assert!(complaints.is_empty(), "{rule}:\n  {}", complaints.join("\n  "));
@@ -262,13 +287,35 @@ fn links_in_the_pages_lead_somewhere() {
         let text = fs::read_to_string(&page).expect("a page is text");
         let folder = page.parent().expect("a page lies in a folder");
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let file = link.split('#').next().unwrap_or(link);
-            if !file.is_empty() && !file.contains("://") && !folder.join(file).exists() {
+            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+            if file.contains("://") {
+                continue;
+            }
+            let target = if file.is_empty() { page.clone() } else { folder.join(file) };
+            let leads = || fs::read_to_string(&target).is_ok_and(|text| anchors(&text).contains(anchor));
+            if !target.exists() || !(anchor.is_empty() || leads()) {
                 broken.push(format!("{}: {link}", page.display()));
             }
         }
     }
-    expect_none(&broken, "a link leads to a file of this package");
+    expect_none(&broken, "a link leads to a file of this package, and to a heading of it");
+}
+
+#[test]
+fn anchors_of_the_pages_exist() {
+    let (mut broken, mut named) = (Vec::new(), 0);
+    let code = ["src", "tests", "benches"].into_iter().flat_map(|folder| sources(folder, "rs"));
+    for source in code.chain(sources("docs", "md")) {
+        for (page, anchor) in named_anchors(&source.text) {
+            let text = fs::read_to_string(root().join("docs").join(page).with_extension("md"));
+            named += 1;
+            if !text.is_ok_and(|text| anchors(&text).contains(anchor)) {
+                broken.push(format!("{}: docs/{page}.md, anchor {anchor}", source.path));
+            }
+        }
+    }
+    assert!(named > 20, "comments name the sections of docs/physics.md: {named} found");
+    expect_none(&broken, "a section that a comment names is a heading of that page");
 }
 
 #[test]
@@ -295,6 +342,10 @@ fn the_rules_find_what_they_are_for() {
     assert_eq!(used_rooms("use crate::{scene::{a, b}, sim, view::c};\ncrate::app::run()").len(), 4, "all four");
     assert!(has_word("let x: f32 = 0.0;", "f32"), "a plain use");
     assert!(!has_word("as_f32_bits", "f32"), "a part of a longer word");
+    assert_eq!(anchor(" Law `return-mapping`"), "law-return-mapping", "code marks are dropped");
+    assert_eq!(anchor(" Sharing of a pair's stiffness"), "sharing-of-a-pairs-stiffness", "so is an apostrophe");
+    let comment = ["see `docs/", "physics.md", "#a-b`, not docs/", "a.md or docs/*.md", "#c"].concat();
+    assert_eq!(named_anchors(&comment), [("physics", "a-b")], "a page with an anchor, and no other");
     let blanked = blank_comments_and_strings("let a = \"f32 \\\" f32\"; // f32\nlet b = '\"';");
     assert!(!has_word(&blanked, "f32"), "comments and strings do not count: {blanked}");
     assert!(blanked.contains("let b"), "the next line does: {blanked}");

@@ -9,7 +9,7 @@ use super::{Local, paper, return_mapping};
 /// Which friction law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Friction {
-    /// The paper's (54)–(59) in continuous time (physics section 4, events 1–4).
+    /// The paper's (54)–(59) in continuous time (`docs/physics.md#law-paper`).
     Paper,
     /// Elastic-plastic Coulomb after Cundall and Strack.
     ReturnMapping,
@@ -120,8 +120,8 @@ impl Law {
         }
     }
 
-    /// Mode of a contact that closes: stick if `|V_t| < μ_s |V_n|`, else slip along `V_t` (event 1). Where the node has
-    /// no normal velocity the caller passes accelerations.
+    /// Mode of a contact that closes: stick if `|V_t| < μ_s |V_n|`, else slip along `V_t` (`docs/physics.md#closing`).
+    /// Where the node has no normal velocity the caller passes accelerations.
     pub fn on_closing(&self, here: &Local, tangential: DVec2, normal: f64) -> Mode {
         if tangential.length() < self.mu_s * normal.abs() {
             Mode::Stick { anchor: here.way }
@@ -130,7 +130,7 @@ impl Law {
         }
     }
 
-    /// What breakaway makes of a stick (event 2).
+    /// What breakaway makes of a stick (`docs/physics.md#breakaway`).
     pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
         match self.friction {
             Friction::Paper => paper::breakaway(self, anchor, here),
@@ -138,7 +138,7 @@ impl Law {
         }
     }
 
-    /// What stopping makes of a slip (event 3).
+    /// What stopping makes of a slip (`docs/physics.md#stop`).
     pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
         match self.friction {
             Friction::Paper => Mode::Stick { anchor: here.way },

@@ -1,4 +1,4 @@
-//! Contact laws at one point, knowing no bodies (physics section 4; paper section 4).
+//! Contact laws at one point, knowing no bodies (`docs/physics.md#contact-kinematics`; paper section 4).
 //!
 //! [`node_face`] measures where a node is relative to a face; a [`Law`] turns that into forces and says when the state
 //! {open, stick, slip} changes. Everything is in the face's own axes: first tangent, second tangent, outward normal.

@@ -1,4 +1,4 @@
-//! The paper's friction (55)–(59), read in continuous time (physics section 4).
+//! The paper's friction (55)–(59), read in continuous time (`docs/physics.md#law-paper`).
 //!
 //! In slip p is the projection of the node: no tangential spring, no tangential dashpot, friction `μ_k |F_n|` against the
 //! sliding velocity. On re-stick the tangential force starts again from 0, so a static load creeps; `return_mapping` is
@@ -29,8 +29,8 @@ pub(super) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
     }
 }
 
-/// Rises through 0 when `V_t` stops (event 3). With two directions of sliding it is above 0 for a moment only: smooth, so that
-/// looks on either side bend towards it, where the length of `V_t` would come to a point.
+/// Rises through 0 when `V_t` stops (`docs/physics.md#stop`). With two directions of sliding it is above 0 for a moment
+/// only: smooth, so that looks on either side bend towards it, where the length of `V_t` would come to a point.
 pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
     if law.v_stick > 0.0 {
@@ -40,7 +40,8 @@ pub(super) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
     }
 }
 
-/// Event 2: friction opposes `V_t`, whatever its direction; where `V_t` is zero, it points along the spring's pull.
+/// Breakaway (`docs/physics.md#breakaway`): friction opposes `V_t`, whatever its direction; where `V_t` is zero, it
+/// points along the spring's pull.
 pub(super) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
     let (sliding, normal) = here.relative_velocity(DVec2::ZERO);

@@ -37,7 +37,8 @@ mod tests {
 
     #[test]
     fn the_papers_dashpots_come_from_its_restitution() {
-        // (69b) prints 220 and 26.4 N·s/m for two 2 kg girders; physics section 4 gives one more digit and the wall.
+        // (69b) prints 220 and 26.4 N·s/m for two 2 kg girders; `docs/physics.md#restitution-and-damping` has one more
+        // digit and the wall.
         let pair = dashpots(1.55e5, reduced_mass(2.0, 2.0), 0.4, 0.9);
         let wall = dashpots(1.55e5, reduced_mass(2.0, f64::INFINITY), 0.4, 0.9);
         for (got, printed) in

@@ -1,4 +1,5 @@
-//! Elastic-plastic Coulomb friction after Cundall and Strack (1979): the default law (physics section 4).
+//! Elastic-plastic Coulomb friction after Cundall and Strack (1979): the default law
+//! (`docs/physics.md#law-return-mapping`).
 //!
 //! In slip p is dragged behind so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k δ d`. The
 //! tangential dashpot acts on the rate of the spring's own stretch, `−C_t (V_t − q̇)`, q̇ the rate of p along the face, so
@@ -25,7 +26,7 @@ pub(super) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
     }
 }
 
-/// Rises through 0 when the plastic rate `λ = q̇·d` returns to 0 (event 3).
+/// Rises through 0 when the plastic rate `λ = q̇·d` returns to 0 (`docs/physics.md#stop`).
 ///
 /// With `μ_k = 0` there is no stretch to give d: it is where the node slides to, and in two directions of sliding nothing
 /// comes to rest.

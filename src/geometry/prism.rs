@@ -1,4 +1,4 @@
-//! The girder's shape: a homogeneous prism of parallelogram plan (physics section 1, paper equation (4e)).
+//! The girder's shape: a homogeneous prism of parallelogram plan (`docs/physics.md#rigid-body`, (4e)).
 
 use glam::{DMat3, DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! Ground motion as functions of time (physics section 3).
+//! Ground motion as functions of time (`docs/physics.md#ground-motion`).
 //!
 //! A ground acceleration `a_g(t)` enters the bodies as `−m a_g`. It is either nothing, a sine, or a record that is
 //! linear between samples; each is piecewise analytic, which is what lets free flight have a closed form.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::geometry::End;
 
-/// What friction does in slip and on re-stick (physics section 4).
+/// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FrictionLaw {

@@ -1,4 +1,4 @@
-//! Which model computes a scene, and the numbers of the rigid-body impact model (physics section 5).
+//! Which model computes a scene, and the numbers of the rigid-body impact model (`docs/physics.md#impact-model`).
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! The energy ledger (physics section 9), kept after the run from what the run left.
+//! The energy ledger (`docs/physics.md#energy-ledger`), kept after the run from what the run left.
 //!
 //! Powers are integrated over every body's path and every contact's states, each on its own steps, so the balance checks
 //! the trajectory against the forces that it claims; nothing is booked while a run is computed.

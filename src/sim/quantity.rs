@@ -88,7 +88,7 @@ pub enum OfContact {
     State,
 }
 
-/// What of the energy ledger (physics section 9).
+/// What of the energy ledger (`docs/physics.md#energy-ledger`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfEnergy {
     /// Kinetic.

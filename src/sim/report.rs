@@ -145,7 +145,7 @@ pub struct Touch {
     pub slip: f64,
 }
 
-/// Energy at one instant, and where it went since t = 0 (physics section 9) \[J\].
+/// Energy at one instant, and where it went since t = 0 (`docs/physics.md#energy-ledger`) \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Ledger {
     /// Kinetic energy, relative to the ground.

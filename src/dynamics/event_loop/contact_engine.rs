@@ -1,4 +1,4 @@
-//! The event loop for one group of bodies that pairs join (physics section 4).
+//! The event loop for one group of bodies that pairs join (`docs/physics.md#contact-events`).
 //!
 //! Every body has a trajectory into the future: a closed-form flight, or the planned step of the island it touches in.
 //! Every pair knows when its next contact closes on those trajectories. The earliest of all that is due happens; only

@@ -1,4 +1,4 @@
-//! What an event makes of a contact (physics section 4, events 1–4).
+//! What an event makes of a contact (`docs/physics.md#contact-events`).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::dynamics::penalty3d::event_location::{EDGE, PATIENCE, ROUNDING, Reaso
 use crate::dynamics::record::event::{Event, EventKind};
 use crate::scene::{FrictionLaw, Kind, Sharing, Tension};
 
-/// Sliding in two directions below this speed counts as stopped (physics section 4, event 3) \[m/s\].
+/// Sliding in two directions below this speed counts as stopped (`docs/physics.md#stop`) \[m/s\].
 pub(in crate::dynamics) const V_STICK: f64 = 1e-6;
 /// After so many changes in one touch a stick breaks away by more than rounding, twice as much after every so many more.
 const WORN: usize = 100;
@@ -153,7 +153,7 @@ impl Engine {
         self.contacts[contact].rivals.iter().any(|&other| self.contacts[other].state.closed().is_some())
     }
 
-    /// Event 1: a node enters a face.
+    /// Closing: a node enters a face (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close(&mut self, contact: usize, now: &Juncture) {
         let (.., here) = self.since(contact, now, &now.since);
         let law = self.law(contact, now);
@@ -218,7 +218,7 @@ impl Engine {
         self.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.turned == DMat3::ZERO
     }
 
-    /// Events 2–4 of a closed contact.
+    /// Breakaway, stop, opening and edge of a closed contact (`docs/physics.md#contact-events`).
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason, now: &Juncture) {
         let Some(closed) = self.contacts[contact].state.closed().copied() else { return };
         match reason {
@@ -268,7 +268,7 @@ impl Engine {
     }
 
     /// Whether a contact that has stopped sliding in two directions can hold: the tangential force that keeps `V_t` at
-    /// rest is within `μ_s |F_n|` (physics section 4, event 3).
+    /// rest is within `μ_s |F_n|` (`docs/physics.md#stop`).
     fn can_hold(&self, contact: usize, closed: &Closed, now: &Juncture) -> bool {
         let track = &self.contacts[contact];
         let (home, sides, _) = self.since(contact, now, &now.since);

@@ -1,4 +1,4 @@
-//! Free motion of a planar girder in closed form: no steps (physics section 2).
+//! Free motion of a planar girder in closed form: no steps (`docs/physics.md#free-flight`).
 //!
 //! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
 //! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go

@@ -1,9 +1,10 @@
 //! Where two sides of a pair touch, and what a push there does to them.
 //!
-//! With `n` the unit normal from the second side to the first (out of a wall, towards the girder), `s = ẑ × n` and levers
-//! `ρ` from each G, the relative velocity at the point is `V = V₁ − V₂`, `v_n = V·n`, `v_s = V·s`; an impulse `(P_n, P_s)`
-//! acts on the first side and its opposite on the second. Per unit mass and with a wall behind it this is physics
-//! section 5: `w_n = 1 + ρ_n²/i²`, `w_ns = ρ_n ρ_s/i²` with `ρ_n = ρ × n`, `ρ_s = ρ × s` (26).
+//! With `n` the unit normal from the second side to the first (out of a wall, towards the girder), `s = ẑ × n` and
+//! levers `ρ` from each G, the relative velocity at the point is `V = V₁ − V₂`, `v_n = V·n`, `v_s = V·s`; an impulse
+//! `(P_n, P_s)` acts on the first side and its opposite on the second. Per unit mass and with a wall behind it these
+//! are the quantities of `docs/physics.md#levers-and-mobilities`: `w_n = 1 + ρ_n²/i²`, `w_ns = ρ_n ρ_s/i²` with
+//! `ρ_n = ρ × n`, `ρ_s = ρ × s` (26).
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! The 2D rigid-body impact model (paper section 3, [physics](../../../docs/physics.md#impact-model)).
+//! The 2D rigid-body impact model (paper section 3, `docs/physics.md#impact-model`).
 //!
 //! Girders and their faces are rigid: a hit is an impulse, a lasting contact a constraint. Planar scenes; a wall at any end,
 //! and girder against girder by the same impulses with the levers of both bodies. Free flight, rest and a face that slides

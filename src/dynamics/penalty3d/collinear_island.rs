@@ -1,9 +1,10 @@
 //! Bodies that move along one axis and touch flush across it: nothing slides and nothing turns, so the nodes of two faces
 //! push as one and a body's rate is that of one coordinate.
 //!
-//! `m ẍ + c ẋ + k x = Σ ±(K δ + C δ̇) − m Ẍ` with the sums of a face's K and C (physics sections 2 and 4). What makes it
-//! so is exact: bearings and ground that do not lead off the axis, faces square to it, levers across it that cancel, and a
-//! state whose other components are 0. These stay 0 then, to the last bit; where one is not, all is computed.
+//! `m ẍ + c ẋ + k x = Σ ±(K δ + C δ̇) − m Ẍ` with the sums of a face's K and C (`docs/physics.md#plane-motion`,
+//! `docs/physics.md#linear-spring-and-dashpot`). What makes it so is exact: bearings and ground that do not lead off
+//! the axis, faces square to it, levers across it that cancel, and a state whose other components are 0. These stay 0
+//! then, to the last bit; where one is not, all is computed.
 
 use glam::{DMat3, DVec3};
 

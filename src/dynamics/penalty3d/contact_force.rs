@@ -1,7 +1,7 @@
 //! The 3D contact-friction model between bodies (paper section 4): a law's forces, put where they act.
 //!
-//! `R_k` acts at the node `X_k`, `−R_k` at the point `X_p` that holds it (physics section 4), so a pair keeps its momentum
-//! exactly and its angular momentum up to the couple `(X_k − X_p) × R_k,t`.
+//! `R_k` acts at the node `X_k`, `−R_k` at the point `X_p` that holds it (`docs/physics.md#contact-kinematics`), so a
+//! pair keeps its momentum exactly and its angular momentum up to the couple `(X_k − X_p) × R_k,t`.
 
 use glam::{DMat3, DVec2, DVec3};
 

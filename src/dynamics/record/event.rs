@@ -56,7 +56,7 @@ pub struct Event {
     contact: u32,
     /// What.
     pub kind: EventKind,
-    /// Energy that a jump of the anchor released (section 9), or that a hit lost \[J\].
+    /// Energy that a jump of the anchor released (`docs/physics.md#energy-ledger`), or that a hit lost \[J\].
     pub released: f64,
 }
 

@@ -1,4 +1,5 @@
-//! Who can touch whom: pairs of facing ends, found by themselves or declared (physics section 4, Fig. 24).
+//! Who can touch whom: pairs of facing ends, found by themselves or declared (Fig. 24,
+//! `docs/physics.md#contact-pairs`).
 //!
 //! An abutment pairs with the end that it faces. Two girders' ends pair when they look at each other (outward normals
 //! opposed within [`LARGEST_TURN_DEG`]), each centre lies in front of the other's face, their sideways offset is less

@@ -48,7 +48,7 @@ fn after(history: &History) -> [f64; 3] {
     [motion.velocity.x, motion.velocity.y, motion.spin.z]
 }
 
-/// `(Q_n, Q_s, w_n, w_ns)` that the limit of physics section 5 says, and levers.
+/// `(Q_n, Q_s, w_n, w_ns)` of the limit (`docs/physics.md#limits-of-the-impact-model`), and levers.
 fn limit() -> [f64; 3] {
     let (a, b, theta) = (0.095f64, 0.035f64, 0.2f64);
     let i2 = (a * a + b * b) / 3.0;

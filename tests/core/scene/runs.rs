@@ -34,7 +34,7 @@ fn the_flush_free_hit_returns_the_restitution_asked_for() {
 #[test]
 fn the_straight_girder_hits_twice_a_cycle_at_the_large_input() {
     // The paper, for 0.40 g: two hits in succession each cycle; 24 cycles in 10 s.
-    assert_eq!(run("straight-abutment").summary().hits, 48, "physics section 8, item 1");
+    assert_eq!(run("straight-abutment").summary().hits, 48, "docs/physics.md#model-girders, item 1");
 }
 
 #[test]

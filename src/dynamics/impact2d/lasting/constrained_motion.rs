@@ -1,9 +1,10 @@
 //! Reactions in lasting contact: one constrained solve for all states c–f, whatever touches what.
 //!
-//! Unknown are the pushes `N ≥ 0` of every point that is kept and the hold `T` of every seat that stays put; asked is that
-//! kept points have no acceleration along the normal, and those that stay put none along the tangent either. A seat that
-//! slides carries `T = −μ_k N sgn(v_s)`. All bearing forces are in it (physics section 5, (7)–(25)), so for a straight
-//! girder at a wall `N/m` is `R_x` of (15), (20), (23), (25), counted positive in compression.
+//! Unknown are the pushes `N ≥ 0` of every point that is kept and the hold `T` of every seat that stays put; asked is
+//! that kept points have no acceleration along the normal, and those that stay put none along the tangent either. A
+//! seat that slides carries `T = −μ_k N sgn(v_s)`. All bearing forces are in it ((7)–(25),
+//! `docs/physics.md#lasting-contact`), so for a straight girder at a wall `N/m` is `R_x` of (15), (20), (23), (25),
+//! counted positive in compression.
 
 use glam::{DVec2, DVec3};
 
