@@ -6,8 +6,10 @@ use girderbench::contact::locate;
 use girderbench::dynamics::Model;
 use girderbench::dynamics::free_flight::flight;
 use girderbench::dynamics::free_flight::flight::Flight;
-use girderbench::dynamics::integrator::dop853::{Dop853, System, next_factor};
-use girderbench::dynamics::locate::advancement::{Found, Outlook, first_crossing, root};
+use girderbench::dynamics::integrator::dop853::{Dop853, next_factor};
+use girderbench::dynamics::integrator::system::System;
+use girderbench::dynamics::locate::advancement::{Found, Outlook, first_crossing};
+use girderbench::dynamics::locate::root::root;
 use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
 use girderbench::scene::presets;
 

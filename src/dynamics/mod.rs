@@ -11,4 +11,6 @@ pub mod penalty3d;
 pub mod record;
 pub mod trajectory;
 
-pub use model::assembly::{Body, ContactSite, Model, Pair};
+pub use model::body::Body;
+pub use model::compiled_model::Model;
+pub use model::pair::{ContactSite, Pair};

@@ -2,19 +2,19 @@
 //! gap, the difference of two coordinates, and one search finds them all.
 //!
 //! `g = g₀ ± (q_a − q_b)`. What bounds it is what bounds the two coordinates; how it is searched is as for any gap
-//! ([`search`], [`prowl`](crate::dynamics::closing::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
+//! ([`search`], [`prowl`](crate::dynamics::locate::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
 //! closed or behind the face, are for [`predict`](crate::dynamics::closing).
 
 use crate::dynamics::Model;
 use crate::dynamics::closing::in_flight;
-use crate::dynamics::closing::next_closing::RESOLUTION;
-use crate::dynamics::closing::subdivision::{Look, Prowl};
 use crate::dynamics::event_loop::contact_engine::{ContactTrack, Engine, Trajectory};
 use crate::dynamics::free_flight::relative_bounds;
 use crate::dynamics::free_flight::uncoupled_axis::Dof;
-use crate::dynamics::integrator::dop853::Dense;
+use crate::dynamics::integrator::dense_output::Dense;
 use crate::dynamics::locate::advancement::{Found, Outlook, first_crossing_from};
-use crate::dynamics::penalty3d::collinear_island;
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::subdivision::{Look, Prowl};
+use crate::dynamics::model::single_axis;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::scene::Kind;
 
@@ -229,7 +229,7 @@ impl<'a> Mover<'a> {
         match (&track.now, &track.system) {
             (Trajectory::Flight(flight), Some(system)) => {
                 let straight =
-                    engine.model.bodies[track.body].straight[axis] && collinear_island::along(&flight.state, axis);
+                    engine.model.bodies[track.body].straight[axis] && single_axis::along(&flight.state, axis);
                 let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
                 Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
             }

@@ -4,11 +4,13 @@
 //! that any contact allows. A pair whose gaps are out of reach for good is not looked at again until somebody is hit.
 
 use crate::contact::{Frame, Local, locate};
-use crate::dynamics::closing::next_closing::{RESOLUTION, in_front};
 use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
 use crate::dynamics::free_flight::motion_bounds::Bound;
 use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
-use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, polish, root};
+use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, polish};
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::{ContactSite, Model};
 use crate::motion::Ground;

@@ -4,4 +4,3 @@ pub(in crate::dynamics) mod collinear_pair;
 pub(in crate::dynamics) mod gap_curvature;
 pub(in crate::dynamics) mod in_flight;
 pub mod next_closing;
-pub(in crate::dynamics) mod subdivision;

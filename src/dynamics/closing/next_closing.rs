@@ -6,18 +6,13 @@ use crate::contact::{Frame, Local, gap, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::closing::gap_curvature::Swing;
 use crate::dynamics::closing::in_flight::Spot;
-use crate::dynamics::closing::subdivision::{Look, Prowl};
 use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
 use crate::dynamics::event_loop::event_queue::Item;
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::subdivision::{Look, Prowl};
 use crate::dynamics::penalty3d::contact_state::Contact;
 
-/// Depth of a dip behind a face that may go unseen, in parts of the size of what moves: rounding.
-pub(in crate::dynamics) const RESOLUTION: f64 = 4e-16;
-/// A node is in front of a face again when it is this many resolutions off it: at the crossing that it missed by, its gap is
-/// rounding of either sign.
-pub(in crate::dynamics) const ARMED: f64 = 64.0;
-/// Rounding of a time, with room for that of a root.
-const CLOCK: f64 = 16.0 * f64::EPSILON;
 /// Rounding of a speed, in parts of it, with room.
 const SPEED: f64 = 64.0 * f64::EPSILON;
 /// Time over which a contact shows how it closes, in units of that within which contacts of its pair close together.
@@ -112,12 +107,6 @@ fn open(engine: &mut Engine, contact: usize, t: f64) -> Option<bool> {
         engine.contacts[contact].state = Contact::Open { armed: true };
     }
     Some(out)
-}
-
-/// Whether a node that was ignored is clearly before the face again: where it went through, its gap is rounding of places
-/// and, at its speed, of the clock.
-pub(in crate::dynamics) fn in_front(gap: f64, rate: f64, t: f64, resolution: f64) -> bool {
-    gap > ARMED * resolution + CLOCK * t * rate.abs()
 }
 
 fn look(engine: &Engine, contact: usize, t: f64) -> Local {

@@ -10,9 +10,10 @@ use crate::dynamics::event_loop::event_queue::Item;
 use crate::dynamics::event_loop::transitions::Juncture;
 use crate::dynamics::integrator::step_control::Pace;
 use crate::dynamics::model::reference_pose::Base;
-use crate::dynamics::penalty3d::contact_state::{Contact, Path, Segment};
+use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::event_location::Due;
 use crate::dynamics::penalty3d::island::{Distance, Island};
+use crate::dynamics::trajectory::segment::{Path, Segment};
 
 /// Changes of a contact at one instant from which on it alternates.
 const ALTERNATES: usize = 2;

@@ -9,11 +9,11 @@ use crate::dynamics::event_loop::transitions::Juncture;
 use crate::dynamics::integrator::step_control::{Pace, WORTHWHILE};
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::{reference_pose, rigid_body};
-use crate::dynamics::penalty3d::contact_state::{Path, Segment};
 use crate::dynamics::penalty3d::equations_of_motion::Active;
 use crate::dynamics::penalty3d::event_forecast::soonest;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::trajectory::segment::{Path, Segment};
 
 impl Engine {
     /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or go alone.

@@ -5,16 +5,14 @@
 //! through [`Coupled`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
 //! crossings can leap without missing one.
 
-use crate::dynamics::free_flight::matrix_exponential;
-
 use glam::{DMat3, DVec3};
 
-use crate::dynamics::Body;
+use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::Coupled;
-use crate::dynamics::free_flight::motion_bounds::Bound;
 use crate::dynamics::free_flight::oscillator::{Free, Oscillator};
 use crate::dynamics::free_flight::uncoupled_axis::{Dof, PieceStep};
 use crate::dynamics::model::bearing::is_diagonal;
+use crate::dynamics::model::body::Body;
 use crate::motion::{Ground, LinearPiece};
 
 /// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
@@ -209,12 +207,6 @@ impl System {
             };
         }
         out
-    }
-
-    /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
-    pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
-        let (state, free) = self.parts(flight, t);
-        (state, self.bound_from(t, &state, free.as_ref(), horizon))
     }
 
     /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.

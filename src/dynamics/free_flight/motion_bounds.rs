@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
+use crate::dynamics::free_flight::flight::{Flight, Planar, System, SystemForm};
 use crate::dynamics::free_flight::uncoupled_axis::Dof;
 
 /// Bounds on a motion over `[t, t + window]`.
@@ -32,6 +32,12 @@ impl Bound {
 }
 
 impl System {
+    /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
+    pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
+        let (state, free) = self.parts(flight, t);
+        (state, self.bound_from(t, &state, free.as_ref(), horizon))
+    }
+
     /// Bounds on the motion from `t`, where it is at `state`, for at most `horizon` \[s\].
     ///
     /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,

@@ -12,10 +12,8 @@ use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::Coupled;
 use crate::dynamics::free_flight::oscillator::Oscillator;
-use crate::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat, Way, middle};
-use crate::dynamics::{Body, Model};
+use crate::dynamics::model::body::Body;
 use crate::motion::{Ground, LinearPiece};
-use crate::scene::ImpactSettings;
 
 /// One stretch of sliding, within one piece of a record.
 #[derive(Clone, Debug)]
@@ -85,34 +83,21 @@ impl Felt {
 }
 
 impl Slide {
-    /// The slide of one girder whose face lies on a wall, from `state` at `t` on, for at most `longest` \[s\]; nothing for
-    /// any other lasting contact.
-    pub(in crate::dynamics) fn begin(
-        model: &Model,
-        (body, seats): (usize, &[Seat]),
-        numbers: &ImpactSettings,
+    /// The slide of `girder` along `s` from `state` at `t` on, within `piece` of the ground motion and for at most `longest` \[s\].
+    /// `d = s + μ_k σ n` is the direction along which forces are felt.
+    pub(in crate::dynamics) fn new(
+        (girder, ground): (&Body, &Ground),
+        [s, d]: [DVec2; 2],
         piece: &LinearPiece,
         (t, state): (f64, &Planar),
         longest: f64,
-    ) -> Option<Self> {
-        let [seat] = seats else { return None };
-        let (Way::Slides(sign), true) = (seat.way, seat.is_flush()) else { return None };
-        let (sides, girder) = (model.pairs[seat.pair].bodies, &model.bodies[body]);
-        if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
-            return None;
-        }
-        let scenery = Scenery::new(model, &[body], std::slice::from_ref(state), DVec3::ZERO);
-        let touching = middle(&scenery.points(model, seat));
-        // The wall's normal towards the girder, whichever side of the pair it is.
-        let n = if sides[0].is_none() { -touching.n } else { touching.n };
-        let s = n.perp();
-        let d = s + n * (seat.friction(numbers)[1] * sign);
+    ) -> Self {
         let place = DVec3::new(state[0], state[1], state[2]);
-        let felt = Felt::of(girder, place, s, d, &model.ground);
+        let felt = Felt::of(girder, place, s, d, ground);
         let speed = DVec2::new(state[3], state[4]).dot(s);
         let fastest = felt.omega2.abs().sqrt().max(felt.damping.abs());
-        let law = Law::of(&felt, &model.ground, piece, t, speed, longest);
-        Some(Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law })
+        let law = Law::of(&felt, ground, piece, t, speed, longest);
+        Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law }
     }
 
     /// State at `t`.

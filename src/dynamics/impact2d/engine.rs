@@ -16,8 +16,8 @@ use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
 use crate::dynamics::impact2d::record::{Record, Stay};
 use crate::dynamics::impact2d::tracks::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::dynamics::model::rigid_body;
-use crate::dynamics::penalty3d::contact_state::{Path, Segment};
 use crate::dynamics::record::event::Stop;
+use crate::dynamics::trajectory::segment::{Path, Segment};
 
 /// Hits, searches and steps per body after which a run gives up.
 const WORK: usize = 3_000_000;

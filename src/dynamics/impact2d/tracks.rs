@@ -4,7 +4,7 @@ use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::free_flight::flight::{Flight, System};
 use crate::dynamics::impact2d::State;
 use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
-use crate::dynamics::penalty3d::contact_state::Segment;
+use crate::dynamics::trajectory::segment::Segment;
 
 /// What a body does now.
 #[derive(Clone, Debug)]

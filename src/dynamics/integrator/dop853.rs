@@ -1,11 +1,9 @@
 //! Dormand–Prince 8(5,3): explicit Runge–Kutta of order 8 with a seventh-order continuous answer
 //! (Hairer, Nørsett and Wanner, section II.5). Knows no physics; all buffers are kept from step to step.
 
+use crate::dynamics::integrator::dense_output::Dense;
 use crate::dynamics::integrator::dop853_tableau::{A, C, D, E3, E5};
-use crate::dynamics::integrator::low_rank_correction::Channel;
-
-/// Coefficients of the interpolant per component.
-pub const DENSE: usize = 8;
+use crate::dynamics::integrator::system::System;
 
 /// Slopes of a step with those that its continuous answer needs.
 const STAGES: usize = 16;
@@ -13,62 +11,6 @@ const STAGES: usize = 16;
 /// Time constants of a decay that a step may span for its error to be seen: at 5.65 of them, inside the region of stability, the
 /// estimate of fifth order crosses 0 while a quarter of what should have decayed is left.
 pub(in crate::dynamics) const SEEN: f64 = 5.0;
-
-/// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
-/// \[0, 1\], rounded up.
-const STEEPEST: [[f64; DENSE - 1]; 2] =
-    [[1.0, 1.0, 1.0, 0.193, 0.136, 0.0537, 0.0336], [0.0, 2.0, 4.0, 2.0, 2.0, 0.375, 0.243]];
-
-/// A first-order system with its own idea of how large an error is.
-pub trait System {
-    /// `ẏ` at `(t, y)`.
-    fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]);
-    /// Squared size of a difference of states, 1 being what the tolerance allows.
-    fn size2(&self, difference: &[f64]) -> f64;
-    /// How far component `i`, which is `y`, may move for its effect to be felt but still in proportion.
-    fn extent(&self, _i: usize, y: f64) -> f64 {
-        y.abs().max(1.0)
-    }
-    /// Whether component `i` never changes.
-    fn is_held(&self, _i: usize) -> bool {
-        false
-    }
-    /// Width of the blocks of the leading components and how many of each are places, if they are such: the rates of a
-    /// block's places are linear in the rest of it, its speeds, by columns that are orthogonal, and nothing answers to
-    /// changes of places that speeds cannot bring about.
-    fn bodies(&self) -> Option<(usize, usize)> {
-        None
-    }
-    /// A rate that nothing but what follows or slides exceeds by much \[1/s\].
-    fn quickest(&self) -> f64 {
-        f64::INFINITY
-    }
-    /// What an error of 1 is in parts of the motion.
-    fn tolerance(&self) -> f64 {
-        0.0
-    }
-    /// How many of the last components follow the others, each by one of the channels.
-    fn followers(&self) -> usize {
-        0
-    }
-    /// `∂ẏᵢ/∂yᵢ` of those components where the slope was last asked for.
-    fn rates(&self) -> &[f64] {
-        &[]
-    }
-    /// How many forces turn with velocities faster than one Jacobian can say.
-    fn sliders(&self) -> usize {
-        0
-    }
-    /// How they answered where the slope was last asked for: as many everywhere.
-    fn channels(&self) -> &[Channel] {
-        &[]
-    }
-    /// Whether from now on they keep the direction that they had there, and all that bends its side of the bend.
-    fn hold(&mut self, _held: bool) {}
-    /// Rates of the leading components per unit of a slider's force, and its velocity per unit of those components, at
-    /// `y`: two columns and two rows, both 0 as given, and 0 for places.
-    fn slider(&self, _slider: usize, _y: &[f64], _push: &mut [f64], _view: &mut [f64]) {}
-}
 
 /// The integrator's memory for systems of one size.
 #[derive(Clone, Debug, Default)]
@@ -78,85 +20,6 @@ pub struct Dop853 {
     stage: Vec<f64>,
     end: Vec<f64>,
     size: usize,
-}
-
-/// A continuous answer over one step: `[component][coefficient]`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dense {
-    /// Where the step begins \[s\].
-    pub from: f64,
-    /// Its length \[s\].
-    pub step: f64,
-    coefficients: Vec<[f64; DENSE]>,
-}
-
-impl Dense {
-    /// A continuous answer from its coefficients.
-    pub(in crate::dynamics) fn new(from: f64, step: f64, coefficients: Vec<[f64; DENSE]>) -> Self {
-        Self { from, step, coefficients }
-    }
-
-    /// Components `range` at `t`, written to `out`.
-    #[inline]
-    pub fn read(&self, range: std::ops::Range<usize>, t: f64, out: &mut [f64]) {
-        let x = (t - self.from) / self.step;
-        for (value, c) in out.iter_mut().zip(&self.coefficients[range]) {
-            *value = Self::value(c, x);
-        }
-    }
-
-    /// One component at `t`.
-    #[inline]
-    pub(in crate::dynamics) fn component(&self, i: usize, t: f64) -> f64 {
-        Self::value(&self.coefficients[i], (t - self.from) / self.step)
-    }
-
-    /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
-    #[inline]
-    pub(in crate::dynamics) fn value(c: &[f64; DENSE], x: f64) -> f64 {
-        let y = 1.0 - x;
-        c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))))
-    }
-
-    /// How far components `range` together are from their start at most, anywhere in the step.
-    pub(in crate::dynamics) fn span(&self, range: std::ops::Range<usize>) -> f64 {
-        // Every coefficient stands before a product of factors from 0 to 1.
-        let far = |c: &[f64; DENSE]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
-        self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
-    }
-
-    /// Bounds on `|ẏ|` and `|ÿ|` of components `range` together, anywhere in the step.
-    pub(in crate::dynamics) fn swing(&self, range: std::ops::Range<usize>) -> [f64; 2] {
-        self.swing_of(self.coefficients[range].iter().copied())
-    }
-
-    /// The same of the difference to as many components from `other` on.
-    pub(in crate::dynamics) fn swing_apart(&self, range: std::ops::Range<usize>, other: usize) -> [f64; 2] {
-        let pairs = self.coefficients[range].iter().zip(&self.coefficients[other..]);
-        self.swing_of(pairs.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k])))
-    }
-
-    fn swing_of(&self, components: impl Iterator<Item = [f64; DENSE]>) -> [f64; 2] {
-        let mut squares = [0.0; 2];
-        for c in components {
-            for (square, most) in squares.iter_mut().zip(&STEEPEST) {
-                let largest: f64 = c[1..].iter().zip(most).map(|(c, most)| most * c.abs()).sum();
-                *square += largest * largest;
-            }
-        }
-        [squares[0].sqrt() / self.step, squares[1].sqrt() / (self.step * self.step)]
-    }
-
-    /// The same answer for some components only.
-    #[must_use]
-    pub fn part(&self, range: std::ops::Range<usize>) -> Self {
-        Self { from: self.from, step: self.step, coefficients: self.coefficients[range].to_vec() }
-    }
-
-    /// Every coefficient, for hashing.
-    pub fn coefficients(&self) -> &[[f64; DENSE]] {
-        &self.coefficients
-    }
 }
 
 impl Dop853 {
@@ -235,14 +98,14 @@ impl Dop853 {
             .collect();
         y.copy_from_slice(&self.end);
         self.slopes.copy_within(12 * n..13 * n, 0);
-        Dense { from: t, step: h, coefficients }
+        Dense::new(t, h, coefficients)
     }
 
     /// How many time constants of the fastest motion the step just accepted spans, from its last two stages, which are
     /// for the same time (Hairer and Wanner, section IV.2).
     pub fn stiffness(&mut self, system: &impl System, accepted: &Dense) -> f64 {
         let n = self.size;
-        for (i, c) in accepted.coefficients.iter().enumerate() {
+        for (i, c) in accepted.coefficients().iter().enumerate() {
             // The first slope has made room for the next step's; the answer still knows it.
             let slope = |j: usize| if j == 0 { (c[1] + c[2]) / accepted.step } else { self.slopes[j * n + i] };
             let moved: f64 = A[11].iter().map(|&(j, factor)| factor * slope(j)).sum();
@@ -343,23 +206,6 @@ mod tests {
             worst.0 = worst.0.max((y[0] - (t + h).sin()).abs());
         }
         worst
-    }
-
-    #[test]
-    fn nothing_in_a_step_is_faster_or_bends_more_than_its_bounds() {
-        let wild = |seed: f64| std::array::from_fn(|k| (seed + 1.7 * k as f64).sin() * 3.0);
-        let dense = Dense::new(2.0, 0.3, vec![wild(0.4), wild(2.9), wild(5.1)]);
-        let at = |i: usize, x: f64| Dense::value(&dense.coefficients[i], x) - Dense::value(&dense.coefficients[2], x);
-        let [speed, bend] = dense.swing_apart(0..1, 2);
-        let (h, mut worst) = (1e-4, [0.0f64; 2]);
-        for k in 1..9999 {
-            let x = f64::from(k) * h;
-            let (before, here, after) = (at(0, x - h), at(0, x), at(0, x + h));
-            worst[0] = worst[0].max(((after - before) / (2.0 * h * dense.step)).abs());
-            worst[1] = worst[1].max(((after - 2.0 * here + before) / (h * dense.step).powi(2)).abs());
-        }
-        assert!(worst[0] <= speed && worst[1] <= bend, "{worst:?} against {speed}, {bend}");
-        assert!(worst[0] > 0.1 * speed && worst[1] > 0.1 * bend, "not far above: {worst:?}, {speed}, {bend}");
     }
 
     #[test]

@@ -11,25 +11,12 @@ use num_complex::Complex64;
 
 use crate::dynamics::integrator::dense_lu;
 use crate::dynamics::integrator::dense_lu::Lu;
-use crate::dynamics::integrator::dop853::System;
 use crate::dynamics::integrator::newton_matrix::{Linear, Shifted, Systems};
 use crate::dynamics::integrator::radau_tableaus::Table;
+use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm};
 
 /// Most stages of a method.
 const STAGES: usize = 7;
-
-/// One way in which a slider's force answers to its velocity.
-#[derive(Clone, Copy, Debug)]
-pub struct Channel {
-    /// The slider's number.
-    pub slider: usize,
-    /// Change of the force per unit of what the channel carries.
-    pub force: DVec2,
-    /// What the channel carries, or the rate at which it changes, per unit of velocity.
-    pub speed: DVec2,
-    /// Number of the component that follows, if one carries it; else the velocity does so itself.
-    pub follower: Option<usize>,
-}
 
 /// Sliders of a system with their responses, and the channels of all stages. A slider's force acts on speeds, and its
 /// velocity shows in them: of the state, all here concerns the unknowns of [`Linear`] alone.
@@ -51,10 +38,10 @@ pub(in crate::dynamics) struct Slides {
     /// Velocities per unit of force in the real system and as rates: `[row][column]`.
     within: Vec<f64>,
     at_once: Vec<f64>,
-    channels: [Vec<Channel>; STAGES],
+    channels: [Vec<RankOneTerm>; STAGES],
     /// Channels that do anything, and the same stage after stage, as `(stage, which of them, channel)`.
     live: Vec<usize>,
-    unknowns: Vec<(usize, usize, Channel)>,
+    unknowns: Vec<(usize, usize, RankOneTerm)>,
     lu: Lu<f64>,
     right: Vec<f64>,
     found: Vec<f64>,
@@ -65,15 +52,15 @@ pub(in crate::dynamics) struct Slides {
 
 impl Slides {
     /// Looks at the sliders of a system of `n` leading components whose state is `y`.
-    pub(in crate::dynamics) fn gather(&mut self, system: &impl System, linear: &Linear, y: &[f64], n: usize) {
-        (self.sliders, self.size) = (system.sliders(), linear.size());
+    pub(in crate::dynamics) fn gather(&mut self, system: &impl ImplicitSystem, linear: &Linear, y: &[f64], n: usize) {
+        (self.sliders, self.size) = (system.port_count(), linear.size());
         self.push.clear();
         self.view.clear();
         let (mut push, mut view) = (vec![0.0; 2 * n], vec![0.0; 2 * n]);
         for slider in 0..self.sliders {
             push.fill(0.0);
             view.fill(0.0);
-            system.slider(slider, y, &mut push, &mut view);
+            system.port(slider, y, &mut push, &mut view);
             for column in 0..2 {
                 self.push.extend(linear.gather(&push[column * n..]));
                 self.view.extend(linear.gather(&view[column * n..]));
@@ -83,14 +70,14 @@ impl Slides {
     }
 
     /// Whether the sliders are solved together with the rest: always those that answer at once.
-    pub(in crate::dynamics) fn together(&mut self, system: &impl System) -> bool {
-        self.together |= system.followers() < system.sliders();
+    pub(in crate::dynamics) fn together(&mut self, system: &impl ImplicitSystem) -> bool {
+        self.together |= system.auxiliary_count() < system.port_count();
         self.together
     }
 
     /// From now on solves together what was solved apart; whether that is news.
-    pub(in crate::dynamics) fn unite(&mut self, system: &impl System) -> bool {
-        system.sliders() > 0 && !std::mem::replace(&mut self.together, true)
+    pub(in crate::dynamics) fn unite(&mut self, system: &impl ImplicitSystem) -> bool {
+        system.port_count() > 0 && !std::mem::replace(&mut self.together, true)
     }
 
     /// Begins anew with another system.
@@ -137,7 +124,7 @@ impl Slides {
     }
 
     /// Takes the channels of a stage as the system has them where its slope was last asked for.
-    pub(in crate::dynamics) fn record(&mut self, stage: usize, channels: &[Channel]) {
+    pub(in crate::dynamics) fn record(&mut self, stage: usize, channels: &[RankOneTerm]) {
         self.channels[stage].clear();
         self.channels[stage].extend_from_slice(channels);
     }
@@ -157,8 +144,8 @@ impl Slides {
         let width = follow.len() / stages;
         self.live.clear();
         let channels = &self.channels[..stages];
-        let lives = |c: &usize| channels.iter().any(|stage| stage[*c].force != DVec2::ZERO);
-        self.live.extend((0..channels[0].len()).filter(|c| channels[0][*c].follower.is_some() || lives(c)));
+        let lives = |c: &usize| channels.iter().any(|stage| stage[*c].input != DVec2::ZERO);
+        self.live.extend((0..channels[0].len()).filter(|c| channels[0][*c].auxiliary.is_some() || lives(c)));
         let (count, columns) = (self.live.len(), 2 * self.sliders);
         if !self.together {
             return (0..width).all(|follower| Self::alone(table, follow, follower, h, &rate));
@@ -175,7 +162,7 @@ impl Slides {
             let ((k, which, ref to), (l, other, ref from)) = (unknowns[i], unknowns[j]);
             let own = if which != other {
                 0.0
-            } else if let Some(follower) = to.follower {
+            } else if let Some(follower) = to.auxiliary {
                 table.inverse[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
             } else {
                 f64::from(u8::from(k == l))
@@ -191,19 +178,19 @@ impl Slides {
         }
         self.right.clear();
         for &(k, _, to) in &self.unknowns {
-            let left = to.follower.map_or(0.0, |follower| follow[k * width + follower]);
+            let left = to.auxiliary.map_or(0.0, |follower| follow[k * width + follower]);
             let velocity = |row: usize| {
                 let turning = self.seen_complex.iter().zip(table.complex_right);
                 turning.fold(table.real_right[k] * self.seen[row], |sum, (seen, right)| {
                     sum + 2.0 * (right[k].0 * seen[row].re - right[k].1 * seen[row].im)
                 })
             };
-            self.right.push(left + to.speed.x * velocity(2 * to.slider) + to.speed.y * velocity(2 * to.slider + 1));
+            self.right.push(left + to.output.x * velocity(2 * to.port) + to.output.y * velocity(2 * to.port + 1));
         }
         self.found.resize(stages * count, 0.0);
         self.lu.solve(&self.right, &mut self.found);
         for ((k, _, channel), found) in self.unknowns.iter().zip(&self.found) {
-            if let Some(follower) = channel.follower {
+            if let Some(follower) = channel.auxiliary {
                 follow[k * width + follower] = *found;
             }
         }
@@ -234,8 +221,8 @@ impl Slides {
             for (k, force) in forces[..table.stages()].iter_mut().enumerate() {
                 for (c, &number) in self.live.iter().enumerate() {
                     let channel = &self.channels[k][number];
-                    if channel.slider == column / 2 {
-                        *force += channel.force[column % 2] * self.found[k * count + c];
+                    if channel.port == column / 2 {
+                        *force += channel.input[column % 2] * self.found[k * count + c];
                     }
                 }
             }
@@ -267,7 +254,7 @@ impl Slides {
             return true;
         }
         let (channels, within) = (&self.channels[0], &self.within);
-        let own = |c: &Channel| c.follower.map_or(1.0, |follower| shift - rate(follower));
+        let own = |c: &RankOneTerm| c.auxiliary.map_or(1.0, |follower| shift - rate(follower));
         let done = self.lu.factor(count, |i, j| {
             let (to, from) = (&channels[i], &channels[j]);
             (if i == j { own(to) } else { 0.0 }) - through(within, columns, to, from)
@@ -278,17 +265,17 @@ impl Slides {
         product(&self.view, &real.found, n, &mut self.seen);
         self.right.clear();
         for to in channels {
-            let left = to.follower.map_or(0.0, |follower| follow[follower]);
-            self.right.push(left + to.speed.dot(DVec2::from_slice(&self.seen[2 * to.slider..])));
+            let left = to.auxiliary.map_or(0.0, |follower| follow[follower]);
+            self.right.push(left + to.output.dot(DVec2::from_slice(&self.seen[2 * to.port..])));
         }
         self.found.resize(count, 0.0);
         self.lu.solve(&self.right, &mut self.found[..count]);
         for (channel, carried) in channels.iter().zip(&self.found) {
-            for (axis, force) in (channel.force * *carried).to_array().into_iter().enumerate() {
-                let column = &self.real[(2 * channel.slider + axis) * n..][..n];
+            for (axis, force) in (channel.input * *carried).to_array().into_iter().enumerate() {
+                let column = &self.real[(2 * channel.port + axis) * n..][..n];
                 real.found.iter_mut().zip(column).for_each(|(d, r)| *d += force * r);
             }
-            if let Some(follower) = channel.follower {
+            if let Some(follower) = channel.auxiliary {
                 follow[follower] = *carried;
             }
         }
@@ -298,16 +285,16 @@ impl Slides {
     /// The fastest rate at which a channel of the first stage answers at once \[1/s\].
     pub(in crate::dynamics) fn fastest(&self) -> f64 {
         let columns = 2 * self.sliders;
-        let at_once = self.channels[0].iter().filter(|c| c.follower.is_none());
+        let at_once = self.channels[0].iter().filter(|c| c.auxiliary.is_none());
         at_once.map(|c| through(&self.at_once, columns, c, c).abs()).fold(0.0, f64::max)
     }
 }
 
 /// What a unit in the channel `from` adds to the channel `to`, by velocities per unit of force.
-fn through(velocities: &[f64], columns: usize, to: &Channel, from: &Channel) -> f64 {
-    let entry = |row: usize, column: usize| velocities[(2 * to.slider + row) * columns + 2 * from.slider + column];
-    let row = |row: usize| entry(row, 0) * from.force.x + entry(row, 1) * from.force.y;
-    to.speed.x * row(0) + to.speed.y * row(1)
+fn through(velocities: &[f64], columns: usize, to: &RankOneTerm, from: &RankOneTerm) -> f64 {
+    let entry = |row: usize, column: usize| velocities[(2 * to.port + row) * columns + 2 * from.port + column];
+    let row = |row: usize| entry(row, 0) * from.input.x + entry(row, 1) * from.input.y;
+    to.output.x * row(0) + to.output.y * row(1)
 }
 
 /// Rows times columns, each `n` long.
@@ -326,6 +313,7 @@ where
 mod tests {
     use super::*;
     use crate::dynamics::integrator::radau_iia::Radau;
+    use crate::dynamics::integrator::system::System;
 
     /// Far below the velocity by which a Jacobian is differenced.
     const LEAST: f64 = 1e-10;
@@ -333,7 +321,7 @@ mod tests {
     /// A unit mass that a force of 0.9, turning once in 2π, pushes against friction of 1: it creeps at 0.9 of the least
     /// speed, along the force.
     struct Creep {
-        channels: Vec<Channel>,
+        channels: Vec<RankOneTerm>,
         held: Option<DVec2>,
     }
 
@@ -344,11 +332,11 @@ mod tests {
             let force = DVec2::new(t.cos(), t.sin()) * 0.9 - against;
             out.copy_from_slice(&force.to_array());
             let (along, speed) = (v.try_normalize().unwrap_or(DVec2::X), v.length());
-            let channel = |direction: DVec2, slope: f64| Channel {
-                slider: 0,
-                force: direction * slope,
-                speed: direction,
-                follower: None,
+            let channel = |direction: DVec2, slope: f64| RankOneTerm {
+                port: 0,
+                input: direction * slope,
+                output: direction,
+                auxiliary: None,
             };
             let slowing = if speed < LEAST { -1.0 / LEAST } else { 0.0 };
             self.channels = vec![channel(along.perp(), -1.0 / speed.max(LEAST)), channel(along, slowing)];
@@ -357,20 +345,22 @@ mod tests {
         fn size2(&self, d: &[f64]) -> f64 {
             d.iter().map(|x| (x / (1e-6 * LEAST)).powi(2)).sum()
         }
+    }
 
-        fn sliders(&self) -> usize {
+    impl ImplicitSystem for Creep {
+        fn port_count(&self) -> usize {
             1
         }
 
-        fn channels(&self) -> &[Channel] {
+        fn rank_one_terms(&self) -> &[RankOneTerm] {
             &self.channels
         }
 
-        fn hold(&mut self, held: bool) {
+        fn freeze(&mut self, held: bool) {
             self.held = held.then_some(DVec2::X * 0.9);
         }
 
-        fn slider(&self, _: usize, _: &[f64], push: &mut [f64], view: &mut [f64]) {
+        fn port(&self, _: usize, _: &[f64], push: &mut [f64], view: &mut [f64]) {
             push.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
             view.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
         }

@@ -2,6 +2,7 @@
 
 mod constants;
 pub(in crate::dynamics) mod dense_lu;
+pub mod dense_output;
 pub mod dop853;
 pub(in crate::dynamics) mod dop853_tableau;
 pub(in crate::dynamics) mod low_rank_correction;
@@ -9,3 +10,4 @@ pub(in crate::dynamics) mod newton_matrix;
 pub(in crate::dynamics) mod radau_iia;
 pub(in crate::dynamics) mod radau_tableaus;
 pub(in crate::dynamics) mod step_control;
+pub mod system;

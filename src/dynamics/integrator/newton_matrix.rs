@@ -9,8 +9,8 @@ use std::ops::Range;
 use num_complex::Complex64;
 
 use crate::dynamics::integrator::dense_lu::{Entry, Lu};
-use crate::dynamics::integrator::dop853::System;
 use crate::dynamics::integrator::radau_tableaus::Table;
+use crate::dynamics::integrator::system::ImplicitSystem;
 
 /// A component of a place that a speed carries: `B` by its entries.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +43,8 @@ impl Linear {
     }
 
     /// Numbers of the unknowns among `n` components, and that nothing answers to anything.
-    pub(in crate::dynamics) fn quiet(&mut self, system: &impl System, n: usize) {
-        let (width, places) = system.bodies().unwrap_or((1, 0));
+    pub(in crate::dynamics) fn quiet(&mut self, system: &impl ImplicitSystem, n: usize) {
+        let (width, places) = system.position_blocks().unwrap_or((1, 0));
         self.speeds.clear();
         self.speeds.extend((0..n).filter(|i| i % width >= places));
         self.places.clear();
@@ -63,18 +63,19 @@ impl Linear {
     /// changes the state by the root of a rounding.
     pub(in crate::dynamics) fn differentiate(
         &mut self,
-        system: &mut impl System,
+        system: &mut impl ImplicitSystem,
         t: f64,
         [y, slope]: [&[f64]; 2],
         [state, moved]: [&mut [f64]; 2],
         n: usize,
     ) {
         self.quiet(system, n);
-        let (m, small, (width, places)) = (self.size(), f64::EPSILON.sqrt(), system.bodies().unwrap_or((1, 0)));
+        let (m, small, (width, places)) =
+            (self.size(), f64::EPSILON.sqrt(), system.position_blocks().unwrap_or((1, 0)));
         state.copy_from_slice(y);
         for j in 0..m {
             let at = self.speeds[j];
-            state[at] = y[at] + small * system.extent(at, y[at]);
+            state[at] = y[at] + small * system.increment_scale(at, y[at]);
             let step = state[at] - y[at];
             system.slope(t, state, moved);
             let change = |i: usize| (moved[i] - slope[i]) / step;
@@ -100,7 +101,7 @@ impl Linear {
     /// The column of the stiffness of the displacement that these entries describe.
     fn displace(
         &mut self,
-        system: &mut impl System,
+        system: &mut impl ImplicitSystem,
         t: f64,
         [y, slope]: [&[f64]; 2],
         [state, moved]: [&mut [f64]; 2],
@@ -109,7 +110,7 @@ impl Linear {
         let (m, entries) = (self.size(), &self.carry[entries]);
         let Some(largest) = entries.iter().max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())) else { return };
         let (j, length2) = (largest.speed, self.inverse[largest.speed]);
-        let step = f64::EPSILON.sqrt() * system.extent(largest.place, y[largest.place]) * length2.sqrt();
+        let step = f64::EPSILON.sqrt() * system.increment_scale(largest.place, y[largest.place]) * length2.sqrt();
         let mut gone = 0.0;
         for c in entries {
             state[c.place] = y[c.place] + step * c.value;

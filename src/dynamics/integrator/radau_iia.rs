@@ -10,10 +10,11 @@
 use crate::dynamics::integrator::constants::{
     CAUTION, COARSE, FARTHEST, GOOD, LEFT, PATIENCE, QUIET, ROUNDS, SAME, SHORT, STALLED,
 };
-use crate::dynamics::integrator::dop853::{DENSE, Dense, System};
+use crate::dynamics::integrator::dense_output::{DENSE, Dense};
 use crate::dynamics::integrator::low_rank_correction::Slides;
 use crate::dynamics::integrator::newton_matrix::Systems;
 use crate::dynamics::integrator::radau_tableaus::{FIVE, SEVEN, THREE, Table};
+use crate::dynamics::integrator::system::ImplicitSystem;
 
 /// Most stages, and as many coefficients of the continuous answer beyond its start.
 const STAGES: usize = DENSE - 1;
@@ -70,13 +71,13 @@ impl Radau {
     /// infinite where Newton's method fails.
     pub(in crate::dynamics) fn attempt(
         &mut self,
-        system: &mut impl System,
+        system: &mut impl ImplicitSystem,
         t: f64,
         y: &[f64],
         slope: &[f64],
         h: f64,
     ) -> f64 {
-        self.leading = self.size - system.followers();
+        self.leading = self.size - system.auxiliary_count();
         self.choose(system, h);
         if !self.known || !self.fresh && self.rate > GOOD {
             self.differentiate(system, t, y, slope);
@@ -100,10 +101,10 @@ impl Radau {
     }
 
     /// With how many stages a step of length `h` is taken.
-    fn choose(&mut self, system: &impl System, h: f64) {
-        let tolerance = system.tolerance();
+    fn choose(&mut self, system: &impl ImplicitSystem, h: f64) {
+        let tolerance = system.relative_tolerance();
         let short = QUIET.min(SHORT * tolerance.sqrt().sqrt());
-        self.quiet = h * system.quickest() < short;
+        self.quiet = h * system.rate_bound() < short;
         self.table = match self.quiet {
             true => &THREE,
             false if tolerance >= COARSE => &FIVE,
@@ -116,7 +117,7 @@ impl Radau {
     }
 
     /// The Jacobian at the start of a step; none where nothing changes within it.
-    fn differentiate(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64]) {
+    fn differentiate(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], slope: &[f64]) {
         let n = self.leading;
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
         self.systems.linear.quiet(system, n);
@@ -125,10 +126,10 @@ impl Radau {
         }
         if !self.quiet {
             system.slope(t, y, moved);
-            system.hold(true);
+            system.freeze(true);
             self.systems.linear.differentiate(system, t, [y, slope], [state, moved], n);
         }
-        system.hold(false);
+        system.freeze(false);
         (self.known, self.fresh, self.factored) = (!self.quiet, true, (0.0, 0));
     }
 
@@ -161,7 +162,7 @@ impl Radau {
     }
 
     /// Newton's method for the stages.
-    fn solve(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> bool {
+    fn solve(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> bool {
         let (n, mut before, mut rate) = (self.size, 0.0f64, 0.0f64);
         let (followers, stages) = (n - self.leading, self.table.stages());
         self.rates.resize(stages * followers, 0.0);
@@ -172,14 +173,14 @@ impl Radau {
                 let state = &mut self.scratch.state;
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
-                self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.rates());
-                self.slides.record(stage, system.channels());
+                self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.auxiliary_rates());
+                self.slides.record(stage, system.rank_one_terms());
             }
             if !self.correct(h) {
                 return false;
             }
             // Elimination leaves rounding where nothing may move.
-            for i in (0..self.leading).filter(|&i| system.is_held(i)) {
+            for i in (0..self.leading).filter(|&i| system.is_constant(i)) {
                 (0..stages).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
             }
             let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
@@ -232,7 +233,7 @@ impl Radau {
     }
 
     /// Error of the stages just found: the embedded formula, filtered so that what decays at once does not count.
-    fn error(&mut self, system: &mut impl System, t: f64, y: &[f64], slope: &[f64], h: f64) -> f64 {
+    fn error(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], slope: &[f64], h: f64) -> f64 {
         let error = self.filtered(system, slope, h);
         if error < 1.0 || !error.is_finite() {
             return error;
@@ -245,7 +246,7 @@ impl Radau {
         error
     }
 
-    fn filtered(&mut self, system: &impl System, slope: &[f64], h: f64) -> f64 {
+    fn filtered(&mut self, system: &impl ImplicitSystem, slope: &[f64], h: f64) -> f64 {
         let (n, leading, shift) = (self.size, self.leading, self.table.real / h);
         let found = &mut self.scratch.error;
         found.fill(0.0);
@@ -289,7 +290,7 @@ impl Radau {
     }
 
     /// The fastest rate in the Jacobian at hand, by the power method in the system's own measure; 0 without one \[1/s\].
-    pub(in crate::dynamics) fn fastest(&mut self, system: &impl System) -> f64 {
+    pub(in crate::dynamics) fn fastest(&mut self, system: &impl ImplicitSystem) -> f64 {
         let n = self.leading;
         let mut rate = self.rates.iter().fold(self.slides.fastest(), |a, r| a.max(r.abs()));
         let Scratch { state, slope, .. } = &mut self.scratch;
@@ -329,6 +330,7 @@ fn increments(x: f64) -> [f64; STAGES] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::integrator::system::System;
 
     /// A slow circle that a fast decay pulls towards itself: Prothero and Robinson's problem beside an oscillator.
     struct Stiff(f64);
@@ -342,11 +344,9 @@ mod tests {
         fn size2(&self, d: &[f64]) -> f64 {
             d.iter().map(|x| (x / 1e-13).powi(2)).sum()
         }
-
-        fn extent(&self, _: usize, y: f64) -> f64 {
-            y.abs().max(1.0)
-        }
     }
+
+    impl ImplicitSystem for Stiff {}
 
     /// Largest errors over three units of time: of the circle and of what decays, at the ends of steps and between them.
     fn errors(steps: u32, stiffness: f64) -> [f64; 3] {

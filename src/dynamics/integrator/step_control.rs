@@ -1,9 +1,11 @@
 //! One step after another, by whichever method takes fewer evaluations: explicit steps of order eight, implicit ones where
 //! the explicit ones are held short by their stability or by noise. Knows no physics.
 
+use crate::dynamics::integrator::dense_output::Dense;
 use crate::dynamics::integrator::dop853;
-use crate::dynamics::integrator::dop853::{Dense, Dop853, System};
+use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::integrator::radau_iia::Radau;
+use crate::dynamics::integrator::system::ImplicitSystem;
 
 /// Explicit steps that span more time constants of the fastest motion than this, though their error is less than
 /// [`SPARE`], are held short by their stability.
@@ -114,7 +116,7 @@ impl Stepper {
     }
 
     /// Evaluates the slope at the start of the next step anew: at a start, and after a kink.
-    pub(in crate::dynamics) fn start(&mut self, system: &mut impl System, t: f64, y: &[f64]) {
+    pub(in crate::dynamics) fn start(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64]) {
         self.rk.start(system, t, y);
         if let Some(radau) = &mut self.radau {
             radau.forget();
@@ -144,7 +146,7 @@ impl Stepper {
     /// The length of a step that would have to be shorter than the smallest.
     pub(in crate::dynamics) fn step(
         &mut self,
-        system: &mut impl System,
+        system: &mut impl ImplicitSystem,
         t: f64,
         y: &mut [f64],
         limits: Limits,
@@ -173,7 +175,13 @@ impl Stepper {
 
     /// Takes an explicit step that is part of one within the tolerance: its continuous answer; `y` becomes the state at its
     /// end.
-    pub(in crate::dynamics) fn again(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Dense {
+    pub(in crate::dynamics) fn again(
+        &mut self,
+        system: &mut impl ImplicitSystem,
+        t: f64,
+        y: &mut [f64],
+        h: f64,
+    ) -> Dense {
         self.rk.start(system, t, y);
         // Its estimate is known to be small enough.
         let _ = self.rk.attempt(system, t, y, h);
@@ -183,7 +191,7 @@ impl Stepper {
     /// The same of an implicit step; nothing where that is not within the tolerance. The next step has to be started.
     pub(in crate::dynamics) fn again_implicit(
         &mut self,
-        system: &mut impl System,
+        system: &mut impl ImplicitSystem,
         t: f64,
         y: &mut [f64],
         h: f64,
@@ -198,7 +206,7 @@ impl Stepper {
     }
 
     /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
-    fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> (f64, f64) {
+    fn attempt(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.pace.stiff {
             let spare = &mut self.spare;
             let radau = self.radau.get_or_insert_with(|| {
@@ -215,13 +223,13 @@ impl Stepper {
     }
 
     /// Accepts the step just tried and considers whether the other method would have done it for less.
-    fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64, error: f64) -> Dense {
+    fn accept(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &mut [f64], h: f64, error: f64) -> Dense {
         let (dense, doubt) = match &mut self.radau {
             Some(radau) if self.pace.stiff => {
                 let dense = radau.accept(t, y, h);
                 self.rk.start(system, t + h, y);
                 // What turns gets faster without bound where a touch ends: explicit steps would come to nothing.
-                (dense, system.followers() == 0 && error > GROWING && h * radau.fastest(system) < WORTH)
+                (dense, system.auxiliary_count() == 0 && error > GROWING && h * radau.fastest(system) < WORTH)
             }
             _ => {
                 let dense = self.rk.accept(system, t, y, h);

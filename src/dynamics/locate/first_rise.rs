@@ -4,7 +4,7 @@
 //! between neighbouring samples, by a dip below zero after a start at zero, or by a parabola through three negative samples
 //! that comes near zero between them; the bracket is then closed by [`root_between`].
 
-use crate::dynamics::locate::advancement::{root, root_between};
+use crate::dynamics::locate::root::{root, root_between};
 
 /// First time at which a sampled function rises through 0. A start above `zero` is due at once, unless it is `passing`:
 /// then it must fall below 0 first.

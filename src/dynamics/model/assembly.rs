@@ -1,175 +1,19 @@
 //! A scene compiled for computing: bodies, faces, facing pairs, contacts, ground.
 
-use crate::dynamics::model::contact_sites;
+use glam::DVec3;
 
-use std::sync::Arc;
-
-use glam::{DMat3, DVec3};
-
+use crate::contact::dashpots;
 use crate::contact::parameters::reduced_mass;
-use crate::contact::{Frame, Home, dashpots};
-use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Quantities, Standing, carry};
+use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::compiled_model::Model;
+use crate::dynamics::model::contact_sites;
+use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::Quickness;
-use crate::dynamics::penalty3d::collinear_island;
-use crate::geometry::{Face, Prism};
+use crate::dynamics::model::single_axis;
 use crate::motion::Ground;
-use crate::scene::facing::{Facing, PairContact, Side};
-use crate::scene::{Direction, Girder, ImpactSettings, Kind, Motion, Scene, SceneErrors, facing, placed};
-
-/// A girder, compiled.
-#[derive(Clone, Debug)]
-pub struct Body {
-    /// The girder's name.
-    pub name: String,
-    /// Its shape.
-    pub prism: Prism,
-    /// Where G is placed \[m\].
-    pub home: DVec3,
-    /// Girder axes as placed, in the columns, in the world.
-    pub axes: DMat3,
-    /// `m` \[kg\].
-    pub mass: f64,
-    /// `i²`, squared radius of gyration about the vertical \[m²\].
-    pub gyration2: f64,
-    /// Inertia about G in the body frame \[kg·m²\], and its inverse.
-    pub inertia: [DMat3; 2],
-    /// Largest distance of a corner from G \[m\].
-    pub radius: f64,
-    /// How fast it can answer.
-    pub quickness: Quickness,
-    /// What it stands on.
-    pub bearings: Vec<Bearing>,
-    /// Its weight on them; nothing in a planar scene.
-    pub standing: Standing,
-    /// The bearings over `(x, y, θ)`.
-    pub planar: PlanarBearings,
-    /// World directions it may move in: x, y, z, roll, pitch, yaw.
-    pub free: [bool; 6],
-    /// Constant force at G \[N\].
-    pub push: DVec3,
-    /// Constant moment about the vertical \[N·m\].
-    pub moment: f64,
-    /// For the world's x and y: whether nothing but a touch can drive it off that axis once it moves along it.
-    pub straight: [bool; 2],
-    /// Displacement and rotation at the start: x, y, z \[m\], θ \[rad\].
-    pub start: [f64; 4],
-    /// Velocity and spin at the start: x, y, z \[m/s\], ω \[rad/s\].
-    pub start_rate: [f64; 4],
-}
-
-impl Body {
-    /// (3), (4) of the girder in its own axes.
-    pub fn quantities(&self) -> Quantities {
-        Quantities::of(&self.bearings, self.mass, self.gyration2)
-    }
-
-    /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
-    #[inline]
-    pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.
-        let turned = if state[2] == 0.0 {
-            DMat3::ZERO
-        } else {
-            let (s, c) = (0.5 * state[2]).sin_cos();
-            let (sine, less) = (2.0 * s * c, -2.0 * s * s);
-            DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO)
-        };
-        Frame {
-            home: self.home,
-            shift: DVec3::new(state[0], state[1], self.start[2]),
-            turned,
-            velocity: DVec3::new(state[3], state[4], 0.0),
-            spin: DVec3::new(0.0, 0.0, state[5]),
-            level: true,
-        }
-    }
-}
-
-/// A facing pair, compiled.
-#[derive(Clone, Debug)]
-pub struct Pair {
-    /// `deck+x|wall`.
-    pub name: String,
-    /// A girder's end.
-    pub first: Side,
-    /// A girder's end or an abutment.
-    pub second: Side,
-    /// The girders on both sides; nothing for an abutment.
-    pub bodies: [Option<usize>; 2],
-    /// The numbers in force.
-    pub contact: PairContact,
-    /// `C_n` of the pair (65) \[N·s/m\].
-    pub c_n: f64,
-    /// `C_t` of the pair (65) \[N·s/m\].
-    pub c_t: f64,
-    /// Gap along the first girder's axis as placed \[m\].
-    pub gap: f64,
-    /// Its contacts, numbers in [`Model::contacts`].
-    pub contacts: std::ops::Range<usize>,
-    /// Whether sliding has one direction only: the faces are vertical and nobody can move vertically, roll or pitch.
-    pub one_way: bool,
-}
-
-/// A declared node and face (Fig. 24).
-#[derive(Clone, Debug)]
-pub struct ContactSite {
-    /// `deck.corner1`, as tables call the node.
-    pub node: String,
-    /// Name of the face, `wall` or `deck-x`.
-    pub face_name: Arc<str>,
-    /// Its pair.
-    pub pair: usize,
-    /// The body that owns the node; nothing for an abutment's corner.
-    pub node_body: Option<usize>,
-    /// The node in its body's frame (about `fixed`, for an abutment) \[m\].
-    pub point: DVec3,
-    /// The body that owns the face; nothing for an abutment.
-    pub face_body: Option<usize>,
-    /// The face in its body's frame (about `fixed`, for an abutment).
-    pub face: Face,
-    /// Both as placed.
-    pub home: Home,
-    /// Where the frame of the abutment in this contact stands, if there is one \[m\].
-    pub fixed: DVec3,
-    /// That frame.
-    pub stand: Frame,
-}
-
-impl ContactSite {
-    /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].
-    pub fn reach(&self) -> f64 {
-        self.face.size().max(self.point.length()).max(self.face.corners[0].length())
-    }
-}
-
-/// A scene, compiled.
-#[derive(Clone, Debug)]
-pub struct Model {
-    /// Planar or spatial.
-    pub kind: Kind,
-    /// How long \[s\].
-    pub duration: f64,
-    /// Local error per step, relative; less per step in runs of many thousands, whose errors add up.
-    pub tolerance: f64,
-    /// Numbers of the impact model.
-    pub impact: ImpactSettings,
-    /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
-    pub polynomials: usize,
-    /// Gravity; 0 in a planar scene \[m/s²\].
-    pub gravity: f64,
-    /// Ground motion.
-    pub ground: Ground,
-    /// Girders, as numbered in the scene.
-    pub bodies: Vec<Body>,
-    /// Facing pairs.
-    pub pairs: Vec<Pair>,
-    /// Declared nodes and faces.
-    pub contacts: Vec<ContactSite>,
-    /// Groups of bodies that a chain of pairs joins, each in rising order: they never feel one another.
-    pub groups: Vec<Vec<usize>>,
-    /// Pairs of each group, in rising order.
-    pub group_pairs: Vec<Vec<usize>>,
-}
+use crate::scene::facing::{Facing, Side};
+use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, facing, placed};
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
@@ -190,7 +34,7 @@ impl Model {
     pub fn of(scene: &Scene, facings: Vec<Facing>) -> Result<Self, SceneErrors> {
         let ground = ground(&scene.motion);
         let straight = |mut body: Body| {
-            body.straight = [0, 1].map(|axis| collinear_island::keeps(&body, &ground, axis));
+            body.straight = [0, 1].map(|axis| single_axis::keeps(&body, &ground, axis));
             body
         };
         let bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::contact::{Frame, Home};
-use crate::dynamics::{Body, ContactSite};
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::pair::ContactSite;
 use crate::geometry::{End, Face, Prism};
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};

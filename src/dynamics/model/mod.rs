@@ -2,7 +2,11 @@
 
 pub mod assembly;
 pub mod bearing;
+pub mod body;
+pub mod compiled_model;
 pub(in crate::dynamics) mod contact_sites;
+pub mod pair;
 pub(in crate::dynamics) mod rate_bounds;
 pub(crate) mod reference_pose;
 pub mod rigid_body;
+pub(in crate::dynamics) mod single_axis;

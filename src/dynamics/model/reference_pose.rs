@@ -6,11 +6,11 @@
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
-use crate::contact::{Frame, Home, Mode, locate, turned_by};
+use crate::contact::{Frame, Home, locate, turned_by};
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::pair::ContactSite;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::PLANAR;
-use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::{Body, ContactSite, Model};
 use crate::scene::Kind;
 
 /// A place and attitude, and what is counted from it.
@@ -141,33 +141,6 @@ impl Base {
     }
 }
 
-impl Island {
-    /// Counts everything from where its bodies are now, where its next step begins: nodes keep the places before their faces
-    /// that they had, to the last digit.
-    pub(in crate::dynamics) fn rebase(&mut self, model: &Model) {
-        let width = rigid_body::width(model.kind);
-        let bodies = self.bodies.iter().map(|&body| &model.bodies[body]);
-        let states = bodies.clone().zip(self.y.chunks_exact(width));
-        self.frames = self.bases.iter().zip(states).map(|(base, (body, state))| base.since(body, state)).collect();
-        for active in &mut self.active {
-            let here = active.look(model, &self.frames);
-            active.closed.at = Some(here.at.extend(here.gap));
-            if let Mode::Stick { anchor } = &mut active.closed.mode {
-                *anchor -= here.way;
-            }
-        }
-        for ((base, body), state) in self.bases.iter_mut().zip(bodies).zip(self.y.chunks_exact_mut(width)) {
-            base.add(state);
-            *base = Base::of(model.kind, body, state);
-        }
-        for active in &mut self.active {
-            let bases = [active.node, active.face].map(|side| self.bases.get(side?));
-            active.home = seen_from(&model.contacts[active.site], bases, active.closed.at);
-        }
-        self.counted_anew(model);
-    }
-}
-
 /// Adds place and attitude of a base, by its numbers, to a state that is counted from it.
 pub(in crate::dynamics) fn add(numbers: &[f64], state: &mut [f64]) {
     let turns = numbers.len() > 3;
@@ -205,6 +178,7 @@ fn pose(site: &ContactSite, base: Option<&Base>) -> Frame {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::Model;
     use crate::scene::presets;
 
     fn model(name: &str) -> Model {

@@ -6,7 +6,7 @@
 use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, turned_by};
-use crate::dynamics::Body;
+use crate::dynamics::model::body::Body;
 use crate::scene::Kind;
 
 /// Components of a planar body.

@@ -6,14 +6,14 @@
 //! the axis, faces square to it, levers across it that cancel, and a state whose other components are 0. These stay 0
 //! then, to the last bit; where one is not, all is computed.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use crate::contact::{Frame, Measured, Mode, law::Friction, measure};
+use crate::dynamics::Model;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::model::single_axis::along;
 use crate::dynamics::penalty3d::equations_of_motion::Active;
-use crate::dynamics::{Body, Model};
-use crate::motion::Ground;
 use crate::scene::Kind;
 
 /// Levers and places that cancel do so to this part of their size: rounding.
@@ -50,22 +50,6 @@ struct Touch {
     /// Levers of its force across the axis from G of either side \[m\].
     levers: [f64; 2],
     reach: f64,
-}
-
-/// Whether ground, bearings and pushes never drive a body off a world axis, 0 or 1, that it moves along.
-pub(in crate::dynamics) fn keeps(body: &Body, ground: &Ground, axis: usize) -> bool {
-    let across = 1 - axis;
-    let held = [!body.free[across], !body.free[5]];
-    let straight = |m: &DMat3| (held[0] || m.col(axis)[across] == 0.0) && (held[1] || m.col(axis)[2] == 0.0);
-    let undriven = held[0] || (ground.axis()[across] == 0.0 && body.push[across] == 0.0);
-    straight(&body.planar.stiffness) && straight(&body.planar.damping) && undriven && (held[1] || body.moment == 0.0)
-}
-
-/// Whether a planar state is in line with an axis.
-#[inline]
-pub(in crate::dynamics) fn along(state: &[f64], axis: usize) -> bool {
-    let across = 1 - axis;
-    state[across] == 0.0 && state[2] == 0.0 && state[3 + across] == 0.0 && state[5] == 0.0
 }
 
 impl Line {
@@ -198,7 +182,7 @@ mod tests {
     use super::*;
     use crate::contact::Law;
     use crate::dynamics::ContactSite;
-    use crate::dynamics::integrator::dop853::System;
+    use crate::dynamics::integrator::system::System;
     use crate::dynamics::penalty3d::contact_state::Closed;
     use crate::dynamics::penalty3d::equations_of_motion::{Field, Scale, Sliding};
     use crate::scene::{Motion, Scene, presets};

@@ -1,35 +1,8 @@
-//! What a run keeps: the path of every body and the states of every contact, exact at any time.
+//! State of a contact, and the forces of a closed one.
 
 use glam::{DVec2, DVec3};
 
 use crate::contact::{Forces, Law, Local, Mode, law::Friction};
-use crate::dynamics::free_flight::flight::Flight;
-use crate::dynamics::free_flight::sliding_face::Slide;
-use crate::dynamics::trajectory::step_polynomial::Piece;
-
-/// One stretch of a body's path.
-#[derive(Clone, Debug)]
-pub struct Segment {
-    /// From \[s\].
-    pub from: f64,
-    /// Until; a step may have been meant to go further \[s\].
-    pub until: f64,
-    /// The motion in between.
-    pub path: Path,
-}
-
-/// How a stretch was computed.
-#[derive(Clone, Debug)]
-pub enum Path {
-    /// Closed form.
-    Flight(Box<Flight>),
-    /// Closed form of a face that slides along a wall (impact model).
-    Slide(Box<Slide>),
-    /// Continuous answer of an integrator's step.
-    Step(Piece),
-    /// The same, to be taken again by its number among the group's.
-    Again(u32),
-}
 
 /// State of a contact with everything its forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]

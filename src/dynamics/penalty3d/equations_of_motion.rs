@@ -5,15 +5,14 @@ use glam::{DVec2, DVec3};
 
 use crate::contact::{Forces, Frame, Home, Local, Mode, law::Friction, locate};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::dop853::System;
-use crate::dynamics::integrator::low_rank_correction::Channel;
-use crate::dynamics::model::rate_bounds::quickest;
+use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm, System};
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
 use crate::dynamics::penalty3d::collinear_island::Line;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_force::Action;
+use crate::dynamics::penalty3d::contact_rates::quickest;
 use crate::dynamics::penalty3d::contact_state::Closed;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
@@ -113,7 +112,7 @@ pub(in crate::dynamics) struct Sliding {
     /// Numbers of those contacts among the closed ones.
     pub sliders: Vec<usize>,
     /// How their friction answers to `V_t`.
-    channels: Vec<Channel>,
+    channels: Vec<RankOneTerm>,
     /// What their friction pointed against, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
     /// Contacts that slid without friction, a hair before their faces.
@@ -147,7 +146,12 @@ impl Sliding {
         let turned = Mode::Slip { direction: (direction + direction.perp() * TURN) / (1.0 + TURN * TURN).sqrt() };
         let turned = closed.forces_in(&turned, &action.here);
         let force = (turned.tangential_total() - action.forces.tangential_total()) / TURN;
-        self.channels.push(Channel { slider, force, speed: direction.perp() / length, follower: Some(follower) });
+        self.channels.push(RankOneTerm {
+            port: slider,
+            input: force,
+            output: direction.perp() / length,
+            auxiliary: Some(follower),
+        });
     }
 
     /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
@@ -159,13 +163,13 @@ impl Sliding {
         let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
         let slowing = if speed < least { -friction / least } else { 0.0 };
         self.against[slider] = against;
-        self.channels.push(Channel {
-            slider,
-            force: across * (-friction / speed.max(least)),
-            speed: across,
-            follower: None,
+        self.channels.push(RankOneTerm {
+            port: slider,
+            input: across * (-friction / speed.max(least)),
+            output: across,
+            auxiliary: None,
         });
-        self.channels.push(Channel { slider, force: along * slowing, speed: along, follower: None });
+        self.channels.push(RankOneTerm { port: slider, input: along * slowing, output: along, auxiliary: None });
     }
 }
 
@@ -277,8 +281,10 @@ impl System for Field<'_> {
         let angles = d[self.bodies.len() * width..].iter().zip(self.angles);
         sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
     }
+}
 
-    fn is_held(&self, i: usize) -> bool {
+impl ImplicitSystem for Field<'_> {
+    fn is_constant(&self, i: usize) -> bool {
         let width = rigid_body::width(self.model.kind);
         let Some(&body) = self.bodies.get(i / width) else { return false };
         let free = &self.model.bodies[body].free;
@@ -290,42 +296,42 @@ impl System for Field<'_> {
         }
     }
 
-    fn bodies(&self) -> Option<(usize, usize)> {
+    fn position_blocks(&self) -> Option<(usize, usize)> {
         Some(match self.model.kind {
             Kind::Planar => (rigid_body::PLANAR, 3),
             Kind::Spatial => (rigid_body::SPATIAL, 7),
         })
     }
 
-    fn quickest(&self) -> f64 {
+    fn rate_bound(&self) -> f64 {
         self.scale.omega.max(quickest(self.model, self.active))
     }
 
-    fn tolerance(&self) -> f64 {
+    fn relative_tolerance(&self) -> f64 {
         self.model.tolerance
     }
 
-    fn followers(&self) -> usize {
+    fn auxiliary_count(&self) -> usize {
         self.active.iter().filter(|a| a.angle.is_some()).count()
     }
 
-    fn rates(&self) -> &[f64] {
+    fn auxiliary_rates(&self) -> &[f64] {
         self.rates
     }
 
-    fn sliders(&self) -> usize {
+    fn port_count(&self) -> usize {
         self.sliding.sliders.len()
     }
 
-    fn channels(&self) -> &[Channel] {
+    fn rank_one_terms(&self) -> &[RankOneTerm] {
         &self.sliding.channels
     }
 
-    fn hold(&mut self, held: bool) {
+    fn freeze(&mut self, held: bool) {
         self.sliding.held = held;
     }
 
-    fn slider(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+    fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
         let Some(active) = self.sliding.sliders.get(slider).map(|&i| &self.active[i]) else { return };
         // Planar faces are slid along in one direction only.
         if self.model.kind == Kind::Planar {
@@ -355,7 +361,7 @@ impl System for Field<'_> {
         }
     }
 
-    fn extent(&self, i: usize, y: f64) -> f64 {
+    fn increment_scale(&self, i: usize, y: f64) -> f64 {
         let width = rigid_body::width(self.model.kind);
         let (places, turns) = match self.model.kind {
             Kind::Planar => (2, 3),

@@ -5,10 +5,8 @@
 
 use crate::contact::{Local, Mode, locate};
 use crate::dynamics::closing::next_closing::arms;
-use crate::dynamics::locate::{
-    advancement::root,
-    first_rise::{First, first_rise},
-};
+use crate::dynamics::locate::first_rise::{First, first_rise};
+use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::contact_state::Closed;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{ContactSite, Model};

@@ -2,14 +2,14 @@
 
 use crate::contact::{Frame, Mode};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::dop853::Dense;
+use crate::dynamics::integrator::dense_output::Dense;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::{Limits, Pace, Stepper};
-use crate::dynamics::model::rate_bounds::{fastest, quickest};
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
 use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::contact_rates::{fastest, quickest};
 use crate::dynamics::penalty3d::contact_state::Closed;
 use crate::dynamics::penalty3d::equations_of_motion::{Active, Field, Scale, Sliding, direction};
 use crate::dynamics::penalty3d::event_location::{Due, Reason};

@@ -2,6 +2,7 @@
 
 pub(in crate::dynamics) mod collinear_island;
 pub mod contact_force;
+pub(in crate::dynamics) mod contact_rates;
 pub mod contact_state;
 pub(in crate::dynamics) mod equations_of_motion;
 pub(in crate::dynamics) mod error_scale;
@@ -9,3 +10,4 @@ pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod island;
 pub(in crate::dynamics) mod island_poses;
+pub(in crate::dynamics) mod island_rebase;

@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 use glam::{DVec2, DVec3};
 
 use crate::contact::{Law, Mode, law::Friction};
-use crate::dynamics::integrator::dop853::Dense;
+use crate::dynamics::integrator::dense_output::Dense;
 use crate::dynamics::penalty3d::contact_state::{Closed, Contact};
 
 /// A state, in twelve bytes.

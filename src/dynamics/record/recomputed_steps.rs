@@ -7,7 +7,8 @@
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::{Planar, System};
-use crate::dynamics::integrator::dop853::{Dense, Dop853};
+use crate::dynamics::integrator::dense_output::Dense;
+use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::model::{reference_pose, rigid_body};

@@ -2,7 +2,7 @@
 //!
 //! A girder that is hit head-on moves along one axis and never turns: a third of its state is all there is to keep.
 
-use crate::dynamics::integrator::dop853::{DENSE, Dense};
+use crate::dynamics::integrator::dense_output::{DENSE, Dense};
 use crate::dynamics::model::reference_pose;
 use crate::dynamics::model::reference_pose::Base;
 

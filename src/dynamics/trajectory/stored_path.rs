@@ -5,8 +5,8 @@
 
 use crate::dynamics::free_flight::flight::{Flight, Planar};
 use crate::dynamics::free_flight::sliding_face::Slide;
-use crate::dynamics::penalty3d::contact_state::{Path, Segment};
 use crate::dynamics::trajectory::packed_states::Packed;
+use crate::dynamics::trajectory::segment::{Path, Segment};
 use crate::dynamics::trajectory::step_polynomial::Piece;
 
 /// Bits of a code that say which of a kind; the three above them say the kind.

@@ -2,7 +2,8 @@
 
 use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
-use girderbench::dynamics::integrator::dop853::{Dop853, System};
+use girderbench::dynamics::integrator::dop853::Dop853;
+use girderbench::dynamics::integrator::system::System;
 use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
 use girderbench::scene::Scene;
 

@@ -5,12 +5,14 @@
 
 use smallvec::SmallVec;
 
-use crate::dynamics::closing::next_closing::{RESOLUTION, in_front};
 use crate::dynamics::impact2d::closing::cubic_advancement::{Cubic, crossing};
 use crate::dynamics::impact2d::closing::gap_derivatives::{View, gap, poses};
 use crate::dynamics::impact2d::engine::Engine;
 use crate::dynamics::impact2d::tracks::Going;
-use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, root};
+use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight};
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::root::root;
 use crate::motion::Ground;
 
 /// Periods of a sine that one search covers: girders in step with the ground hit once in a period.

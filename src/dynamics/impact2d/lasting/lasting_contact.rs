@@ -11,10 +11,12 @@ use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::sliding_face::Slide;
 use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle, react, shaking};
-use crate::dynamics::integrator::dop853::{DENSE, Dense, Dop853, System, next_factor};
-use crate::dynamics::locate::advancement::root;
+use crate::dynamics::integrator::dense_output::{DENSE, Dense};
+use crate::dynamics::integrator::dop853::{Dop853, next_factor};
+use crate::dynamics::integrator::system::System;
+use crate::dynamics::locate::root::root;
 use crate::dynamics::model::rigid_body;
-use crate::dynamics::penalty3d::contact_state::Path;
+use crate::dynamics::trajectory::segment::Path;
 use crate::dynamics::trajectory::step_polynomial::Piece;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::ImpactSettings;
@@ -176,8 +178,20 @@ impl Grip {
     /// A face alone on a wall, sliding.
     fn slides(&self, model: &Model, numbers: &ImpactSettings, piece: &LinearPiece, cap: f64) -> Option<Slide> {
         let ([body], [state]) = (&self.bodies[..], &states(&self.y)[..]) else { return None };
+        let [seat] = &self.seats[..] else { return None };
+        let (Way::Slides(sign), true) = (seat.way, seat.is_flush()) else { return None };
+        let (sides, girder) = (model.pairs[seat.pair].bodies, &model.bodies[*body]);
+        if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
+            return None;
+        }
+        let scenery = Scenery::new(model, &[*body], std::slice::from_ref(state), DVec3::ZERO);
+        let touching = middle(&scenery.points(model, seat));
+        // The wall's normal towards the girder, whichever side of the pair it is.
+        let n = if sides[0].is_none() { -touching.n } else { touching.n };
+        let s = n.perp();
+        let d = s + n * (seat.friction(numbers)[1] * sign);
         let longest = (cap - self.from).min(model.duration);
-        Slide::begin(model, (*body, &self.seats), numbers, piece, (self.from, state), longest)
+        Some(Slide::new((girder, &model.ground), [s, d], piece, (self.from, state), longest))
     }
 
     fn integrate(

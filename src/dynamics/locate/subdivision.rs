@@ -3,8 +3,9 @@
 //! Between two looks a gap differs from the straight line between them by no more than `½ M x (h − x)`. Where that reaches
 //! through the face, the stretch is halved, so what is not seen is less deep than the resolution, whatever moves.
 
-use crate::dynamics::closing::next_closing::{ARMED, in_front};
-use crate::dynamics::locate::advancement::{root, root_between};
+use crate::dynamics::locate::constants::ARMED;
+use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::root::{root, root_between};
 
 /// Looks at one resolution before it is made coarser: a gap that stays at rounding level for long ends in a defined way.
 const MOST: u32 = 64;

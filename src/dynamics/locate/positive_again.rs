@@ -1,0 +1,24 @@
+//! The test for a function that was negative and counts as positive again, beyond rounding of its value and of the time.
+
+use crate::dynamics::locate::constants::{ARMED, CLOCK};
+
+/// Whether a gap that was ignored while negative is clearly positive: its rounding is [`ARMED`] resolutions of place and, at the
+/// rate of the gap, that of the time `t`.
+pub(in crate::dynamics) fn in_front(gap: f64, rate: f64, t: f64, resolution: f64) -> bool {
+    gap > ARMED * resolution + CLOCK * t * rate.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_is_positive_beyond_rounding_of_place_and_time() {
+        let resolution = 1e-15;
+        assert!(!in_front(63.0 * resolution, 0.0, 10.0, resolution), "rounding of place");
+        assert!(in_front(65.0 * resolution, 0.0, 10.0, resolution), "beyond it");
+        let of_time = 16.0 * f64::EPSILON * 10.0 * 2.0;
+        assert!(!in_front(64.0 * resolution + 0.9 * of_time, -2.0, 10.0, resolution), "rounding of time at 2 m/s");
+        assert!(in_front(64.0 * resolution + 1.1 * of_time, -2.0, 10.0, resolution), "beyond both");
+    }
+}

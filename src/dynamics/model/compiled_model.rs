@@ -1,0 +1,35 @@
+//! A scene as constant data: what [`assembly`](crate::dynamics::model::assembly) compiles and every solver reads.
+
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::pair::{ContactSite, Pair};
+use crate::motion::Ground;
+use crate::scene::{ImpactSettings, Kind};
+
+/// A scene, compiled.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Planar or spatial.
+    pub kind: Kind,
+    /// How long \[s\].
+    pub duration: f64,
+    /// Local error per step, relative; less per step in runs of many thousands, whose errors add up.
+    pub tolerance: f64,
+    /// Numbers of the impact model.
+    pub impact: ImpactSettings,
+    /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
+    pub polynomials: usize,
+    /// Gravity; 0 in a planar scene \[m/s²\].
+    pub gravity: f64,
+    /// Ground motion.
+    pub ground: Ground,
+    /// Girders, as numbered in the scene.
+    pub bodies: Vec<Body>,
+    /// Facing pairs.
+    pub pairs: Vec<Pair>,
+    /// Declared nodes and faces.
+    pub contacts: Vec<ContactSite>,
+    /// Groups of bodies that a chain of pairs joins, each in rising order: they never feel one another.
+    pub groups: Vec<Vec<usize>>,
+    /// Pairs of each group, in rising order.
+    pub group_pairs: Vec<Vec<usize>>,
+}

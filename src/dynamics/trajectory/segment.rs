@@ -1,0 +1,29 @@
+//! A stretch of a body's trajectory: its interval of time and the representation of its motion.
+
+use crate::dynamics::free_flight::flight::Flight;
+use crate::dynamics::free_flight::sliding_face::Slide;
+use crate::dynamics::trajectory::step_polynomial::Piece;
+
+/// One stretch of a body's path.
+#[derive(Clone, Debug)]
+pub struct Segment {
+    /// From \[s\].
+    pub from: f64,
+    /// Until; a step may have been meant to go further \[s\].
+    pub until: f64,
+    /// The motion in between.
+    pub path: Path,
+}
+
+/// How a stretch was computed.
+#[derive(Clone, Debug)]
+pub enum Path {
+    /// Closed form.
+    Flight(Box<Flight>),
+    /// Closed form of a face that slides along a wall (impact model).
+    Slide(Box<Slide>),
+    /// Continuous answer of an integrator's step.
+    Step(Piece),
+    /// The same, to be taken again by its number among the group's.
+    Again(u32),
+}
