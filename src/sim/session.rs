@@ -33,6 +33,8 @@ pub struct Reached {
     pub t: f64,
     /// How many events there were.
     pub events: usize,
+    /// How many steps of integrators were taken.
+    pub steps: u64,
 }
 
 /// One engine a group of bodies.
@@ -75,7 +77,7 @@ impl Session {
                 from + (until - from) * f64::from(portion) / f64::from(PORTIONS)
             };
             self.work(t);
-            if !go_on(Reached { t, events: self.events() }) {
+            if !go_on(Reached { t, events: self.events(), steps: self.steps() }) {
                 return;
             }
         }
@@ -103,6 +105,14 @@ impl Session {
         match &self.engines {
             Engines::Contact(engines) => engines.iter().map(Engine::events).sum(),
             Engines::Impact(_) => 0,
+        }
+    }
+
+    /// How many steps the integrators of all groups have taken.
+    fn steps(&self) -> u64 {
+        match &self.engines {
+            Engines::Contact(engines) => engines.iter().map(|engine| engine.effort().steps).sum(),
+            Engines::Impact(engines) => engines.iter().map(|engine| engine.effort().steps).sum(),
         }
     }
 

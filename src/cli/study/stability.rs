@@ -42,7 +42,7 @@ pub(in crate::cli) fn run(args: &StabilityArgs, console: &mut Console) -> Result
     let timer = Timer::start();
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.threads.map_or(cores, |n| n as usize);
-    let limits = Limits { patience: args.patience, events: args.events as usize };
+    let limits = Limits { patience: args.patience, events: args.events as usize, ..Limits::NONE };
     let asked = Asked { from: args.from, seeds: args.seeds, threads, limits };
     let progress = Mutex::new((Progress::over(args.seeds as f64, "seeds"), 0.0));
     let verdicts = stability::run(&asked, &thread_seconds, &|_| {

@@ -246,6 +246,11 @@ impl Engine {
         self.events.len()
     }
 
+    /// What has been done so far.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
     /// How far the run has come \[s\].
     fn now(&self) -> f64 {
         if self.stop.is_none() && self.agenda.first_time() > self.model.duration {

@@ -315,6 +315,11 @@ impl Engine {
         self.bodies.iter().enumerate().map(move |(slot, track)| (track.body, self.state(slot, t).to_vec()))
     }
 
+    /// What has been done so far.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
     /// Why it stopped early.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()

@@ -23,30 +23,21 @@ pub struct Examined {
     pub outcome: Outcome,
     /// What was measured.
     pub figures: Figures,
-    /// How long the examined scene lasts: as it is, or until as many events have come up as were asked for \[s\].
+    /// How long the examined scene lasts: as it is, or until as many events have come up, or steps were taken, as were asked for \[s\].
     pub until: f64,
 }
 
 /// Examines a scene within limits; a panic is a failure like any other.
 ///
-/// A scene with more events than asked for is examined as one that ends with the last of them: where contacts chatter or
-/// creep in jerks, millions of events say no more than the first ten thousands. What does not get that far fails.
+/// A scene with more events or steps than asked for is examined as one that ends with the last of them: where contacts
+/// chatter or creep in jerks, millions of events say no more than the first ten thousands. What does not get that far fails.
 pub fn examine(scene: &Scene, clock: Clock<'_>, limits: Limits) -> Examined {
     let watched = std::panic::AssertUnwindSafe(|| {
         let watch = Watch::new(clock, limits.patience);
-        let ran = watch.run(scene, limits.events).map(|history| match enough(&history, limits.events) {
-            Some(t) => history.cut(t),
-            None => history,
-        });
-        checked(scene, ran, &watch)
+        checked(scene, watch.run(scene, limits), &watch)
     });
     let panicked = |panic: Box<dyn std::any::Any + Send>| failed(scene, Check::Panic, message(panic.as_ref()));
     std::panic::catch_unwind(watched).unwrap_or_else(panicked)
-}
-
-/// When the last event came that was asked for \[s\], in a run that goes on beyond it.
-fn enough(history: &History, events: usize) -> Option<f64> {
-    history.stop().is_none().then(|| history.events().get(events).map(|event| event.t))?
 }
 
 fn failed(scene: &Scene, check: Check, detail: String) -> Examined {

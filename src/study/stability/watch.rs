@@ -14,6 +14,13 @@ pub struct Limits {
     pub patience: f64,
     /// Events after which a run is long enough.
     pub events: usize,
+    /// Steps of integrators after which it is.
+    pub steps: u64,
+}
+
+impl Limits {
+    /// No end of patience, and a run is never long enough.
+    pub const NONE: Self = Self { patience: f64::INFINITY, events: usize::MAX, steps: u64::MAX };
 }
 
 /// Portions of a run, each [`GROWTH`] times the one before it: whatever its pace, few more events come up than are
@@ -55,33 +62,39 @@ impl<'a> Watch<'a> {
         (self.clock)() > self.until
     }
 
-    /// Runs a scene while there is patience, and no further than a little beyond so many events.
+    /// Runs a scene while there is patience, and no further than a little beyond as many events or steps as are asked
+    /// for; an answer that was ended there is that of a scene that ends there.
     ///
     /// # Errors
     /// A scene that validation refuses, or a run that took too long.
-    pub fn run(&self, scene: &Scene, events: usize) -> Result<History, NoAnswer> {
+    pub fn run(&self, scene: &Scene, limits: Limits) -> Result<History, NoAnswer> {
         let mut session = Session::new(scene).map_err(NoAnswer::Refused)?;
+        let mut ended = None;
         for portion in 1..=PORTIONS {
             let until = scene.duration * GROWTH.powi(portion - PORTIONS);
-            if !self.advance(&mut session, until, events)? {
+            ended = self.advance(&mut session, until, limits)?;
+            if ended.is_some() {
                 break;
             }
         }
-        Ok(session.finish())
+        let history = session.finish();
+        let Some(ended) = ended.filter(|_| history.stop().is_none()) else { return Ok(history) };
+        let last_event = history.events().get(limits.events).map(|event| event.t);
+        Ok(history.cut(last_event.unwrap_or(ended)))
     }
 
-    /// Brings a run on to `until` \[s\] while there is patience, or to a little beyond so many events; whether it came to
-    /// `until`.
+    /// Brings a run on to `until` \[s\] while there is patience; the time to which it came \[s\] where as many events or
+    /// steps as the limits ask for ended it before.
     ///
     /// # Errors
     /// It took too long.
-    pub fn advance(&self, session: &mut Session, until: f64, events: usize) -> Result<bool, NoAnswer> {
-        let (mut slow, mut fewer) = (None, true);
+    pub fn advance(&self, session: &mut Session, until: f64, limits: Limits) -> Result<Option<f64>, NoAnswer> {
+        let (mut slow, mut enough) = (None, None);
         session.advance(until, &mut |reached| {
             slow = self.is_over().then_some(reached.t);
-            fewer = reached.events <= events;
-            slow.is_none() && fewer
+            enough = (reached.events > limits.events || reached.steps > limits.steps).then_some(reached.t);
+            slow.is_none() && enough.is_none()
         });
-        slow.map_or(Ok(fewer), |reached| Err(NoAnswer::Slow(reached)))
+        slow.map_or(Ok(enough), |reached| Err(NoAnswer::Slow(reached)))
     }
 }

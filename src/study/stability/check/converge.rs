@@ -9,7 +9,7 @@
 //! The runs go on together from one instant compared to the next, and no further than the case is trusted: what chance
 //! has made of a scene then is worth nobody's time.
 
-use super::super::watch::{NoAnswer, Watch};
+use super::super::watch::{Limits, NoAnswer, Watch};
 use super::{Check, Complaint, Figures, size};
 use crate::scene::{self, Direction, Kind, Scene};
 use crate::sim::{History, Motion, Session, Stop};
@@ -113,7 +113,7 @@ impl Run {
     /// To the next instant.
     fn go_on(&mut self, watch: &Watch<'_>) -> Result<(), Complaint> {
         let t = instant(self.motions.len(), self.scene.duration);
-        if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t, usize::MAX) {
+        if let Err(NoAnswer::Slow(reached)) = watch.advance(&mut self.session, t, Limits::NONE) {
             let what = format!("came to {reached} s of {} s", self.scene.duration);
             return Err(failed(&self.scene, Check::Time, &what));
         }
