@@ -2,20 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What must not be passed; what is not given is not watched.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Limits {
-    /// Largest rotation of any girder, either way \[degrees, ≥ 0\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rotation_deg: Option<f64>,
-    /// Largest distance of any girder's corner from where it was placed, in plan \[m, ≥ 0\].
-    #[serde(rename = "drift_m", skip_serializing_if = "Option::is_none")]
-    pub drift: Option<f64>,
-    /// Least seat that must remain under every end that has one \[m\].
-    #[serde(rename = "remaining_seat_m", skip_serializing_if = "Option::is_none")]
-    pub remaining_seat: Option<f64>,
-    /// Largest force of any contact \[N, ≥ 0\].
-    #[serde(rename = "force_n", skip_serializing_if = "Option::is_none")]
-    pub force: Option<f64>,
+use super::keys::{Fallback, Range, table};
+
+/// Without a limit nothing is flagged.
+const NONE: Fallback = Fallback::Words("not watched");
+
+table! {
+    /// `[limits]`: what must not be passed.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct Limits, LIMITS {
+        rotation_deg: Option<f64> = "rotation_deg", Range::NotNegative, NONE,
+            "largest rotation of any girder, either way, degrees";
+        drift: Option<f64> = "drift_m", Range::NotNegative, NONE,
+            "largest distance of any corner in plan from where it was placed, m";
+        remaining_seat: Option<f64> = "remaining_seat_m", Range::NotNegative, NONE,
+            "least seat that remains under every end that has one (seat_m), m";
+        force: Option<f64> = "force_n", Range::NotNegative, NONE, "largest force of any contact, N";
+    }
 }

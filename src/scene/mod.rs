@@ -24,12 +24,12 @@ pub mod validate;
 
 pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, ResolvedBearing, SharedBearings};
-pub use contact::{ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
+pub use contact::{ContactNumber, ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
 pub use limits::Limits;
 pub use model::{Flush, ImpactSettings, ModelKind, ModelSettings};
 pub use motion::{Motion, RecordMotion, SineMotion};
-pub use settings::{Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use settings::{Layer, Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
 pub use validate::{SceneError, SceneErrors};
 
 use serde::{Deserialize, Serialize};
@@ -37,15 +37,14 @@ use serde::{Deserialize, Serialize};
 /// Standard gravity, as the paper's "g" is read here \[m/s²\].
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
 
-/// Which directions the bodies of a scene may move in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// x, y and the rotation about the vertical; bearings linear at every rotation (the paper's experiments).
-    #[default]
-    Planar,
-    /// Six degrees of freedom, gravity, bearings at their true attachment points.
-    Spatial,
+keys::words! {
+    /// Which directions the bodies of a scene may move in.
+    Kind, by default Planar {
+        /// x, y and the rotation about the vertical; bearings linear at every rotation (the paper's experiments).
+        Planar = "planar",
+        /// Six degrees of freedom, gravity, bearings at their true attachment points.
+        Spatial = "spatial",
+    }
 }
 
 /// A scene file: everything that a run, a picture or a table depends on.

@@ -2,17 +2,18 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Which of the two models computes a scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ModelKind {
-    /// The 3D contact-friction model (paper section 4).
-    #[default]
-    Contact,
-    /// The 2D rigid-body impact model (paper section 3); planar scenes.
-    Impact,
-    /// Both, the contact model first.
-    Both,
+use super::keys::{Fallback, Range, table, words};
+
+words! {
+    /// Which of the two models computes a scene.
+    ModelKind, by default Contact {
+        /// The 3D contact-friction model (paper section 4).
+        Contact = "contact",
+        /// The 2D rigid-body impact model (paper section 3); planar scenes.
+        Impact = "impact",
+        /// Both, the contact model first.
+        Both = "both",
+    }
 }
 
 impl ModelKind {
@@ -24,74 +25,47 @@ impl ModelKind {
             Self::Both => &[Self::Contact, Self::Impact],
         }
     }
+}
 
-    /// The word used in files and tables.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Contact => "contact",
-            Self::Impact => "impact",
-            Self::Both => "both",
-        }
+table! {
+    /// `[model]`: what computes the scene.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+    default struct ModelSettings, MODEL {
+        kind: ModelKind = "kind", Range::Words(ModelKind::WORDS), ModelKind::FALLBACK,
+            "the 3D contact-friction model, the 2D rigid-body impact model (planar scenes only), or both, to be looked \
+             at together; the contact model leads";
     }
 }
 
-/// `[model]`: what computes the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct ModelSettings {
-    /// The model, or both.
-    pub kind: ModelKind,
+words! {
+    /// How the impact model meets a hit along a whole face.
+    Flush, by default Paper {
+        /// The paper's: one impulse at the centroid of the approach speeds along the face (44), then one at the corner
+        /// that the rotation drives in.
+        Paper = "paper",
+        /// An impulse at each end of the face, neither of them pulling, with Coulomb friction: the rigid parallelogram.
+        TwoCorner = "two-corner",
+    }
 }
 
-/// How the impact model meets a hit along a whole face.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Flush {
-    /// The paper's: one impulse at the centroid of the approach speeds along the face (44), then one at the corner that
-    /// the rotation drives in.
-    #[default]
-    Paper,
-    /// An impulse at each end of the face, neither of them pulling, with Coulomb friction: the rigid parallelogram.
-    TwoCorner,
-}
-
-/// `[impact]`: numbers of the impact model.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct ImpactSettings {
-    /// `e_n` in \[0, 1\] (29, 30).
-    pub restitution_normal: f64,
-    /// `e_t` in \[−1, 1\]; −1 is smooth (31, 32).
-    pub restitution_tangential: f64,
-    /// `μ_s` of a face.
-    pub mu_static: f64,
-    /// `μ_k` of a face.
-    pub mu_kinetic: f64,
-    /// `μ̄_s` of a corner; the face's when absent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub corner_mu_static: Option<f64>,
-    /// `μ̄_k` of a corner; the face's when absent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub corner_mu_kinetic: Option<f64>,
-    /// How a whole face is hit.
-    pub flush: Flush,
-    /// Slower than this there is no bounce: `e_n` → 0, `e_t` → −1 \[m/s\].
-    #[serde(rename = "stop_speed_m_s")]
-    pub stop_speed: f64,
-}
-
-impl Default for ImpactSettings {
-    fn default() -> Self {
-        Self {
-            restitution_normal: 0.4,
-            restitution_tangential: -0.9,
-            mu_static: 0.20,
-            mu_kinetic: 0.15,
-            corner_mu_static: None,
-            corner_mu_kinetic: None,
-            flush: Flush::default(),
-            stop_speed: 1e-4,
-        }
+table! {
+    /// `[impact]`: numbers of the impact model.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct ImpactSettings, IMPACT {
+        restitution_normal: f64 = "restitution_normal", Range::Within([0.0, 1.0]), Fallback::Number(0.4), "e_n (29)";
+        restitution_tangential: f64 = "restitution_tangential", Range::Within([-1.0, 1.0]), Fallback::Number(-0.9),
+            "e_t (31); −1 is smooth";
+        mu_static: f64 = "mu_static", Range::NotBelow("mu_kinetic"), Fallback::Number(0.2), "μ_s of a face";
+        mu_kinetic: f64 = "mu_kinetic", Range::NotNegative, Fallback::Number(0.15), "μ_k of a face";
+        corner_mu_static: Option<f64> = "corner_mu_static", Range::NotBelow("corner_mu_kinetic"),
+            Fallback::Words("mu_static"), "μ̄_s of a corner";
+        corner_mu_kinetic: Option<f64> = "corner_mu_kinetic", Range::NotNegative,
+            Fallback::Words("mu_kinetic, or μ̄_s where that is less"), "μ̄_k of a corner";
+        flush: Flush = "flush", Range::Words(Flush::WORDS), Flush::FALLBACK,
+            "a hit along a whole face: the paper's impulse at the centroid of the approach (44), or an impulse at each \
+             of its ends";
+        stop_speed: f64 = "stop_speed_m_s", Range::Positive, Fallback::Number(1e-4),
+            "slower than this there is no bounce, m/s";
     }
 }
 

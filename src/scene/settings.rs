@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::keys::{Fallback, Range, Stands, table, words};
+
 pub(super) fn format_version() -> u32 {
     1
 }
@@ -19,123 +21,118 @@ pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 
-/// How a run is integrated between events.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverMethod {
-    /// Closed-form flight where it exists, Dormand–Prince 8(5,3) with dense output elsewhere, every event root-found.
-    #[default]
-    EventDriven,
-}
-
-/// `[solver]`: how exactly a run is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct SolverSettings {
-    /// Local error per step, relative to the motion in hand, in \[1e-13, 1e-2\].
-    pub tolerance: f64,
-    /// The integrator.
-    pub method: SolverMethod,
-}
-
-impl Default for SolverSettings {
-    fn default() -> Self {
-        Self { tolerance: 1e-10, method: SolverMethod::EventDriven }
+words! {
+    /// How a run is integrated between events.
+    SolverMethod, by default EventDriven {
+        /// Closed-form flight where it exists, Dormand–Prince 8(5,3) with dense output elsewhere, every event
+        /// root-found.
+        EventDriven = "event-driven",
     }
 }
 
-/// A standing place for the camera.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum ViewPreset {
-    /// From above and one side.
-    #[default]
-    Iso,
-    /// Straight from above, orthographic.
-    Top,
-    /// Square to the bridge axis, from −y.
-    Side,
-    /// Close to the hardest hit.
-    Contact,
+table! {
+    /// `[solver]`: how exactly a run is computed.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct SolverSettings, SOLVER {
+        tolerance: f64 = "tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
+            "local error a step, relative to the motion in hand";
+        method: SolverMethod = "method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
+            "closed-form flight where it exists, an embedded pair of order 8 elsewhere, every event root-found";
+    }
 }
 
-/// Which layers the view draws over the bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[expect(clippy::struct_excessive_bools, reason = "each is an independent switch a user sets")]
-pub struct Overlays {
-    /// Ground grid.
-    pub grid: bool,
-    /// Bearings.
-    pub bearings: bool,
-    /// Gap dimension at each facing pair.
-    pub gap: bool,
-    /// Contact points with their state.
-    pub contacts: bool,
-    /// Normal force arrows (K δ).
-    pub normal: bool,
-    /// Tangential force arrows (friction or tangential spring).
-    pub tangential: bool,
-    /// Resultant arrows (without dashpots).
-    pub resultant: bool,
-    /// Dashpot force arrows.
-    pub damping: bool,
-    /// Friction cones.
-    pub cones: bool,
-    /// World axes.
-    pub axes: bool,
-    /// Legend: force scale, states, cone.
-    pub legend: bool,
-    /// Title and time stamp.
-    pub title: bool,
-    /// Names at the bodies.
-    pub names: bool,
+words! {
+    /// A standing place for the camera.
+    ViewPreset, by default Iso {
+        /// From above and one side.
+        Iso = "iso",
+        /// Straight from above, orthographic.
+        Top = "top",
+        /// Square to the bridge axis, from −y.
+        Side = "side",
+        /// Close to the hardest hit.
+        Contact = "contact",
+    }
 }
 
-impl Default for Overlays {
-    fn default() -> Self {
-        Self {
-            grid: true,
-            bearings: true,
-            gap: true,
-            contacts: true,
-            normal: false,
-            tangential: false,
-            resultant: true,
-            damping: false,
-            cones: true,
-            axes: true,
-            legend: true,
-            title: true,
-            names: true,
+table! {
+    /// `[[view.plot]]`: a plot panel.
+    #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+    struct PlotSettings, PLOT {
+        y: Vec<String> = "y", Range::Like("names of quantities of one unit"), Fallback::Needed("must be given"),
+            "what is drawn; only energies against time: one upon the other";
+        x: Option<String> = "x", Range::Like("the name of a quantity"), Fallback::Words("time"),
+            "what it is drawn against";
+    }
+}
+
+table! {
+    /// `[view]`: how the scene is first shown.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    default struct ViewSettings, VIEW {
+        camera: ViewPreset = "camera", Range::Words(ViewPreset::WORDS), ViewPreset::FALLBACK,
+            "where the camera stands first";
+        overlays: Overlays = "overlays", Range::Free, Fallback::Words("as below"), "[view.overlays]";
+        force_scale: Option<f64> = "force_scale_n_per_m", Range::Positive, Fallback::Words("from the run's peak"),
+            "scale of the force arrows, N per metre";
+        plots: Vec<PlotSettings> = "plot", Range::Free, Fallback::Words("none"), "[[view.plot]]";
+    }
+}
+
+/// A layer that the view draws over the bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Layer {
+    /// Its key.
+    pub key: &'static str,
+    /// Its name in the window.
+    pub name: &'static str,
+    /// Its switch.
+    pub switch: fn(&mut Overlays) -> &mut bool,
+}
+
+/// States the layers of the view: one line a switch.
+macro_rules! overlays {
+    ($( $layer:ident = $key:literal, $name:literal, $on:literal, $meaning:literal; )+) => {
+        table! {
+            /// Which layers the view draws over the bodies.
+            #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+            #[expect(clippy::struct_excessive_bools, reason = "each is an independent switch a user sets")]
+            default struct Overlays, OVERLAYS {
+                $( $layer: bool = $key, Range::Switch, Fallback::Switch($on), $meaning; )+
+            }
         }
+
+        impl Overlays {
+            /// Every layer, in the order of the documentation.
+            pub const ALL: &'static [Layer] =
+                &[$( Layer { key: $key, name: $name, switch: |overlays| &mut overlays.$layer }, )+];
+        }
+    };
+}
+
+overlays! {
+    grid = "grid", "Grid", true, "ground grid";
+    bearings = "bearings", "Bearings", true, "bearings";
+    gap = "gap", "Gap", true, "gap of each facing pair";
+    contacts = "contacts", "Contact points", true, "contact points with their state";
+    normal = "normal", "Normal force", false, "arrows of the normal force";
+    tangential = "tangential", "Tangential force", false, "arrows of the tangential force";
+    resultant = "resultant", "Resultant", true, "arrows of the resultant, dashpots left out";
+    damping = "damping", "Dashpot force", false, "arrows of the dashpots";
+    cones = "cones", "Friction cones", true, "friction cones";
+    axes = "axes", "Axes", true, "world axes";
+    legend = "legend", "Legend", true, "force scale, states, cone";
+    title = "title", "Title", true, "title and time";
+    names = "names", "Names", true, "names at the bodies";
+}
+
+/// A table of its own, left out of a new file where every layer is as by default.
+impl Stands for Overlays {
+    fn by_default(_: Fallback) -> Self {
+        Self::default()
     }
-}
 
-/// `[[view.plot]]`: a plot panel.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PlotSettings {
-    /// Against what: the name of a quantity; against time when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub x: Option<String>,
-    /// Names of the quantities that are drawn, all of one unit.
-    pub y: Vec<String>,
-}
-
-/// `[view]`: how the scene is first shown.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct ViewSettings {
-    /// Where the camera stands first.
-    pub camera: ViewPreset,
-    /// Layers.
-    #[serde(skip_serializing_if = "is_default")]
-    pub overlays: Overlays,
-    /// Force scale of the arrows \[N per m\]; from the run's peak when absent.
-    #[serde(rename = "force_scale_n_per_m", skip_serializing_if = "Option::is_none")]
-    pub force_scale: Option<f64>,
-    /// Plot panels beside the standing ones.
-    #[serde(rename = "plot", skip_serializing_if = "Vec::is_empty")]
-    pub plots: Vec<PlotSettings>,
+    fn is_left_out(&self) -> bool {
+        is_default(self)
+    }
 }

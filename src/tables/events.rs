@@ -1,7 +1,6 @@
 //! `events.csv`: what happened to which contact, and when.
 
 use super::{number, to_csv};
-use crate::scene::FrictionLaw;
 use crate::sim::{Event, History};
 
 const HEADER: [&str; 7] = ["t", "pair", "kind", "node", "face", "released", "law"];
@@ -27,13 +26,5 @@ fn row(history: &History, event: &Event) -> Vec<String> {
 
 /// The law that a pair used; under the impact model there is none but its own.
 pub(super) fn law_of(history: &History, pair: usize) -> &'static str {
-    if history.impact().is_some() { "impact" } else { law_label(history.model().pairs[pair].contact.law) }
-}
-
-/// The law as scene files spell it.
-pub fn law_label(law: FrictionLaw) -> &'static str {
-    match law {
-        FrictionLaw::Paper => "paper",
-        FrictionLaw::ReturnMapping => "return-mapping",
-    }
+    if history.impact().is_some() { "impact" } else { history.model().pairs[pair].contact.law.label() }
 }

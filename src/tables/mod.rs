@@ -13,7 +13,7 @@ mod summary;
 mod trajectory;
 
 pub use contacts::contacts;
-pub use events::{events, law_label};
+pub use events::events;
 pub use impact::{hits, transitions};
 pub use summary::{PairReport, Report, SeatReport, Versions};
 pub use trajectory::trajectory;

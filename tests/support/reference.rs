@@ -173,20 +173,7 @@ fn wall(wall: &Value, girders: &[Girder]) -> Abutment {
 fn pair(pair: &Value) -> PairSettings {
     let side = |s: &Value| (format!("body{}", s[0]), end(text(&s[1])));
     let (a, b) = (side(&pair["a"]), side(&pair["b"]));
-    PairSettings {
-        between: [a.0, b.0],
-        ends: Some([a.1, b.1]),
-        stiffness: None,
-        young_modulus: None,
-        area: None,
-        restitution_normal: None,
-        restitution_tangential: None,
-        mu_static: None,
-        mu_kinetic: None,
-        law: None,
-        sharing: None,
-        tension: None,
-    }
+    PairSettings { between: [a.0, b.0], ends: Some([a.1, b.1]), ..PairSettings::default() }
 }
 
 fn contact(case: &Value, pairs: Vec<PairSettings>) -> ContactSettings {

@@ -37,18 +37,5 @@ pub(in crate::app) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
 
 /// An entry between two bodies that says nothing yet.
 pub(in crate::app) fn pair_between(between: [String; 2], ends: Option<[End; 2]>) -> PairSettings {
-    PairSettings {
-        between,
-        ends,
-        stiffness: None,
-        young_modulus: None,
-        area: None,
-        restitution_normal: None,
-        restitution_tangential: None,
-        mu_static: None,
-        mu_kinetic: None,
-        law: None,
-        sharing: None,
-        tension: None,
-    }
+    PairSettings { between, ends, ..PairSettings::default() }
 }

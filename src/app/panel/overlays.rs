@@ -7,26 +7,7 @@ use crate::app::command::Command;
 use crate::app::field::{Place, choice_line, slider_row, tag};
 use crate::app::text;
 use crate::scene::edit::Edit;
-use crate::scene::{Overlays, ViewPreset, ViewSettings, keys};
-
-/// Every layer, in the order of [`text::OVERLAYS`].
-fn switches(overlays: &mut Overlays) -> [&mut bool; 13] {
-    [
-        &mut overlays.grid,
-        &mut overlays.bearings,
-        &mut overlays.gap,
-        &mut overlays.contacts,
-        &mut overlays.normal,
-        &mut overlays.tangential,
-        &mut overlays.resultant,
-        &mut overlays.damping,
-        &mut overlays.cones,
-        &mut overlays.axes,
-        &mut overlays.legend,
-        &mut overlays.title,
-        &mut overlays.names,
-    ]
-}
+use crate::scene::{Overlays, ViewPreset, ViewSettings};
 
 /// Shows the toggles in two columns, then the force scale.
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -34,10 +15,9 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     let layers = Place { problems: bench.problems(), table: "view.overlays" };
     let mut changed = false;
     egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
-        let labels = text::OVERLAYS.into_iter().zip(keys::OVERLAYS);
-        for (i, (on, (label, key))) in switches(&mut overlays).into_iter().zip(labels).enumerate() {
-            let response = ui.checkbox(on, label);
-            changed |= tag(ui, &response, layers, (key.name, label)).changed();
+        for (i, layer) in Overlays::ALL.iter().enumerate() {
+            let response = ui.checkbox((layer.switch)(&mut overlays), layer.name);
+            changed |= tag(ui, &response, layers, (layer.key, layer.name)).changed();
             if i % 2 == 1 {
                 ui.end_row();
             }

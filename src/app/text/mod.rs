@@ -267,23 +267,6 @@ pub(super) const FIRST_VIEW: &str = "Opens in";
 pub(super) const FORCE_SCALE: &str = "Force scale";
 pub(super) const AUTO_SCALE: &str = "Scale from peak";
 
-// Overlays, in the order of `scene::Overlays`.
-pub(super) const OVERLAYS: [&str; 13] = [
-    "Grid",
-    "Bearings",
-    "Gap",
-    "Contact points",
-    "Normal force",
-    "Tangential force",
-    "Resultant",
-    "Dashpot force",
-    "Friction cones",
-    "Axes",
-    "Legend",
-    "Title",
-    "Names",
-];
-
 /// Names of the numbers in the status line, and what they mean.
 pub(super) const STATUS: [(&str, &str); 7] = [
     ("moves", "largest displacement of any girder"),

@@ -6,8 +6,7 @@ use super::args::SceneArgs;
 use super::digits::six;
 use super::{Console, Failure};
 use crate::dynamics::{Model, Pair};
-use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene, Sharing, SolverMethod, Tension, ViewPreset};
-use crate::tables::law_label;
+use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
 
 /// Validate a scene and print what was understood
 #[derive(Clone, Debug, clap::Args)]
@@ -40,21 +39,14 @@ fn head(scene: &Scene) -> String {
         Kind::Planar => "planar".to_owned(),
         Kind::Spatial => format!("spatial, gravity {} m/s²", six(scene.gravity)),
     };
-    let method = match scene.solver.method {
-        SolverMethod::EventDriven => "event-driven",
-    };
-    let camera = match scene.view.camera {
-        ViewPreset::Iso => "iso",
-        ViewPreset::Top => "top",
-        ViewPreset::Side => "side",
-        ViewPreset::Contact => "contact",
-    };
     format!(
-        "{}: {kind}, {} s\nground: {}\nsolver: {method}, tolerance {}\nview: {camera}\n",
+        "{}: {kind}, {} s\nground: {}\nsolver: {}, tolerance {}\nview: {}\n",
         scene.name,
         six(scene.duration),
         motion_words(&scene.motion),
-        six(scene.solver.tolerance)
+        scene.solver.method.label(),
+        six(scene.solver.tolerance),
+        scene.view.camera.label()
     )
 }
 
@@ -77,21 +69,15 @@ fn motion_words(motion: &Motion) -> String {
 
 fn pair_text(pair: &Pair, nodes: &str) -> String {
     let c = &pair.contact;
-    let sharing = match c.sharing {
-        Sharing::Tributary => "tributary",
-        Sharing::PerNode => "per-node",
-    };
-    let tension = match c.tension {
-        Tension::Keep => "keep",
-        Tension::Clamp => "clamp",
-    };
     format!(
-        "pair {}: gap {} mm along the axis, law {}, sharing {sharing}, tension {tension}\n  \
+        "pair {}: gap {} mm along the axis, law {}, sharing {}, tension {}\n  \
          K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}\n  \
          nodes: {nodes}\n",
         pair.name,
         six(pair.gap * 1e3),
-        law_label(c.law),
+        c.law.label(),
+        c.sharing.label(),
+        c.tension.label(),
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),

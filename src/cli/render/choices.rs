@@ -1,29 +1,23 @@
 //! What `render`'s flags can say, and what that is to the rooms that draw.
 
 use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::render::Quality;
-use crate::scene::{Overlays, ViewPreset};
+use crate::scene::{Layer, Overlays, ViewPreset};
 use crate::snapshot::{Instant, MOST_FPS};
 use crate::view::Background;
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum View {
-    Iso,
-    Top,
-    Side,
-    Contact,
+/// A standing place for the camera, by its word in the scene file.
+pub(super) fn view() -> impl TypedValueParser<Value = ViewPreset> {
+    let of = |word: String| ViewPreset::ALL.iter().copied().find(|view| view.label() == word).ok_or(word);
+    PossibleValuesParser::new(ViewPreset::WORDS).try_map(of)
 }
 
-impl View {
-    pub(super) fn preset(self) -> ViewPreset {
-        match self {
-            Self::Iso => ViewPreset::Iso,
-            Self::Top => ViewPreset::Top,
-            Self::Side => ViewPreset::Side,
-            Self::Contact => ViewPreset::Contact,
-        }
-    }
+/// A layer of the view, by its key in the scene file.
+pub(super) fn layer() -> impl TypedValueParser<Value = Layer> {
+    let of = |key: String| Overlays::ALL.iter().copied().find(|layer| layer.key == key).ok_or(key);
+    PossibleValuesParser::new(Overlays::ALL.iter().map(|layer| layer.key)).try_map(of)
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -58,43 +52,6 @@ impl Work {
             Self::Auto => None,
             Self::Draft => Some(Quality::DRAFT),
             Self::Fine => Some(Quality::FINE),
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Layer {
-    Grid,
-    Bearings,
-    Gap,
-    Contacts,
-    Normal,
-    Tangential,
-    Resultant,
-    Damping,
-    Cones,
-    Axes,
-    Legend,
-    Title,
-    Names,
-}
-
-impl Layer {
-    pub(super) fn switch(self, overlays: &mut Overlays) -> &mut bool {
-        match self {
-            Self::Grid => &mut overlays.grid,
-            Self::Bearings => &mut overlays.bearings,
-            Self::Gap => &mut overlays.gap,
-            Self::Contacts => &mut overlays.contacts,
-            Self::Normal => &mut overlays.normal,
-            Self::Tangential => &mut overlays.tangential,
-            Self::Resultant => &mut overlays.resultant,
-            Self::Damping => &mut overlays.damping,
-            Self::Cones => &mut overlays.cones,
-            Self::Axes => &mut overlays.axes,
-            Self::Legend => &mut overlays.legend,
-            Self::Title => &mut overlays.title,
-            Self::Names => &mut overlays.names,
         }
     }
 }

@@ -5,13 +5,13 @@ mod film;
 
 use std::path::{Path, PathBuf};
 
-use choices::{Behind, Layer, Size, View, Work, frame_rate, instant, size};
+use choices::{Behind, Size, Work, frame_rate, instant, layer, size, view};
 
 use super::compute::compute_as_asked;
 use super::{Console, Failure, SceneArgs};
 use crate::files;
 use crate::render::GpuError;
-use crate::scene::{Scene, ViewPreset};
+use crate::scene::{Layer, Scene, ViewPreset};
 use crate::sim::History;
 use crate::snapshot::{Instant, Shot, Studio};
 
@@ -36,8 +36,8 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "HZ", value_parser = frame_rate, requires = "frames", default_value_t = 25.0, allow_negative_numbers = true)]
     fps: f64,
     /// Where the camera stands; the scene's own view when left out. `contact` frames the hardest hit
-    #[arg(long, value_enum, value_name = "VIEW")]
-    view: Option<View>,
+    #[arg(long, value_parser = view(), value_name = "VIEW")]
+    view: Option<ViewPreset>,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x720")]
     size: Size,
@@ -45,10 +45,10 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "DIR|FILE", default_value = "out")]
     out: PathBuf,
     /// Layers to draw beside the scene's own, separated by commas
-    #[arg(long, value_enum, value_name = "LAYER", value_delimiter = ',')]
+    #[arg(long, value_parser = layer(), value_name = "LAYER", value_delimiter = ',')]
     show: Vec<Layer>,
     /// Layers to leave out, separated by commas
-    #[arg(long, value_enum, value_name = "LAYER", value_delimiter = ',')]
+    #[arg(long, value_parser = layer(), value_name = "LAYER", value_delimiter = ',')]
     hide: Vec<Layer>,
     /// What stands behind the bodies
     #[arg(long, value_enum, default_value_t = Behind::Studio)]
@@ -73,11 +73,11 @@ struct Wanted {
 impl RenderArgs {
     fn shot(&self, at: Instant, scene: &Scene) -> Shot {
         let mut overlays = scene.view.overlays;
-        self.show.iter().for_each(|layer| *layer.switch(&mut overlays) = true);
-        self.hide.iter().for_each(|layer| *layer.switch(&mut overlays) = false);
+        self.show.iter().for_each(|layer| *(layer.switch)(&mut overlays) = true);
+        self.hide.iter().for_each(|layer| *(layer.switch)(&mut overlays) = false);
         Shot {
             at,
-            view: self.view.map(View::preset),
+            view: self.view,
             camera: None,
             size: self.size.0,
             overlays: Some(overlays),
@@ -154,12 +154,7 @@ impl RenderArgs {
             return file.to_owned();
         }
         let scene = history.scene();
-        let view = match self.view.map_or(scene.view.camera, View::preset) {
-            ViewPreset::Iso => "iso",
-            ViewPreset::Top => "top",
-            ViewPreset::Side => "side",
-            ViewPreset::Contact => "contact",
-        };
+        let view = self.view.unwrap_or(scene.view.camera).label();
         // A name may hold anything; a file's name may not.
         let name: String =
             scene.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();

@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::{FrictionLaw, Scene, SceneError, SceneErrors, Sharing, Tension, placed};
+pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
+use super::{Scene, SceneError, SceneErrors, placed};
 use crate::geometry::End;
 use end::EndFace;
-pub use numbers::DEFAULT_YOUNG_MODULUS;
 
 /// Two ends face each other when their normals are opposed within this angle \[degrees\].
 pub const LARGEST_TURN_DEG: f64 = 30.0;
@@ -30,27 +30,6 @@ pub enum Side {
     Girder(usize, End),
     /// An abutment, by its number in the scene.
     Abutment(usize),
-}
-
-/// The contact numbers in force for one pair, overrides and defaults filled in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PairContact {
-    /// `K` of the pair (54), given or `E A / L` of (64), the smaller of the two girders' \[N/m\].
-    pub stiffness: f64,
-    /// `e_n`.
-    pub restitution_normal: f64,
-    /// `e_t`.
-    pub restitution_tangential: f64,
-    /// `μ_s`.
-    pub mu_static: f64,
-    /// `μ_k`.
-    pub mu_kinetic: f64,
-    /// The friction law.
-    pub law: FrictionLaw,
-    /// How K and C are shared.
-    pub sharing: Sharing,
-    /// Whether a contact may pull.
-    pub tension: Tension,
 }
 
 /// Two facing ends.
@@ -163,11 +142,7 @@ fn pair_name(scene: &Scene, first: Side, second: Side) -> String {
     [body, end, "|", other, there].concat()
 }
 
-/// `deck+x`, or the abutment's name.
-pub fn side_name(scene: &Scene, side: Side) -> String {
-    name_of(scene, side).concat()
-}
-
+/// `deck+x` in two pieces; an abutment has a name only.
 fn name_of(scene: &Scene, side: Side) -> [&str; 2] {
     match side {
         Side::Girder(n, end) => [&scene.girders[n].name, end.label()],

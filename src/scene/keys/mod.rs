@@ -4,14 +4,18 @@
 //! holds them against the keys that the reader knows and against `docs/scene-format.md`.
 
 mod bodies;
-mod contact;
 mod range;
+mod table;
 mod whole;
 
+pub use super::contact::{CONTACT, PAIR};
+pub use super::limits::LIMITS;
+pub use super::model::{IMPACT, MODEL};
+pub use super::settings::{OVERLAYS, PLOT, SOLVER, VIEW};
 pub use bodies::{ABUTMENT, BEARING, BEARINGS, GIRDER, INITIAL, PUSH, SEAT};
-pub use contact::{CONTACT, IMPACT, MODEL, PAIR};
 pub use range::Range;
-pub use whole::{LIMITS, MOTION, OVERLAYS, PLOT, RECORD, SINE, SOLVER, TOP, VIEW};
+pub(in crate::scene) use table::{Keyed, Stands, Stated, table, words};
+pub use whole::{MOTION, RECORD, SINE, TOP};
 
 /// What a key is when the file does not have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +48,12 @@ pub struct Key {
 }
 
 impl Key {
-    const fn new(name: &'static str, range: Range, fallback: Fallback, meaning: &'static str) -> Self {
+    pub(in crate::scene) const fn new(
+        name: &'static str,
+        range: Range,
+        fallback: Fallback,
+        meaning: &'static str,
+    ) -> Self {
         Self { name, range, fallback, meaning }
     }
 

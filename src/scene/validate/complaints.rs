@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::scene::keys::{self, Key, Range};
+use crate::scene::keys::{self, Key, Keyed, Range, Stated};
 
 /// One complaint about a scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -133,6 +133,34 @@ impl At<'_> {
     pub(super) fn if_given(&mut self, key: &str, value: Option<f64>) {
         if let Some(value) = value {
             self.number(key, value);
+        }
+    }
+
+    /// Complains about every number of a table that may not stand under its key.
+    pub(super) fn all(&mut self, table: &impl Keyed) {
+        for (key, stated) in table.stated() {
+            match stated {
+                Stated::Nothing => {}
+                Stated::Number(number) => self.number(key, number),
+                Stated::Numbers(numbers) => self.each(key, numbers),
+            }
+        }
+    }
+
+    /// Complains about numbers that exceed another of which the table states one or both; `in_force` has both.
+    pub(super) fn in_order(&mut self, table: &impl Keyed, in_force: &impl Keyed) {
+        for upper in self.keys {
+            let Range::NotBelow(lower) = upper.range else { continue };
+            let given = table.number(upper.name).or(table.number(lower)).is_some();
+            let (Some(most), Some(value)) = (in_force.number(upper.name), in_force.number(lower)) else { continue };
+            if given && value > most {
+                let name = upper.name;
+                self.add(
+                    lower,
+                    number(value),
+                    format!("it must not exceed {name} = {most:?}: lower it, or raise {name}"),
+                );
+            }
         }
     }
 

@@ -3,60 +3,35 @@
 use super::complaints::number;
 use super::{At, Complaints};
 use crate::scene::keys::{self, Range};
-use crate::scene::{
-    ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, PairSettings, RecordMotion, Scene, SineMotion,
-};
+use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, RecordMotion, Scene, SineMotion};
 
 pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     let mut at = complaints.at("contact", keys::CONTACT);
+    at.all(contact);
     stiffness(contact.stiffness, contact.young_modulus, contact.area, &mut at);
-    at.number("restitution_normal", contact.restitution_normal);
-    at.number("restitution_tangential", contact.restitution_tangential);
-    at.number("mu_static", contact.mu_static);
-    at.number("mu_kinetic", contact.mu_kinetic);
-    friction(contact.mu_static, contact.mu_kinetic, &mut at);
+    at.in_order(contact, contact);
     for (n, pair) in contact.pairs.iter().enumerate() {
-        pair_numbers(contact, pair, &mut complaints.at(format!("contact.pair[{n}]"), keys::PAIR));
-    }
-}
-
-fn pair_numbers(contact: &ContactSettings, pair: &PairSettings, at: &mut At<'_>) {
-    stiffness(pair.stiffness, pair.young_modulus, pair.area, at);
-    at.if_given("restitution_normal", pair.restitution_normal);
-    at.if_given("restitution_tangential", pair.restitution_tangential);
-    at.if_given("mu_static", pair.mu_static);
-    at.if_given("mu_kinetic", pair.mu_kinetic);
-    if pair.mu_static.is_some() || pair.mu_kinetic.is_some() {
-        let (mu_s, mu_k) = (pair.mu_static.unwrap_or(contact.mu_static), pair.mu_kinetic.unwrap_or(contact.mu_kinetic));
-        friction(mu_s, mu_k, at);
+        let mut in_force = contact.alone();
+        in_force.lay_over(pair);
+        let mut at = complaints.at(format!("contact.pair[{n}]"), keys::PAIR);
+        at.all(pair);
+        stiffness(pair.stiffness, pair.young_modulus, pair.area, &mut at);
+        at.in_order(pair, &in_force);
     }
 }
 
 /// Numbers of the impact model.
 pub(super) fn impact(impact: &ImpactSettings, complaints: &mut Complaints) {
     let mut at = complaints.at("impact", keys::IMPACT);
-    at.number("restitution_normal", impact.restitution_normal);
-    at.number("restitution_tangential", impact.restitution_tangential);
-    at.number("mu_static", impact.mu_static);
-    at.number("mu_kinetic", impact.mu_kinetic);
-    at.if_given("corner_mu_static", impact.corner_mu_static);
-    at.if_given("corner_mu_kinetic", impact.corner_mu_kinetic);
-    at.number("stop_speed_m_s", impact.stop_speed);
-    friction(impact.mu_static, impact.mu_kinetic, &mut at);
+    at.all(impact);
     let [mu_s, mu_k] = impact.corner_friction();
-    if mu_k > mu_s {
-        let remedy = format!("it must not exceed corner_mu_static = {mu_s:?}: lower it, or raise corner_mu_static");
-        at.add("corner_mu_kinetic", number(mu_k), remedy);
-    }
+    let in_force = ImpactSettings { corner_mu_static: Some(mu_s), corner_mu_kinetic: Some(mu_k), ..*impact };
+    at.in_order(&in_force, &in_force);
 }
 
 /// Limits are numbers; a seat may be asked to be longer than it is.
 pub(super) fn limits(limits: &Limits, complaints: &mut Complaints) {
-    let mut at = complaints.at("limits", keys::LIMITS);
-    at.if_given("rotation_deg", limits.rotation_deg);
-    at.if_given("drift_m", limits.drift);
-    at.if_given("remaining_seat_m", limits.remaining_seat);
-    at.if_given("force_n", limits.force);
+    complaints.at("limits", keys::LIMITS).all(limits);
 }
 
 /// The impact model is planar.
@@ -69,19 +44,9 @@ pub(super) fn model(scene: &Scene, complaints: &mut Complaints) {
 }
 
 fn stiffness(stiffness: Option<f64>, young_modulus: Option<f64>, area: Option<f64>, at: &mut At<'_>) {
-    at.if_given("stiffness_n_per_m", stiffness);
-    at.if_given("young_modulus_pa", young_modulus);
-    at.if_given("area_m2", area);
     if let (Some(k), true) = (stiffness, young_modulus.is_some() || area.is_some()) {
         let remedy = "K = E A / L comes from young_modulus_pa and area_m2: give either those or stiffness_n_per_m";
         at.add("stiffness_n_per_m", number(k), remedy);
-    }
-}
-
-fn friction(mu_s: f64, mu_k: f64, at: &mut At<'_>) {
-    if mu_k > mu_s {
-        let remedy = format!("it must not exceed mu_static = {mu_s:?}: lower it, or raise mu_static");
-        at.add("mu_kinetic", number(mu_k), remedy);
     }
 }
 
@@ -144,6 +109,6 @@ fn samples(key: &str, list: &[f64], at: &mut At<'_>) {
 }
 
 pub(super) fn solver_and_view(scene: &Scene, complaints: &mut Complaints) {
-    complaints.at("solver", keys::SOLVER).number("tolerance", scene.solver.tolerance);
-    complaints.at("view", keys::VIEW).if_given("force_scale_n_per_m", scene.view.force_scale);
+    complaints.at("solver", keys::SOLVER).all(&scene.solver);
+    complaints.at("view", keys::VIEW).all(&scene.view);
 }

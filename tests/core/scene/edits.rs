@@ -11,20 +11,7 @@ fn preset(name: &str) -> Scene {
 
 fn pair(a: &str, b: &str) -> PairSettings {
     let between = [a.to_owned(), b.to_owned()];
-    PairSettings {
-        between,
-        ends: None,
-        stiffness: None,
-        young_modulus: None,
-        area: None,
-        restitution_normal: Some(0.5),
-        restitution_tangential: None,
-        mu_static: None,
-        mu_kinetic: None,
-        law: None,
-        sharing: None,
-        tension: None,
-    }
+    PairSettings { between, restitution_normal: Some(0.5), ..PairSettings::default() }
 }
 
 /// A full-scale deck between two abutments, with numbers of their own for one pair.

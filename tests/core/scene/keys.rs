@@ -1,7 +1,7 @@
 //! The list of keys, the reader of files, the checks of a scene and the documentation say the same.
 
 use girderbench::scene::keys::{self, Fallback, Key, Range, TABLES};
-use girderbench::scene::{Scene, SceneErrors, facing, format, overrides, validate};
+use girderbench::scene::{ContactNumber, ContactSettings, Scene, SceneErrors, facing, format, overrides, validate};
 use toml::{Table, Value};
 
 /// A scene in which every table stands, but for a record; each way to say a thing that has two ways stands somewhere.
@@ -270,4 +270,53 @@ fn a_number_out_of_its_range_is_refused_with_the_ranges_own_words() {
         }
     }
     assert!(checked > 50, "every number, got {checked}");
+}
+
+/// Lines of the room of scenes, its tests left out, where a word stands.
+fn lines_with(word: &str) -> Vec<String> {
+    let mut folders = vec![std::path::PathBuf::from("src/scene")];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder of the package") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).expect("a source file is text");
+            let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+            let lines = code.lines().filter(|line| line.contains(word));
+            found.extend(lines.map(|line| format!("{}: {}", path.display(), line.trim())));
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn a_key_is_stated_in_one_place() {
+    // Each stands once in its own table; both models have restitutions.
+    for (word, times) in
+        [("restitution_tangential", 2), ("remaining_seat", 1), ("stop_speed", 1), ("= \"tangential\"", 1)]
+    {
+        let lines = lines_with(word);
+        let tables: Vec<_> = lines.iter().filter(|line| !line.contains("(seat_m)")).collect();
+        assert_eq!(tables.len(), times, "{word}: {lines:#?}");
+    }
+}
+
+#[test]
+fn the_numbers_of_contact_are_keys_of_both_tables() {
+    let mut scene = full();
+    for number in ContactNumber::ALL {
+        let [all, pair] = [keys::CONTACT, keys::PAIR].map(|keys| keys::find(keys, number.key).expect(number.key));
+        assert_eq!((all.range, all.meaning), (pair.range, pair.meaning), "{}", number.key);
+        assert_eq!(Some(*(number.of_all)(&mut ContactSettings::default())), all.number(), "{}", number.key);
+        *(number.of_pair)(&mut scene.contact.pairs[0]) = Some(0.5);
+    }
+    let pairs = facing::find(&scene).expect("good");
+    let numbers =
+        |n: usize| ContactNumber::ALL.iter().map(|number| (number.in_force)(&pairs[n].contact)).collect::<Vec<_>>();
+    assert_eq!(numbers(0), [0.5; 4], "the pair's own lie over the scene's");
+    assert_eq!(ContactNumber::ALL.len(), 4, "the rest are K, E, A and the rules");
 }

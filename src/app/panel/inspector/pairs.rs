@@ -9,7 +9,7 @@ use crate::app::edits;
 use crate::app::field::{Change, PURE, Place, choice, laid_over};
 use crate::app::text;
 use crate::scene::facing::{self, Facing};
-use crate::scene::{ContactSettings, PairSettings, Scene};
+use crate::scene::{ContactNumber, ContactSettings, PairSettings, Scene};
 use crate::view::Target;
 
 /// Most pairs shown at once: beyond that one girder is selected to see its own.
@@ -85,10 +85,8 @@ fn with_pair(scene: &Scene, entry: Option<usize>, own: PairSettings) -> ContactS
 /// Every number of the pair, with where it comes from.
 fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
     let (scene, c) = (bench.scene(), &pair.contact);
-    let own = edits::pair_entry(scene, pair).map(|n| &scene.contact.pairs[n]);
-    let from = |own: bool| if own { text::FROM_PAIR } else { text::FROM_SCENE };
-    let has = |given: fn(&PairSettings) -> bool| own.is_some_and(given);
-    let stiffness_from = match (own, scene.contact.stiffness) {
+    let mut own = edits::pair_entry(scene, pair).map(|n| scene.contact.pairs[n].clone());
+    let stiffness_from = match (&own, scene.contact.stiffness) {
         (Some(p), _) if p.stiffness.is_some() => text::FROM_PAIR,
         (Some(p), _) if p.young_modulus.is_some() || p.area.is_some() => text::FROM_EA_L,
         (_, Some(_)) => text::FROM_SCENE,
@@ -96,18 +94,17 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
     };
     let dashpots = bench.answer().filter(|_| !bench.is_stale());
     let dashpots = dashpots.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
-    let mut rows = vec![
-        ("K", text::stiffness(c.stiffness), stiffness_from),
-        ("e n", text::short(c.restitution_normal), from(has(|p| p.restitution_normal.is_some()))),
-        ("e t", text::short(c.restitution_tangential), from(has(|p| p.restitution_tangential.is_some()))),
-        ("μ s", text::short(c.mu_static), from(has(|p| p.mu_static.is_some()))),
-        ("μ k", text::short(c.mu_kinetic), from(has(|p| p.mu_kinetic.is_some()))),
-        ("gap", text::exact_length(pair.gap), text::FROM_PLACES),
-    ];
+    let mut rows = vec![("K", text::stiffness(c.stiffness), stiffness_from)];
     if let Some(p) = dashpots {
-        rows.insert(1, ("C n", text::damping(p.c_n), text::FROM_65));
-        rows.insert(2, ("C t", text::damping(p.c_t), text::FROM_65));
+        rows.push(("C n", text::damping(p.c_n), text::FROM_65));
+        rows.push(("C t", text::damping(p.c_t), text::FROM_65));
     }
+    for one in ContactNumber::ALL {
+        let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());
+        let source = if given { text::FROM_PAIR } else { text::FROM_SCENE };
+        rows.push((one.symbol, text::short((one.in_force)(c)), source));
+    }
+    rows.push(("gap", text::exact_length(pair.gap), text::FROM_PLACES));
     egui::Grid::new(("in force", &pair.name)).num_columns(3).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         for (name, value, source) in rows {
             ui.label(RichText::new(name).weak());
@@ -122,15 +119,10 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
 fn own_rows(ui: &mut Ui, place: Place<'_>, pair: &Facing, own: &mut PairSettings) -> Option<Change> {
     let c = &pair.contact;
     let name = |words: &str| format!("{words} {}", text::OF_PAIR);
-    let fields = [
-        ("restitution_normal", "e n", &mut own.restitution_normal, c.restitution_normal),
-        ("restitution_tangential", "e t", &mut own.restitution_tangential, c.restitution_tangential),
-        ("mu_static", "μ s", &mut own.mu_static, c.mu_static),
-        ("mu_kinetic", "μ k", &mut own.mu_kinetic, c.mu_kinetic),
-    ];
     let mut change = None;
-    for (key, label, value, now) in fields {
-        change = change.or(laid_over(ui, place, (key, &name(label)), (value, now), PURE));
+    for one in ContactNumber::ALL {
+        let (value, now) = ((one.of_pair)(own), (one.in_force)(c));
+        change = change.or(laid_over(ui, place, (one.key, &name(one.symbol)), (value, now), PURE));
     }
     let given = stiffness::Given { k: &mut own.stiffness, e: &mut own.young_modulus, a: &mut own.area };
     let stiff = stiffness::rows(ui, place, text::OF_PAIR, given, (c.stiffness, None));

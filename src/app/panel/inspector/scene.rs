@@ -9,7 +9,7 @@ use crate::app::field::{CLICK, Change, GRAVITIES, PARTS, PURE, Place, SECONDS, c
 use crate::app::{edits, text};
 use crate::scene::edit::{Edit, General};
 use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS};
-use crate::scene::{Kind, STANDARD_GRAVITY, Scene, SolverMethod};
+use crate::scene::{ContactNumber, Kind, STANDARD_GRAVITY, Scene, SolverMethod};
 
 const KINDS: [(Kind, &str); 2] = [(Kind::Planar, text::PLANAR), (Kind::Spatial, text::SPATIAL)];
 const METHODS: [(SolverMethod, &str); 1] = [(SolverMethod::EventDriven, text::EVENT_DRIVEN)];
@@ -60,18 +60,17 @@ fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let place = Place { problems: bench.problems(), table: "contact" };
     let name = |words: &str| format!("{words} {}", text::OF_ALL);
     let change = grid(ui, "all pairs", |ui| {
-        let numbers = [
-            number(ui, place, ("restitution_normal", &name("e n")), &mut new.restitution_normal, PURE),
-            number(ui, place, ("restitution_tangential", &name("e t")), &mut new.restitution_tangential, PURE),
-            number(ui, place, ("mu_static", &name("μ s")), &mut new.mu_static, PURE),
-            number(ui, place, ("mu_kinetic", &name("μ k")), &mut new.mu_kinetic, PURE),
-        ];
+        let mut numbers = None;
+        for one in ContactNumber::ALL {
+            let changed = number(ui, place, (one.key, &name(one.symbol)), (one.of_all)(&mut new), PURE);
+            numbers = numbers.or(changed);
+        }
         let given = stiffness::Given { k: &mut new.stiffness, e: &mut new.young_modulus, a: &mut new.area };
         let stiff = stiffness::rows(ui, place, text::OF_ALL, given, elastic(scene));
         let law = choice(ui, place, ("law", &name(text::LAW_SHORT)), &mut new.law, &stiffness::LAWS);
         let sharing = choice(ui, place, ("sharing", &name(text::SHARING)), &mut new.sharing, &stiffness::SHARINGS);
         let tension = choice(ui, place, ("tension", &name(text::TENSION)), &mut new.tension, &stiffness::TENSIONS);
-        numbers.into_iter().flatten().next().or(stiff).or(law).or(sharing).or(tension)
+        numbers.or(stiff).or(law).or(sharing).or(tension)
     });
     push(change, out, || edits::contact(new));
 }

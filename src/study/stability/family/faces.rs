@@ -54,20 +54,7 @@ pub(super) fn corner(dice: &mut Dice) -> Scene {
 
 /// A pair that is not found by itself.
 fn declared(between: [&str; 2], ends: [End; 2]) -> PairSettings {
-    PairSettings {
-        between: between.map(str::to_owned),
-        ends: Some(ends),
-        stiffness: None,
-        young_modulus: None,
-        area: None,
-        restitution_normal: None,
-        restitution_tangential: None,
-        mu_static: None,
-        mu_kinetic: None,
-        law: None,
-        sharing: None,
-        tension: None,
-    }
+    PairSettings { between: between.map(str::to_owned), ends: Some(ends), ..PairSettings::default() }
 }
 
 /// A wall as wide as the girder's end but for a hair, or whose side stands before a corner: nodes slide off and miss.

@@ -1,0 +1,67 @@
+//! Contact numbers of a scene, and overrides for named pairs.
+
+mod tables;
+
+use crate::geometry::End;
+use crate::scene::keys::{Fallback, Range, words};
+use tables::contact_tables;
+
+words! {
+    /// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
+    FrictionLaw, by default ReturnMapping {
+        /// The paper's: the anchor is the projection in slip, the tangential force restarts at 0 on re-stick.
+        Paper = "paper",
+        /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
+        ReturnMapping = "return-mapping",
+    }
+}
+
+words! {
+    /// How the stiffness of a facing pair is shared between its nodes.
+    Sharing, by default Tributary {
+        /// K and C divided by the number of declared nodes inside the facing polygon when the pair first closes.
+        Tributary = "tributary",
+        /// Each node has the whole K and C.
+        PerNode = "per-node",
+    }
+}
+
+words! {
+    /// Whether a contact may pull just before it opens.
+    Tension, by default Keep {
+        /// The dashpot may pull; restitution is exact.
+        Keep = "keep",
+        /// The normal force is held at 0 or above.
+        Clamp = "clamp",
+    }
+}
+
+/// `E` where neither `K` nor `E` is given: ordinary concrete \[Pa\].
+pub const DEFAULT_YOUNG_MODULUS: f64 = 30e9;
+
+// A number or a rule of contact is stated here and nowhere else: the two tables, their keys, defaults and ranges, what
+// lies over what, the numbers in force for a pair and the rows of the inspector follow.
+contact_tables! {
+    elasticity {
+        stiffness = "stiffness_n_per_m", Range::Positive, Fallback::Words("E A / L"),
+            "K of a pair (54), N/m; not together with the next two";
+        young_modulus = "young_modulus_pa", Range::Positive, Fallback::Number(DEFAULT_YOUNG_MODULUS),
+            "E of K = E A / L (64), Pa; of two girders the smaller K counts";
+        area = "area_m2", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
+    }
+    numbers {
+        restitution_normal = "restitution_normal", "e n", Range::Within([0.01, 1.0]), 0.4, "e_n; 1 is no dashpot (65)";
+        restitution_tangential = "restitution_tangential", "e t", Range::Within([0.01, 1.0]), 0.9,
+            "e_t; 1 is no dashpot (65)";
+        mu_static = "mu_static", "μ s", Range::NotBelow("mu_kinetic"), 0.20, "μ_s";
+        mu_kinetic = "mu_kinetic", "μ k", Range::NotNegative, 0.15, "μ_k";
+    }
+    rules {
+        law: FrictionLaw = "law",
+            "friction: the paper's law taken literally, or elastic-plastic Coulomb, which holds a static load";
+        sharing: Sharing = "sharing",
+            "K and C divided by the nodes that face the other end when the pair closes, or whole for each node";
+        tension: Tension = "tension",
+            "whether the dashpot may pull just before a contact opens, or the normal force is held at 0";
+    }
+}

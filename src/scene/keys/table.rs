@@ -1,0 +1,222 @@
+//! A table of the scene file stated once: its struct, its keys with ranges and meanings, its defaults, its numbers.
+
+use super::Fallback;
+use crate::geometry::End;
+
+/// What stands under a key, for the check of its range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::scene) enum Stated<'a> {
+    /// No number, or none is given.
+    Nothing,
+    /// One number.
+    Number(f64),
+    /// A list of numbers.
+    Numbers(&'a [f64]),
+}
+
+/// A type whose values stand under a key.
+pub(in crate::scene) trait Stands: Sized {
+    /// The value where the file has none.
+    fn by_default(fallback: Fallback) -> Self;
+
+    /// Whether a new file leaves the key out.
+    fn is_left_out(&self) -> bool {
+        false
+    }
+
+    /// The numbers that the range of the key is about.
+    fn stated(&self) -> Stated<'_> {
+        Stated::Nothing
+    }
+}
+
+impl Stands for f64 {
+    /// Not a number where the table of keys gives none: no scene that is checked has it.
+    fn by_default(fallback: Fallback) -> Self {
+        if let Fallback::Number(number) = fallback { number } else { Self::NAN }
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        Stated::Number(*self)
+    }
+}
+
+impl Stands for bool {
+    fn by_default(fallback: Fallback) -> Self {
+        fallback == Fallback::Switch(true)
+    }
+}
+
+impl Stands for [f64; 3] {
+    fn by_default(_: Fallback) -> Self {
+        [0.0; 3]
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        Stated::Numbers(self)
+    }
+}
+
+impl<T: Stands> Stands for Option<T> {
+    fn by_default(_: Fallback) -> Self {
+        None
+    }
+
+    fn is_left_out(&self) -> bool {
+        self.is_none()
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        self.as_ref().map_or(Stated::Nothing, Stands::stated)
+    }
+}
+
+impl<T: Stands> Stands for [T; 2] {
+    fn by_default(fallback: Fallback) -> Self {
+        [T::by_default(fallback), T::by_default(fallback)]
+    }
+}
+
+impl Stands for String {
+    fn by_default(_: Fallback) -> Self {
+        Self::new()
+    }
+}
+
+impl Stands for End {
+    fn by_default(_: Fallback) -> Self {
+        Self::Plus
+    }
+}
+
+impl Stands for Vec<String> {
+    fn by_default(_: Fallback) -> Self {
+        Self::new()
+    }
+}
+
+/// A list of tables: none is not written.
+impl<T: Keyed> Stands for Vec<T> {
+    fn by_default(_: Fallback) -> Self {
+        Self::new()
+    }
+
+    fn is_left_out(&self) -> bool {
+        self.is_empty()
+    }
+}
+
+/// A table of the scene file.
+pub(in crate::scene) trait Keyed {
+    /// What stands under each of its keys, in the order of the documentation.
+    fn stated(&self) -> impl Iterator<Item = (&'static str, Stated<'_>)>;
+
+    /// The number under a key, if there is one.
+    fn number(&self, key: &str) -> Option<f64> {
+        self.stated().find_map(|(name, stated)| match stated {
+            Stated::Number(number) if name == key => Some(number),
+            _ => None,
+        })
+    }
+}
+
+/// States a table of the scene file: one line a key.
+///
+/// `default struct` is a table that may be left out, with all of its keys: each field is what its [`Fallback`] says. The
+/// keys of a plain `struct` must be given unless their type has a way to be nothing.
+macro_rules! table {
+    (
+        $(#[$meta:meta])*
+        default struct $Name:ident, $KEYS:ident {
+            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal, $range:expr, $fallback:expr, $meaning:literal; )+
+        }
+    ) => {
+        $crate::scene::keys::table! {
+            $(#[$meta])*
+            #[serde(default)]
+            struct $Name, $KEYS {
+                $( $(#[$how])* $field: $Type = $key, $range, $fallback, $meaning; )+
+            }
+        }
+
+        impl Default for $Name {
+            fn default() -> Self {
+                Self { $( $field: $crate::scene::keys::Stands::by_default($fallback), )+ }
+            }
+        }
+    };
+    (
+        $(#[$meta:meta])*
+        struct $Name:ident, $KEYS:ident {
+            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal, $range:expr, $fallback:expr, $meaning:literal; )+
+        }
+    ) => {
+        $(#[$meta])*
+        #[serde(deny_unknown_fields)]
+        pub struct $Name {
+            $(
+                #[doc = concat!("```text\n", $meaning, "\n```")]
+                #[serde(rename = $key, skip_serializing_if = "crate::scene::keys::Stands::is_left_out")]
+                $(#[$how])*
+                pub $field: $Type,
+            )+
+        }
+
+        #[doc = concat!("The keys of [`", stringify!($Name), "`].")]
+        pub const $KEYS: &[$crate::scene::keys::Key] =
+            &[$( $crate::scene::keys::Key::new($key, $range, $fallback, $meaning), )+];
+
+        impl $crate::scene::keys::Keyed for $Name {
+            fn stated(&self) -> impl Iterator<Item = (&'static str, $crate::scene::keys::Stated<'_>)> {
+                [$( ($key, $crate::scene::keys::Stands::stated(&self.$field)), )+].into_iter()
+            }
+        }
+    };
+}
+
+/// States the words that may stand under a key: an enum, its words and its default.
+macro_rules! words {
+    (
+        $(#[$meta:meta])*
+        $Name:ident, by default $Default:ident {
+            $( $(#[$about:meta])* $Variant:ident = $word:literal, )+
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+        pub enum $Name {
+            $( $(#[$about])* #[serde(rename = $word)] $Variant, )+
+        }
+
+        impl $Name {
+            /// Every value, in the order of the documentation.
+            pub const ALL: &'static [Self] = &[$( Self::$Variant, )+];
+            /// Their words.
+            pub const WORDS: &'static [&'static str] = &[$( $word, )+];
+            /// What stands where the file has none.
+            pub const DEFAULT: Self = Self::$Default;
+            /// The same as the table of keys says it.
+            pub(in crate::scene) const FALLBACK: $crate::scene::keys::Fallback =
+                $crate::scene::keys::Fallback::Word(Self::DEFAULT.label());
+
+            /// The word used in files and tables.
+            pub const fn label(self) -> &'static str {
+                match self { $( Self::$Variant => $word, )+ }
+            }
+        }
+
+        impl Default for $Name {
+            fn default() -> Self {
+                Self::DEFAULT
+            }
+        }
+
+        impl $crate::scene::keys::Stands for $Name {
+            fn by_default(_: $crate::scene::keys::Fallback) -> Self {
+                Self::DEFAULT
+            }
+        }
+    };
+}
+
+pub(in crate::scene) use {table, words};
