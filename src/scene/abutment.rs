@@ -2,38 +2,33 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::keys::{Fallback, Range, table};
 use crate::geometry::End;
 
-/// A fixed backwall: either it faces the end of a girder, or its face is given as a polygon.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Abutment {
-    /// Its name, unique in the scene.
-    pub name: String,
-    /// The girder that it stands before.
-    pub faces: String,
-    /// The end that it stands before.
-    #[serde(default = "plus")]
-    pub end: End,
-    /// Distance to that end as placed, along the girder's axis; not with `polygon_m` \[m\].
-    #[serde(rename = "gap_m", default, skip_serializing_if = "Option::is_none")]
-    pub gap: Option<f64>,
-    /// Extent along the face; not with `polygon_m` \[m\]. Default: three times the girder's end.
-    #[serde(rename = "width_m", default, skip_serializing_if = "Option::is_none")]
-    pub width: Option<f64>,
-    /// Height of the face, about the mid-depth of the girder; not with `polygon_m` \[m\]. Default: three times the
-    /// girder's thickness.
-    #[serde(rename = "height_m", default, skip_serializing_if = "Option::is_none")]
-    pub height: Option<f64>,
-    /// Sideways shift of the face's centre from the girder's, along the face \[m\].
-    #[serde(rename = "offset_m", default, skip_serializing_if = "Option::is_none")]
-    pub offset: Option<f64>,
-    /// Four corners of the face in the world, anticlockwise seen from the girder \[m\].
-    #[serde(rename = "polygon_m", default, skip_serializing_if = "Option::is_none")]
-    pub polygon: Option<Vec<[f64; 3]>>,
-    /// How far the abutment reaches behind its face \[m\]. Default: the girder's length.
-    #[serde(rename = "depth_m", default, skip_serializing_if = "Option::is_none")]
-    pub depth: Option<f64>,
+table! {
+    /// A fixed backwall: either it faces the end of a girder, or its face is given as a polygon.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    struct Abutment, ABUTMENT {
+        name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
+        faces: String = "faces", Range::Like("a girder"), Fallback::Needed("must be given"),
+            "the girder that it stands before";
+        #[serde(default = "plus")]
+        end: End = "end", Range::Words(&["+x", "-x"]), Fallback::Word("+x"), "the end that it stands before";
+        gap: Option<f64> = "gap_m", Range::NotNegative, Fallback::Needed("this or polygon_m"),
+            "distance to that end as placed, along the girder's axis, m (square to the face it is gap · sin β)";
+        width: Option<f64> = "width_m", Range::Positive, Fallback::Words("three times the girder's end"),
+            "extent along the face, m";
+        height: Option<f64> = "height_m", Range::Positive, Fallback::Words("three times the girder's thickness"),
+            "height of the face, about the girder's mid-depth, m";
+        offset: Option<f64> = "offset_m", Range::Any, Fallback::Number(0.0),
+            "sideways shift of the face's centre along the face, m";
+        polygon: Option<Vec<[f64; 3]>> = "polygon_m", Range::Like("four corners [x, y, z]"),
+            Fallback::Needed("this or gap_m"),
+            "the face in the world, anticlockwise as seen from the girder, m; flat, convex, a rectangle or a trapezium \
+             whose first and third sides are parallel";
+        depth: Option<f64> = "depth_m", Range::Positive, Fallback::Words("the girder's length"),
+            "how far it reaches behind its face, m";
+    }
 }
 
 fn plus() -> End {

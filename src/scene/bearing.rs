@@ -8,6 +8,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::keys::{Fallback, Range, Stands, Stated, table};
 use super::{Girder, Kind};
 
 /// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
@@ -30,41 +31,53 @@ impl PerDirection {
     }
 }
 
-/// Equal bearings, given by the frequency and damping of the whole girder on them (paper equation (5)).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SharedBearings {
-    /// `f_x, f_y` \[Hz\].
-    pub frequency_hz: PerDirection,
-    /// `h_x, h_y`, of critical.
-    pub damping_ratio: PerDirection,
-    /// `f_z`, spatial girders only \[Hz\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub vertical_frequency_hz: Option<f64>,
-    /// `h_z`, spatial girders only. Default: the horizontal `h_x`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub vertical_damping_ratio: Option<f64>,
-    /// Places in the girder's frame before skewing: `y cot β` is added to x \[m\].
-    #[serde(rename = "at_skewed_m", default, skip_serializing_if = "Option::is_none")]
-    pub at_skewed: Option<Vec<[f64; 2]>>,
-    /// True places in the girder's frame \[m\].
-    #[serde(rename = "at_m", default, skip_serializing_if = "Option::is_none")]
-    pub at: Option<Vec<[f64; 2]>>,
+impl Stands for PerDirection {
+    fn by_default(_: Fallback) -> Self {
+        Self::Both(f64::NAN)
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        match self {
+            Self::Both(number) => Stated::Number(*number),
+            Self::Each(numbers) => Stated::Numbers(numbers),
+        }
+    }
 }
 
-/// One bearing with its own springs and dashpots, along and across the girder as placed, and vertical.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Bearing {
-    /// True place in the girder's frame \[m\].
-    #[serde(rename = "at_m")]
-    pub at: [f64; 2],
-    /// `k_x, k_y` and (spatial) `k_z`; two or three numbers \[N/m\].
-    #[serde(rename = "stiffness_n_per_m", with = "super::format::two_or_three")]
-    pub stiffness: [f64; 3],
-    /// `c_x, c_y` and (spatial) `c_z`; two or three numbers \[N·s/m\].
-    #[serde(rename = "damping_n_s_per_m", with = "super::format::two_or_three")]
-    pub damping: [f64; 3],
+table! {
+    /// Equal bearings, given by the frequency and damping of the whole girder on them (paper equation (5)).
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    struct SharedBearings, BEARINGS {
+        frequency_hz: PerDirection = "frequency_hz", Range::NotNegative, Fallback::Needed("must be given"),
+            "f, Hz: one number, or [x, y] along and across the girder";
+        damping_ratio: PerDirection = "damping_ratio", Range::NotNegative, Fallback::Needed("must be given"),
+            "h, of critical: one number, or [x, y]";
+        vertical_frequency_hz: Option<f64> = "vertical_frequency_hz", Range::Positive,
+            Fallback::Needed("must be given in a spatial scene (unless z is held)"),
+            "f_z, Hz; not used in a planar scene";
+        vertical_damping_ratio: Option<f64> = "vertical_damping_ratio", Range::NotNegative,
+            Fallback::Words("as damping_ratio along x"), "h_z";
+        at: Option<Vec<[f64; 2]>> = "at_m", Range::Like("one or more [x, y]"), Fallback::Needed("this or the next"),
+            "places in the girder's frame, m";
+        at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
+            Fallback::Needed("this or the last"),
+            "places before skewing, m: y cot β is added to x, so that they follow the skew";
+    }
+}
+
+table! {
+    /// One bearing with its own springs and dashpots, along and across the girder as placed, and vertical.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    struct Bearing, BEARING {
+        at: [f64; 2] = "at_m", Range::Like("[x, y]"), Fallback::Needed("must be given"),
+            "place in the girder's frame, m";
+        #[serde(with = "super::format::two_or_three")]
+        stiffness: [f64; 3] = "stiffness_n_per_m", Range::NotNegative, Fallback::Needed("must be given"),
+            "[k_x, k_y] or [k_x, k_y, k_z] along, across and up, N/m; a spatial girder needs some k_z";
+        #[serde(with = "super::format::two_or_three")]
+        damping: [f64; 3] = "damping_n_s_per_m", Range::NotNegative, Fallback::Needed("must be given"),
+            "[c_x, c_y] or [c_x, c_y, c_z], N·s/m";
+    }
 }
 
 /// The bearings of a girder.
@@ -130,6 +143,13 @@ impl Bearings {
                 .map(|b| ResolvedBearing { place: at(b.at), stiffness: b.stiffness, damping: b.damping })
                 .collect(),
         }
+    }
+}
+
+impl Stands for Bearings {
+    /// No bearing; a girder without any has no such value.
+    fn by_default(_: Fallback) -> Self {
+        Self::Each(Vec::new())
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Bearings;
-use super::settings::is_default;
+use super::keys::{Fallback, Range, Stands, table};
 use crate::geometry::Prism;
 
 /// A direction that a body can be held in.
@@ -24,97 +24,90 @@ pub enum Direction {
     Yaw,
 }
 
-/// Where and how fast a girder starts, relative to where it was placed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Initial {
-    /// Displacement of G in the world frame, x, y and (spatial) z; two or three numbers \[m\].
-    #[serde(rename = "displacement_m", with = "super::format::two_or_three")]
-    pub displacement: [f64; 3],
-    /// Rotation about the vertical, anticlockwise \[degrees\].
-    pub rotation_deg: f64,
-    /// Velocity of G in the world frame; two or three numbers \[m/s\].
-    #[serde(rename = "velocity_m_s", with = "super::format::two_or_three")]
-    pub velocity: [f64; 3],
-    /// Spin about the vertical \[degrees/s\].
-    pub spin_deg_s: f64,
+table! {
+    /// Where and how fast a girder starts, relative to where it was placed.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct Initial, INITIAL {
+        #[serde(with = "super::format::two_or_three")]
+        displacement: [f64; 3] = "displacement_m", Range::Like("two or three numbers"), Fallback::Zeros(2),
+            "of G, world frame, m; a third only in a spatial scene";
+        rotation_deg: f64 = "rotation_deg", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
+        #[serde(with = "super::format::two_or_three")]
+        velocity: [f64; 3] = "velocity_m_s", Range::Like("two or three numbers"), Fallback::Zeros(2),
+            "of G, world frame, m/s";
+        spin_deg_s: f64 = "spin_deg_s", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
+    }
 }
 
-/// A constant push on a girder, at G, in the world frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Push {
-    /// Force \[N\]; two or three numbers.
-    #[serde(rename = "force_n", with = "super::format::two_or_three")]
-    pub force: [f64; 3],
-    /// Moment about the vertical \[N·m\].
-    #[serde(rename = "moment_n_m")]
-    pub moment: f64,
+table! {
+    /// A constant push on a girder, at G, in the world frame.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct Push, PUSH {
+        #[serde(with = "super::format::two_or_three")]
+        force: [f64; 3] = "force_n", Range::Like("two or three numbers"), Fallback::Zeros(2),
+            "constant force at G, world frame, N";
+        moment: f64 = "moment_n_m", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
+    }
 }
 
-/// Length of seat under each end, along the axis, for what remains of it \[m\].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Seat {
-    /// Under the `+x` end.
-    #[serde(rename = "+x", skip_serializing_if = "Option::is_none")]
-    pub plus: Option<f64>,
-    /// Under the `-x` end.
-    #[serde(rename = "-x", skip_serializing_if = "Option::is_none")]
-    pub minus: Option<f64>,
+table! {
+    /// Length of seat under each end, along the axis, for what remains of it \[m\].
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct Seat, SEAT {
+        plus: Option<f64> = "+x", Range::Positive, Fallback::Words("not looked at"),
+            "length of seat under the +x end, m";
+        minus: Option<f64> = "-x", Range::Positive, Fallback::Words("not looked at"),
+            "length of seat under the -x end, m";
+    }
 }
 
-/// A rigid girder: a prism of parallelogram plan.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Girder {
-    /// Its name, unique in the scene.
-    pub name: String,
-    /// `a0`, along the axis \[m\].
-    #[serde(rename = "length_m")]
-    pub length: f64,
-    /// `b0`, square to the axis \[m\].
-    #[serde(rename = "width_m")]
-    pub width: f64,
-    /// `t0` \[m\].
-    #[serde(rename = "thickness_m")]
-    pub thickness: f64,
-    /// Skew angle β, in (0, 180); 90 is straight \[degrees\].
-    #[serde(default = "straight")]
-    pub skew_deg: f64,
-    /// `m` \[kg\].
-    #[serde(rename = "mass_kg")]
-    pub mass: f64,
-    /// Where G is placed \[m\].
-    #[serde(rename = "position_m", default)]
-    pub position: [f64; 3],
-    /// Direction of the axis in plan, anticlockwise from world x \[degrees\].
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub heading_deg: f64,
-    /// What it stands on; nothing when absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bearings: Option<Bearings>,
-    /// Where and how fast it starts.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub initial: Initial,
-    /// A constant push.
-    #[serde(default, skip_serializing_if = "is_default")]
-    pub push: Push,
-    /// World directions it is held in.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub held: Vec<Direction>,
-    /// Length of seat under each end.
-    #[serde(rename = "seat_m", default, skip_serializing_if = "is_default")]
-    pub seat: Seat,
+/// A girder whose ends are square to its axis \[degrees\].
+const STRAIGHT: f64 = 90.0;
+
+table! {
+    /// A rigid girder: a prism of parallelogram plan.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    struct Girder, GIRDER {
+        name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
+        length: f64 = "length_m", Range::Positive, Fallback::Needed("must be given"), "length along the axis, m";
+        width: f64 = "width_m", Range::Positive, Fallback::Needed("must be given"), "width square to the axis, m";
+        thickness: f64 = "thickness_m", Range::Positive, Fallback::Needed("must be given"), "depth of the deck, m";
+        #[serde(default = "straight")]
+        skew_deg: f64 = "skew_deg", Range::Between([0.0, 180.0]), Fallback::Number(STRAIGHT),
+            "skew angle β between the axis and the support line, degrees; 90 is straight";
+        mass: f64 = "mass_kg", Range::Positive, Fallback::Needed("must be given"), "mass, kg";
+        #[serde(default)]
+        position: [f64; 3] = "position_m", Range::Like("three numbers"), Fallback::Zeros(3), "where G is placed, m";
+        #[serde(default)]
+        heading_deg: f64 = "heading_deg", Range::Any, Fallback::Number(0.0),
+            "direction of the axis in plan, degrees from world x; multiples of 90 are exact";
+        bearings: Option<Bearings> = "bearings", Range::Free, Fallback::Words("none: it flies free"),
+            "what it stands on, see below";
+        #[serde(default)]
+        initial: Initial = "initial", Range::Free, Fallback::Words("at rest where placed"),
+            "where and how fast it starts, see below";
+        #[serde(default)]
+        push: Push = "push", Range::Free, Fallback::Words("none"), "a constant push, see below";
+        #[serde(default)]
+        held: Vec<Direction> = "held", Range::Like("list of \"x\", \"y\", \"z\", \"roll\", \"pitch\", \"yaw\""),
+            Fallback::Words("[]"), "world directions it is held in; planar scenes hold z, roll and pitch anyway";
+        #[serde(default)]
+        seat: Seat = "seat_m", Range::Free, Fallback::Words("none"), "length of seat under each end, see below";
+    }
 }
 
 fn straight() -> f64 {
-    90.0
+    STRAIGHT
 }
 
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_zero(v: &f64) -> bool {
-    *v == 0.0
+impl Stands for Vec<Direction> {
+    fn by_default(_: Fallback) -> Self {
+        Self::new()
+    }
+
+    fn is_left_out(&self) -> bool {
+        self.is_empty()
+    }
 }
 
 impl Girder {

@@ -4,26 +4,22 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::keys::{Fallback, Range, table};
 use super::placed::sin_cos_deg;
 
-/// `kind = "sine"`: `A sin(2π f t + φ0)`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SineMotion {
-    /// `A` as a multiple of standard gravity; this or `amplitude_m_s2`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub amplitude_g: Option<f64>,
-    /// `A` \[m/s²\]; this or `amplitude_g`.
-    #[serde(rename = "amplitude_m_s2", default, skip_serializing_if = "Option::is_none")]
-    pub amplitude: Option<f64>,
-    /// `f` \[Hz\].
-    pub frequency_hz: f64,
-    /// `φ0` \[degrees\].
-    #[serde(default)]
-    pub phase_deg: f64,
-    /// Excitation angle α, anticlockwise from world x \[degrees\].
-    #[serde(default)]
-    pub angle_deg: f64,
+table! {
+    /// `kind = "sine"`: `A sin(2π f t + φ0)`.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    struct SineMotion, SINE {
+        amplitude_g: Option<f64> = "amplitude_g", Range::Any, Fallback::Needed("this or the next"),
+            "A as a multiple of 9.80665 m/s²";
+        amplitude: Option<f64> = "amplitude_m_s2", Range::Any, Fallback::Needed("this or the last"), "A, m/s²";
+        frequency_hz: f64 = "frequency_hz", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz";
+        #[serde(default)]
+        phase_deg: f64 = "phase_deg", Range::Any, Fallback::Number(0.0), "φ0, degrees";
+        #[serde(default)]
+        angle_deg: f64 = "angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees";
+    }
 }
 
 /// `kind = "record"`: samples at a constant interval, straight lines between them.

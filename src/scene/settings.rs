@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::keys::{Fallback, Range, Stands, table, words};
+use super::keys::{Fallback, Range, table, words};
 
 pub(super) fn format_version() -> u32 {
     1
@@ -96,7 +96,6 @@ macro_rules! overlays {
         table! {
             /// Which layers the view draws over the bodies.
             #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-            #[expect(clippy::struct_excessive_bools, reason = "each is an independent switch a user sets")]
             default struct Overlays, OVERLAYS {
                 $( $layer: bool = $key, Range::Switch, Fallback::Switch($on), $meaning; )+
             }
@@ -124,15 +123,4 @@ overlays! {
     legend = "legend", "Legend", true, "force scale, states, cone";
     title = "title", "Title", true, "title and time";
     names = "names", "Names", true, "names at the bodies";
-}
-
-/// A table of its own, left out of a new file where every layer is as by default.
-impl Stands for Overlays {
-    fn by_default(_: Fallback) -> Self {
-        Self::default()
-    }
-
-    fn is_left_out(&self) -> bool {
-        is_default(self)
-    }
 }

@@ -3,19 +3,21 @@
 //! [`validate`](super::validate) checks by these rules and the window shows them, so that the two cannot differ; a test
 //! holds them against the keys that the reader knows and against `docs/scene-format.md`.
 
-mod bodies;
 mod range;
 mod table;
 mod whole;
 
+pub use super::abutment::ABUTMENT;
+pub use super::bearing::{BEARING, BEARINGS};
 pub use super::contact::{CONTACT, PAIR};
+pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};
 pub use super::limits::LIMITS;
 pub use super::model::{IMPACT, MODEL};
+pub use super::motion::SINE;
 pub use super::settings::{OVERLAYS, PLOT, SOLVER, VIEW};
-pub use bodies::{ABUTMENT, BEARING, BEARINGS, GIRDER, INITIAL, PUSH, SEAT};
 pub use range::Range;
 pub(in crate::scene) use table::{Keyed, Stands, Stated, table, words};
-pub use whole::{MOTION, RECORD, SINE, TOP};
+pub use whole::{MOTION, RECORD, TOP};
 
 /// What a key is when the file does not have it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::Fallback;
 use crate::geometry::End;
 
 /// What stands under a key, for the check of its range.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::scene) enum Stated<'a> {
     /// No number, or none is given.
     Nothing,
@@ -12,6 +12,8 @@ pub(in crate::scene) enum Stated<'a> {
     Number(f64),
     /// A list of numbers.
     Numbers(&'a [f64]),
+    /// A list of lists of numbers.
+    Lists(Vec<&'a [f64]>),
 }
 
 /// A type whose values stand under a key.
@@ -47,9 +49,9 @@ impl Stands for bool {
     }
 }
 
-impl Stands for [f64; 3] {
+impl<const N: usize> Stands for [f64; N] {
     fn by_default(_: Fallback) -> Self {
-        [0.0; 3]
+        [0.0; N]
     }
 
     fn stated(&self) -> Stated<'_> {
@@ -71,9 +73,25 @@ impl<T: Stands> Stands for Option<T> {
     }
 }
 
-impl<T: Stands> Stands for [T; 2] {
-    fn by_default(fallback: Fallback) -> Self {
-        [T::by_default(fallback), T::by_default(fallback)]
+impl<const N: usize> Stands for Vec<[f64; N]> {
+    fn by_default(_: Fallback) -> Self {
+        Self::new()
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        Stated::Lists(self.iter().map(<[f64; N]>::as_slice).collect())
+    }
+}
+
+impl Stands for [String; 2] {
+    fn by_default(_: Fallback) -> Self {
+        Self::default()
+    }
+}
+
+impl Stands for [End; 2] {
+    fn by_default(_: Fallback) -> Self {
+        [End::Plus; 2]
     }
 }
 
@@ -142,6 +160,16 @@ macro_rules! table {
         impl Default for $Name {
             fn default() -> Self {
                 Self { $( $field: $crate::scene::keys::Stands::by_default($fallback), )+ }
+            }
+        }
+
+        impl $crate::scene::keys::Stands for $Name {
+            fn by_default(_: $crate::scene::keys::Fallback) -> Self {
+                Self::default()
+            }
+
+            fn is_left_out(&self) -> bool {
+                *self == Self::default()
             }
         }
     };

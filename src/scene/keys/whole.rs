@@ -45,15 +45,6 @@ pub const MOTION: &[Key] = &[Key::new(
     "which of the following; \"none\" has no other keys",
 )];
 
-/// `[motion]` of `kind = "sine"`.
-pub const SINE: &[Key] = &[
-    Key::new("amplitude_g", Range::Any, Fallback::Needed("this or the next"), "A as a multiple of 9.80665 m/s²"),
-    Key::new("amplitude_m_s2", Range::Any, Fallback::Needed("this or the last"), "A, m/s²"),
-    Key::new("frequency_hz", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz"),
-    Key::new("phase_deg", Range::Any, Fallback::Number(0.0), "φ0, degrees"),
-    Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees"),
-];
-
 /// `[motion]` of `kind = "record"`.
 pub const RECORD: &[Key] = &[
     Key::new(

@@ -4,19 +4,11 @@ use super::At;
 use super::complaints::numbers;
 use crate::geometry::{End, Face};
 use crate::scene::keys::{self, Range};
-use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, PerDirection, SharedBearings};
+use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, SharedBearings};
 
 pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
-    at.number("length_m", girder.length);
-    at.number("width_m", girder.width);
-    at.number("thickness_m", girder.thickness);
-    at.number("mass_kg", girder.mass);
-    at.number("skew_deg", girder.skew_deg);
-    at.each("position_m", &girder.position);
-    at.number("heading_deg", girder.heading_deg);
-    let mut seat = at.below("seat_m", keys::SEAT);
-    seat.if_given("+x", girder.seat.plus);
-    seat.if_given("-x", girder.seat.minus);
+    at.all(girder);
+    at.below("seat_m", keys::SEAT).all(&girder.seat);
     start(girder, kind, at);
     end_faces(girder, at);
     match &girder.bearings {
@@ -36,18 +28,16 @@ fn needs_vertical(girder: &Girder, kind: Kind) -> bool {
 fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     let (initial, push) = (&girder.initial, &girder.push);
     let mut table = at.below("initial", keys::INITIAL);
-    vector("displacement_m", &initial.displacement, kind, &mut table);
-    vector("velocity_m_s", &initial.velocity, kind, &mut table);
-    table.number("rotation_deg", initial.rotation_deg);
-    table.number("spin_deg_s", initial.spin_deg_s);
+    table.all(initial);
+    level("displacement_m", &initial.displacement, kind, &mut table);
+    level("velocity_m_s", &initial.velocity, kind, &mut table);
     let mut table = at.below("push", keys::PUSH);
-    vector("force_n", &push.force, kind, &mut table);
-    table.number("moment_n_m", push.moment);
+    table.all(push);
+    level("force_n", &push.force, kind, &mut table);
 }
 
-/// Three numbers, of which a planar scene knows two.
-fn vector(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
-    at.each(key, vector);
+/// Of three numbers a planar scene knows two.
+fn level(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
     if kind == Kind::Planar && vector[2] != 0.0 {
         let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
         at.add(key, numbers(vector), remedy);
@@ -71,9 +61,7 @@ fn end_faces(girder: &Girder, at: &mut At<'_>) {
 }
 
 fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
-    per_direction("frequency_hz", bearings.frequency_hz, at);
-    per_direction("damping_ratio", bearings.damping_ratio, at);
-    at.if_given("vertical_damping_ratio", bearings.vertical_damping_ratio);
+    at.all_but("vertical_frequency_hz", bearings);
     match bearings.vertical_frequency_hz {
         Some(f) if needs_vertical => at.number("vertical_frequency_hz", f),
         // Where it carries nothing it may say so.
@@ -95,14 +83,6 @@ fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
     if places.is_empty() {
         at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
     }
-    at.each_of(key, places.iter().map(<[f64; 2]>::as_slice));
-}
-
-fn per_direction(key: &str, value: PerDirection, at: &mut At<'_>) {
-    match value {
-        PerDirection::Both(value) => at.number(key, value),
-        PerDirection::Each(values) => at.each(key, &values),
-    }
 }
 
 fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
@@ -111,10 +91,7 @@ fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
     }
     for (n, bearing) in bearings.iter().enumerate() {
         let key = format!("bearings[{n}]");
-        let mut at = at.below(&key, keys::BEARING);
-        at.each("at_m", &bearing.at);
-        at.each("stiffness_n_per_m", &bearing.stiffness);
-        at.each("damping_n_s_per_m", &bearing.damping);
+        at.below(&key, keys::BEARING).all(bearing);
     }
     if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
         let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
@@ -123,11 +100,7 @@ fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
 }
 
 pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
-    at.if_given("width_m", abutment.width);
-    at.if_given("height_m", abutment.height);
-    at.if_given("depth_m", abutment.depth);
-    at.if_given("offset_m", abutment.offset);
-    at.if_given("gap_m", abutment.gap);
+    at.all(abutment);
     match (abutment.gap, &abutment.polygon) {
         (None, None) => at.add("gap_m", "nothing", "give gap_m, or the face's corners as polygon_m"),
         (Some(_), Some(_)) => at.add("gap_m", "gap_m and polygon_m", "give one of the two"),
@@ -140,7 +113,6 @@ fn polygon(abutment: &Abutment, corners: &[[f64; 3]], at: &mut At<'_>) {
     if corners.len() != 4 {
         at.add("polygon_m", format!("{} corners", corners.len()), "give four corners [x, y, z]");
     }
-    at.each_of("polygon_m", corners.iter().map(<[f64; 3]>::as_slice));
     let beside = [("width_m", abutment.width), ("height_m", abutment.height), ("offset_m", abutment.offset)];
     for (key, value) in beside {
         if let Some(value) = value {

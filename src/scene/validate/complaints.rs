@@ -138,11 +138,17 @@ impl At<'_> {
 
     /// Complains about every number of a table that may not stand under its key.
     pub(super) fn all(&mut self, table: &impl Keyed) {
-        for (key, stated) in table.stated() {
+        self.all_but("", table);
+    }
+
+    /// The same, one key left out.
+    pub(super) fn all_but(&mut self, left_out: &str, table: &impl Keyed) {
+        for (key, stated) in table.stated().filter(|(key, _)| *key != left_out) {
             match stated {
                 Stated::Nothing => {}
                 Stated::Number(number) => self.number(key, number),
                 Stated::Numbers(numbers) => self.each(key, numbers),
+                Stated::Lists(lists) => self.each_of(key, lists),
             }
         }
     }

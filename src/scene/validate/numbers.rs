@@ -59,11 +59,7 @@ pub(super) fn motion(motion: &Motion, complaints: &mut Complaints) {
 }
 
 fn harmonic(sine: &SineMotion, at: &mut At<'_>) {
-    at.if_given("amplitude_g", sine.amplitude_g);
-    at.if_given("amplitude_m_s2", sine.amplitude);
-    at.number("frequency_hz", sine.frequency_hz);
-    at.number("phase_deg", sine.phase_deg);
-    at.number("angle_deg", sine.angle_deg);
+    at.all(sine);
     match (sine.amplitude_g, sine.amplitude) {
         (None, None) => at.add("amplitude_g", "nothing", "give the amplitude: amplitude_g, or amplitude_m_s2"),
         (Some(_), Some(_)) => at.add("amplitude_g", "amplitude_g and amplitude_m_s2", "give one of the two"),

@@ -296,9 +296,13 @@ fn lines_with(word: &str) -> Vec<String> {
 #[test]
 fn a_key_is_stated_in_one_place() {
     // Each stands once in its own table; both models have restitutions.
-    for (word, times) in
-        [("restitution_tangential", 2), ("remaining_seat", 1), ("stop_speed", 1), ("= \"tangential\"", 1)]
-    {
+    for (word, times) in [
+        ("restitution_tangential", 2),
+        ("remaining_seat", 1),
+        ("stop_speed", 1),
+        ("spin_deg_s", 1),
+        ("= \"tangential\"", 1),
+    ] {
         let lines = lines_with(word);
         let tables: Vec<_> = lines.iter().filter(|line| !line.contains("(seat_m)")).collect();
         assert_eq!(tables.len(), times, "{word}: {lines:#?}");

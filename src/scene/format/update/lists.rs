@@ -58,7 +58,9 @@ pub(super) fn merge_tables(path: &str, text: &mut ArrayOfTables, before: &[Value
         reposition(&mut tables);
     }
     text.clear();
-    tables.into_iter().for_each(|(table, _)| text.push(table));
+    for (table, _) in tables {
+        text.push(table);
+    }
 }
 
 /// Tables are printed in the order of their positions in the text: the old positions, in the new order of the list. A

@@ -19,7 +19,7 @@ use tables::{Node, merge_table};
 /// The text of `scene`, made from the text of an earlier state of it.
 ///
 /// `parse(&update(text, scene)) == scene` for every scene whose numbers are numbers. Where the text cannot be kept (it
-/// is no scene, or holds a form that cannot be edited to give this scene) the answer is [`write`]'s.
+/// is no scene, or holds a form that cannot be edited to give this scene) the answer is [`write()`]'s.
 pub fn update(original: &str, scene: &Scene) -> String {
     edited(original, scene).unwrap_or_else(|| write(scene))
 }
@@ -56,7 +56,6 @@ fn rank(path: &str, key: &str) -> usize {
 fn unwritten(path: &str) -> Option<Value> {
     match path {
         "gravity_m_s2" => Ok(Value::Float(STANDARD_GRAVITY)),
-        "girder.heading_deg" => Ok(Value::Float(0.0)),
         "girder.initial" => Value::try_from(Initial::default()),
         "girder.push" => Value::try_from(Push::default()),
         "model" => Value::try_from(ModelSettings::default()),

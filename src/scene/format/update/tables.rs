@@ -52,12 +52,18 @@ impl Node<'_> {
             Self::Headed(table) => {
                 let later: Vec<_> = names[at..].iter().filter_map(|name| table.remove_entry(name)).collect();
                 table.insert_formatted(&Key::new(key), item);
-                later.into_iter().for_each(|(key, item)| drop(table.insert_formatted(&key, item)));
+                for (key, item) in later {
+                    table.insert_formatted(&key, item);
+                }
             }
             Self::Inline(table) => {
                 let later: Vec<_> = names[at..].iter().filter_map(|name| table.remove_entry(name)).collect();
-                item.into_value().into_iter().for_each(|value| drop(table.insert_formatted(&Key::new(key), value)));
-                later.into_iter().for_each(|(key, value)| drop(table.insert_formatted(&key, value)));
+                if let Ok(value) = item.into_value() {
+                    table.insert_formatted(&Key::new(key), value);
+                }
+                for (key, value) in later {
+                    table.insert_formatted(&key, value);
+                }
                 tidy(table);
             }
         }
