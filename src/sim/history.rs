@@ -7,12 +7,13 @@ use super::replayed::Replayed;
 use super::{Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::event_loop::contact_engine::{Effort, Finished};
+use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::free_flight::flight::System;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::recomputed_steps::Past;
+use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::step_polynomial::Piece;
 use crate::dynamics::trajectory::stored_path::{BodyPath, Kept};
 use crate::scene::{ModelKind, Scene, SceneErrors};
@@ -77,7 +78,7 @@ impl History {
     }
 
     /// Puts the groups of a run together; the impact model has a record of each.
-    pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>, records: Option<Vec<Record>>) -> Self {
+    pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
         let mut paths = vec![BodyPath::default(); model.bodies.len()];
@@ -86,10 +87,11 @@ impl History {
         let mut events = Vec::new();
         let mut effort = Effort::default();
         let mut group_of = vec![0; model.bodies.len()];
-        let mut replayed = Vec::with_capacity(groups.len());
+        let (mut replayed, mut records) = (Vec::with_capacity(groups.len()), Vec::new());
         for (number, group) in groups.into_iter().enumerate() {
             replayed.push(Replayed::of(group.replay));
             effort += group.effort;
+            records.extend(group.record);
             for (body, path, system) in group.bodies {
                 (paths[body], systems[body], group_of[body]) = (path, system, number);
             }
@@ -104,7 +106,7 @@ impl History {
             }
         }
         events.retain(|event| event.t <= end);
-        let record = records.map(|records| Record::together(records, end));
+        let record = (!records.is_empty()).then(|| Record::together(records, end));
         if let Some(record) = &record {
             events = impact::events(record, &model);
         }

@@ -68,8 +68,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::dynamics::Model;
-    use crate::dynamics::event_loop::contact_engine::Engine;
+    use crate::dynamics::{Model, run};
     use crate::scene::{Motion, Scene, presets};
     use crate::sim::History;
 
@@ -86,12 +85,13 @@ mod tests {
         let mut model = Model::compile(&scene).expect("a scene");
         model.polynomials = polynomials;
         let model = Arc::new(model);
+        let kind = scene.model.kind;
         let groups = (0..model.groups.len()).map(|group| {
-            let mut engine = Engine::new(&model, group);
+            let mut engine = run::start(&model, group, kind);
             engine.advance(model.duration);
             engine.finish()
         });
-        History::gather(scene, Arc::clone(&model), groups.collect(), None)
+        History::gather(scene, Arc::clone(&model), groups.collect())
     }
 
     #[test]

@@ -5,11 +5,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::{History, Motion, Stop};
-use crate::dynamics::event_loop::contact_engine;
-use crate::dynamics::event_loop::contact_engine::Engine;
-use crate::dynamics::record::recomputed_steps::Replay;
-use crate::dynamics::{Model, impact2d};
-use crate::scene::{ModelKind, Scene, SceneErrors};
+use crate::dynamics::Model;
+use crate::dynamics::run::{self, Run};
+use crate::scene::{Scene, SceneErrors};
 
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
@@ -19,7 +17,8 @@ const PORTIONS: u32 = 200;
 pub struct Session {
     scene: Scene,
     model: Arc<Model>,
-    engines: Engines,
+    /// One run a group of bodies.
+    groups: Vec<Box<dyn Run>>,
     /// How far it was last asked to come \[s\].
     asked: f64,
     /// The other model's run, where a scene asks for both.
@@ -37,13 +36,6 @@ pub struct Reached {
     pub steps: u64,
 }
 
-/// One engine a group of bodies.
-#[derive(Debug)]
-enum Engines {
-    Contact(Vec<Engine>),
-    Impact(Vec<impact2d::engine::Engine>),
-}
-
 impl Session {
     /// Compiles a scene and sets its bodies up at t = 0.
     ///
@@ -53,16 +45,9 @@ impl Session {
         let facings = crate::scene::validate::facings(scene)?;
         let model = Arc::new(Model::of(scene, facings)?);
         let groups = (0..model.groups.len()).into_par_iter();
-        let engines = match scene.model.kind {
-            ModelKind::Contact | ModelKind::Both => {
-                Engines::Contact(groups.map(|group| Engine::new(&model, group)).collect())
-            }
-            ModelKind::Impact => {
-                Engines::Impact(groups.map(|group| impact2d::engine::Engine::new(&model, group)).collect())
-            }
-        };
+        let groups = groups.map(|group| run::start(&model, group, scene.model.kind)).collect();
         let beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
-        Ok(Self { scene: scene.clone(), model, engines, asked: 0.0, beside })
+        Ok(Self { scene: scene.clone(), model, groups, asked: 0.0, beside })
     }
 
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
@@ -86,9 +71,10 @@ impl Session {
     /// Groups that no pair joins advance on as many threads as there are; each is the same whoever computes it.
     fn work(&mut self, until: f64) {
         self.asked = self.asked.max(until);
-        match &mut self.engines {
-            Engines::Contact(engines) => each(engines, |engine| engine.advance(until)),
-            Engines::Impact(engines) => each(engines, |engine| engine.advance(until)),
+        if let [only] = self.groups.as_mut_slice() {
+            only.advance(until);
+        } else {
+            self.groups.par_iter_mut().for_each(|group| group.advance(until));
         }
         if let Some(beside) = &mut self.beside {
             beside.work(until);
@@ -102,27 +88,17 @@ impl Session {
 
     /// How many events [`History::events`] would hold by now; the impact model keeps a record instead.
     fn events(&self) -> usize {
-        match &self.engines {
-            Engines::Contact(engines) => engines.iter().map(Engine::events).sum(),
-            Engines::Impact(_) => 0,
-        }
+        self.groups.iter().map(|group| group.events()).sum()
     }
 
     /// How many steps the integrators of all groups have taken.
     fn steps(&self) -> u64 {
-        match &self.engines {
-            Engines::Contact(engines) => engines.iter().map(|engine| engine.effort().steps).sum(),
-            Engines::Impact(engines) => engines.iter().map(|engine| engine.effort().steps).sum(),
-        }
+        self.groups.iter().map(|group| group.effort().steps).sum()
     }
 
     /// Why a group of bodies stopped early, the first of them if any did.
     fn stop(&self) -> Option<&Stop> {
-        let stops: Vec<&Stop> = match &self.engines {
-            Engines::Contact(engines) => engines.iter().filter_map(Engine::stop).collect(),
-            Engines::Impact(engines) => engines.iter().filter_map(impact2d::engine::Engine::stop).collect(),
-        };
-        stops.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        self.groups.iter().filter_map(|group| group.stop()).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
     /// Motion of every girder at the time that was last asked for: what [`History::motion`] will say of it, to within
@@ -135,10 +111,7 @@ impl Session {
             return Err(stop);
         }
         let at = self.asked.min(self.model.duration);
-        let mut states: Vec<(usize, Vec<f64>)> = match &self.engines {
-            Engines::Contact(engines) => engines.iter().flat_map(|engine| engine.states(at)).collect(),
-            Engines::Impact(engines) => engines.iter().flat_map(|engine| engine.states(at)).collect(),
-        };
+        let mut states: Vec<(usize, Vec<f64>)> = self.groups.iter().flat_map(|group| group.states(at)).collect();
         states.sort_by_key(|(body, _)| *body);
         Ok(states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect())
     }
@@ -146,17 +119,8 @@ impl Session {
     /// What is computed so far.
     pub fn finish(self) -> History {
         let beside = self.beside.map(|beside| beside.finish());
-        let history = match self.engines {
-            Engines::Contact(engines) => {
-                let groups = engines.into_iter().map(Engine::finish).collect();
-                History::gather(self.scene, self.model, groups, None)
-            }
-            Engines::Impact(engines) => {
-                let (groups, records): (Vec<_>, Vec<_>) =
-                    engines.into_iter().map(|engine| split(engine.finish())).unzip();
-                History::gather(self.scene, self.model, groups, Some(records))
-            }
-        };
+        let groups = self.groups.into_iter().map(Run::finish).collect();
+        let history = History::gather(self.scene, self.model, groups);
         match beside {
             Some(beside) => history.with_beside(beside),
             None => history,
@@ -180,22 +144,4 @@ fn beside(scene: &Scene) -> Option<Scene> {
     let mut other = scene.clone();
     other.model.kind = *second;
     Some(other)
-}
-
-/// Does it to every engine, on as many threads as there are.
-fn each<E: Send>(engines: &mut [E], work: impl Fn(&mut E) + Sync + Send) {
-    if let [only] = engines {
-        work(only);
-    } else {
-        engines.par_iter_mut().for_each(work);
-    }
-}
-
-/// What both models leave, and what the impact model leaves beside it.
-fn split(finished: impact2d::engine::Finished) -> (contact_engine::Finished, impact2d::Record) {
-    let impact2d::engine::Finished { end, stop, bodies, record, effort } = finished;
-    let bodies =
-        bodies.into_iter().map(|(body, path, system)| (body, path.into_iter().collect(), Some(system))).collect();
-    let replay = Replay::default();
-    (contact_engine::Finished { end, stop, bodies, contacts: Vec::new(), replay, events: Vec::new(), effort }, record)
 }

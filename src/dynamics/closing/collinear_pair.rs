@@ -5,9 +5,8 @@
 //! ([`search`], [`prowl`](crate::dynamics::locate::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
 //! closed or behind the face, are for [`predict`](crate::dynamics::closing).
 
-use crate::dynamics::Model;
 use crate::dynamics::closing::in_flight;
-use crate::dynamics::event_loop::contact_engine::{ContactTrack, Engine, Trajectory};
+use crate::dynamics::closing::next_closing::NextClosing;
 use crate::dynamics::free_flight::relative_bounds;
 use crate::dynamics::free_flight::uncoupled_axis::Dof;
 use crate::dynamics::integrator::dense_output::Dense;
@@ -16,22 +15,9 @@ use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{Look, Prowl};
 use crate::dynamics::model::single_axis;
 use crate::dynamics::penalty3d::contact_state::Contact;
-use crate::scene::Kind;
-
-/// Gaps as placed that differ by less than this part of what moves are one: rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// A pair with all its faces square to one axis and all its nodes equally far from them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics) struct Abreast {
-    axis: usize,
-    /// `g₀` \[m\].
-    rest: f64,
-    /// What the gap gains per displacement of the pair's first side along the axis, ±1.
-    towards: f64,
-    /// Size of what moves, which its places round with \[m\].
-    size: f64,
-}
+use crate::dynamics::world::World;
+use crate::dynamics::world::axial_gap::AxialGap;
+use crate::dynamics::world::tracks::Trajectory;
 
 /// How one side moves along the axis.
 enum Mover<'a> {
@@ -45,50 +31,21 @@ enum Mover<'a> {
 
 /// Both sides of a pair.
 struct Gauge<'a> {
-    engine: &'a Engine,
-    pair: Abreast,
+    world: &'a World,
+    pair: AxialGap,
     movers: [Mover<'a>; 2],
     drive: f64,
 }
 
-impl Abreast {
-    /// Of a pair's contacts, where the pair is so placed.
-    pub(in crate::dynamics) fn of(model: &Model, pair: usize, contacts: &[ContactTrack]) -> Option<Self> {
-        let first = model.pairs[pair].bodies[0];
-        let one = |track: &ContactTrack, axis: usize| {
-            let site = &model.contacts[track.site];
-            let normal = site.home.axes.z_axis;
-            let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
-            let side = if site.node_body == first { 1.0 } else { -1.0 };
-            square.then(|| Self {
-                axis,
-                rest: track.spot.home_gap,
-                towards: side * normal[axis],
-                size: track.spot.size,
-            })
-        };
-        let all = |axis: usize| {
-            let whole = one(contacts.first()?, axis)?;
-            let like = |track: &ContactTrack| {
-                one(track, axis).is_some_and(|other| {
-                    other.towards == whole.towards && (other.rest - whole.rest).abs() <= ROUNDING * whole.size
-                })
-            };
-            contacts.iter().all(like).then_some(whole)
-        };
-        (model.kind == Kind::Planar).then(|| all(0).or_else(|| all(1))).flatten()
-    }
-}
-
 /// Searches a pair from `t` on and enters when its contacts close; when the pair is due, infinite when it is not \[s\].
 /// Nothing where the pair is not in line, or its contacts are not all open.
-pub(in crate::dynamics) fn search(engine: &mut Engine, pair: usize, t: f64) -> Option<f64> {
-    let whole = engine.pairs[pair].abreast?;
-    let contacts = engine.pairs[pair].contacts.clone();
-    if !contacts.clone().all(|contact| engine.contacts[contact].state == Contact::Open { armed: true }) {
+pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Option<NextClosing> {
+    let whole = world.pairs[pair].axial?;
+    let contacts = world.pairs[pair].contacts.clone();
+    if !contacts.clone().all(|contact| world.contacts[contact].state == Contact::Open { armed: true }) {
         return None;
     }
-    let gauge = Gauge::of(engine, pair, whole)?;
+    let gauge = Gauge::of(world, pair, whole)?;
     let resolution = RESOLUTION * (whole.size + gauge.moved(t));
     let (due, closing, looks) = match gauge.planned() {
         Some(until) => {
@@ -97,17 +54,16 @@ pub(in crate::dynamics) fn search(engine: &mut Engine, pair: usize, t: f64) -> O
         }
         None => gauge.in_flight(t, resolution),
     };
-    engine.effort.looks += looks;
     for contact in contacts {
-        (engine.contacts[contact].closing, engine.contacts[contact].out) = (closing, None);
+        (world.contacts[contact].closing, world.contacts[contact].out) = (closing, None);
     }
-    Some(due)
+    Some(NextClosing { due, looks, work: 0 })
 }
 
 impl<'a> Gauge<'a> {
-    fn of(engine: &'a Engine, pair: usize, whole: Abreast) -> Option<Self> {
-        let [first, second] = engine.pairs[pair].slots.map(|slot| Mover::of(engine, slot, whole.axis));
-        let gauge = Self { engine, pair: whole, movers: [first?, second?], drive: engine.model.ground.drive() };
+    fn of(world: &'a World, pair: usize, whole: AxialGap) -> Option<Self> {
+        let [first, second] = world.pairs[pair].slots.map(|slot| Mover::of(world, slot, whole.axis));
+        let gauge = Self { world, pair: whole, movers: [first?, second?], drive: world.model.ground.drive() };
         gauge.is_bounded().then_some(gauge)
     }
 
@@ -132,7 +88,7 @@ impl<'a> Gauge<'a> {
 
     /// Displacement and speed of both sides.
     fn sides(&self, t: f64) -> [[f64; 2]; 2] {
-        let phase = self.engine.model.ground.phase(t);
+        let phase = self.world.model.ground.phase(t);
         [&self.movers[0], &self.movers[1]].map(|mover| mover.state(t, phase, self.drive))
     }
 
@@ -141,7 +97,7 @@ impl<'a> Gauge<'a> {
     }
 
     fn gap(&self, [a, b]: [[f64; 2]; 2]) -> [f64; 2] {
-        let Abreast { rest, towards, .. } = self.pair;
+        let AxialGap { rest, towards, .. } = self.pair;
         [rest + towards * (a[0] - b[0]), towards * (a[1] - b[1])]
     }
 
@@ -185,7 +141,7 @@ impl<'a> Gauge<'a> {
 
     /// In flight: when the pair is due, when it closes if that is why, and how many looks it took.
     fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
-        let model = &self.engine.model;
+        let model = &self.world.model;
         let until = in_flight::horizon(&model.ground, t, model.duration);
         let here = self.outlook(t, model.duration);
         if here.out_of_reach {
@@ -205,7 +161,7 @@ impl<'a> Gauge<'a> {
 
     fn outlook(&self, t: f64, until: f64) -> Outlook {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
-        let phase = self.engine.model.ground.phase(t);
+        let phase = self.world.model.ground.phase(t);
         let [a, b] = [&self.movers[0], &self.movers[1]].map(|mover| (mover.state(t, phase, self.drive), mover));
         let [gap, rate] = self.gap([a.0, b.0]);
         let free = |(state, mover): ([f64; 2], &Mover<'_>)| mover.free(state, phase, self.drive);
@@ -223,18 +179,17 @@ impl<'a> Gauge<'a> {
 
 impl<'a> Mover<'a> {
     /// Nothing for one that is not in line with the axis, or has no such simple motion.
-    fn of(engine: &'a Engine, slot: Option<usize>, axis: usize) -> Option<Self> {
+    fn of(world: &'a World, slot: Option<usize>, axis: usize) -> Option<Self> {
         let Some(slot) = slot else { return Some(Self::Stands) };
-        let track = &engine.bodies[slot];
+        let track = &world.bodies[slot];
         match (&track.now, &track.system) {
             (Trajectory::Flight(flight), Some(system)) => {
-                let straight =
-                    engine.model.bodies[track.body].straight[axis] && single_axis::along(&flight.state, axis);
+                let straight = world.model.bodies[track.body].straight[axis] && single_axis::along(&flight.state, axis);
                 let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
                 Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
             }
             (&Trajectory::Island { island: number, index }, _) => {
-                let island = engine.islands[number].as_ref()?;
+                let island = world.islands[number].as_ref()?;
                 let (dense, at, base) = island.along(index, axis)?;
                 Some(Self::Steps { island: number, dense, at, base, from: island.from, until: island.until })
             }
@@ -265,7 +220,7 @@ impl<'a> Mover<'a> {
     /// Displacement, speed and acceleration that one in flight does not exceed for so long from `t` on.
     fn limits(&self, t: f64, horizon: f64, gauge: &Gauge<'_>) -> [f64; 3] {
         let Self::Flies { dof, push, .. } = self else { return [0.0; 3] };
-        let phase = gauge.engine.model.ground.phase(t);
+        let phase = gauge.world.model.ground.phase(t);
         dof.limits(self.free(self.state(t, phase, gauge.drive), phase, gauge.drive), gauge.drive, *push, horizon)
     }
 

@@ -3,8 +3,9 @@
 //! The other may fly in closed form or be in a step of its own; two bodies of one island share their step, so that what they
 //! do together cancels.
 
-use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
 use crate::dynamics::free_flight::motion_bounds::Bound;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Trajectory;
 
 /// What two bodies can do against each other over a stretch of time.
 #[derive(Clone, Copy, Debug)]
@@ -19,10 +20,10 @@ pub(in crate::dynamics) struct Swing {
 
 impl Swing {
     /// Of the bodies in two slots from `from` to `to`; an abutment stands.
-    pub(in crate::dynamics) fn of(engine: &Engine, slots: [Option<usize>; 2], from: f64, to: f64) -> Self {
-        let sides = slots.map(|slot| slot.map_or(Bound::still(f64::INFINITY), |slot| bound(engine, slot, from, to)));
+    pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], from: f64, to: f64) -> Self {
+        let sides = slots.map(|slot| slot.map_or(Bound::still(f64::INFINITY), |slot| bound(world, slot, from, to)));
         let summed = [sides[0].speed + sides[1].speed, sides[0].acceleration + sides[1].acceleration];
-        let [speed, acceleration] = together(engine, slots).unwrap_or(summed);
+        let [speed, acceleration] = together(world, slots).unwrap_or(summed);
         Self { sides, speed, acceleration }
     }
 
@@ -45,21 +46,21 @@ impl Swing {
 }
 
 /// The difference of two bodies of one island.
-fn together(engine: &Engine, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
-    let [a, b] = slots.map(|slot| match engine.bodies[slot?].now {
+fn together(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
+    let [a, b] = slots.map(|slot| match world.bodies[slot?].now {
         Trajectory::Island { island, index } => Some((island, index)),
         Trajectory::Flight(_) => None,
     });
     let ((island, a), (other, b)) = (a?, b?);
-    (island == other).then(|| engine.islands[island].as_ref().map(|island| island.apart(&engine.model, [a, b])))?
+    (island == other).then(|| world.islands[island].as_ref().map(|island| island.apart(&world.model, [a, b])))?
 }
 
 /// What a body can do at most on its trajectory.
-fn bound(engine: &Engine, slot: usize, from: f64, to: f64) -> Bound {
-    match (&engine.bodies[slot].now, &engine.bodies[slot].system) {
-        (Trajectory::Island { island, index }, _) => engine.islands[*island]
+fn bound(world: &World, slot: usize, from: f64, to: f64) -> Bound {
+    match (&world.bodies[slot].now, &world.bodies[slot].system) {
+        (Trajectory::Island { island, index }, _) => world.islands[*island]
             .as_ref()
-            .map_or(Bound::still(f64::INFINITY), |island| island.bound(&engine.model, *index)),
+            .map_or(Bound::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
         (Trajectory::Flight(flight), Some(system)) => system.prospect(flight, from, to - from).1,
         _ => Bound::still(f64::INFINITY),
     }

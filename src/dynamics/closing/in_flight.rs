@@ -4,7 +4,8 @@
 //! that any contact allows. A pair whose gaps are out of reach for good is not looked at again until somebody is hit.
 
 use crate::contact::{Frame, Local, locate};
-use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
+use crate::dynamics::ContactSite;
+use crate::dynamics::closing::next_closing::NextClosing;
 use crate::dynamics::free_flight::motion_bounds::Bound;
 use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
 use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, polish};
@@ -12,48 +13,15 @@ use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::in_front;
 use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::contact_state::Contact;
-use crate::dynamics::{ContactSite, Model};
+use crate::dynamics::world::World;
+use crate::dynamics::world::site_geometry::SiteGeometry;
+use crate::dynamics::world::tracks::Trajectory;
 use crate::motion::Ground;
 
 /// What a search that was cut short counts against the work bound.
 const CUT_SHORT: usize = 5_000;
 /// Samples of a record that one search covers.
 const SAMPLES: f64 = 64.0;
-
-/// Where the two sides of a contact stand as placed.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Spot {
-    /// Gap \[m\].
-    pub home_gap: f64,
-    /// Node from its G \[m\].
-    pub arm: f64,
-    /// Node from the face body's G \[m\].
-    pub apart: f64,
-    /// Size of what moves, which its places round with \[m\].
-    pub size: f64,
-}
-
-impl Spot {
-    pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
-        let site = &model.contacts[site];
-        let (arm, apart) = (site.home.arm.length(), site.home.lever.length());
-        Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size() }
-    }
-
-    /// What the gap can do at most.
-    pub(in crate::dynamics) fn outlook(&self, here: &Local, node: &Bound, face: &Bound, between: &Apart) -> Outlook {
-        let apart = self.apart + between.reach + node.turn * self.arm;
-        let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
-        // g = n·r, r from the face's G to the node: n turns with the face.
-        let curvature = between.acceleration
-            + turn(node.spin, node.spin_rate, self.arm)
-            + turn(face.spin, face.spin_rate, apart)
-            + 2.0 * face.spin * (between.speed + node.spin * self.arm);
-        let moved = between.reach + node.turn * self.arm + face.turn * apart;
-        let window = between.window;
-        Outlook { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach: self.home_gap > moved }
-    }
-}
 
 /// Both sides of a pair at an instant.
 #[derive(Clone, Copy)]
@@ -64,14 +32,14 @@ struct View {
 }
 
 impl View {
-    fn of(engine: &Engine, pair: usize, t: f64, until: f64) -> Self {
+    fn of(world: &World, pair: usize, t: f64, until: f64) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
-        let slots = engine.pairs[pair].slots;
+        let slots = world.pairs[pair].slots;
         // One ground shakes both.
-        let phase = engine.model.ground.phase(t);
-        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(engine, slot, t, phase, horizon)));
+        let phase = world.model.ground.phase(t);
+        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(world, slot, t, phase, horizon)));
         let frame = |side: usize| match (slots[side], &flyers[side]) {
-            (Some(slot), Some(flyer)) => engine.model.bodies[engine.bodies[slot].body].planar_frame(&flyer.state),
+            (Some(slot), Some(flyer)) => world.model.bodies[world.bodies[slot].body].planar_frame(&flyer.state),
             // An abutment's frame is that of its contact.
             _ => Frame::fixed(glam::DVec3::ZERO),
         };
@@ -81,8 +49,8 @@ impl View {
     }
 }
 
-fn flyer(engine: &Engine, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<Flyer<'_>> {
-    let track = &engine.bodies[slot];
+fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<Flyer<'_>> {
+    let track = &world.bodies[slot];
     let (Trajectory::Flight(flight), Some(system)) = (&track.now, &track.system) else { return None };
     let (state, free) = system.parts_in(flight, t, phase);
     let bound = system.bound_from(t, &state, free.as_ref(), horizon);
@@ -93,7 +61,7 @@ fn flyer(engine: &Engine, slot: usize, t: f64, phase: [f64; 2], horizon: f64) ->
 struct Quarry<'a> {
     contact: usize,
     site: &'a ContactSite,
-    spot: Spot,
+    spot: SiteGeometry,
     /// Which side of the pair owns the node, and which the face.
     sides: [Option<usize>; 2],
     hunt: Hunt,
@@ -114,36 +82,34 @@ impl Quarry<'_> {
 
 /// Searches a pair from `t` on: enters the closing of each contact that closes first, and returns when the pair is to be
 /// met or searched on; infinite when neither is needed \[s\].
-pub(in crate::dynamics) fn search(engine: &mut Engine, pair: usize, t: f64) -> f64 {
-    let duration = engine.model.duration;
-    let until = horizon(&engine.model.ground, t, duration);
-    remember(engine, pair, until);
-    let engine_now = &*engine;
+pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> NextClosing {
+    let duration = world.model.duration;
+    let until = horizon(&world.model.ground, t, duration);
+    remember(world, pair, until);
+    let here_now = &*world;
     let mut looks = 1;
-    let first = View::of(engine_now, pair, t, duration);
-    let mut quarries = open(engine_now, pair, t, &first);
+    let first = View::of(here_now, pair, t, duration);
+    let mut quarries = open(here_now, pair, t, &first);
     // Those that are in front now; a hunt may find others come out later.
     let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
     let out = !quarries.iter().any(|q| !(q.hunt.out_of_reach() && first.between.window >= duration - t));
     let (due, closing) =
-        if out { (f64::INFINITY, Vec::new()) } else { hunt(engine_now, pair, &mut quarries, [t, until], &mut looks) };
+        if out { (f64::INFINITY, Vec::new()) } else { hunt(here_now, pair, &mut quarries, [t, until], &mut looks) };
     let cut = closing.is_empty() && due < until;
     let out: Vec<(usize, Option<f64>)> = quarries.iter().map(|q| (q.contact, q.hunt.out())).collect();
-    engine.effort.looks += looks;
-    engine.work += if cut { CUT_SHORT } else { 0 };
-    for contact in engine.pairs[pair].contacts.clone() {
-        engine.contacts[contact].closing = None;
+    for contact in world.pairs[pair].contacts.clone() {
+        world.contacts[contact].closing = None;
     }
     for (contact, at) in out {
-        engine.contacts[contact].out = at;
+        world.contacts[contact].out = at;
     }
     for contact in armed {
-        engine.contacts[contact].state = Contact::Open { armed: true };
+        world.contacts[contact].state = Contact::Open { armed: true };
     }
     for (contact, at) in closing {
-        engine.contacts[contact].closing = Some(at);
+        world.contacts[contact].closing = Some(at);
     }
-    due
+    NextClosing { due, looks, work: if cut { CUT_SHORT } else { 0 } }
 }
 
 /// How far one search goes \[s\].
@@ -157,9 +123,9 @@ pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f6
 }
 
 /// Lets flights under a record keep the states that looks up to `until` start from.
-fn remember(engine: &mut Engine, pair: usize, until: f64) {
-    for slot in engine.pairs[pair].slots.into_iter().flatten() {
-        let track = &mut engine.bodies[slot];
+fn remember(world: &mut World, pair: usize, until: f64) {
+    for slot in world.pairs[pair].slots.into_iter().flatten() {
+        let track = &mut world.bodies[slot];
         if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
             system.remember(flight, until);
         }
@@ -167,14 +133,14 @@ fn remember(engine: &mut Engine, pair: usize, until: f64) {
 }
 
 /// The open contacts of a pair; a node that has come out in front is armed again.
-fn open<'a>(engine: &'a Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry<'a>> {
-    let slots = engine.pairs[pair].slots;
+fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<Quarry<'a>> {
+    let slots = world.pairs[pair].slots;
     let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
     let quarry = |contact: usize| {
-        let track = &engine.contacts[contact];
+        let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
-        let (site, spot) = (&engine.model.contacts[track.site], track.spot);
+        let (site, spot) = (&world.model.contacts[track.site], track.spot);
         let unseen = Outlook { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
         let hunt = Hunt::begin(unseen, false, 0.0);
         let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), hunt };
@@ -183,12 +149,12 @@ fn open<'a>(engine: &'a Engine, pair: usize, t: f64, view: &View) -> Vec<Quarry<
         quarry.hunt = Hunt::begin(here, armed, resolution);
         Some(quarry)
     };
-    engine.pairs[pair].contacts.clone().filter_map(quarry).collect()
+    world.pairs[pair].contacts.clone().filter_map(quarry).collect()
 }
 
 /// Leaps until a contact closes or the search has come to its end: when the pair is due, and who closes then.
 fn hunt(
-    engine: &Engine,
+    world: &World,
     pair: usize,
     quarries: &mut [Quarry<'_>],
     [mut t, until]: [f64; 2],
@@ -198,7 +164,7 @@ fn hunt(
     if !at_once.is_empty() {
         return (t, at_once);
     }
-    let mut views = Views { engine, pair, until, seen: Vec::new() };
+    let mut views = Views { world, pair, until, seen: Vec::new() };
     for _ in 0..MOST {
         if t >= until {
             break;
@@ -217,16 +183,16 @@ fn hunt(
             quarries.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();
         *looks += views.seen.len() as u64;
         if let Some(first) = closed.iter().map(|(_, at)| *at).min_by(f64::total_cmp) {
-            return (first, with_those_who_follow(engine, pair, quarries, closed, first));
+            return (first, with_those_who_follow(world, pair, quarries, closed, first));
         }
         t = next;
     }
-    (if t >= engine.model.duration { f64::INFINITY } else { t }, Vec::new())
+    (if t >= world.model.duration { f64::INFINITY } else { t }, Vec::new())
 }
 
 /// Looks at a pair about one instant: contacts of a flush face ask for the same ones.
 struct Views<'a> {
-    engine: &'a Engine,
+    world: &'a World,
     pair: usize,
     until: f64,
     seen: Vec<(f64, View)>,
@@ -237,7 +203,7 @@ impl Views<'_> {
         if let Some((_, view)) = self.seen.iter().find(|(at, _)| *at == t) {
             return *view;
         }
-        let view = View::of(self.engine, self.pair, t, self.until);
+        let view = View::of(self.world, self.pair, t, self.until);
         self.seen.push((t, view));
         view
     }
@@ -258,15 +224,15 @@ fn arrive(quarry: &mut Quarry<'_>, there: &View, [t, next]: [f64; 2], views: &mu
 
 /// Contacts that close within rounding of the first close with it.
 fn with_those_who_follow(
-    engine: &Engine,
+    world: &World,
     pair: usize,
     quarries: &[Quarry<'_>],
     mut closed: Vec<(usize, f64)>,
     first: f64,
 ) -> Vec<(usize, f64)> {
     if closed.len() < quarries.len() {
-        let at = first + engine.pairs[pair].together;
-        let view = View::of(engine, pair, at, at);
+        let at = first + world.pairs[pair].together;
+        let view = View::of(world, pair, at, at);
         for quarry in quarries.iter().filter(|q| q.hunt.armed()) {
             if closed.iter().all(|(contact, _)| *contact != quarry.contact) && quarry.look(&view).gap < 0.0 {
                 closed.push((quarry.contact, at));

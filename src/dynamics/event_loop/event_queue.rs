@@ -1,27 +1,27 @@
-//! What is due when: one entry per island and per pair, earliest first, ties in a fixed order.
+//! An indexed priority queue of event times: earliest first, ties in the fixed order of the sources.
 
-/// Whose turn it is.
+/// A source of events: number `number` among those of one rank; at one time the lower rank comes first, then the lower number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::dynamics) enum Item {
-    /// An island's planned step ends, or an event of its contacts is due.
-    Island(usize),
-    /// A pair closes, or its search goes on.
-    Pair(usize),
+pub struct Source {
+    /// Which kind of source, by order of precedence.
+    pub rank: usize,
+    /// Which of its kind.
+    pub number: usize,
 }
 
-/// A heap whose entries can be moved: everyone knows where in it he stands.
+/// A binary heap of which any entry can be moved or removed: the place of every source in it is kept.
 #[derive(Debug, Default)]
-pub(in crate::dynamics) struct Agenda {
-    heap: Vec<(u64, Item)>,
-    islands: Vec<Option<usize>>,
-    pairs: Vec<Option<usize>>,
+pub struct EventQueue {
+    heap: Vec<(u64, Source)>,
+    /// By rank and number.
+    places: Vec<Vec<Option<usize>>>,
 }
 
-impl Agenda {
-    /// Enters an item, or moves it. Times are never negative, so their bits sort as they do.
-    pub(in crate::dynamics) fn set(&mut self, item: Item, t: f64) {
-        let entry = (t.max(0.0).to_bits(), item);
-        let at = if let Some(at) = *self.place(item) {
+impl EventQueue {
+    /// Enters the time of a source, or moves it. Times are never negative, so their bits sort as they do.
+    pub fn set(&mut self, source: Source, t: f64) {
+        let entry = (t.max(0.0).to_bits(), source);
+        let at = if let Some(at) = *self.place(source) {
             self.heap[at] = entry;
             at
         } else {
@@ -31,9 +31,9 @@ impl Agenda {
         self.settle(at);
     }
 
-    /// Takes an item off.
-    pub(in crate::dynamics) fn remove(&mut self, item: Item) {
-        if let Some(at) = self.place(item).take() {
+    /// Removes a source.
+    pub fn remove(&mut self, source: Source) {
+        if let Some(at) = self.place(source).take() {
             self.heap.swap_remove(at);
             if at < self.heap.len() {
                 self.settle(at);
@@ -42,30 +42,31 @@ impl Agenda {
     }
 
     /// The earliest time; infinite when nothing is due \[s\].
-    pub(in crate::dynamics) fn first_time(&self) -> f64 {
+    pub fn first_time(&self) -> f64 {
         self.heap.first().map_or(f64::INFINITY, |(bits, _)| f64::from_bits(*bits))
     }
 
-    /// Takes the earliest item.
-    pub(in crate::dynamics) fn pop(&mut self) -> Option<(f64, Item)> {
-        let &(bits, item) = self.heap.first()?;
-        self.remove(item);
-        Some((f64::from_bits(bits), item))
+    /// Removes and returns the earliest source.
+    pub fn pop(&mut self) -> Option<(f64, Source)> {
+        let &(bits, source) = self.heap.first()?;
+        self.remove(source);
+        Some((f64::from_bits(bits), source))
     }
 
-    /// Where in the heap an item stands.
-    fn place(&mut self, item: Item) -> &mut Option<usize> {
-        let (places, number) = match item {
-            Item::Island(number) => (&mut self.islands, number),
-            Item::Pair(number) => (&mut self.pairs, number),
-        };
+    /// Place of a source in the heap.
+    fn place(&mut self, source: Source) -> &mut Option<usize> {
+        let Source { rank, number } = source;
+        if rank >= self.places.len() {
+            self.places.resize(rank + 1, Vec::new());
+        }
+        let places = &mut self.places[rank];
         if number >= places.len() {
             places.resize(number + 1, None);
         }
         &mut places[number]
     }
 
-    /// Moves the entry at `at` up or down to where it belongs.
+    /// Moves the entry at `at` up or down until the heap is in order.
     fn settle(&mut self, mut at: usize) {
         let entry = self.heap[at];
         while at > 0 && entry < self.heap[(at - 1) / 2] {
@@ -87,7 +88,7 @@ impl Agenda {
         self.put(at, entry);
     }
 
-    fn put(&mut self, at: usize, entry: (u64, Item)) {
+    fn put(&mut self, at: usize, entry: (u64, Source)) {
         self.heap[at] = entry;
         *self.place(entry.1) = Some(at);
     }
@@ -98,26 +99,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn items_come_in_order_however_they_were_entered_moved_and_taken_off() {
-        let (mut agenda, mut plain, mut draw) = (Agenda::default(), std::collections::BTreeMap::new(), 7u64);
+    fn sources_come_in_order_however_they_were_entered_moved_and_removed() {
+        let (mut queue, mut plain, mut draw) = (EventQueue::default(), std::collections::BTreeMap::new(), 7u64);
         for round in 0..5000 {
             draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             let number = usize::try_from(draw >> 59).expect("five bits");
-            let item = if draw & (1 << 40) == 0 { Item::Pair(number) } else { Item::Island(number) };
+            let item = Source { rank: usize::from(draw & (1 << 40) == 0), number };
             let t = ((draw >> 20) & 15) as f64;
             match (draw >> 33) & 3 {
                 0 => {
-                    agenda.remove(item);
+                    queue.remove(item);
                     plain.remove(&item);
                 }
                 1 => {
-                    let first = plain.iter().map(|(item, t): (&Item, &f64)| (t.to_bits(), *item)).min();
+                    let first = plain.iter().map(|(item, t): (&Source, &f64)| (t.to_bits(), *item)).min();
                     let expected = first.map(|(bits, item)| (f64::from_bits(bits), item));
-                    assert_eq!(agenda.pop(), expected, "round {round}");
+                    assert_eq!(queue.pop(), expected, "round {round}");
                     expected.map(|(_, item)| plain.remove(&item));
                 }
                 _ => {
-                    agenda.set(item, t);
+                    queue.set(item, t);
                     plain.insert(item, t);
                 }
             }

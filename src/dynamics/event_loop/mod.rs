@@ -1,9 +1,9 @@
-//! The event loop of the contact model: queue, handlers, transitions of contact states, islands.
+//! The event loop: one for both models.
+//!
+//! A model of contact ([`mechanics::Mechanics`]) enters in the queue when each of its islands and pairs is due; the loop takes
+//! the earliest, lets the model handle it, and ends the run where the work exceeds its bound.
 
-pub mod contact_engine;
-pub(in crate::dynamics) mod event_queue;
-pub(in crate::dynamics) mod handlers;
-pub(in crate::dynamics) mod rebuild_islands;
-pub(in crate::dynamics) mod storage_policy;
-pub(in crate::dynamics) mod transitions;
-pub(in crate::dynamics) mod world;
+pub mod effort;
+pub mod event_queue;
+pub mod mechanics;
+pub mod schedule;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::closing::in_flight::Spot;
-use crate::dynamics::event_loop::contact_engine::Effort;
-use crate::dynamics::event_loop::event_queue::{Agenda, Item};
+use crate::dynamics::event_loop::event_queue::Source;
+use crate::dynamics::event_loop::mechanics::Mechanics;
+use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::free_flight::flight::{Planar, System};
 use crate::dynamics::impact2d::Few;
 use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
@@ -16,8 +16,8 @@ use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
 use crate::dynamics::impact2d::record::{Record, Stay};
 use crate::dynamics::impact2d::tracks::{BodyTrack, Going, PairTrack, SiteTrack};
 use crate::dynamics::model::rigid_body;
-use crate::dynamics::record::event::Stop;
 use crate::dynamics::trajectory::segment::{Path, Segment};
+use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// Hits, searches and steps per body after which a run gives up.
 const WORK: usize = 3_000_000;
@@ -35,37 +35,28 @@ pub(in crate::dynamics::impact2d) const SINK: f64 = 1e-12;
 #[derive(Debug)]
 pub struct Engine {
     pub(in crate::dynamics::impact2d) model: Arc<Model>,
-    pub(in crate::dynamics::impact2d) bodies: Vec<BodyTrack>,
+    pub(in crate::dynamics) bodies: Vec<BodyTrack>,
     pub(in crate::dynamics::impact2d) pairs: Vec<PairTrack>,
     pub(in crate::dynamics::impact2d) sites: Vec<SiteTrack>,
     pub(in crate::dynamics::impact2d) grips: Vec<Option<Grip>>,
-    pub(in crate::dynamics::impact2d) agenda: Agenda,
-    pub(in crate::dynamics::impact2d) record: Record,
+    pub(in crate::dynamics) schedule: Schedule,
+    pub(in crate::dynamics) record: Record,
     /// Fastest that anybody has been, and farthest from home, corners included \[m/s\], \[m\].
     pub(in crate::dynamics::impact2d) largest: [f64; 2],
-    pub(in crate::dynamics::impact2d) effort: Effort,
-    stop: Option<Stop>,
-    now: f64,
-    work: usize,
     same: (f64, usize),
 }
 
-/// What an engine leaves behind.
-#[derive(Debug)]
-pub struct Finished {
-    /// How far it came \[s\].
-    pub end: f64,
-    /// Why it stopped early.
-    pub stop: Option<Stop>,
-    /// Number, path and free motion of every body.
-    pub bodies: Vec<(usize, Vec<Segment>, System)>,
-    /// Hits, transitions, lasting contacts.
-    pub record: Record,
-    /// What it took.
-    pub effort: Effort,
-}
-
 impl Engine {
+    /// Lasting contact as a source of events: its planned step ends.
+    pub(super) fn lasting(number: usize) -> Source {
+        Source { rank: 0, number }
+    }
+
+    /// A pair as a source of events: it meets, or its search goes on.
+    pub(super) fn pair(number: usize) -> Source {
+        Source { rank: 1, number }
+    }
+
     /// Sets up a group of bodies, by its number in the model, at t = 0.
     pub fn new(model: &Arc<Model>, group: usize) -> Self {
         let mut engine = Self {
@@ -74,13 +65,9 @@ impl Engine {
             pairs: Vec::new(),
             sites: Vec::new(),
             grips: Vec::new(),
-            agenda: Agenda::default(),
+            schedule: Schedule::default(),
             record: Record::default(),
             largest: [0.0; 2],
-            effort: Effort::default(),
-            stop: None,
-            now: 0.0,
-            work: 0,
             same: (-1.0, 0),
         };
         engine.gather(group);
@@ -114,7 +101,7 @@ impl Engine {
             for site in pair.contacts.clone() {
                 let contact = &model.contacts[site];
                 let side = |owner: Option<usize>| owner.map(|b| usize::from(pair.bodies[0] != Some(b)));
-                let spot = Spot::of(&model, site);
+                let spot = SiteGeometry::of(&model, site);
                 self.sites.push(SiteTrack {
                     number: site,
                     sides: [side(contact.node_body), side(contact.face_body)],
@@ -135,68 +122,14 @@ impl Engine {
         }
     }
 
-    /// The time of whatever comes next; infinite when the run is over \[s\].
-    fn next_time(&self) -> f64 {
-        if self.stop.is_some() { f64::INFINITY } else { self.agenda.first_time() }
-    }
-
-    /// How far the run has come \[s\].
-    fn now(&self) -> f64 {
-        if self.stop.is_none() && self.agenda.first_time() > self.model.duration {
-            self.model.duration
-        } else {
-            self.now
-        }
-    }
-
-    /// Does everything that is due until `until` \[s\].
-    pub fn advance(&mut self, until: f64) {
-        while self.next_time() <= until.min(self.model.duration) {
-            let Some((t, item)) = self.agenda.pop() else { return };
-            self.now = t;
-            self.work += 1;
-            if self.work > WORK.saturating_mul(self.bodies.len()) || self.too_many_at(t) {
-                self.out_of_work(t, item);
-                return;
-            }
-            match item {
-                Item::Island(grip) => self.end_of_step(grip, t),
-                Item::Pair(pair) if self.pairs[pair].meets => {
-                    let slots: Few<usize> = self.pairs[pair].slots.into_iter().flatten().collect();
-                    self.meet(t, &slots, None);
-                }
-                Item::Pair(pair) => self.seek(pair, t),
-            }
-        }
-    }
-
     fn too_many_at(&mut self, t: f64) -> bool {
         self.same = if self.same.0 == t { (t, self.same.1 + 1) } else { (t, 1) };
         self.same.1 > SAME_INSTANT + 4 * self.pairs.len() + 2 * self.bodies.len()
     }
 
-    fn out_of_work(&mut self, t: f64, item: Item) {
-        let place = match item {
-            Item::Pair(pair) => self.model.pairs[self.pairs[pair].number].name.clone(),
-            Item::Island(grip) => self.grips[grip].as_ref().map_or(String::new(), |grip| self.names(&grip.bodies)),
-        };
-        let reason = format!(
-            "{} hits, searches and steps, {} of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower \
-             restitution_normal would end it, or the contact model",
-            self.work, self.same.1
-        );
-        self.give_up(t, place, reason);
-    }
-
     /// Names of bodies by their numbers in the model.
     pub(in crate::dynamics::impact2d) fn names(&self, bodies: &[usize]) -> String {
         bodies.iter().map(|&b| self.model.bodies[b].name.as_str()).collect::<Vec<_>>().join(", ")
-    }
-
-    pub(in crate::dynamics::impact2d) fn give_up(&mut self, t: f64, place: String, reason: String) {
-        if self.stop.is_none() {
-            self.stop = Some(Stop { t, place, reason });
-        }
     }
 
     /// Looks for a pair's next meeting from `t` and enters it.
@@ -210,9 +143,9 @@ impl Engine {
         let found = next_impact::pair(self, pair, t);
         self.pairs[pair].meets = found.meets;
         if found.due.is_finite() {
-            self.agenda.set(Item::Pair(pair), found.due);
+            self.schedule.queue.set(Self::pair(pair), found.due);
         } else {
-            self.agenda.remove(Item::Pair(pair));
+            self.schedule.queue.remove(Self::pair(pair));
         }
     }
 
@@ -249,7 +182,7 @@ impl Engine {
     /// Plans a grip's next step.
     pub(in crate::dynamics::impact2d) fn plan(&mut self, number: usize) {
         let Some(mut grip) = self.grips[number].take() else { return };
-        self.effort.steps += 1;
+        self.schedule.effort.steps += 1;
         let [speed, reach] = self.largest;
         let size = grip.bodies.iter().map(|&b| self.model.bodies[b].radius).fold(0.0, f64::max);
         let tolerance = self.model.tolerance;
@@ -263,13 +196,13 @@ impl Engine {
         let least = if restless { MOMENT * duration } else { 0.0 };
         match grip.plan(&self.model, &numbers, allowed, [least, cap]) {
             Ok(()) => {
-                self.agenda.set(Item::Island(number), grip.until);
+                self.schedule.queue.set(Self::lasting(number), grip.until);
                 self.grips[number] = Some(grip);
             }
             Err(reason) => {
                 let (t, place) = (grip.until, self.names(&grip.bodies));
                 self.grips[number] = Some(grip);
-                self.give_up(t, place, reason);
+                self.schedule.give_up(t, place, reason);
             }
         }
     }
@@ -308,21 +241,6 @@ impl Engine {
         if let Going::Flight(flight) = &mut track.now {
             track.system.remember(flight, until);
         }
-    }
-
-    /// Numbers of its bodies and their states at `t`, until which everything is done.
-    pub fn states(&self, t: f64) -> impl Iterator<Item = (usize, Vec<f64>)> + '_ {
-        self.bodies.iter().enumerate().map(move |(slot, track)| (track.body, self.state(slot, t).to_vec()))
-    }
-
-    /// What has been done so far.
-    pub fn effort(&self) -> Effort {
-        self.effort
-    }
-
-    /// Why it stopped early.
-    pub fn stop(&self) -> Option<&Stop> {
-        self.stop.as_ref()
     }
 
     /// State of a body on its trajectory.
@@ -374,7 +292,7 @@ impl Engine {
 
     /// Ends a grip at `t` and keeps what it was.
     pub(in crate::dynamics::impact2d) fn end_grip(&mut self, number: usize, t: f64) {
-        self.agenda.remove(Item::Island(number));
+        self.schedule.queue.remove(Self::lasting(number));
         if let Some(grip) = self.grips[number].take()
             && t > grip.since
         {
@@ -382,16 +300,62 @@ impl Engine {
         }
     }
 
-    /// Everything that was computed.
-    pub fn finish(mut self) -> Finished {
-        let end = self.now();
+    /// Ends all trajectories and lasting contacts where the run has come to, and says where that is \[s\].
+    pub(in crate::dynamics) fn end(&mut self) -> f64 {
+        let end = self.schedule.reached(self.model.duration);
         for slot in 0..self.bodies.len() {
             self.close_segment(slot, end);
         }
         for number in 0..self.grips.len() {
             self.end_grip(number, end);
         }
-        let bodies = self.bodies.into_iter().map(|track| (track.body, track.segments, track.system)).collect();
-        Finished { end, stop: self.stop, bodies, record: self.record, effort: self.effort }
+        end
+    }
+}
+
+impl Mechanics for Engine {
+    fn schedule(&self) -> &Schedule {
+        &self.schedule
+    }
+
+    fn schedule_mut(&mut self) -> &mut Schedule {
+        &mut self.schedule
+    }
+
+    fn duration(&self) -> f64 {
+        self.model.duration
+    }
+
+    fn exceeds_bounds(&mut self, t: f64) -> bool {
+        self.schedule.work > WORK.saturating_mul(self.bodies.len()) || self.too_many_at(t)
+    }
+
+    fn excess(&self, source: Source) -> (String, String) {
+        let place = if source.rank == Self::pair(0).rank {
+            self.model.pairs[self.pairs[source.number].number].name.clone()
+        } else {
+            self.grips[source.number].as_ref().map_or(String::new(), |grip| self.names(&grip.bodies))
+        };
+        let reason = format!(
+            "{} hits, searches and steps, {} of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower \
+             restitution_normal would end it, or the contact model",
+            self.schedule.work, self.same.1
+        );
+        (place, reason)
+    }
+
+    fn handle(&mut self, source: Source, t: f64) {
+        if source.rank != Self::pair(0).rank {
+            self.end_of_step(source.number, t);
+        } else if self.pairs[source.number].meets {
+            let slots: Few<usize> = self.pairs[source.number].slots.into_iter().flatten().collect();
+            self.meet(t, &slots, None);
+        } else {
+            self.seek(source.number, t);
+        }
+    }
+
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
+        self.bodies.iter().enumerate().map(|(slot, track)| (track.body, self.state(slot, t).to_vec())).collect()
     }
 }

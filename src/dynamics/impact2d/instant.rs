@@ -201,7 +201,7 @@ impl Engine {
                         "it starts {deepest:.3e} m inside: rigid girders cannot overlap; move it out by its initial \
                          displacement or its place, or take the contact model"
                     );
-                    self.give_up(0.0, name, reason);
+                    self.schedule.give_up(0.0, name, reason);
                     return true;
                 }
             }

@@ -1,14 +1,14 @@
 //! What the event loop knows of each body, pair and declared contact.
 
-use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::free_flight::flight::{Flight, System};
 use crate::dynamics::impact2d::State;
 use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
 use crate::dynamics::trajectory::segment::Segment;
+use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// What a body does now.
 #[derive(Clone, Debug)]
-pub(in crate::dynamics::impact2d) enum Going {
+pub(in crate::dynamics) enum Going {
     /// It flies.
     Flight(Flight),
     /// It is in lasting contact, at a place of that grip.
@@ -17,7 +17,7 @@ pub(in crate::dynamics::impact2d) enum Going {
 
 /// A body of the group.
 #[derive(Debug)]
-pub(in crate::dynamics::impact2d) struct BodyTrack {
+pub(in crate::dynamics) struct BodyTrack {
     /// Its number in the model.
     pub body: usize,
     /// Its free motion.
@@ -36,7 +36,7 @@ pub(in crate::dynamics::impact2d) struct BodyTrack {
 
 /// A pair of the group.
 #[derive(Debug)]
-pub(in crate::dynamics::impact2d) struct PairTrack {
+pub(in crate::dynamics) struct PairTrack {
     /// Its number in the model.
     pub number: usize,
     /// Slots of its bodies; nothing for an abutment.
@@ -50,13 +50,13 @@ pub(in crate::dynamics::impact2d) struct PairTrack {
 /// A declared contact of the group.
 #[derive(Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each says another thing about one point")]
-pub(in crate::dynamics::impact2d) struct SiteTrack {
+pub(in crate::dynamics) struct SiteTrack {
     /// Its number in the model.
     pub number: usize,
     /// Which side of the pair owns the node, and which the face; nothing for an abutment.
     pub sides: [Option<usize>; 2],
     /// Where its two sides stand as placed.
-    pub spot: Spot,
+    pub spot: SiteGeometry,
     /// The same in plan.
     pub aim: Aim,
     /// Whether it is in lasting contact.
@@ -75,7 +75,7 @@ pub(in crate::dynamics::impact2d) struct SiteTrack {
 
 impl SiteTrack {
     /// It is in front of the face: its next crossing counts.
-    pub(in crate::dynamics::impact2d) fn arm(&mut self) {
+    pub(in crate::dynamics) fn arm(&mut self) {
         (self.armed, self.lifted, self.left) = (true, false, false);
     }
 }

@@ -6,7 +6,6 @@ pub(in crate::dynamics) mod contact_rates;
 pub mod contact_state;
 pub(in crate::dynamics) mod equations_of_motion;
 pub(in crate::dynamics) mod error_scale;
-pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod island;
 pub(in crate::dynamics) mod island_poses;

@@ -8,7 +8,6 @@
 use glam::DVec2;
 
 use crate::dynamics::Model;
-use crate::dynamics::closing::in_flight::Spot;
 use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
 use crate::dynamics::free_flight::motion_bounds::Bound;
 use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
@@ -17,6 +16,7 @@ use crate::dynamics::impact2d::closing::cubic_advancement::Cubic;
 use crate::dynamics::impact2d::engine::Engine;
 use crate::dynamics::impact2d::tracks::Going;
 use crate::dynamics::locate::advancement::Outlook;
+use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::motion::Ground;
 
 /// Where a declared contact is as placed, in plan.
@@ -335,7 +335,7 @@ impl View {
     pub(in crate::dynamics::impact2d) fn outlook(
         &self,
         aim: &Aim,
-        spot: &Spot,
+        spot: &SiteGeometry,
         sides: [Option<usize>; 2],
         depth: f64,
     ) -> (Outlook, Option<Cubic>) {

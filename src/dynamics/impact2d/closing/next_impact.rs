@@ -68,7 +68,7 @@ pub(in crate::dynamics::impact2d) fn pair(engine: &mut Engine, pair: usize, t: f
     for slot in slots.into_iter().flatten() {
         engine.remember(slot, until);
     }
-    engine.effort.searches += 1;
+    engine.schedule.effort.searches += 1;
     if planned.is_finite() { in_steps(engine, pair, t, until, planned) } else { in_flight(engine, pair, t, until) }
 }
 
@@ -148,7 +148,7 @@ fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
         }
         (at, view) = (next, there);
     }
-    engine.effort.looks += looks;
+    engine.schedule.effort.looks += looks;
     for quarry in &quarries {
         engine.sites[quarry.site].out = quarry.out.or(quarry.hunt.out());
     }

@@ -3,11 +3,11 @@
 
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
-use crate::dynamics::event_loop::contact_engine::Engine;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::event_location::{Reason, function, reasons};
 use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::world::World;
 use crate::scene::Kind;
 
 /// How far ahead the slopes are asked, in radians of the fastest motion.
@@ -27,23 +27,23 @@ enum Change {
 
 /// Time from the start of an island's next step to the first change of a contact that its slopes point to, if that comes
 /// within `horizon`; infinite where they point to none \[s\]. A guess: whatever the step meets is found as ever.
-pub(in crate::dynamics) fn soonest(engine: &Engine, island: &Island, horizon: f64) -> f64 {
+pub(in crate::dynamics) fn soonest(world: &World, island: &Island, horizon: f64) -> f64 {
     let (dt, horizon) = (AHEAD / island.omega(), horizon.min(FAR / island.omega()));
     if horizon <= dt {
         return f64::INFINITY;
     }
-    let [now, then] = [0.0, dt].map(|ahead| island.frames_after(&engine.model, ahead));
+    let [now, then] = [0.0, dt].map(|ahead| frames_after(island, &world.model, ahead));
     let mut likely: Vec<(f64, f64, Change)> = Vec::new();
-    for change in changes(engine, island) {
-        let Some(here) = look(engine, island, change, &now) else { continue };
-        let start = value(engine, island, change, &here);
+    for change in changes(world, island) {
+        let Some(here) = look(world, island, change, &now) else { continue };
+        let start = value(world, island, change, &here);
         // What is told by the look alone needs no second one.
         let rise = match change {
             Change::Closing(_) => -here.gap_rate,
             Change::State(_, Reason::Opening) => here.gap_rate,
             Change::State(_, Reason::Edge) if start + horizon * (here.rate.length() + here.gap_rate.abs()) < 0.0 => 0.0,
-            Change::State(..) => look(engine, island, change, &then)
-                .map_or(0.0, |there| (value(engine, island, change, &there) - start) / dt),
+            Change::State(..) => look(world, island, change, &then)
+                .map_or(0.0, |there| (value(world, island, change, &there) - start) / dt),
         };
         if start < 0.0 && rise > 0.0 && -start / rise < horizon {
             likely.push((-start / rise, start, change));
@@ -51,30 +51,30 @@ pub(in crate::dynamics) fn soonest(engine: &Engine, island: &Island, horizon: f6
     }
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
     let comes = |&(after, start, change): &(f64, f64, Change)| {
-        let there = look(engine, island, change, &island.frames_after(&engine.model, after))?;
-        let there = value(engine, island, change, &there);
+        let there = look(world, island, change, &frames_after(island, &world.model, after))?;
+        let there = value(world, island, change, &there);
         (there > NEARER * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
     likely.iter().find_map(comes).unwrap_or(f64::INFINITY)
 }
 
 /// All that may change.
-fn changes(engine: &Engine, island: &Island) -> Vec<Change> {
+fn changes(world: &World, island: &Island) -> Vec<Change> {
     let states = (0..island.active.len())
         .flat_map(|number| reasons(island, number).map(move |reason| Change::State(number, reason)));
-    let open = |contact: &usize| engine.contacts[*contact].state == Contact::Open { armed: true };
-    let pairs = engine.pairs_of(&island.slots).into_iter();
-    let closings = pairs.flat_map(|pair| engine.pairs[pair].contacts.clone()).filter(open).map(Change::Closing);
+    let open = |contact: &usize| world.contacts[*contact].state == Contact::Open { armed: true };
+    let pairs = world.pairs_of(&island.slots).into_iter();
+    let closings = pairs.flat_map(|pair| world.pairs[pair].contacts.clone()).filter(open).map(Change::Closing);
     states.chain(closings).collect()
 }
 
 /// The node against its face; nothing for a contact with somebody who is not in the island.
-fn look(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
+fn look(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
     let contact = match change {
-        Change::State(number, _) => return Some(island.active[number].look(&engine.model, frames)),
-        Change::Closing(contact) => &engine.contacts[contact],
+        Change::State(number, _) => return Some(island.active[number].look(&world.model, frames)),
+        Change::Closing(contact) => &world.contacts[contact],
     };
-    let site = &engine.model.contacts[contact.site];
+    let site = &world.model.contacts[contact.site];
     let frame = |slot: Option<usize>| match slot {
         Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| Some(island.bases[i].whole(frames.get(i)?))),
         None => Some(site.stand),
@@ -83,28 +83,26 @@ fn look(engine: &Engine, island: &Island, change: Change, frames: &[Frame]) -> O
 }
 
 /// What is negative while nothing has changed.
-fn value(engine: &Engine, island: &Island, change: Change, here: &Local) -> f64 {
+fn value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
     match change {
-        Change::State(number, reason) => function(&engine.model, island, number, reason, here, island.until),
+        Change::State(number, reason) => function(&world.model, island, number, reason, here, island.until),
         Change::Closing(_) => -here.gap,
     }
 }
 
-impl Island {
-    /// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
-    pub(crate) fn frames_after(&self, model: &Model, dt: f64) -> Vec<Frame> {
-        let width = rigid_body::width(model.kind);
-        let slope = self.stepper.slope();
-        let mut moved: Vec<f64> = self.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-        // Places go on with half of what the velocities gain.
-        let (places, speeds) = if model.kind == Kind::Planar { (0..3, 3) } else { (0..3, 7) };
-        for body in 0..self.bodies.len() {
-            places.clone().for_each(|i| moved[body * width + i] += 0.5 * dt * dt * slope[body * width + speeds + i]);
-            if model.kind == Kind::Spatial {
-                rigid_body::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
-            }
+/// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
+pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
+    let width = rigid_body::width(model.kind);
+    let slope = island.stepper.slope();
+    let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
+    // Places go on with half of what the velocities gain.
+    let (places, speeds) = if model.kind == Kind::Planar { (0..3, 3) } else { (0..3, 7) };
+    for body in 0..island.bodies.len() {
+        places.clone().for_each(|i| moved[body * width + i] += 0.5 * dt * dt * slope[body * width + speeds + i]);
+        if model.kind == Kind::Spatial {
+            rigid_body::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
         }
-        let frame = |(i, &body): (usize, &usize)| self.bases[i].since(&model.bodies[body], &moved[i * width..]);
-        self.bodies.iter().enumerate().map(frame).collect()
     }
+    let frame = |(i, &body): (usize, &usize)| island.bases[i].since(&model.bodies[body], &moved[i * width..]);
+    island.bodies.iter().enumerate().map(frame).collect()
 }

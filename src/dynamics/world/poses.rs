@@ -1,10 +1,11 @@
 //! Where the bodies of a group are on the trajectories that they are on.
 
 use crate::contact::Frame;
-use crate::dynamics::event_loop::contact_engine::{Engine, Trajectory};
 use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Trajectory;
 
-impl Engine {
+impl World {
     /// State of a body on its trajectory.
     pub(in crate::dynamics) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
         let track = &self.bodies[slot];

@@ -1,0 +1,108 @@
+//! Islands: bodies that a chain of closed contacts joins, integrated together. Assembly, numbering, and integrators in stock.
+
+use crate::dynamics::contact_model::step_store::StepStore;
+use crate::dynamics::integrator::radau_iia::Radau;
+use crate::dynamics::integrator::step_control::Pace;
+use crate::dynamics::model::reference_pose::{self, Base};
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::equations_of_motion::Active;
+use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Trajectory;
+
+/// Numbers and integrators that ended islands leave to the next ones.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct IslandStock {
+    vacant: Vec<usize>,
+    #[expect(clippy::vec_box, reason = "handed on in their boxes")]
+    spare: Vec<Box<Radau>>,
+}
+
+/// The start of an island: its bodies, the reference poses that their states are counted from, and the states.
+#[derive(Debug)]
+pub(in crate::dynamics) struct Start<'a> {
+    /// Slots of the bodies, rising.
+    pub members: &'a [usize],
+    /// Reference poses.
+    pub bases: Vec<Base>,
+    /// States, one body after the other.
+    pub y: Vec<f64>,
+    /// Time \[s\].
+    pub t: f64,
+}
+
+impl IslandStock {
+    /// Takes back the number and the integrator of an island that has ended.
+    pub(in crate::dynamics) fn take_back(&mut self, number: usize, island: &mut Island) {
+        self.vacant.push(number);
+        self.spare.extend(island.give_back());
+    }
+
+    /// Sets up an island of bodies whose flights have been written into their paths; returns its number.
+    pub(in crate::dynamics) fn found(
+        &mut self,
+        world: &mut World,
+        store: &StepStore,
+        start: Start<'_>,
+        pace: Pace,
+    ) -> usize {
+        let Start { members, mut bases, y, t } = start;
+        let number = self.vacant.pop().unwrap_or_else(|| {
+            world.islands.push(None);
+            world.islands.len() - 1
+        });
+        for (index, &slot) in members.iter().enumerate() {
+            end_flight(world, slot, t);
+            world.bodies[slot].now = Trajectory::Island { island: number, index };
+            if store.keeps_starts(world) && bases[index].kept.is_none() && bases[index].flown.is_none() {
+                let width = rigid_body::width(world.model.kind);
+                let state = &y[index * width..(index + 1) * width];
+                bases[index].flown = StepStore::landing(world, slot, &bases[index], state, t);
+            }
+        }
+        let mut island = Box::new(assemble(world, members, bases, y, t, pace));
+        island.borrow(self.spare.pop());
+        world.islands[number] = Some(island);
+        number
+    }
+}
+
+/// An island of bodies with the closed contacts between them.
+pub(in crate::dynamics) fn assemble(
+    world: &World,
+    members: &[usize],
+    bases: Vec<Base>,
+    y: Vec<f64>,
+    t: f64,
+    pace: Pace,
+) -> Island {
+    let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
+    let active: Vec<(usize, Active)> = world
+        .pairs_of(members)
+        .into_iter()
+        .flat_map(|pair| world.pairs[pair].contacts.clone())
+        .filter_map(|contact| {
+            let track = &world.contacts[contact];
+            let closed = *track.state.closed()?;
+            let [node, face] = track.slots.map(index);
+            let sides = [node, face].map(|i| bases.get(i?));
+            let home = reference_pose::seen_from(&world.model.contacts[track.site], sides, closed.at);
+            Some((contact, Active { site: track.site, node, face, closed, home, angle: None }))
+        })
+        .collect();
+    let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();
+    let mut island = Island::new(&world.model, members.to_vec(), (bodies, bases), active, y, t, pace);
+    island.taken = members.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
+    island
+}
+
+/// Writes the flight of a body into its path, as far as `t`.
+pub(in crate::dynamics) fn end_flight(world: &mut World, slot: usize, t: f64) {
+    let track = &mut world.bodies[slot];
+    if let Trajectory::Flight(flight) = &track.now
+        && t > flight.start
+    {
+        let segment = track.flown(flight, t);
+        track.path.push(segment);
+    }
+}

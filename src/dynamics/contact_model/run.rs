@@ -1,0 +1,292 @@
+//! The run of one group of bodies under the contact model: what is set up at t = 0, what each event does, what is left.
+//!
+//! Every body has a trajectory into the future: a flight in closed form, or the planned step of the island in which it
+//! touches. Every pair has the time of its next closing on these trajectories. An event changes the trajectories of the
+//! bodies that it concerns and the predictions of their pairs, and nothing else.
+
+use std::sync::Arc;
+
+use crate::dynamics::Model;
+use crate::dynamics::closing::next_closing;
+use crate::dynamics::contact_model::at_instant::EventInstant;
+use crate::dynamics::contact_model::event_forecast::soonest;
+use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
+use crate::dynamics::contact_model::step_store::StepStore;
+use crate::dynamics::contact_model::transitions::Transitions;
+use crate::dynamics::event_loop::event_queue::Source;
+use crate::dynamics::event_loop::mechanics::Mechanics;
+use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::integrator::step_control::{Pace, WORTHWHILE};
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::event_location;
+use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::record::event::Event;
+use crate::dynamics::trajectory::segment::{Path, Segment};
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
+
+/// Planned steps, meetings and searches per body before the run gives up: more than the million that an hour of a stiff contact
+/// may take, and as many steps as memory should hold.
+const WORK: usize = 10_000_000;
+
+/// The run of one group of bodies under the contact model.
+#[derive(Debug)]
+pub struct ContactRun {
+    pub(in crate::dynamics) world: World,
+    pub(in crate::dynamics) schedule: Schedule,
+    pub(in crate::dynamics) events: Vec<Event>,
+    pub(in crate::dynamics) islands: IslandStock,
+    pub(in crate::dynamics) store: StepStore,
+}
+
+impl ContactRun {
+    /// An island as a source of events: its planned step ends, or an event of its contacts is due.
+    pub(in crate::dynamics) fn island(number: usize) -> Source {
+        Source { rank: 0, number }
+    }
+
+    /// A pair as a source of events: it closes, or its search goes on.
+    pub(in crate::dynamics) fn pair(number: usize) -> Source {
+        Source { rank: 1, number }
+    }
+
+    /// Sets up a group of bodies, by its number in the model, at t = 0.
+    pub fn new(model: &Arc<Model>, group: usize) -> Self {
+        let mut run = Self {
+            world: World::of(model, group),
+            schedule: Schedule::default(),
+            events: Vec::new(),
+            islands: IslandStock::default(),
+            store: StepStore::default(),
+        };
+        run.begin();
+        run
+    }
+
+    /// States at t = 0: nodes that overlap start in stick, every body gets a trajectory.
+    fn begin(&mut self) {
+        let model = Arc::clone(&self.world.model);
+        let slots: Vec<usize> = (0..self.world.bodies.len()).collect();
+        let start = |track: &BodyTrack| {
+            let body = &model.bodies[track.body];
+            let mut state = rigid_body::initial(model.kind, body);
+            (Base::of(model.kind, body, &mut state), state)
+        };
+        let (bases, states) = self.world.bodies.iter().map(start).unzip();
+        let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
+        self.transitions(&now).close_overlapping();
+        self.form(now, Pace::default());
+    }
+
+    /// Ends all trajectories where the run has come to, and says where that is \[s\].
+    pub(in crate::dynamics) fn end(&mut self) -> f64 {
+        let end = self.schedule.reached(self.world.model.duration);
+        self.commit_all(end);
+        self.world.bodies.iter_mut().for_each(|track| track.path.shrink());
+        self.world.contacts.iter_mut().for_each(|track| track.log.shrink());
+        self.store.replay.shrink();
+        self.events.shrink_to_fit();
+        end
+    }
+
+    /// The contacts, to be changed at an instant.
+    pub(in crate::dynamics) fn transitions<'a>(&'a mut self, now: &'a EventInstant) -> Transitions<'a> {
+        Transitions { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
+    }
+
+    /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or are integrated
+    /// alone.
+    pub(in crate::dynamics) fn form(&mut self, now: EventInstant, pace: Pace) {
+        let EventInstant { t, slots, bases, mut states, .. } = now;
+        let mut new_islands = Vec::new();
+        for members in self.world.touching(&slots) {
+            let first = slots[members[0]];
+            let alone = members.len() == 1 && !self.world.is_touching(first);
+            let start = if alone {
+                let state = &mut states[members[0]];
+                bases[members[0]].add(state);
+                if self.world.bodies[first].system.is_some() {
+                    self.fly(first, state, t);
+                    continue;
+                }
+                let placed =
+                    Base::placed(self.world.model.kind, &self.world.model.bodies[self.world.bodies[first].body]);
+                Start { members: &[first], bases: vec![placed], y: state.clone(), t }
+            } else {
+                let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
+                let bases = members.iter().map(|&i| bases[i]).collect();
+                Start { members: &members.iter().map(|&i| slots[i]).collect::<Vec<_>>(), bases, y, t }
+            };
+            let pace = if alone { Pace::default() } else { pace };
+            new_islands.push(self.islands.found(&mut self.world, &self.store, start, pace));
+        }
+        for island in new_islands {
+            self.plan(island);
+        }
+        self.search_around(&slots, t);
+    }
+
+    fn fly(&mut self, slot: usize, state: &[f64], t: f64) {
+        end_flight(&mut self.world, slot, t);
+        let track = &mut self.world.bodies[slot];
+        let mut planar = [0.0; 6];
+        planar.copy_from_slice(&state[..6]);
+        if let Some(system) = &track.system {
+            track.now = Trajectory::Flight(system.fly(t, planar));
+        }
+    }
+
+    /// Plans an island's next step and what is due in it.
+    pub(in crate::dynamics) fn plan(&mut self, number: usize) {
+        let model = Arc::clone(&self.world.model);
+        let Some(mut island) = self.world.islands[number].take() else { return };
+        let from = island.until;
+        if from >= model.duration {
+            island.from = from;
+            self.world.islands[number] = Some(island);
+            return;
+        }
+        let cap = model.duration.min(model.ground.next_kink(from));
+        self.schedule.effort.steps += 1;
+        let pace = island.pace();
+        let going_on = pace.stiff && pace.step > 0.0;
+        let soon = if going_on { soonest(&self.world, &island, WORTHWHILE * pace.step) } else { f64::INFINITY };
+        let mut due_at = None;
+        match island.plan(&model, cap, soon) {
+            Err(error) => {
+                let reason = format!(
+                    "the step fell to {:.1e} s; a lower stiffness or a larger tolerance would be followed",
+                    error.step
+                );
+                self.schedule.give_up(from, self.names(&island.slots), reason);
+            }
+            Ok(()) => {
+                if let Some((t, due)) = self.first_due(&mut island) {
+                    island.due = due;
+                    due_at = Some(t.max(from));
+                }
+            }
+        }
+        self.schedule.queue.set(Self::island(number), due_at.unwrap_or(island.until));
+        self.world.islands[number] = Some(island);
+    }
+
+    /// What is due first within an island's planned step, and when.
+    fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<event_location::Due>)> {
+        let (model, together) = (Arc::clone(&self.world.model), 1e-9 / island.omega());
+        let (t, due) = event_location::first_due(&model, island, together)?;
+        if !island.end_beyond(&model, t, &due) {
+            return Some((t, due));
+        }
+        self.schedule.effort.steps += 1;
+        event_location::first_due(&model, island, together)
+    }
+
+    /// Searches the next closing of every pair of these bodies.
+    pub(in crate::dynamics) fn search_around(&mut self, slots: &[usize], t: f64) {
+        for pair in self.world.pairs_of(slots) {
+            self.search(pair, t);
+        }
+    }
+
+    /// Searches the next closing of a pair from `t` on and enters it in the queue.
+    pub(in crate::dynamics) fn search(&mut self, pair: usize, t: f64) {
+        let found = next_closing::search(&mut self.world, pair, t);
+        self.schedule.effort.searches += 1;
+        self.schedule.effort.looks += found.looks;
+        self.schedule.work += found.work;
+        if found.due.is_finite() {
+            self.schedule.queue.set(Self::pair(pair), found.due);
+        } else {
+            self.schedule.queue.remove(Self::pair(pair));
+        }
+    }
+
+    /// Writes all trajectories into the paths of their bodies, as far as `t`.
+    fn commit_all(&mut self, t: f64) {
+        for track in &mut self.world.bodies {
+            if let Trajectory::Flight(flight) = &track.now {
+                let segment = track.flown(flight, t);
+                if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
+            }
+        }
+        for island in 0..self.world.islands.len() {
+            if let Some(mut island) = self.world.islands[island].take() {
+                self.commit_island(&mut island, t);
+            }
+        }
+    }
+
+    /// Writes an island's planned step into the paths of its bodies, as far as `until`.
+    pub(in crate::dynamics) fn commit_island(&mut self, island: &mut Island, until: f64) {
+        if until <= island.from {
+            return;
+        }
+        let world = &mut self.world;
+        if let Some(number) = self.store.keep_again(world, island) {
+            for &slot in &island.slots {
+                world.bodies[slot].path.push(Segment { from: island.from, until, path: Path::Again(number) });
+            }
+            return;
+        }
+        for (index, &slot) in island.slots.iter().enumerate() {
+            if let Some(piece) = island.path(&world.model, index) {
+                self.store.polynomials += piece.bytes();
+                let path = Path::Step(piece);
+                world.bodies[slot].path.push(Segment { from: island.from, until, path });
+            }
+        }
+        for (number, &contact) in island.contacts.iter().enumerate() {
+            if let Some(angle) = island.angle_path(number) {
+                world.contacts[contact].log.angles.push((island.from, angle));
+            }
+        }
+    }
+
+    /// Names of bodies by their slots.
+    fn names(&self, slots: &[usize]) -> String {
+        let name = |&slot: &usize| self.world.model.bodies[self.world.bodies[slot].body].name.as_str();
+        slots.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl Mechanics for ContactRun {
+    fn schedule(&self) -> &Schedule {
+        &self.schedule
+    }
+
+    fn schedule_mut(&mut self) -> &mut Schedule {
+        &mut self.schedule
+    }
+
+    fn duration(&self) -> f64 {
+        self.world.model.duration
+    }
+
+    fn exceeds_bounds(&mut self, _: f64) -> bool {
+        self.schedule.work > WORK * self.world.bodies.len()
+    }
+
+    fn excess(&self, source: Source) -> (String, String) {
+        let slots = if source.rank == Self::pair(0).rank {
+            self.world.pairs[source.number].slots.into_iter().flatten().collect()
+        } else {
+            self.world.islands[source.number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()
+        };
+        let reason = format!(
+            "{} steps and looks are more than any answer is worth: a contact, a bearing or the ground is far too fast for \
+             the duration; lower its stiffness or frequency, or shorten the run",
+            self.schedule.work
+        );
+        (self.names(&slots), reason)
+    }
+
+    fn handle(&mut self, source: Source, t: f64) {
+        if source.rank == Self::pair(0).rank { self.meet(source.number, t) } else { self.end_step(source.number, t) }
+    }
+
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
+        self.world.bodies.iter().enumerate().map(|(slot, track)| (track.body, self.world.state(slot, t))).collect()
+    }
+}

@@ -1,0 +1,90 @@
+//! Storage of integration steps: as polynomials, or by their starts alone, from which a step is computed again when read.
+//!
+//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; a start takes a seventh of the memory and
+//! microseconds to read. A run keeps polynomials up to the memory that the model allows, and starts from then on.
+
+use crate::contact::law::Friction;
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::record::recomputed_steps::{Member, Replay, Seat};
+use crate::dynamics::world::World;
+
+/// Steps of a run that are kept by their starts, and what the polynomials of the others take.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct StepStore {
+    /// Steps kept by their starts.
+    pub replay: Replay,
+    /// Memory of polynomials \[bytes\].
+    pub polynomials: usize,
+}
+
+impl StepStore {
+    /// Whether polynomials take as much as they may.
+    pub(in crate::dynamics) fn keeps_starts(&self, world: &World) -> bool {
+        self.polynomials >= world.model.polynomials / world.model.groups.len().max(1)
+    }
+
+    /// Keeps an island's planned step by its start, where that gives the same step; its number.
+    pub(in crate::dynamics) fn keep_again(&mut self, world: &World, island: &mut Island) -> Option<u32> {
+        if !self.keeps_starts(world) {
+            return None;
+        }
+        let (length, states) = island.again(&world.model)?;
+        let (stretch, flown) = if let Some(stretch) = island.stretch {
+            (stretch, false)
+        } else {
+            let (seats, members) = (seats(world, island)?, self.members(world, island)?);
+            let flown = landed_at(world, island, &states);
+            (self.replay.open(members, seats)?, flown)
+        };
+        island.stretch = Some(stretch);
+        let width = rigid_body::width(world.model.kind);
+        self.replay.push(stretch, length, (!flown).then(|| states.chunks_exact(width)))
+    }
+
+    /// An island's bodies with what their states are counted from, which is kept where no flight ended there.
+    fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<Member>> {
+        let mut members = Vec::with_capacity(island.slots.len());
+        for (&slot, base) in island.slots.iter().zip(&mut island.bases) {
+            if base.flown.is_none() && base.kept.is_none() {
+                base.kept = Some(self.replay.keep(base)?);
+            }
+            let body = u32::try_from(world.bodies[slot].body).ok()?;
+            let member = base.flown.map(|number| Member::flown(body, number));
+            members.push(member.or_else(|| base.kept.map(|number| Member::kept(body, number)))?);
+        }
+        Some(members)
+    }
+
+    /// Number of the flight that ended at `t` in a base and a state counted from it, to the last bit.
+    pub(in crate::dynamics) fn landing(world: &World, slot: usize, base: &Base, state: &[f64], t: f64) -> Option<u32> {
+        let track = &world.bodies[slot];
+        let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
+        let mut there = system.state(&system.fly(from, start), t);
+        let other = Base::of(world.model.kind, &world.model.bodies[track.body], &mut there);
+        let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        (bits(&other.state()) == bits(&base.state()) && bits(&there) == bits(state)).then_some(number)
+    }
+}
+
+/// An island's contacts by what their logs say; nothing where these do not say all.
+fn seats(world: &World, island: &Island) -> Option<Vec<Seat>> {
+    let seat = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::Active, &usize)| {
+        let track = &world.contacts[contact];
+        let entry = track.log.latest()?;
+        let same = track.log.closed(entry)
+            == Some(Closed { again: 0, at_face: active.closed.law.friction == Friction::Paper, ..active.closed });
+        same.then_some(Seat { site: u32::try_from(track.site).ok()?, entry })
+    };
+    island.active.iter().zip(&island.contacts).map(seat).collect()
+}
+
+/// Whether all of an island's bodies flew to where its planned step begins.
+fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
+    let states = states.chunks_exact(rigid_body::width(world.model.kind));
+    island.slots.iter().zip(&island.bases).zip(states).all(|((&slot, base), state)| {
+        base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
+    })
+}

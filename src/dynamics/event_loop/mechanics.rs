@@ -1,0 +1,121 @@
+//! The event loop, and what a model of contact provides for it.
+//!
+//! Every source of events (an island, a facing pair) stands in the queue with the time at which it is due next. The earliest
+//! source is handled; handling it enters new times for the sources that it concerns and for no others.
+
+use crate::dynamics::event_loop::event_queue::Source;
+use crate::dynamics::event_loop::schedule::Schedule;
+
+/// A model of contact as the event loop sees it: one group of bodies.
+pub trait Mechanics {
+    /// How far the run has come.
+    fn schedule(&self) -> &Schedule;
+
+    /// The same, to be advanced.
+    fn schedule_mut(&mut self) -> &mut Schedule;
+
+    /// Length of the run \[s\].
+    fn duration(&self) -> f64;
+
+    /// Whether the event now due at `t` exceeds the bound on the work of a run or of one instant.
+    fn exceeds_bounds(&mut self, t: f64) -> bool;
+
+    /// Which bodies kept the run busy where a bound is exceeded, and what would end it: place and reason.
+    fn excess(&self, source: Source) -> (String, String);
+
+    /// Handles what is due at `t`.
+    fn handle(&mut self, source: Source, t: f64);
+
+    /// Number in the model and state of every body at `t`, until which everything is handled.
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)>;
+}
+
+/// Handles everything that is due until `until` \[s\].
+pub fn advance(model: &mut impl Mechanics, until: f64) {
+    let until = until.min(model.duration());
+    while model.schedule().next_time() <= until {
+        let Some((t, source)) = model.schedule_mut().queue.pop() else { return };
+        let schedule = model.schedule_mut();
+        schedule.now = t;
+        schedule.work += 1;
+        if model.exceeds_bounds(t) {
+            let (place, reason) = model.excess(source);
+            model.schedule_mut().give_up(t, place, reason);
+            return;
+        }
+        model.handle(source, t);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two clocks that strike at intervals of their own, at most `most` times.
+    struct Clocks {
+        schedule: Schedule,
+        struck: Vec<(f64, usize)>,
+        most: usize,
+    }
+
+    const INTERVALS: [f64; 2] = [0.3, 0.5];
+
+    impl Mechanics for Clocks {
+        fn schedule(&self) -> &Schedule {
+            &self.schedule
+        }
+
+        fn schedule_mut(&mut self) -> &mut Schedule {
+            &mut self.schedule
+        }
+
+        fn duration(&self) -> f64 {
+            1.0
+        }
+
+        fn exceeds_bounds(&mut self, _: f64) -> bool {
+            self.schedule.work > self.most
+        }
+
+        fn excess(&self, source: Source) -> (String, String) {
+            (format!("clock {}", source.number), "it strikes too often".into())
+        }
+
+        fn handle(&mut self, source: Source, t: f64) {
+            self.struck.push((t, source.number));
+            self.schedule.queue.set(source, t + INTERVALS[source.number]);
+        }
+
+        fn states(&self, _: f64) -> Vec<(usize, Vec<f64>)> {
+            Vec::new()
+        }
+    }
+
+    fn clocks(most: usize) -> Clocks {
+        let mut clocks = Clocks { schedule: Schedule::default(), struck: Vec::new(), most };
+        for (number, first) in INTERVALS.into_iter().enumerate() {
+            clocks.schedule.queue.set(Source { rank: 0, number }, first);
+        }
+        clocks
+    }
+
+    #[test]
+    fn the_earliest_is_handled_first_up_to_the_time_asked_for() {
+        let mut model = clocks(100);
+        advance(&mut model, 0.55);
+        assert_eq!(model.struck, [(0.3, 0), (0.5, 1)], "what is due until then");
+        advance(&mut model, 5.0);
+        let order: Vec<usize> = model.struck.iter().map(|(_, number)| *number).collect();
+        assert_eq!(order, [0, 1, 0, 0, 1], "no further than the run is long");
+        assert_eq!(model.schedule.reached(1.0), 1.0, "to its end");
+    }
+
+    #[test]
+    fn a_run_that_exceeds_its_bound_stops_and_names_who_kept_it_busy() {
+        let mut model = clocks(2);
+        advance(&mut model, 1.0);
+        assert_eq!(model.struck.len(), 2, "what the bound allows");
+        let stop = model.schedule.stop().expect("a reason");
+        assert_eq!((stop.place.as_str(), stop.t), ("clock 0", 0.6), "{stop:?}");
+    }
+}

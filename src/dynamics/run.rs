@@ -1,0 +1,141 @@
+//! The run of one group of bodies under either model: advanced by the one event loop, asked for states, and ended.
+
+use std::sync::Arc;
+
+use crate::dynamics::contact_model::run::ContactRun;
+use crate::dynamics::event_loop::effort::Effort;
+use crate::dynamics::event_loop::mechanics::{self, Mechanics};
+use crate::dynamics::free_flight::flight::System;
+use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::event::{Event, Stop};
+use crate::dynamics::record::recomputed_steps::Replay;
+use crate::dynamics::trajectory::stored_path::BodyPath;
+use crate::dynamics::{Model, impact2d};
+use crate::scene::ModelKind;
+
+/// What the run of a group leaves behind.
+#[derive(Debug)]
+pub struct Finished {
+    /// How far it came \[s\].
+    pub end: f64,
+    /// Why it stopped early.
+    pub stop: Option<Stop>,
+    /// Number, path and free motion of every body.
+    pub bodies: Vec<(usize, BodyPath, Option<System>)>,
+    /// Steps that are kept by their starts.
+    pub replay: Replay,
+    /// Number and states of every contact (contact model).
+    pub contacts: Vec<(usize, ContactLog)>,
+    /// Events in order of time (contact model).
+    pub events: Vec<Event>,
+    /// Hits, transitions and lasting contacts (impact model).
+    pub record: Option<impact2d::Record>,
+    /// What was done, counted.
+    pub effort: Effort,
+}
+
+/// A run of one group of bodies.
+pub trait Run: std::fmt::Debug + Send + Sync {
+    /// Handles everything that is due until `until` \[s\].
+    fn advance(&mut self, until: f64);
+
+    /// How many events of contacts have come up; the impact model keeps hits instead.
+    fn events(&self) -> usize;
+
+    /// What has been done so far, counted.
+    fn effort(&self) -> Effort;
+
+    /// Why the run stopped early.
+    fn stop(&self) -> Option<&Stop>;
+
+    /// Number in the model and state of every body at `t`, until which everything is handled.
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)>;
+
+    /// Everything that was computed.
+    fn finish(self: Box<Self>) -> Finished;
+}
+
+/// Sets up a group of bodies, by its number in the model, at t = 0; where both models are asked for, under the contact model.
+pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> {
+    match kind {
+        ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
+        ModelKind::Impact => Box::new(impact2d::engine::Engine::new(model, group)),
+    }
+}
+
+impl Run for ContactRun {
+    fn advance(&mut self, until: f64) {
+        mechanics::advance(self, until);
+    }
+
+    fn events(&self) -> usize {
+        self.events.len()
+    }
+
+    fn effort(&self) -> Effort {
+        self.schedule.effort
+    }
+
+    fn stop(&self) -> Option<&Stop> {
+        self.schedule.stop()
+    }
+
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
+        Mechanics::states(self, t)
+    }
+
+    fn finish(mut self: Box<Self>) -> Finished {
+        let end = self.end();
+        let Self { world, schedule, events, store, .. } = *self;
+        Finished {
+            end,
+            stop: schedule.stop().cloned(),
+            bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.system)).collect(),
+            replay: store.replay,
+            contacts: world.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
+            events,
+            record: None,
+            effort: schedule.effort,
+        }
+    }
+}
+
+impl Run for impact2d::engine::Engine {
+    fn advance(&mut self, until: f64) {
+        mechanics::advance(self, until);
+    }
+
+    fn events(&self) -> usize {
+        0
+    }
+
+    fn effort(&self) -> Effort {
+        self.schedule.effort
+    }
+
+    fn stop(&self) -> Option<&Stop> {
+        self.schedule.stop()
+    }
+
+    fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
+        Mechanics::states(self, t)
+    }
+
+    fn finish(mut self: Box<Self>) -> Finished {
+        let end = self.end();
+        let Self { bodies, record, schedule, .. } = *self;
+        Finished {
+            end,
+            stop: schedule.stop().cloned(),
+            bodies: bodies
+                .into_iter()
+                .map(|track| (track.body, track.segments.into_iter().collect(), Some(track.system)))
+                .collect(),
+            replay: Replay::default(),
+            contacts: Vec::new(),
+            events: Vec::new(),
+            record: Some(record),
+            effort: schedule.effort,
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! A group of bodies at t = 0, at rest as placed, with its facing pairs and open contacts; which of them belong together.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::dynamics::Model;
+use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::trajectory::stored_path::BodyPath;
+use crate::dynamics::world::World;
+use crate::dynamics::world::axial_gap::AxialGap;
+use crate::dynamics::world::site_geometry::SiteGeometry;
+use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, PairTrack, Trajectory};
+use crate::scene::Kind;
+
+impl World {
+    /// A group of bodies by its number in the model.
+    pub(in crate::dynamics) fn of(model: &Arc<Model>, group: usize) -> Self {
+        let mut world = Self {
+            model: Arc::clone(model),
+            bodies: Vec::new(),
+            pairs: Vec::new(),
+            contacts: Vec::new(),
+            islands: Vec::new(),
+        };
+        world.gather(group);
+        world
+    }
+
+    fn gather(&mut self, number: usize) {
+        let model = Arc::clone(&self.model);
+        let group = model.groups[number].as_slice();
+        let pairs = model.group_pairs[number].as_slice();
+        self.bodies.reserve_exact(group.len());
+        self.pairs.reserve_exact(pairs.len());
+        self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
+        let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
+        for &body in group {
+            let planar = model.kind == Kind::Planar;
+            let system = planar.then(|| System::new(&model.bodies[body], &model.ground, model.duration));
+            let rest = Flight::at_rest();
+            let now = Trajectory::Flight(rest);
+            self.bodies.push(BodyTrack { body, system, now, path: BodyPath::default(), pairs: Vec::new() });
+        }
+        for &number in pairs {
+            let pair = &model.pairs[number];
+            let slots = pair.bodies.map(slot);
+            let from = self.contacts.len();
+            for site in pair.contacts.clone() {
+                let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
+                self.contacts.push(ContactTrack {
+                    site,
+                    pair: self.pairs.len(),
+                    slots: owners,
+                    spot: SiteGeometry::of(&model, site),
+                    rivals: Vec::new(),
+                    state: Contact::Open { armed: true },
+                    closing: None,
+                    out: None,
+                    log: ContactLog::default(),
+                    counted: (0, -1.0, 0),
+                });
+            }
+            for slot in slots.into_iter().flatten() {
+                self.bodies[slot].pairs.push(self.pairs.len());
+            }
+            let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+            let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
+            let contacts = from..self.contacts.len();
+            let axial = AxialGap::of(&model, number, &self.contacts[from..]);
+            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, axial });
+        }
+        self.find_rivals(pairs);
+    }
+
+    /// Tells the contacts of each node of one another, where a side is in more than one pair.
+    fn find_rivals(&mut self, pairs: &[usize]) {
+        let model = Arc::clone(&self.model);
+        let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
+        sides.sort_unstable();
+        if sides.windows(2).all(|two| two[0] != two[1]) {
+            return;
+        }
+        let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
+        for (contact, track) in self.contacts.iter().enumerate() {
+            nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
+        }
+        for same in nodes.values().filter(|same| same.len() > 1) {
+            for &contact in same {
+                self.contacts[contact].rivals = same.iter().copied().filter(|&other| other != contact).collect();
+            }
+        }
+    }
+
+    /// The pairs that bodies are in, rising.
+    pub(in crate::dynamics) fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
+        let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
+    /// Groups of positions in `slots` whose bodies a chain of closed contacts joins.
+    pub(in crate::dynamics) fn touching(&self, slots: &[usize]) -> Vec<Vec<usize>> {
+        let mut label: Vec<usize> = (0..slots.len()).collect();
+        let position = |slot: usize| slots.binary_search(&slot).ok();
+        for &slot in slots {
+            for &pair in &self.bodies[slot].pairs {
+                let track = &self.pairs[pair];
+                let closed = track.contacts.clone().any(|c| self.contacts[c].state.closed().is_some());
+                if let (true, [Some(a), Some(b)]) = (closed, track.slots.map(|s| s.and_then(position))) {
+                    let (low, high) = (label[a].min(label[b]), label[a].max(label[b]));
+                    label.iter_mut().filter(|l| **l == high).for_each(|l| *l = low);
+                }
+            }
+        }
+        let mut groups: Vec<Vec<usize>> = vec![Vec::new(); slots.len()];
+        for (i, &l) in label.iter().enumerate() {
+            groups[l].push(i);
+        }
+        groups.retain(|g| !g.is_empty());
+        groups
+    }
+
+    pub(in crate::dynamics) fn is_touching(&self, slot: usize) -> bool {
+        self.bodies[slot]
+            .pairs
+            .iter()
+            .any(|&pair| self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some()))
+    }
+}
