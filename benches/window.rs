@@ -7,7 +7,7 @@ mod row;
 
 use divan::Bencher;
 use egui::{Context, Rect, pos2, vec2};
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{SelectCommand, TimeCommand, Workbench};
 use girderbench::scene::{Scene, presets};
 use girderbench::view::Target;
 
@@ -21,7 +21,7 @@ fn window(scene: Scene) -> (Workbench, Context) {
     bench.set_estimates(false);
     bench.set_silent();
     bench.wait();
-    bench.apply(Command::Select(Some(Target::Girder(0))));
+    bench.apply(SelectCommand::Only(Some(Target::Girder(0))));
     let context = Context::default();
     for _ in 0..8 {
         frame(&mut bench, &context);
@@ -44,7 +44,7 @@ fn moving(bencher: Bencher<'_, '_>, scene: Scene) {
     let mut t = 0.1;
     bencher.bench_local(|| {
         t = if t > 1.5 { 0.1 } else { t + 0.0011 };
-        bench.apply(Command::Seek(t));
+        bench.apply(TimeCommand::Seek(t));
         frame(&mut bench, &context)
     });
 }

@@ -9,6 +9,7 @@ mod command;
 mod disk;
 mod edits;
 mod field;
+mod host;
 mod learn;
 mod panel;
 mod plot;
@@ -17,19 +18,17 @@ mod shell;
 mod style;
 mod text;
 mod time;
+mod unit;
 mod viewport;
 
 pub use bench::Workbench;
-pub use command::{Command, Export, Nudge, Way};
-pub use disk::film::{FilmFormat, FilmPlan, Filming};
-pub use disk::session_files::Keep;
-pub use learn::lessons::{Learn, Lesson, Try, lessons};
-pub use panel::row_dialog::RowDraft;
+pub use command::{
+    Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank, Follow, Grip,
+    HandCommand, HandKey, Keep, Learn, Nudge, PlaceCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool,
+    ViewCommand, Way, WindowCommand,
+};
+pub use host::Wake;
+pub use learn::lessons::{Lesson, Try, lessons};
 pub use run::answer::{Answer, Span};
-pub use run::runner::Wake;
 pub use shell::window::{AppError, run};
 pub use time::clock::{Clock, HIT_SPEED, SPEEDS};
-pub use viewport::gizmo::{Flank, Grip};
-pub use viewport::mouse::HandKey;
-pub use viewport::tool::Tool;
-pub use viewport::view_options::{Follow, Sight};

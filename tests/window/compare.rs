@@ -3,7 +3,7 @@
 use super::harness::{open, press, reach, settle, slide};
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::Command;
+use girderbench::app::{CompareCommand, TimeCommand};
 use girderbench::scene::presets;
 
 #[test]
@@ -17,7 +17,7 @@ fn a_pinned_run_stays_as_a_ghost_and_in_the_table_while_the_scene_changes() {
     slide(&mut harness, "Skew β", 60.0);
     let now = harness.state().answer().expect("run").clone();
     let time = now.summary.peak_time.expect("a hit");
-    harness.state_mut().apply(Command::Seek(time));
+    harness.state_mut().apply(TimeCommand::Seek(time));
     settle(&mut harness);
     let list = harness.state().picture().expect("shown").to_string();
     assert!(list.contains("ghost") && !plain.contains("ghost"), "seen in the picture");
@@ -33,14 +33,14 @@ fn a_pinned_run_stays_as_a_ghost_and_in_the_table_while_the_scene_changes() {
 #[test]
 fn four_runs_are_kept_and_a_fifth_is_refused_in_words() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Pin);
-    harness.state_mut().apply(Command::Pin);
+    harness.state_mut().apply(CompareCommand::Pin);
+    harness.state_mut().apply(CompareCommand::Pin);
     settle(&mut harness);
     assert_eq!(harness.state().pinned(), 1, "the same run once");
     assert!(harness.state().notice().is_some_and(|n| n.contains("already")), "and says so");
     for skew in [50.0, 55.0, 60.0, 65.0] {
         slide(&mut harness, "Skew β", skew);
-        harness.state_mut().apply(Command::Pin);
+        harness.state_mut().apply(CompareCommand::Pin);
     }
     settle(&mut harness);
     assert_eq!(harness.state().pinned(), 4, "four");

@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{EditCommand, FileCommand, SelectCommand, Workbench};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::keys::{self, Fallback, Range, TABLES};
 use girderbench::scene::{ModelKind, Motion, PlotSettings, Scene, overrides, presets};
@@ -24,8 +24,8 @@ const FOLDED: [&str; 5] = ["Start, push, held", "Seats", "Contact of all pairs",
 fn show(scene: Scene, select: Option<Target>) -> Window {
     let mut harness = open(presets::OPENING);
     let edit = Edit::Scene(Box::new(scene));
-    harness.state_mut().apply(Command::Edit { edit, gesture: None });
-    harness.state_mut().apply(Command::Select(select));
+    harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
+    harness.state_mut().apply(SelectCommand::Only(select));
     settle(&mut harness);
     for label in FOLDED {
         if let Some(header) = harness.query_by_label(label) {
@@ -123,7 +123,7 @@ fn undo(harness: &mut Window) {
 
 fn deck() -> Window {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     harness
 }
@@ -197,7 +197,7 @@ fn a_number_out_of_its_range_is_marked_with_the_reason_and_undone() {
 #[test]
 fn a_reckoned_number_is_given_and_reckoned_again() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Abutment(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
     let width = |h: &Window| h.state().scene().abutments[0].width;
     let before = width(&harness);
@@ -214,7 +214,7 @@ fn a_reckoned_number_is_given_and_reckoned_again() {
 #[test]
 fn the_face_of_a_wall_is_given_by_its_corners_and_back() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Abutment(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
     let digest = |h: &Window| h.state().answer().expect("run").history.digest();
     let gap = harness.state().scene().abutments[0].gap.expect("given");
@@ -260,7 +260,7 @@ fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
     choose(&mut harness, "Ground", "record");
     assert!(matches!(&harness.state().scene().motion, Motion::Record(r) if r.angle_deg == 30.0), "the angle stays");
     assert_eq!(harness.state().problems(), None, "silence runs");
-    harness.state_mut().apply(Command::Record(file.clone()));
+    harness.state_mut().apply(FileCommand::Record(file.clone()));
     settle(&mut harness);
     let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
     let (dt, samples) = record.series().expect("read");
@@ -275,7 +275,7 @@ fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
     let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
     assert_eq!((record.scale, record.file.clone(), record.dt), (2.0, None, Some(dt)), "without the file");
     let kept = harness.state().scene().clone();
-    harness.state_mut().apply(Command::Record(folder.path().join("nothing.csv")));
+    harness.state_mut().apply(FileCommand::Record(folder.path().join("nothing.csv")));
     settle(&mut harness);
     assert!(harness.state().notice().is_some_and(|n| n.contains("nothing.csv")), "a missing file is named");
     assert_eq!(*harness.state().scene(), kept, "and changes nothing");
@@ -293,17 +293,17 @@ fn a_record_that_was_chosen_is_saved_with_the_scene_and_opened_again() {
     let (scene, quake) = (folder.path().join("mine.toml"), folder.path().join("quake.csv"));
     std::fs::write(&quake, "0,0\n0.1,2\n0.2,0\n").expect("written");
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::SaveFile(scene.clone()));
-    harness.state_mut().apply(Command::Record(quake));
+    harness.state_mut().apply(FileCommand::SaveTo(scene.clone()));
+    harness.state_mut().apply(FileCommand::Record(quake));
     settle(&mut harness);
     assert!(
         matches!(&harness.state().scene().motion, Motion::Record(r) if r.file.as_deref() == Some("quake.csv")),
         "named from the scene's folder on"
     );
-    harness.state_mut().apply(Command::SaveFile(scene.clone()));
+    harness.state_mut().apply(FileCommand::SaveTo(scene.clone()));
     let saved = harness.state().scene().clone();
-    harness.state_mut().apply(Command::New);
-    harness.state_mut().apply(Command::OpenFile(scene));
+    harness.state_mut().apply(FileCommand::New);
+    harness.state_mut().apply(FileCommand::Open(scene));
     settle(&mut harness);
     assert_eq!(harness.state().scene().motion, saved.motion, "the record with it");
     assert_eq!(harness.state().problems(), None, "and it runs");

@@ -8,7 +8,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{FileCommand, WindowCommand, Workbench};
 use girderbench::files::{find_in, load_scene, save_scene};
 use girderbench::scene::{Scene, presets};
 
@@ -29,7 +29,7 @@ fn file(folder: &Path, name: &str) -> PathBuf {
 }
 
 fn open_file(harness: &mut Harness<'_, Workbench>, path: &Path) {
-    harness.state_mut().apply(Command::OpenFile(path.to_owned()));
+    harness.state_mut().apply(FileCommand::Open(path.to_owned()));
     settle(harness);
 }
 
@@ -167,7 +167,7 @@ fn closing_and_undoing_leave_no_unsaved_work() {
     harness.state().wait_for_disk();
     assert!(names(&unsaved).is_empty(), "nothing to lose any more");
     slide(&mut harness, "Skew β", 75.0);
-    harness.state_mut().apply(Command::Close);
+    harness.state_mut().apply(WindowCommand::Close);
     settle(&mut harness);
     press(&mut harness, "Close without saving");
     crash(harness);
@@ -183,9 +183,9 @@ fn work_left_behind_by_opening_another_scene_is_not_lost() {
     harness.state_mut().set_autosave_delay(Duration::from_hours(1));
     slide(&mut harness, "Skew β", 75.0);
     let edited = harness.state().scene().clone();
-    harness.state_mut().apply(Command::OpenPreset("straight-straight".into()));
+    harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
     settle(&mut harness);
-    harness.state_mut().apply(Command::Close);
+    harness.state_mut().apply(WindowCommand::Close);
     assert!(harness.state().wants_to_close(), "what is shown is saved");
     crash(harness);
     let mut harness = kept(folder.path());

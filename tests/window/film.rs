@@ -9,7 +9,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, FilmFormat, FilmPlan, Filming, Workbench};
+use girderbench::app::{Command, FilmFormat, FilmPlan, Filming, TimeCommand, Workbench};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 
@@ -48,7 +48,7 @@ fn short(plan: FilmPlan, format: FilmFormat) -> FilmPlan {
 #[test]
 fn the_dialog_says_how_long_the_film_will_be() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::TimeWindow(Some([1.0, 2.0])));
+    harness.state_mut().apply(TimeCommand::Window(Some([1.0, 2.0])));
     let plan = ask(&mut harness);
     assert_eq!((plan.from, plan.to), (1.0, 2.0), "what the timeline shows");
     assert!(harness.query_by_label("251 frames, plays for 10 s").is_some(), "1 s at a tenth and 25 Hz, both ends");

@@ -7,7 +7,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{SelectCommand, Workbench};
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
@@ -47,7 +47,7 @@ fn walk(harness: &mut Harness<'_, Workbench>) -> Vec<String> {
 fn tab_reaches_every_control_and_each_has_a_name() {
     for selected in [None, Some(Target::Girder(0)), Some(Target::Abutment(0))] {
         let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench(presets::OPENING));
-        harness.state_mut().apply(Command::Select(selected));
+        harness.state_mut().apply(SelectCommand::Only(selected));
         settle(&mut harness);
         let wanted = controls(&harness);
         assert!(wanted.len() > 40, "a window full of controls: {}", wanted.len());

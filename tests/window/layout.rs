@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, Export, Way, Workbench};
+use girderbench::app::{Export, FileCommand, SelectCommand, TimeCommand, Way, Workbench};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 use girderbench::view::Target;
@@ -25,7 +25,7 @@ fn panels_keep_their_words_to_themselves() {
     for preset in presets::all() {
         for size in [[1280.0, 720.0], [2560.0, 1440.0]] {
             let mut harness = builder(size).build_ui_state(show, bench(preset.name));
-            harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+            harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);
             let (view, window) = (view(&harness), harness.get_by_label("Timeline").rect());
@@ -72,7 +72,7 @@ fn both_themes_can_be_had() {
 fn what_is_selected_can_be_framed() {
     let mut harness = open("row-of-5");
     let far = harness.state().camera().expect("shown").distance;
-    harness.state_mut().apply(Command::Select(Some(Target::Girder(2))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(2))));
     harness.key_press(Key::F);
     settle(&mut harness);
     let near = harness.state().camera().expect("shown").distance;
@@ -92,10 +92,10 @@ fn a_window_without_room_for_a_view_does_not_mind() {
 /// The opening scene half way through its first hit, near in time.
 fn at_a_hit(harness: &mut Harness<'_, Workbench>) {
     for _ in 0..2 {
-        harness.state_mut().apply(Command::StepEvent(Way::Forward));
+        harness.state_mut().apply(TimeCommand::StepEvent(Way::Forward));
     }
     let t = harness.state().clock().t;
-    harness.state_mut().apply(Command::TimeWindow(Some([t - 0.02, t + 0.05])));
+    harness.state_mut().apply(TimeCommand::Window(Some([t - 0.02, t + 0.05])));
     settle(harness);
     harness.remove_cursor();
     harness.run();
@@ -147,7 +147,7 @@ fn the_picture_is_exported_while_the_window_goes_on() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("view.png");
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::ExportTo(Export::Picture, path.clone()));
+    harness.state_mut().apply(FileCommand::Export(Export::Picture, path.clone()));
     for _ in 0..3000 {
         harness.run();
         if harness.state().notice().is_some() {

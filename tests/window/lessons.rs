@@ -4,7 +4,7 @@ use super::harness::{on_screen, open, press, settle, view};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Learn, Workbench, lessons};
+use girderbench::app::{Command, EditCommand, FileCommand, Learn, Workbench, lessons};
 use girderbench::scene::{ViewPreset, presets};
 use glam::DVec3;
 
@@ -72,7 +72,7 @@ fn the_words_close_and_go_with_their_scene() {
     assert!(harness.state().lesson().is_none() && harness.query_by_label(title).is_none(), "closed");
     assert_eq!(harness.state().scene().name, lessons()[0].name, "the scene stays");
     harness.state_mut().apply(Command::Learn(Learn::Open(1)));
-    harness.state_mut().apply(Command::OpenPreset("straight-straight".into()));
+    harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
     settle(&mut harness);
     assert!(harness.state().lesson().is_none(), "another scene has other words");
 }
@@ -81,7 +81,7 @@ fn the_words_close_and_go_with_their_scene() {
 fn a_thing_to_try_finds_its_scene_again() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(Command::Learn(Learn::Open(0)));
-    harness.state_mut().apply(Command::Undo);
+    harness.state_mut().apply(EditCommand::Undo);
     settle(&mut harness);
     assert_eq!(harness.state().scene().name, presets::OPENING, "another scene under the lesson's words");
     harness.state_mut().apply(Command::Learn(Learn::Try(0)));

@@ -3,7 +3,7 @@
 use super::harness::{builder, settle, show};
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{EditCommand, WindowCommand, Workbench};
 use girderbench::scene::presets;
 
 /// Inputs of one monkey; four of them make ten thousand.
@@ -127,18 +127,18 @@ fn monkey(seed: u64, preset: &str) {
         done += together;
         harness.step();
         if harness.state().asks_before_closing() {
-            harness.state_mut().apply(Command::KeepOpen);
+            harness.state_mut().apply(WindowCommand::KeepOpen);
         }
     }
     let mut steps = 0;
     while harness.state().undo_label().is_some() {
-        harness.state_mut().apply(Command::Undo);
+        harness.state_mut().apply(EditCommand::Undo);
         steps += 1;
         assert!(steps < 100_000, "seed {seed}: undo comes to an end");
     }
     assert_eq!(*harness.state().scene(), first, "seed {seed}: {steps} steps back is the first scene");
     assert!(steps > 5, "seed {seed}: the monkey did something, {steps} steps");
-    harness.state_mut().apply(Command::CancelRun);
+    harness.state_mut().apply(WindowCommand::CancelRun);
     harness.step();
 }
 

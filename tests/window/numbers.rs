@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{SelectCommand, Workbench};
 use girderbench::scene::{Bearings, Kind, presets};
 use girderbench::view::Target;
 
@@ -14,7 +14,7 @@ type Window = Harness<'static, Workbench>;
 fn with(preset: &str, select: &[Target]) -> Window {
     let mut harness = open(preset);
     for target in select {
-        harness.state_mut().apply(Command::SelectAlso(*target));
+        harness.state_mut().apply(SelectCommand::Also(*target));
     }
     settle(&mut harness);
     harness
@@ -105,7 +105,7 @@ fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
     press(&mut harness, "space");
     assert_eq!(harness.state().scene().kind, Kind::Spatial, "in space");
     assert!(harness.state().problems().is_some(), "its bearings have no vertical springs yet");
-    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     type_in(&mut harness, "Bearings f z", "20 Hz");
     assert_eq!(harness.state().problems(), None, "now it runs");

@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Tool, Workbench};
+use girderbench::app::{EditCommand, SelectCommand, Tool, ViewCommand, Workbench};
 use girderbench::scene::presets;
 use girderbench::view::Target;
 use glam::DVec3;
@@ -16,9 +16,9 @@ type Window = Harness<'static, Workbench>;
 fn from_above(preset: &str, select: &[Target]) -> Window {
     let mut harness = open(preset);
     harness.key_press(Key::Num2);
-    harness.state_mut().apply(Command::Select(None));
+    harness.state_mut().apply(SelectCommand::Only(None));
     for target in select {
-        harness.state_mut().apply(Command::SelectAlso(*target));
+        harness.state_mut().apply(SelectCommand::Also(*target));
     }
     settle(&mut harness);
     harness
@@ -405,10 +405,10 @@ fn a_walls_handles_take_numbers_too() {
     let mut narrow = harness.state().scene().abutments[0].clone();
     narrow.width = Some(0.15);
     let edit = girderbench::scene::edit::Edit::ReplaceAbutment(0, Box::new(narrow));
-    harness.state_mut().apply(Command::Edit { edit, gesture: None });
+    harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
     for (name, typed) in [("move wall sideways", "15 mm"), ("width of wall, one side", "25 cm")] {
         // Each edit makes the scene another size.
-        harness.state_mut().apply(Command::Frame);
+        harness.state_mut().apply(ViewCommand::Frame);
         calm(&mut harness);
         harness.get_by_role_and_label(Role::Splitter, name).focus();
         calm(&mut harness);

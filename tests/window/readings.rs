@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Command, Workbench};
+use girderbench::app::{EditCommand, FileCommand, SelectCommand, WindowCommand, Workbench};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::{Limits, PlotSettings, presets};
 use girderbench::view::Target;
@@ -50,11 +50,11 @@ fn plots_are_written_as_svg_png_and_csv() {
     let mut harness = open(presets::OPENING);
     let mut view = harness.state().scene().view.clone();
     view.plots = vec![PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] }];
-    harness.state_mut().apply(Command::Edit { edit: Edit::View(view), gesture: None });
+    harness.state_mut().apply(EditCommand::Change { edit: Edit::View(view), gesture: None });
     settle(&mut harness);
     for name in ["run.svg", "run.png", "run.csv"] {
-        harness.state_mut().apply(Command::Dismiss);
-        harness.state_mut().apply(Command::Plots(folder.path().join(name)));
+        harness.state_mut().apply(WindowCommand::Dismiss);
+        harness.state_mut().apply(FileCommand::Plots(folder.path().join(name)));
         for _ in 0..1000 {
             harness.run();
             if harness.state().notice().is_some() {
@@ -96,7 +96,7 @@ fn a_limit_is_switched_on_and_flagged() {
     settle(&mut harness);
     assert!(harness.state().scene().limits.rotation_deg.is_some(), "set");
     let limits = Limits { rotation_deg: Some(1.0), ..Limits::default() };
-    harness.state_mut().apply(Command::Edit { edit: Edit::Limits(limits), gesture: None });
+    harness.state_mut().apply(EditCommand::Change { edit: Edit::Limits(limits), gesture: None });
     settle(&mut harness);
     let passed = harness.state().answer().expect("run").passed().to_vec();
     assert_eq!(passed.len(), 1, "one girder turns by more than a degree");
@@ -114,7 +114,7 @@ fn a_limit_is_switched_on_and_flagged() {
 #[test]
 fn a_girder_says_what_was_read_off_the_run() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     harness.run_steps(5);
     assert!(harness.query_by_label("Readings of the run").is_some(), "there");

@@ -4,7 +4,7 @@ use super::harness::{click, drag, on_screen, open, press, settle, slide};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Export};
+use girderbench::app::{EditCommand, Export, FileCommand, SelectCommand, TimeCommand, WindowCommand};
 use girderbench::scene::{Motion, presets};
 use girderbench::view::Target;
 use glam::DVec3;
@@ -205,7 +205,7 @@ fn girders_and_abutments_are_added_and_removed() {
 #[test]
 fn a_duplicate_has_a_name_of_its_own() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Girder(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.key_press_modifiers(Modifiers::COMMAND, Key::D);
     settle(&mut harness);
     let girders = &harness.state().scene().girders;
@@ -233,11 +233,11 @@ fn a_number_is_typed_in_the_inspector() {
 #[test]
 fn a_name_typed_is_a_name_everywhere() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Rename(Target::Girder(0), "span".into()));
+    harness.state_mut().apply(EditCommand::Rename(Target::Girder(0), "span".into()));
     settle(&mut harness);
     let scene = harness.state().scene();
     assert_eq!((scene.girders[0].name.as_str(), scene.abutments[0].faces.as_str()), ("span", "span"), "both");
-    harness.state_mut().apply(Command::Rename(Target::Girder(0), "wall".into()));
+    harness.state_mut().apply(EditCommand::Rename(Target::Girder(0), "wall".into()));
     settle(&mut harness);
     assert!(harness.state().notice().is_some_and(|n| n.contains("wall")), "a taken name is refused in words");
 }
@@ -246,7 +246,7 @@ fn a_name_typed_is_a_name_everywhere() {
 fn overlays_change_the_picture_and_nothing_else() {
     let mut harness = open(presets::OPENING);
     let hit = harness.state().answer().and_then(|a| a.summary.peak_time).expect("a hit");
-    harness.state_mut().apply(Command::Seek(hit));
+    harness.state_mut().apply(TimeCommand::Seek(hit));
     settle(&mut harness);
     let answer = digest(&harness);
     for label in ["Grid", "Bearings", "Gap", "Contact points", "Normal force", "Resultant", "Friction cones", "Names"] {
@@ -279,7 +279,7 @@ fn a_big_scene_is_run_on_a_thread_and_can_be_stopped() {
     let mut long = presets::load("row-of-5").expect("ships");
     long.duration = 3000.0;
     let edit = girderbench::scene::edit::Edit::Scene(Box::new(long));
-    harness.state_mut().apply(Command::Edit { edit, gesture: None });
+    harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
     harness.run_steps(2);
     assert!(harness.state().progress().is_some(), "it goes on while the window is drawn");
     assert_eq!(harness.state().answer().expect("old").history.scene().name, "flush-free-hit", "the old one is shown");
@@ -295,12 +295,12 @@ fn a_scene_is_saved_and_opened_again() {
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 70.0);
     assert!(harness.state().is_dirty() && harness.state().title().starts_with('●'), "marked");
-    harness.state_mut().apply(Command::SaveFile(path.clone()));
+    harness.state_mut().apply(FileCommand::SaveTo(path.clone()));
     settle(&mut harness);
     assert!(!harness.state().is_dirty() && harness.state().title().starts_with("mine.toml"), "saved");
     let saved = digest(&harness);
     slide(&mut harness, "Skew β", 45.0);
-    harness.state_mut().apply(Command::OpenFile(path));
+    harness.state_mut().apply(FileCommand::Open(path));
     settle(&mut harness);
     assert_eq!(digest(&harness), saved, "the same answer");
 }
@@ -312,7 +312,7 @@ fn a_file_that_is_no_scene_is_refused_in_words() {
     std::fs::write(&path, "name = 3").expect("written");
     let mut harness = open(presets::OPENING);
     let before = harness.state().scene().clone();
-    harness.state_mut().apply(Command::OpenFile(path));
+    harness.state_mut().apply(FileCommand::Open(path));
     settle(&mut harness);
     assert!(harness.state().notice().is_some_and(|n| n.contains("bad.toml")), "names the file");
     assert_eq!(*harness.state().scene(), before, "and nothing is lost");
@@ -322,7 +322,7 @@ fn a_file_that_is_no_scene_is_refused_in_words() {
 fn tables_are_exported_while_the_window_goes_on() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::ExportTo(Export::Tables, folder.path().to_owned()));
+    harness.state_mut().apply(FileCommand::Export(Export::Tables, folder.path().to_owned()));
     for _ in 0..500 {
         harness.run();
         if harness.state().notice().is_some() {
@@ -337,16 +337,16 @@ fn tables_are_exported_while_the_window_goes_on() {
 #[test]
 fn closing_asks_when_something_is_not_saved() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Close);
+    harness.state_mut().apply(WindowCommand::Close);
     assert!(harness.state().wants_to_close(), "nothing to lose");
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 70.0);
-    harness.state_mut().apply(Command::Close);
+    harness.state_mut().apply(WindowCommand::Close);
     settle(&mut harness);
     assert!(!harness.state().wants_to_close(), "first the question");
     press(&mut harness, "Keep working");
     assert!(!harness.state().asks_before_closing() && !harness.state().wants_to_close(), "stays");
-    harness.state_mut().apply(Command::Close);
+    harness.state_mut().apply(WindowCommand::Close);
     settle(&mut harness);
     press(&mut harness, "Close without saving");
     assert!(harness.state().wants_to_close(), "goes");

@@ -63,7 +63,7 @@ fn playing_slows_by_itself_at_hits_when_asked() {
     let mut harness = open(presets::OPENING);
     let hit = harness.state().answer().expect("run").touches[0].0;
     harness.key_press(Key::M);
-    harness.state_mut().apply(girderbench::app::Command::Seek(hit));
+    harness.state_mut().apply(girderbench::app::TimeCommand::Seek(hit));
     harness.key_press(Key::Space);
     harness.run_steps(1);
     let before = harness.state().clock().t;

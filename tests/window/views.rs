@@ -3,14 +3,14 @@
 use super::harness::{open, reach, settle, view};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use girderbench::app::{Command, Follow, Sight, Workbench};
+use girderbench::app::{Follow, SelectCommand, Sight, TimeCommand, ViewCommand, Workbench};
 use girderbench::scene::presets;
 use girderbench::view::Target;
 
 fn with(sight: Sight) -> Harness<'static, Workbench> {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Seek(0.42));
-    harness.state_mut().apply(Command::Sight(sight));
+    harness.state_mut().apply(TimeCommand::Seek(0.42));
+    harness.state_mut().apply(ViewCommand::Sight(sight));
     settle(&mut harness);
     harness
 }
@@ -48,7 +48,7 @@ fn the_camera_goes_with_a_corner() {
         motion.place + motion.attitude * corner
     };
     let before = harness.state().camera().expect("shown").target;
-    harness.state_mut().apply(Command::Seek(0.7));
+    harness.state_mut().apply(TimeCommand::Seek(0.7));
     settle(&mut harness);
     let after = harness.state().camera().expect("shown").target;
     let way = place(&harness, 0.7) - place(&harness, 0.42);
@@ -98,20 +98,20 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
 fn a_stretch_is_set_by_keys_and_played_again_and_again() {
     let mut harness = open(presets::OPENING);
     for (t, key) in [(1.0, egui::Key::I), (1.2, egui::Key::O)] {
-        harness.state_mut().apply(Command::Seek(t));
+        harness.state_mut().apply(TimeCommand::Seek(t));
         harness.key_press(key);
         settle(&mut harness);
     }
     assert_eq!(harness.state().clock().span, Some([1.0, 1.2]), "from here to there");
-    harness.state_mut().apply(Command::Seek(1.1));
-    harness.state_mut().apply(Command::Speed(1.0));
-    harness.state_mut().apply(Command::TogglePlay);
+    harness.state_mut().apply(TimeCommand::Seek(1.1));
+    harness.state_mut().apply(TimeCommand::Speed(1.0));
+    harness.state_mut().apply(TimeCommand::TogglePlay);
     for _ in 0..40 {
         harness.step();
         let t = harness.state().clock().t;
         assert!((1.0..=1.2).contains(&t), "inside the stretch, at {t}");
     }
-    harness.state_mut().apply(Command::TogglePlay);
+    harness.state_mut().apply(TimeCommand::TogglePlay);
     harness.key_press(egui::Key::X);
     settle(&mut harness);
     assert_eq!(harness.state().clock().span, None, "everything again");
@@ -120,7 +120,7 @@ fn a_stretch_is_set_by_keys_and_played_again_and_again() {
 #[test]
 fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     let mut harness = open(presets::OPENING);
-    harness.state_mut().apply(Command::Select(Some(Target::Abutment(0))));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
     let contact = harness.state().answer().expect("run").history.hardest().expect("a hit").contact;
     let site = harness.state().answer().expect("run").history.model().contacts[contact].clone();
@@ -133,7 +133,7 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     assert!(harness.query_by_label_contains("touches").is_some(), "how often it touches");
     let peak = harness.state().answer().expect("run").history.touches().iter().find(|t| t.contact == contact);
     let peak = peak.expect("a touch").peak_time;
-    harness.state_mut().apply(Command::Seek(peak));
+    harness.state_mut().apply(TimeCommand::Seek(peak));
     settle(&mut harness);
     harness.run_steps(5);
     assert!(harness.query_by_label("cone used").is_some(), "closed, it says how much of the cone it uses");

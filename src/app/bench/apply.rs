@@ -1,328 +1,195 @@
 //! Does what commands ask: the one place where the workbench changes.
 
-use std::path::{Path, PathBuf};
-
 use egui::Ui;
 
-use crate::app::bench::Workbench;
-use crate::app::bench::workbench::Closing;
-use crate::app::command::{Command, Export, Way};
-use crate::app::disk::export;
-use crate::app::viewport::view;
-use crate::app::viewport::view_options::{self, Sight};
-use crate::app::{edits, text};
-use crate::files::{load_scene, save_scene};
-use crate::scene::Scene;
+use super::workbench::Workbench;
+use crate::app::command::{
+    Command, CompareCommand, EditCommand, HandCommand, SelectCommand, ViewCommand, WindowCommand,
+};
+use crate::app::edits::{self, placed};
+use crate::app::style::size::LECTURE;
+use crate::app::viewport::hand::Keyed;
+use crate::app::viewport::picture::bounds_of;
 use crate::scene::edit::{Edit, EditError};
-use crate::view::Target;
-
-/// Steps of the arrow keys in a second of the answer at speed 1 \[s\]: a frame of a film.
-const STEP: f64 = 1.0 / 60.0;
 
 impl Workbench {
     /// Does what is asked and, if that made a difference, asks for a frame that shows it: a mouse that is held still
     /// must not keep the window awake.
     pub(in crate::app) fn apply_all(&mut self, ui: &Ui, commands: Vec<Command>) {
-        let before = self.seen();
+        let before = self.state_shown();
         for command in commands {
-            if let Command::Theme(theme) = command {
-                ui.set_theme(theme);
-            }
-            match command {
-                Command::Scale(scale) => ui.set_zoom_factor(scale.clamp(0.5, 4.0)),
-                Command::Sight(sight) if sight.lecture != self.sight.lecture => {
-                    ui.set_zoom_factor(if sight.lecture { view_options::LECTURE } else { 1.0 });
-                }
-                _ => {}
-            }
+            dress(ui, &command, self.display.sight.lecture);
             self.apply(command);
         }
-        self.rescale();
-        if self.seen() != before {
+        if let Some(answer) = self.runner.answer() {
+            self.display.rescale(answer);
+        }
+        if self.state_shown() != before {
             ui.request_repaint();
         }
     }
 
     /// Everything that commands can change and a frame shows.
-    fn seen(&self) -> impl PartialEq + use<> {
-        let hand = self.viewport.hand.seen();
-        let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.overlays, self.force_scale, hand);
-        let asked = (self.tool, self.sight, self.row, self.pin_numbers(), self.help, self.closing, self.notice.clone());
-        let files = (self.keeping.asked(), self.films.plan, self.lesson, self.aim_next);
-        let time = (self.clock.clone(), self.time_window);
-        (self.revision(), time, self.selection.clone(), self.is_stale(), view, asked, files)
+    fn state_shown(&self) -> impl PartialEq + use<> {
+        let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.viewport.hand.seen());
+        let shown = (self.display.seen(), self.comparison.numbers(), self.window.clone());
+        let files = (self.session.seen(), self.films.plan, self.learning, self.aim_next);
+        (self.revision(), self.playback.clone(), self.selection.clone(), self.is_stale(), view, shown, files)
     }
 
     /// Does one thing.
-    pub fn apply(&mut self, command: Command) {
-        match command {
-            Command::Edit { edit, gesture } => self.edit(edit, gesture),
-            Command::Take(grip, at) => self.take_by_keys(grip, at),
-            Command::Type(key) => self.type_in_hand(&key),
-            Command::Undo => {
-                let done = self.document.undo();
-                self.after(done);
+    pub fn apply(&mut self, command: impl Into<Command>) {
+        match command.into() {
+            Command::Time(command) => {
+                let end = self.end();
+                self.playback.apply(command, end, self.runner.answer().map(|a| &**a));
             }
-            Command::Redo => {
-                let done = self.document.redo();
-                self.after(done);
-            }
-            Command::Select(target) => self.selection.only(target),
-            Command::SelectAlso(target) => self.selection.toggle(target),
-            Command::SelectAll => self.select_all(),
-            Command::Pin => self.pin(),
-            Command::Unpin(i) => drop((i < self.pins.len()).then(|| self.pins.remove(i))),
-            Command::UnpinAll => self.pins.clear(),
-            Command::Sight(sight) => self.look_with(sight),
-            Command::Tool(tool) => self.tool = tool,
-            Command::AskRow(draft) => self.row = draft,
-            Command::Place(_)
-            | Command::AddGirder
-            | Command::AddAbutment
-            | Command::Duplicate
-            | Command::Array { .. }
-            | Command::Nudge(_)
-            | Command::Remove => self.place(&command),
-            Command::Rename(target, name) => {
-                if let Some(edit) = edits::rename(self.scene(), target, name) {
-                    self.edit(edit, None);
+            Command::Edit(command) => self.apply_edit(command),
+            Command::Place(command) => {
+                if let Some(placed) = placed(command, self.document.scene(), &self.selection) {
+                    self.edit(placed.edit, None);
+                    if let Some(then) = placed.then.filter(|_| self.window.notice.is_none()) {
+                        self.selection.these(then);
+                    }
                 }
             }
-            Command::View(preset) => self.viewport.want(preset),
-            Command::Camera(camera) => self.viewport.set_camera(camera),
-            Command::Frame => {
-                let bounds = view::bounds_of(self, self.selection.all());
-                self.viewport.frame(bounds);
-            }
-            Command::Overlays(overlays) => self.overlays = overlays,
-            Command::ForceScale(scale) => self.force_scale = scale.filter(|s| s.is_finite() && *s > 0.0),
-            // The context keeps the theme and the size.
-            Command::Theme(_) | Command::Scale(_) => {}
-            Command::Help(open) => self.help = open,
-            Command::CancelRun => self.runner.cancel(),
-            Command::Dismiss => self.notice = None,
-            Command::Close | Command::CloseAnyway | Command::KeepOpen => self.close(&command),
-            time @ (Command::TogglePlay
-            | Command::Step(_)
-            | Command::StepEvent(_)
-            | Command::Seek(_)
-            | Command::Speed(_)
-            | Command::StepSpeed(_)
-            | Command::Loop(_)
-            | Command::SlowAtHits(_)
-            | Command::PlaySpan(_)
-            | Command::SpanFrom
-            | Command::SpanTo
-            | Command::TimeWindow(_)) => self.apply_time(&time),
-            file => self.apply_file(file),
+            Command::Hand(command) => self.apply_hand(&command),
+            Command::Select(SelectCommand::Only(target)) => self.selection.only(target),
+            Command::Select(SelectCommand::Also(target)) => self.selection.toggle(target),
+            Command::Select(SelectCommand::All) => self.selection.everything(self.document.scene()),
+            Command::View(command) => self.apply_view(command),
+            Command::Compare(CompareCommand::Pin) => self.pin(),
+            Command::Compare(CompareCommand::Unpin(number)) => self.comparison.unpin(number),
+            Command::Compare(CompareCommand::UnpinAll) => self.comparison.clear(),
+            Command::File(command) => self.apply_file(command),
+            Command::Keep(command) => self.apply_keep(command),
+            Command::Film(command) => self.apply_film(command),
+            Command::Learn(command) => self.apply_learn(command),
+            Command::Window(command) => self.apply_window(command),
         }
     }
 
-    pub(in crate::app) fn edit(&mut self, edit: Edit, gesture: Option<u64>) {
+    fn apply_edit(&mut self, command: EditCommand) {
+        match command {
+            EditCommand::Change { edit, gesture } => self.edit(edit, gesture),
+            EditCommand::Undo => {
+                let done = self.document.undo();
+                self.after(done);
+            }
+            EditCommand::Redo => {
+                let done = self.document.redo();
+                self.after(done);
+            }
+            EditCommand::Rename(target, name) => {
+                if let Some(edit) = edits::rename(self.document.scene(), target, name) {
+                    self.edit(edit, None);
+                }
+            }
+        }
+    }
+
+    fn apply_hand(&mut self, command: &HandCommand) {
+        let hand = &mut self.viewport.hand;
+        let keyed = match command {
+            HandCommand::Take(grip, at) => {
+                hand.hold_by_keys(*grip, *at, self.document.scene(), self.selection.all());
+                None
+            }
+            HandCommand::Type(key) => hand.type_key(key),
+        };
+        match keyed {
+            Some(Keyed::Change(edit, gesture)) => self.edit(edit, Some(gesture)),
+            Some(Keyed::Abandon(gesture)) => {
+                let done = self.document.abandon(gesture);
+                self.after(done);
+            }
+            None => {}
+        }
+    }
+
+    fn apply_view(&mut self, command: ViewCommand) {
+        match command {
+            ViewCommand::Preset(preset) => self.viewport.want(preset),
+            ViewCommand::Camera(camera) => self.viewport.set_camera(camera),
+            ViewCommand::Frame => {
+                let (viewport, seen) = self.view_and_seen();
+                viewport.frame(bounds_of(&seen, seen.selection));
+            }
+            ViewCommand::Overlays(overlays) => self.display.overlays = overlays,
+            ViewCommand::ForceScale(scale) => self.display.set_force_scale(scale),
+            ViewCommand::Sight(sight) => {
+                self.display.sight = sight;
+                // What is followed is taken from where it is now.
+                self.viewport.followed = None;
+            }
+            ViewCommand::Tool(tool) => self.display.tool = tool,
+        }
+    }
+
+    fn apply_window(&mut self, command: WindowCommand) {
+        match command {
+            // The context of egui keeps theme and size.
+            WindowCommand::Theme(_) | WindowCommand::Scale(_) => {}
+            WindowCommand::Help(open) => self.window.help = open,
+            WindowCommand::AskRow(draft) => self.window.row = draft,
+            WindowCommand::CancelRun => self.runner.cancel(),
+            WindowCommand::Dismiss => self.window.notice = None,
+            WindowCommand::Close => self.close(self.is_dirty()),
+            WindowCommand::CloseAnyway => self.close(false),
+            WindowCommand::KeepOpen => self.window.stay_open(),
+        }
+    }
+
+    /// Closes the window, or asks first; work that is given up is not kept.
+    fn close(&mut self, ask: bool) {
+        if self.window.close(ask) {
+            self.forget_work();
+        }
+    }
+
+    /// Keeps the run that is shown to compare with.
+    fn pin(&mut self) {
+        let Some(answer) = self.runner.answer().filter(|_| !self.runner.is_stale()) else { return };
+        let what = self.document.undo_label().unwrap_or(&self.document.scene().name);
+        let done = self.comparison.pin(answer, what);
+        self.window.say_failure(done);
+    }
+
+    /// Changes the scene; edits of one gesture are undone together.
+    pub(super) fn edit(&mut self, edit: Edit, gesture: Option<u64>) {
         let done = self.document.edit(edit, gesture);
         self.after(done);
     }
 
     /// Runs the scene when something was done to it; an edit that does not fit says so.
-    pub(in crate::app) fn after(&mut self, done: Result<bool, EditError>) {
+    pub(super) fn after(&mut self, done: Result<bool, EditError>) {
         match done {
             Ok(true) => self.changed(),
             Ok(false) => {}
-            Err(error) => self.notice = Some(error.to_string()),
+            Err(error) => self.window.say(error.to_string()),
         }
     }
 
     /// The scene is another one: run it, and let go of what is no longer there.
     fn changed(&mut self) {
         self.selection.keep_in(self.document.scene());
-        self.run();
-        self.clock.t = self.clock.t.min(self.end());
-        self.keep_window_inside();
-    }
-
-    /// Looks otherwise; what is followed is taken from where it is now.
-    fn look_with(&mut self, sight: Sight) {
-        self.sight = sight;
-        self.viewport.followed = None;
-    }
-
-    fn select_all(&mut self) {
-        let scene = self.document.scene();
-        let girders = (0..scene.girders.len()).map(Target::Girder);
-        self.selection.these(girders.chain((0..scene.abutments.len()).map(Target::Abutment)));
-    }
-
-    fn keep_window_inside(&mut self) {
+        self.runner.start(self.document.scene());
         let end = self.end();
-        self.time_window = self.time_window.filter(|w| w[1] <= end);
+        self.playback.keep_inside(end);
     }
+}
 
-    fn apply_time(&mut self, command: &Command) {
-        let end = self.end();
-        match *command {
-            Command::TogglePlay => {
-                self.clock.playing = !self.clock.playing;
-                if self.clock.playing && self.clock.t >= end {
-                    self.clock.t = 0.0;
-                }
-            }
-            Command::Step(steps) => self.seek(self.clock.t + steps * STEP * self.clock.speed),
-            Command::StepEvent(way) => self.seek_event(way),
-            Command::Seek(t) => self.seek(t),
-            Command::Speed(speed) => self.clock.speed = speed.clamp(0.001, 10.0),
-            Command::StepSpeed(by) => self.clock.step_speed(by),
-            Command::Loop(on) => self.clock.looping = on,
-            Command::SlowAtHits(on) => self.clock.slow_at_hits = on,
-            Command::PlaySpan(span) => self.clock.span = span.filter(|s| s[0] < s[1]),
-            Command::SpanFrom => self.play_span([self.clock.t, self.clock.span.map_or(end, |s| s[1])], end),
-            Command::SpanTo => self.play_span([self.clock.span.map_or(0.0, |s| s[0]), self.clock.t], end),
-            Command::TimeWindow(window) => self.time_window = window,
-            _ => {}
-        }
+/// What a command changes in egui's context: theme and size.
+fn dress(ui: &Ui, command: &Command, lecture: bool) {
+    if let Command::Window(WindowCommand::Theme(theme)) = command {
+        ui.set_theme(*theme);
     }
-
-    /// A stretch whose ends have passed one another begins or ends with the run.
-    fn play_span(&mut self, [from, to]: [f64; 2], end: f64) {
-        let span = match from < to {
-            true => [from, to],
-            false if from == self.clock.t => [from, end],
-            false => [0.0, to],
-        };
-        self.clock.span = Some(span).filter(|s| s[0] < s[1]);
+    if let Command::Window(WindowCommand::Scale(scale)) = command {
+        ui.set_zoom_factor(scale.clamp(0.5, 4.0));
     }
-
-    fn seek(&mut self, t: f64) {
-        self.clock.t = t.clamp(0.0, self.end());
-        self.follow();
-    }
-
-    fn seek_event(&mut self, way: Way) {
-        let t = self.clock.t;
-        if let Some(event) = self.answer().and_then(|a| a.neighbour_event(t, way == Way::Forward)) {
-            self.clock.playing = false;
-            self.seek(event);
-        }
-    }
-
-    /// Moves the window of time so that the playhead is in it.
-    fn follow(&mut self) {
-        if let Some([from, to]) = self.time_window
-            && !(from..=to).contains(&self.clock.t)
-        {
-            let span = to - from;
-            let start = (self.clock.t - span / 2.0).clamp(0.0, (self.end() - span).max(0.0));
-            self.time_window = Some([start, start + span]);
-        }
-    }
-
-    fn apply_file(&mut self, command: Command) {
-        match command {
-            Command::OpenPreset(name) => self.open(&name, None),
-            Command::OpenFile(path) => self.open(&path.to_string_lossy(), Some(path.clone())),
-            Command::New => self.take_up(edits::empty(), None),
-            Command::Learn(wish) => self.apply_learn(wish),
-            Command::Film(wish) => self.apply_film(wish),
-            Command::Keep(wish) => self.apply_keep(wish),
-            Command::OpenDialog => self.dialogs.open(),
-            Command::AskRecord => self.dialogs.record(),
-            Command::Record(path) => self.take_record(&path),
-            Command::Save => match self.document.file() {
-                Some(file) => {
-                    let file = file.to_owned();
-                    self.save(&file);
-                }
-                None => self.ask_where_to_save(),
-            },
-            Command::SaveAs => self.ask_where_to_save(),
-            Command::SaveFile(path) => self.save(&path),
-            Command::Export(what) => self.dialogs.export(what, &self.scene().name),
-            Command::ExportTo(what, path) => self.export(what, path),
-            Command::AskPlots(format) => self.dialogs.plots(format, &self.scene().name),
-            Command::Plots(path) => self.write_plots(path),
-            _ => {}
-        }
-    }
-
-    pub(in crate::app) fn open(&mut self, name: &str, file: Option<PathBuf>) {
-        match load_scene(name, &[]) {
-            Ok(scene) => self.take_up(scene, file),
-            Err(errors) => self.notice = Some(errors.to_string()),
-        }
-    }
-
-    /// Goes on with another scene; undo brings the one before back.
-    pub(in crate::app) fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) {
-        self.keep_work_now();
-        self.lesson = None;
-        self.look_as(&scene);
-        let opened = self.document.open(scene, file.clone());
-        self.after(opened.map(|()| true));
-        if let Some(file) = file {
-            self.opened(&file);
-        }
-    }
-
-    /// Looks at a scene as it wants to be looked at, from its start.
-    pub(in crate::app) fn look_as(&mut self, scene: &Scene) {
-        self.overlays = scene.view.overlays;
-        self.force_scale = scene.view.force_scale;
-        self.viewport.want(scene.view.camera);
-        self.selection.only(None);
-        self.time_window = None;
-        self.clock.t = 0.0;
-        self.clock.playing = false;
-    }
-
-    fn ask_where_to_save(&mut self) {
-        if self.closing == Closing::Asking {
-            self.closing = Closing::Saving;
-        }
-        self.dialogs.save(&self.scene().name);
-    }
-
-    /// Saves the scene with the view as it is seen.
-    fn save(&mut self, path: &Path) {
-        if self.document.file() == Some(path) && self.is_kept() && !self.compare_with_disk() {
-            // First the question what to do about the other program's changes.
-            self.closing = Closing::Open;
-            return;
-        }
-        match save_scene(&self.scene_as_seen(), self.document.file(), path) {
-            Ok(()) => {
-                self.forget_work();
-                self.document.saved_as(path.to_owned());
-                self.opened(path);
-                self.notice = Some(format!("{}: {}", text::SAVED, path.display()));
-                if matches!(self.closing, Closing::Asking | Closing::Saving) {
-                    self.closing = Closing::Now;
-                }
-            }
-            Err(error) => {
-                self.notice = Some(error.to_string());
-                self.closing = Closing::Open;
-            }
-        }
-    }
-
-    fn export(&mut self, what: Export, path: PathBuf) {
-        match (what, self.viewport.list().cloned(), self.answer().cloned()) {
-            (Export::Picture, Some(list), _) => {
-                let (size, title) = (self.viewport.size(), self.scene().name.clone());
-                self.in_background(move || export::picture(&list, size, &title, &path));
-            }
-            (Export::Tables, _, Some(answer)) => self.in_background(move || export::tables(&answer, &path)),
-            _ => {}
-        }
-    }
-
-    fn close(&mut self, command: &Command) {
-        self.closing = match command {
-            Command::Close if self.is_dirty() => Closing::Asking,
-            Command::KeepOpen => Closing::Open,
-            _ => {
-                self.forget_work();
-                Closing::Now
-            }
-        };
+    if let Command::View(ViewCommand::Sight(sight)) = command
+        && sight.lecture != lecture
+    {
+        ui.set_zoom_factor(if sight.lecture { LECTURE } else { 1.0 });
     }
 }

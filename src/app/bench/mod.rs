@@ -1,10 +1,10 @@
-//! The workbench: the state of the window and what commands do to it.
+//! The workbench: the parts of the window's state put together, and what commands do to them.
 
-pub(in crate::app) mod apply;
-pub(in crate::app) mod document;
-pub(in crate::app) mod placing;
-pub(in crate::app) mod queries;
-pub(in crate::app) mod selection;
-pub(in crate::app) mod workbench;
+mod apply;
+mod files;
+mod queries;
+mod window_state;
+mod workbench;
 
+pub(in crate::app) use window_state::Closing;
 pub use workbench::Workbench;

@@ -1,54 +1,56 @@
-//! What the workbench can be asked for: everything that panels and tests read.
+//! What panels and tests read of the workbench.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use wgpu::TextureFormat;
-
-use crate::app::bench::Workbench;
-use crate::app::bench::workbench::Closing;
-use crate::app::panel::row_dialog::RowDraft;
-use crate::app::plot::traces::Traces;
-use crate::app::plot::user_plots::Sampled;
+use super::window_state::Closing;
+use super::workbench::Workbench;
+use crate::app::command::{FilmPlan, RowDraft, Sight, Tool};
+use crate::app::learn::lessons::Lesson;
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::app::time::clock::Clock;
-use crate::app::viewport::tool::Tool;
-use crate::app::viewport::view_options::Sight;
-use crate::scene::{Overlays, Scene, SceneErrors};
-use crate::sim::History;
-use crate::view::{Camera, DrawList, Target, auto_force_scale};
+use crate::files::Found;
+use crate::scene::{Limits, Overlays, Scene, SceneErrors};
+use crate::sim::readings::Passed;
+use crate::view::{Camera, DrawList, Target};
 
 impl Workbench {
     /// What stands on the window's frame.
     pub fn title(&self) -> String {
-        let mark = if self.document.is_dirty() { text::UNSAVED } else { "" };
+        let mark = if self.is_dirty() { text::UNSAVED } else { "" };
         format!("{mark}{} – {}", self.file_name(), text::PROGRAM)
     }
 
     /// The name of the file, or of a scene without one.
     pub fn file_name(&self) -> String {
         let file = self.document.file().and_then(|f| f.file_name()).map(|f| f.to_string_lossy().into_owned());
-        file.unwrap_or_else(|| self.document.scene().name.clone())
+        file.unwrap_or_else(|| self.scene().name.clone())
     }
 
     /// Whether the window is to close now.
     pub fn wants_to_close(&self) -> bool {
-        self.closing == Closing::Now
+        self.window.closing() == Closing::Now
     }
 
     /// Whether the question about unsaved changes is open.
     pub fn asks_before_closing(&self) -> bool {
-        self.closing == Closing::Asking
+        self.window.closing() == Closing::Asking
     }
 
     /// Whether the help is open.
     pub fn help_is_open(&self) -> bool {
-        self.help
+        self.window.help
     }
 
     /// What has happened to a file, until it is dismissed.
     pub fn notice(&self) -> Option<&str> {
-        self.notice.as_deref()
+        self.window.notice.as_deref()
+    }
+
+    /// The row that is being asked for.
+    pub fn row_draft(&self) -> Option<RowDraft> {
+        self.window.row
     }
 
     /// The scene as it is now.
@@ -81,6 +83,11 @@ impl Workbench {
         self.runner.answer()
     }
 
+    /// The last good answer, if it is the scene's as it is now.
+    pub(in crate::app) fn fresh_answer(&self) -> Option<&Arc<Answer>> {
+        self.answer().filter(|_| !self.is_stale())
+    }
+
     /// Whether the answer shown belongs to an older scene.
     pub fn is_stale(&self) -> bool {
         self.runner.is_stale()
@@ -96,23 +103,15 @@ impl Workbench {
         self.runner.progress()
     }
 
-    /// Waits for the run on a thread.
-    pub fn wait(&mut self) {
-        self.runner.wait();
-    }
-
-    /// What the view shows: an old answer is shown with its own scene, so that the two belong together.
-    pub(in crate::app) fn shown(&self) -> (&Scene, Option<&History>) {
-        let history = self.answer().map(|a| &a.history);
-        match history {
-            Some(old) if self.is_stale() => (old.scene(), Some(old)),
-            _ => (self.scene(), history),
-        }
+    /// Limits of the scene that its answer passes, the earliest first.
+    pub(in crate::app) fn passed(&self) -> &[Passed] {
+        let watched = self.scene().limits != Limits::default();
+        self.fresh_answer().filter(|_| watched).map_or(&[], |answer| answer.passed())
     }
 
     /// The playing clock.
     pub fn clock(&self) -> &Clock {
-        &self.clock
+        &self.playback.clock
     }
 
     /// End of the answer \[s\].
@@ -122,7 +121,7 @@ impl Workbench {
 
     /// The stretch of time that timeline and plots show; all of it when none \[s\].
     pub fn time_window(&self) -> Option<[f64; 2]> {
-        self.time_window
+        self.playback.window
     }
 
     /// What is selected; of several the one that leads.
@@ -135,75 +134,44 @@ impl Workbench {
         self.selection.all()
     }
 
-    /// How many runs are kept to compare with.
-    pub fn pinned(&self) -> usize {
-        self.pins.len()
-    }
-
-    /// Numbers of the kept runs' answers.
-    pub(in crate::app) fn pin_numbers(&self) -> Vec<u64> {
-        self.pins.iter().map(|p| p.answer.number).collect()
-    }
-
-    /// What stands beside the hand while a number is typed for what it holds.
-    pub fn hand_words(&self) -> &[String] {
-        self.viewport.hand.words.as_deref().unwrap_or_default()
-    }
-
-    /// The row that is being asked for.
-    pub fn row_draft(&self) -> Option<RowDraft> {
-        self.row
-    }
-
-    /// How the view is looked at.
-    pub fn sight(&self) -> Sight {
-        self.sight
-    }
-
-    /// What a click in the view does.
-    pub fn tool(&self) -> Tool {
-        self.tool
-    }
-
     /// The girder or abutment that is selected.
     pub fn selected_body(&self) -> Option<Target> {
-        self.selection.lead().filter(|t| !matches!(t, Target::Contact(_)))
+        self.selected().filter(|t| !matches!(t, Target::Contact(_)))
     }
 
     /// The girder whose curves stand out.
     pub(in crate::app) fn shown_girder(&self) -> usize {
-        match self.selection.lead() {
-            Some(Target::Girder(i)) => i,
-            Some(Target::Abutment(i)) => {
-                let faces = self.scene().abutments.get(i).map(|a| &a.faces);
-                self.scene().girders.iter().position(|g| Some(&g.name) == faces).unwrap_or(0)
-            }
-            _ => 0,
-        }
+        self.selection.girder_shown(self.scene())
+    }
+
+    /// How many runs are kept to compare with.
+    pub fn pinned(&self) -> usize {
+        self.comparison.pins().len()
+    }
+
+    /// What stands beside the mouse while a number is typed for what is held.
+    pub fn hand_words(&self) -> &[String] {
+        self.viewport.hand.words.as_deref().unwrap_or_default()
+    }
+
+    /// How the view is looked at.
+    pub fn sight(&self) -> Sight {
+        self.display.sight
+    }
+
+    /// What a click in the view does.
+    pub fn tool(&self) -> Tool {
+        self.display.tool
     }
 
     /// Which layers are shown.
     pub fn overlays(&self) -> Overlays {
-        self.overlays
+        self.display.overlays
     }
 
     /// Force scale, unless it follows the run's peak \[N per m\].
     pub fn force_scale(&self) -> Option<f64> {
-        self.force_scale
-    }
-
-    /// Force scale from the run's peak \[N per m\].
-    pub(in crate::app) fn automatic_force_scale(&self) -> f64 {
-        self.automatic_scale.1
-    }
-
-    /// Reckons the automatic scale anew when the answer is a new one.
-    pub(in crate::app) fn rescale(&mut self) {
-        if let Some(answer) = self.runner.answer()
-            && self.automatic_scale.0 != answer.number
-        {
-            self.automatic_scale = (answer.number, auto_force_scale(&answer.history).max(1e-6));
-        }
+        self.display.force_scale()
     }
 
     /// Where the view is seen from, once it has been shown.
@@ -223,30 +191,36 @@ impl Workbench {
 
     /// What draws, in words.
     pub fn adapter(&self) -> &str {
-        &self.adapter
+        &self.target.1
     }
 
-    pub(in crate::app) fn target_format(&self) -> TextureFormat {
-        self.target_format
+    /// Files that were used last.
+    pub fn recent(&self) -> &[PathBuf] {
+        self.session.recent()
     }
 
-    /// Samples for the panels of the user's own.
-    pub(in crate::app) fn own_panels(&self, window: [f64; 2], points: usize) -> Arc<Vec<Sampled>> {
-        let plots = &self.scene().view.plots;
-        let sampled = |a: &Arc<Answer>| self.panels.borrow_mut().of((&a.history, a.number), plots, window, points);
-        self.answer().filter(|_| !plots.is_empty()).map(sampled).unwrap_or_default()
+    /// Unsaved work that is asked about.
+    pub fn found_work(&self) -> Option<&Found> {
+        self.session.found_work()
     }
 
-    /// Where the curves of an own panel are at the time shown.
-    pub(in crate::app) fn own_at(&self, panel: usize) -> Vec<[f64; 2]> {
-        let (Some(answer), Some(plot)) = (self.answer(), self.scene().view.plots.get(panel)) else { return Vec::new() };
-        crate::app::plot::user_plots::at(answer, plot, self.clock.t)
+    /// Whether another program has changed the file, and nothing was chosen about it yet.
+    pub fn file_has_changed(&self) -> bool {
+        self.session.file_has_changed()
     }
 
-    /// Samples for the plots.
-    pub(in crate::app) fn traces(&self, window: [f64; 2], points: usize) -> Arc<Traces> {
-        let girder = self.shown_girder();
-        let name = self.scene().girders.get(girder).map_or("", |g| g.name.as_str());
-        self.answer().map(|a| self.traces.borrow_mut().of(a, window, points, (name, &self.pins))).unwrap_or_default()
+    /// Frames written and frames in all, while a film is being written.
+    pub fn filming(&self) -> Option<(usize, u32)> {
+        self.films.progress()
+    }
+
+    /// What the film dialog shows, while it is open.
+    pub fn film_plan(&self) -> Option<&FilmPlan> {
+        self.films.plan.as_ref()
+    }
+
+    /// The guided scene whose words are shown.
+    pub fn lesson(&self) -> Option<&'static Lesson> {
+        self.learning.lesson()
     }
 }

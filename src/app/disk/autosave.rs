@@ -12,8 +12,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use crate::app::disk::exit_hook::{self, Will};
-use crate::app::run::runner::Wake;
-use crate::app::time::clock::now;
+use crate::app::host::{Wake, now};
 use crate::files::{SideFile, WriteError};
 use crate::scene::Scene;
 

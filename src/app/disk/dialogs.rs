@@ -6,9 +6,8 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use rfd::{AsyncFileDialog, FileHandle};
 
-use crate::app::command::{Command, Export};
-use crate::app::disk::film::{FilmFormat, Filming};
-use crate::app::run::runner::Wake;
+use crate::app::command::{Command, Export, FileCommand, FilmFormat, Filming};
+use crate::app::host::Wake;
 
 /// Dialogs that are open, and what was chosen in them.
 pub(in crate::app) struct Dialogs {
@@ -38,18 +37,18 @@ impl Dialogs {
 
     /// Which scene to open.
     pub(in crate::app) fn open(&self) {
-        self.wait(scenes().pick_file(), Command::OpenFile);
+        self.wait(scenes().pick_file(), FileCommand::Open);
     }
 
     /// Which record shakes the ground.
     pub(in crate::app) fn record(&self) {
-        self.wait(AsyncFileDialog::new().add_filter("CSV", &["csv", "txt"]).pick_file(), Command::Record);
+        self.wait(AsyncFileDialog::new().add_filter("CSV", &["csv", "txt"]).pick_file(), FileCommand::Record);
     }
 
     /// Where to save the scene.
     pub(in crate::app) fn save(&self, name: &str) {
         self.wait(scenes().set_file_name(format!("{name}.toml")).save_file(), |path| {
-            Command::SaveFile(with_extension(path, "toml"))
+            FileCommand::SaveTo(with_extension(path, "toml"))
         });
     }
 
@@ -58,10 +57,10 @@ impl Dialogs {
         match what {
             Export::Picture => {
                 let dialog = AsyncFileDialog::new().add_filter("PNG", &["png"]).set_file_name(format!("{name}.png"));
-                self.wait(dialog.save_file(), move |path| Command::ExportTo(what, with_extension(path, "png")));
+                self.wait(dialog.save_file(), move |path| FileCommand::Export(what, with_extension(path, "png")));
             }
             Export::Tables => {
-                self.wait(AsyncFileDialog::new().pick_folder(), move |path| Command::ExportTo(what, path));
+                self.wait(AsyncFileDialog::new().pick_folder(), move |path| FileCommand::Export(what, path));
             }
         }
     }
@@ -69,12 +68,12 @@ impl Dialogs {
     /// Where to write the plots.
     pub(in crate::app) fn plots(&self, format: &'static str, name: &str) {
         let dialog = AsyncFileDialog::new().add_filter(format, &[format]).set_file_name(format!("{name}.{format}"));
-        self.wait(dialog.save_file(), move |path| Command::Plots(with_extension(path, format)));
+        self.wait(dialog.save_file(), move |path| FileCommand::Plots(with_extension(path, format)));
     }
 
     /// Where a film is to go.
     pub(in crate::app) fn film(&self, format: FilmFormat, name: &str) {
-        let then = |path| Command::Film(Filming::Shoot(path));
+        let then = Filming::Shoot;
         match format {
             FilmFormat::Gif => {
                 let dialog = AsyncFileDialog::new().add_filter("GIF", &["gif"]).set_file_name(format!("{name}.gif"));
@@ -84,10 +83,10 @@ impl Dialogs {
         }
     }
 
-    fn wait(
+    fn wait<C: Into<Command>>(
         &self,
         dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,
-        then: impl FnOnce(PathBuf) -> Command + Send + 'static,
+        then: impl FnOnce(PathBuf) -> C + Send + 'static,
     ) {
         if self.silent {
             return;
@@ -96,7 +95,7 @@ impl Dialogs {
         std::thread::spawn(move || {
             if let Some(file) = pollster::block_on(dialog) {
                 // Nobody listens any more when the window has closed: nothing to do then.
-                let _ = send.send(then(file.path().to_owned()));
+                let _ = send.send(then(file.path().to_owned()).into());
                 wake();
             }
         });

@@ -6,77 +6,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread::JoinHandle;
 
+use crate::app::command::{FilmFormat, FilmPlan};
+use crate::app::host::Wake;
 use crate::app::run::answer::Answer;
-use crate::app::run::runner::Wake;
 use crate::app::text;
 use crate::files::{Draft, FileSet, WriteError};
 use crate::render::{GpuError, Packing};
-use crate::snapshot::{Frame, GifError, Instant, MOST_FPS, Shot, Studio, film, gif, instants};
-
-/// A longer film is a mistake in a number.
-const MOST_FRAMES: u32 = 20_000;
-
-/// What a film becomes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FilmFormat {
-    /// Numbered pictures in a folder.
-    Png,
-    /// One file that plays by itself.
-    Gif,
-}
-
-/// What the dialog asks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FilmPlan {
-    /// Pictures or one file.
-    pub format: FilmFormat,
-    /// Where in the run it begins \[s\].
-    pub from: f64,
-    /// Where it ends \[s\].
-    pub to: f64,
-    /// Seconds of the run in a second of the film.
-    pub speed: f64,
-    /// Frames in a second of the film \[Hz\].
-    pub fps: f64,
-    /// Width and height \[pixels\]; as large as the view when none.
-    pub size: Option<[u32; 2]>,
-}
-
-/// A wish about films.
-#[derive(Clone, Debug)]
-pub enum Filming {
-    /// Open the dialog.
-    Ask,
-    /// Another plan.
-    Plan(FilmPlan),
-    /// Close the dialog.
-    Never,
-    /// Ask where the film is to go.
-    Choose,
-    /// Film into a folder (pictures) or file (GIF).
-    Shoot(PathBuf),
-    /// Stop filming; nothing stays.
-    Cancel,
-}
-
-impl FilmPlan {
-    /// A slow film of a stretch of the run.
-    pub(in crate::app) fn of(from: f64, to: f64) -> Self {
-        Self { format: FilmFormat::Gif, from, to, speed: 0.1, fps: 25.0, size: None }
-    }
-
-    /// Frames a second that the format can have.
-    pub(in crate::app) fn fastest(format: FilmFormat) -> f64 {
-        if format == FilmFormat::Gif { MOST_FPS } else { 120.0 }
-    }
-
-    /// How many frames there are; `None` when there would be none, or far too many.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be in 1..=MOST_FRAMES")]
-    pub fn frames(&self) -> Option<u32> {
-        let frames = ((self.to - self.from) / self.speed * self.fps).round() + 1.0;
-        (self.to >= self.from && (1.0..=f64::from(MOST_FRAMES)).contains(&frames)).then_some(frames as u32)
-    }
-}
+use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
 
 /// Everything that a film depends on, when it is begun.
 pub(in crate::app) struct Order {
@@ -88,6 +24,11 @@ pub(in crate::app) struct Order {
     pub(in crate::app) shot: Shot,
     /// What numbered pictures are called.
     pub(in crate::app) name: String,
+}
+
+/// A scene's name as a file's name can be.
+pub(in crate::app) fn file_stem(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
 }
 
 /// A film on its way.

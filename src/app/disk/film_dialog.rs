@@ -1,81 +1,33 @@
 //! The dialog that asks for a film, and the progress of one that is being written.
 
-use std::path::PathBuf;
-
 use egui::{Align2, Area, Button, ComboBox, DragValue, Frame, Grid, Id, Modal, Order, ProgressBar, RichText, Ui, vec2};
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::disk::film::{self, FilmFormat, FilmPlan, Filming};
+use crate::app::command::{Command, FilmFormat, FilmPlan, Filming};
+use crate::app::disk::film::Films;
 use crate::app::text;
 use crate::app::time::clock::SPEEDS;
-use crate::snapshot::Shot;
 
 /// Sizes to choose from \[pixels\].
 const SIZES: [[u32; 2]; 4] = [[640, 360], [854, 480], [1280, 720], [1920, 1080]];
 
-impl Workbench {
-    /// Frames written and frames in all, while a film is being written.
-    pub fn filming(&self) -> Option<(usize, u32)> {
-        self.films.progress()
-    }
-
-    /// What the film dialog shows, while it is open.
-    pub fn film_plan(&self) -> Option<&FilmPlan> {
-        self.films.plan.as_ref()
-    }
-
-    /// Does what is wished.
-    pub(in crate::app) fn apply_film(&mut self, wish: Filming) {
-        match wish {
-            Filming::Ask => {
-                let [from, to] = self.time_window.unwrap_or([0.0, self.end()]);
-                self.films.plan = Some(FilmPlan::of(from, to));
-            }
-            Filming::Plan(plan) => self.films.plan = Some(plan),
-            Filming::Never => self.films.plan = None,
-            Filming::Choose => {
-                if let Some(plan) = self.films.plan {
-                    self.dialogs.film(plan.format, &self.file_stem());
-                }
-            }
-            Filming::Shoot(path) => self.shoot(path),
-            Filming::Cancel => {
-                self.films.cancel();
-                self.notice = Some(text::FILM_CANCELLED.into());
-            }
-        }
-    }
-
-    fn shoot(&mut self, path: PathBuf) {
-        let (Some(plan), Some(answer)) = (self.films.plan.take(), self.answer().cloned()) else { return };
-        let shot = Shot {
-            camera: self.camera().copied(),
-            size: plan.size.unwrap_or(self.viewport.size()),
-            overlays: Some(self.overlays),
-            background: self.viewport.background(),
-            force_scale: self.force_scale,
-            ..Shot::default()
-        };
-        let order = film::Order { answer, plan, shot, name: self.file_stem() };
-        self.films.shoot(order, path, self.wake.clone());
-    }
-
-    /// The scene's name as a file's name can be.
-    fn file_stem(&self) -> String {
-        self.scene().name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
-    }
+/// What a film can be taken of.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::app) struct Scope {
+    /// End of the answer \[s\].
+    pub(in crate::app) end: f64,
+    /// Width and height of the view \[pixels\].
+    pub(in crate::app) view: [u32; 2],
 }
 
 /// Shows the dialog while it is open, and the progress while there is some.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if let Some(plan) = bench.film_plan() {
-        let modal = Modal::new(Id::unique("film")).show(ui, |ui| dialog(ui, bench, *plan, out));
+pub(in crate::app) fn show(ui: &mut Ui, films: &Films, scope: Scope, out: &mut Vec<Command>) {
+    if let Some(plan) = films.plan {
+        let modal = Modal::new(Id::unique("film")).show(ui, |ui| dialog(ui, scope, plan, out));
         if modal.should_close() {
             out.push(Command::Film(Filming::Never));
         }
     }
-    if let Some((done, count)) = bench.filming() {
+    if let Some((done, count)) = films.progress() {
         let area = Area::new(Id::unique("filming")).order(Order::Foreground);
         area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -84.0)).show(ui, |ui| {
             Frame::popup(ui.style()).show(ui, |ui| progress(ui, done, count, out));
@@ -93,17 +45,16 @@ fn progress(ui: &mut Ui, done: usize, count: u32, out: &mut Vec<Command>) {
     });
 }
 
-fn dialog(ui: &mut Ui, bench: &Workbench, plan: FilmPlan, out: &mut Vec<Command>) {
+fn dialog(ui: &mut Ui, scope: Scope, plan: FilmPlan, out: &mut Vec<Command>) {
     let mut new = plan;
     ui.heading(text::FILM);
     Grid::new("film").num_columns(2).spacing([18.0, 6.0]).show(ui, |ui| {
         format(ui, &mut new.format);
-        let end = bench.end();
-        number(ui, text::FILM_FROM, &mut new.from, " s", 0.0..=end);
-        number(ui, text::FILM_TO, &mut new.to, " s", 0.0..=end);
+        number(ui, text::FILM_FROM, &mut new.from, " s", 0.0..=scope.end);
+        number(ui, text::FILM_TO, &mut new.to, " s", 0.0..=scope.end);
         speed(ui, &mut new.speed);
         number(ui, text::FILM_FPS, &mut new.fps, " Hz", 1.0..=FilmPlan::fastest(new.format));
-        size(ui, bench, &mut new.size);
+        size(ui, scope.view, &mut new.size);
     });
     ui.add_space(4.0);
     let frames = new.frames();
@@ -150,11 +101,11 @@ fn speed(ui: &mut Ui, speed: &mut f64) {
     ui.end_row();
 }
 
-fn size(ui: &mut Ui, bench: &Workbench, size: &mut Option<[u32; 2]>) {
+fn size(ui: &mut Ui, [width, height]: [u32; 2], size: &mut Option<[u32; 2]>) {
     let label = ui.label(text::FILM_SIZE);
     let words = |size: Option<[u32; 2]>| match size {
         Some([width, height]) => format!("{width} × {height}"),
-        None => format!("{} ({} × {})", text::FILM_AS_VIEW, bench.viewport.size()[0], bench.viewport.size()[1]),
+        None => format!("{} ({width} × {height})", text::FILM_AS_VIEW),
     };
     let combo = ComboBox::from_id_salt("film size").width(190.0).selected_text(words(*size)).show_ui(ui, |ui| {
         for option in [None].into_iter().chain(SIZES.map(Some)) {

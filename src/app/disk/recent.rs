@@ -1,24 +1,22 @@
 //! The list of files that were used last, in the file menu.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use egui::{Button, RichText, Ui};
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::disk::session_files::Keep;
+use crate::app::command::{Command, FileCommand, Keep};
 use crate::app::text;
 
 /// Shows the list: a file that is there can be opened, one that has gone can be forgotten.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.recent().is_empty() {
+pub(in crate::app) fn show(ui: &mut Ui, recent: &[PathBuf], out: &mut Vec<Command>) {
+    if recent.is_empty() {
         ui.label(RichText::new(text::NO_RECENT).weak());
         return;
     }
-    for file in bench.recent() {
+    for file in recent {
         if file.is_file() {
             if ui.button(short(file)).on_hover_text(file.display().to_string()).clicked() {
-                out.push(Command::OpenFile(file.clone()));
+                out.push(FileCommand::Open(file.clone()).into());
                 ui.close();
             }
         } else {

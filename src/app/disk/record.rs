@@ -1,28 +1,20 @@
-//! A record of ground motion from a file into the scene.
+//! A record of ground motion from a file.
 
 use std::path::{Path, PathBuf};
 
-use crate::app::bench::Workbench;
-use crate::app::edits;
 use crate::files::read_record;
 use crate::scene::{Motion, RecordMotion};
 
-impl Workbench {
-    /// Shakes the ground by the record in a file; scale and angle stay if there was a record before, the angle in any
-    /// case. A file that is no record is refused in words.
-    pub(in crate::app) fn take_record(&mut self, path: &Path) {
-        let folder = self.document.file().and_then(Path::parent).map(Path::to_owned).unwrap_or_default();
-        match read_record(&folder.join(path)) {
-            Ok(series) => {
-                let before = &self.scene().motion;
-                let scale = if let Motion::Record(record) = before { record.scale } else { 1.0 };
-                let (file, angle_deg) = (Some(seen_from(&folder, path)), before.angle_deg());
-                let record = RecordMotion { samples: None, dt: None, file, scale, angle_deg, loaded: Some(series) };
-                self.edit(edits::motion(Motion::Record(record)), None);
-            }
-            Err(errors) => self.notice = Some(errors.to_string()),
-        }
-    }
+/// Shaking by the record in a file, the path given from the scene's own `folder` on. The scale stays if there was a
+/// record before, the angle in any case.
+///
+/// # Errors
+/// In words: a file that is no record.
+pub(in crate::app) fn shaking_by(path: &Path, folder: &Path, before: &Motion) -> Result<Motion, String> {
+    let series = read_record(&folder.join(path)).map_err(|errors| errors.to_string())?;
+    let scale = if let Motion::Record(record) = before { record.scale } else { 1.0 };
+    let (file, angle_deg) = (Some(seen_from(folder, path)), before.angle_deg());
+    Ok(Motion::Record(RecordMotion { samples: None, dt: None, file, scale, angle_deg, loaded: Some(series) }))
 }
 
 /// The path as the scene's file writes it: from its own folder on, if the record is in there.

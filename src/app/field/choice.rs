@@ -2,8 +2,9 @@
 
 use egui::{ComboBox, Response, Ui};
 
-use super::frame::{self, SIGN};
-use super::{CLICK, Change, Place, complain, line, reset_sign};
+use super::frame::{self, SIGN, complain, reset_sign};
+use super::place::{CLICK, Change, Place};
+use super::slider::line;
 use crate::app::text;
 use crate::scene::keys;
 

@@ -2,10 +2,12 @@
 
 use egui::{Button, Response, RichText, Ui, vec2};
 
-use super::{Field, Place, Unit};
+use super::entry::Field;
+use super::place::Place;
 use crate::app::style::icons::{self, Icon};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::app::unit::{PURE, Unit};
 use crate::scene::keys::{self, Fallback, Key};
 
 /// Room for the sign that takes a value back \[points\].
@@ -57,7 +59,7 @@ pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, (key, 
         Fallback::Word(word) => Some(word.to_owned()),
         _ => None,
     });
-    say(ui, response, &path, label, || hint(known, super::PURE, &Own { words: words.clone(), differs: false }))
+    say(ui, response, &path, label, || hint(known, PURE, &Own { words: words.clone(), differs: false }))
 }
 
 /// The same for a widget that has more to say.

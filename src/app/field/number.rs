@@ -4,11 +4,13 @@ use std::cell::RefCell;
 
 use egui::{DragValue, Id, Response, Ui, vec2};
 
-use super::frame::{self, Own, SIGN};
-use super::{CLICK, Change, Done, Field, Place, Unit, change, complain, reset_sign};
-use crate::app::field::units;
+use super::entry::{Done, Field};
+use super::frame::{self, Own, SIGN, complain, reset_sign};
+use super::parse;
+use super::place::{CLICK, Change, Place, change};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::app::unit::Unit;
 use crate::scene::keys::Key;
 
 /// Width of a number with the sign behind it \[points\].
@@ -71,7 +73,7 @@ pub(super) type Typed = RefCell<Option<Result<Option<f64>, String>>>;
 /// Reads what is typed and keeps it, also where it is no number.
 pub(super) fn reader(typed: &Typed, unit: Unit) -> impl Fn(&str) -> Option<f64> + '_ {
     move |text| {
-        let read = units::read(text, unit);
+        let read = parse::read(text, unit);
         let number = read.clone().ok().flatten();
         *typed.borrow_mut() = Some(read);
         number

@@ -2,9 +2,11 @@
 
 use egui::{Response, RichText, Slider, Ui};
 
-use super::frame::{self, Own, SIGN};
+use super::entry::{Done, Field};
+use super::frame::{self, Own, SIGN, complain, reset_sign};
 use super::number::{Typed, reader, refusal};
-use super::{CLICK, Change, Done, Field, Place, Unit, complain, reset_sign};
+use super::place::{CLICK, Change, Place};
+use crate::app::unit::Unit;
 use crate::scene::keys::Key;
 
 /// Width of the names in front of sliders \[points\].

@@ -2,15 +2,14 @@
 
 use egui::{Button, Label, Panel, RichText, ScrollArea, Ui};
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::learn::lessons::{Learn, Lesson, lessons};
+use crate::app::command::{Command, Learn};
+use crate::app::learn::lessons::{Learning, Lesson, lessons};
 use crate::app::text;
 
 /// The menu of guided scenes.
-pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+pub(in crate::app) fn menu(ui: &mut Ui, learning: Learning, out: &mut Vec<Command>) {
     for (number, lesson) in lessons().iter().enumerate() {
-        let chosen = bench.lesson().is_some_and(|open| open.name == lesson.name);
+        let chosen = learning.lesson().is_some_and(|open| open.name == lesson.name);
         if ui.add(Button::selectable(chosen, lesson.title.as_str())).clicked() {
             out.push(Command::Learn(Learn::Open(number)));
             ui.close();
@@ -19,8 +18,8 @@ pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
 }
 
 /// Shows the words while a guided scene is open.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let Some(lesson) = bench.lesson() else { return };
+pub(in crate::app) fn show(ui: &mut Ui, learning: Learning, out: &mut Vec<Command>) {
+    let Some(lesson) = learning.lesson() else { return };
     let side = egui::Frame::side_top_panel(ui.style()).inner_margin(egui::Margin::same(10));
     Panel::right("lesson").frame(side).default_size(264.0).size_range(220.0..=420.0).show(ui, |ui| {
         ScrollArea::vertical().id_salt("lesson").auto_shrink(false).show(ui, |ui| words(ui, lesson, out));

@@ -7,8 +7,6 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
 use crate::scene::edit::Edit;
 use crate::scene::{Scene, SceneErrors, format};
 
@@ -44,19 +42,6 @@ pub struct Try {
     pub text: String,
     /// Values by their paths, as in `--set`.
     pub set: Vec<String>,
-}
-
-/// A wish about lessons.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Learn {
-    /// Open the lesson of this number.
-    Open(usize),
-    /// Do the thing to try of this number.
-    Try(usize),
-    /// Put the lesson's scene back.
-    Reset,
-    /// Close the words; the scene stays.
-    Close,
 }
 
 macro_rules! file {
@@ -107,40 +92,53 @@ impl Try {
     }
 }
 
-impl Workbench {
-    /// The guided scene whose words are shown.
-    pub fn lesson(&self) -> Option<&'static Lesson> {
-        self.lesson.and_then(|number| lessons().get(number))
+/// Which lesson is open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Learning {
+    open: Option<usize>,
+}
+
+impl Learning {
+    /// Opens the lesson of this number; `None` where there is none, and the one that was open stays.
+    pub(in crate::app) fn open(&mut self, number: usize) -> Option<&'static Lesson> {
+        let lesson = lessons().get(number)?;
+        self.open = Some(number);
+        Some(lesson)
     }
 
-    /// Does what is wished.
-    pub(in crate::app) fn apply_learn(&mut self, wish: Learn) {
-        match wish {
-            Learn::Open(number) => self.open_lesson(number),
-            Learn::Reset => self.lesson.into_iter().for_each(|number| self.open_lesson(number)),
-            Learn::Close => self.lesson = None,
-            Learn::Try(number) => {
-                let (Some(open), Some(lesson)) = (self.lesson, self.lesson()) else { return };
-                if self.scene().name != lesson.name {
-                    self.open_lesson(open);
-                }
-                if let Some(try_it) = lesson.tries.get(number) {
-                    self.apply(Command::Edit { edit: try_it.edit(), gesture: None });
-                }
-            }
-        }
+    /// Closes the one that is open.
+    pub(in crate::app) fn close(&mut self) {
+        self.open = None;
     }
 
-    fn open_lesson(&mut self, number: usize) {
-        let Some(lesson) = lessons().get(number) else { return };
-        match lesson.scene() {
-            Ok(scene) => {
-                self.aim_next = Some(scene.view.camera);
-                self.take_up(scene, None);
-                self.lesson = Some(number);
-                self.clock.t = lesson.at.min(self.end());
-            }
-            Err(errors) => self.notice = Some(errors.to_string()),
-        }
+    /// Number of the lesson that is open.
+    pub(in crate::app) fn number(self) -> Option<usize> {
+        self.open
+    }
+
+    /// The lesson that is open.
+    pub(in crate::app) fn lesson(self) -> Option<&'static Lesson> {
+        self.open.and_then(|number| lessons().get(number))
+    }
+
+    /// The edit of a thing to try of the lesson that is open.
+    pub(in crate::app) fn try_edit(self, number: usize) -> Option<Edit> {
+        self.lesson()?.tries.get(number).map(Try::edit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_lessons_that_there_are_can_be_opened() {
+        let mut learning = Learning::default();
+        assert_eq!(learning.open(1).map(|l| l.name), Some(lessons()[1].name), "the second");
+        assert!(learning.open(lessons().len()).is_none(), "one too far");
+        assert_eq!(learning.number(), Some(1), "the second is still open");
+        assert!(learning.try_edit(usize::MAX).is_none(), "no such thing to try");
+        learning.close();
+        assert!(learning.lesson().is_none(), "closed");
     }
 }

@@ -6,8 +6,7 @@ use std::time::{Duration, SystemTime};
 use egui::{Id, Modal, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::disk::session_files::Keep;
+use crate::app::command::{Command, Keep};
 use crate::app::text;
 use crate::files::Found;
 

@@ -3,10 +3,9 @@
 use egui::{RichText, TextEdit, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::field::{
-    ACCELERATION, CLICK, Change, DEGREES, GRAVITIES, HERTZ, PURE, Place, SECONDS, choice_line, complain, slider, tag,
-};
+use crate::app::command::{Command, EditCommand, FileCommand};
+use crate::app::field::{CLICK, Change, Place, choice_line, complain, slider, tag};
+use crate::app::unit::{ACCELERATION, DEGREES, GRAVITIES, HERTZ, PURE, SECONDS};
 use crate::app::{edits, text};
 use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
 
@@ -38,7 +37,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         Motion::Record(record) => record_rows(ui, place, record, out),
     };
     if let Some(change) = kind.or(change) {
-        out.push(Command::Edit { edit: edits::motion(new), gesture: change.gesture });
+        out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
     }
 }
 
@@ -126,11 +125,11 @@ fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<
         } else {
             ui.data_mut(|d| d.remove::<String>(draft_id));
             if response.lost_focus() && draft != file && !draft.trim().is_empty() {
-                out.push(Command::Record(draft.trim().into()));
+                out.push(FileCommand::Record(draft.trim().into()).into());
             }
         }
         if ui.button(text::CHOOSE).on_hover_text(text::CHOOSE_HINT).clicked() {
-            out.push(Command::AskRecord);
+            out.push(FileCommand::AskRecord.into());
         }
     });
     if let Some(complaint) = place.complaint("file") {

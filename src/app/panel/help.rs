@@ -3,7 +3,7 @@
 use egui::{Grid, Id, Modal, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, WindowCommand};
 use crate::app::text;
 
 /// Shows the help while it is open.
@@ -21,10 +21,10 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             }
         });
         if ui.button(text::CLOSE).clicked() {
-            out.push(Command::Help(false));
+            out.push(WindowCommand::Help(false).into());
         }
     });
     if modal.should_close() {
-        out.push(Command::Help(false));
+        out.push(WindowCommand::Help(false).into());
     }
 }

@@ -3,10 +3,11 @@
 use egui::{Button, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::field::{Change, DEGREES, Place, Unit, force_unit, length_unit, number, tag};
+use crate::app::command::{Command, EditCommand, TimeCommand};
+use crate::app::field::{Change, Place, number, tag};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::app::unit::{DEGREES, Unit, force_unit, length_unit};
 use crate::scene::Limits;
 use crate::scene::edit::Edit;
 
@@ -41,7 +42,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         ];
     });
     if let Some(change) = changes.into_iter().flatten().next() {
-        out.push(Command::Edit { edit: Edit::Limits(new), gesture: change.gesture });
+        out.push(EditCommand::Change { edit: Edit::Limits(new), gesture: change.gesture }.into());
     }
     flags(ui, bench, out);
 }
@@ -81,7 +82,7 @@ fn flags(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     for flag in passed {
         let words = RichText::new(text::passed(flag)).color(Palette::of(ui).problem);
         if ui.add(Button::new(words).wrap()).clicked() {
-            out.push(Command::Seek(flag.t));
+            out.push(TimeCommand::Seek(flag.t).into());
         }
     }
 }

@@ -3,13 +3,13 @@
 use egui::{Button, MenuBar, Theme, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::{Command, Export};
-use crate::app::disk::film::Filming;
+use crate::app::command::{
+    Command, EditCommand, Export, FileCommand, Filming, PlaceCommand, SelectCommand, Tool, ViewCommand, WindowCommand,
+};
 use crate::app::disk::recent;
 use crate::app::learn::lesson_panel;
-use crate::app::panel::row_dialog::RowDraft;
-use crate::app::text;
-use crate::app::viewport::tool::Tool;
+use crate::app::panel::view_menu;
+use crate::app::{edits, text};
 use crate::scene::{ViewPreset, presets};
 
 /// Shows the bar.
@@ -18,20 +18,20 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         ui.menu_button(text::FILE, |ui| file(ui, bench, out));
         ui.menu_button(text::EDIT, |ui| edit(ui, bench, out));
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
-        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench, out));
+        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench.learning, out));
         ui.separator();
         let (undo, redo) = (bench.undo_label(), bench.redo_label());
-        button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Undo, out);
-        button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Redo, out);
+        button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Edit(EditCommand::Undo), out);
+        button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Edit(EditCommand::Redo), out);
         ui.separator();
         let some = bench.selected_body().is_some();
-        button(ui, some, text::DUPLICATE, "Ctrl D", Command::Duplicate, out);
-        button(ui, some, text::REMOVE, "Delete", Command::Remove, out);
+        button(ui, some, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
+        button(ui, some, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove), out);
         ui.separator();
         views(ui, out);
-        ui.menu_button(text::VIEWS, |ui| crate::app::viewport::view_options::menu(ui, bench, out));
+        ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench, out));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            button(ui, true, text::HELP, "F1", Command::Help(true), out);
+            button(ui, true, text::HELP, "F1", Command::Window(WindowCommand::Help(true)), out);
             theme(ui, out);
         });
     });
@@ -44,16 +44,16 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
 }
 
 fn file(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    item(ui, text::NEW, "Ctrl N", Command::New, out);
-    item(ui, text::OPEN, "Ctrl O", Command::OpenDialog, out);
-    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, bench, out));
+    item(ui, text::NEW, "Ctrl N", Command::File(FileCommand::New), out);
+    item(ui, text::OPEN, "Ctrl O", Command::File(FileCommand::AskOpen), out);
+    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, bench.recent(), out));
     let items = [
-        (text::SAVE, "Ctrl S", Command::Save),
-        (text::SAVE_AS, "Ctrl Shift S", Command::SaveAs),
-        (text::EXPORT_PICTURE, "", Command::Export(Export::Picture)),
+        (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
+        (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::SaveAs)),
+        (text::EXPORT_PICTURE, "", Command::File(FileCommand::AskExport(Export::Picture))),
         (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
-        (text::EXPORT_TABLES, "", Command::Export(Export::Tables)),
-        (text::QUIT, "Ctrl Q", Command::Close),
+        (text::EXPORT_TABLES, "", Command::File(FileCommand::AskExport(Export::Tables))),
+        (text::QUIT, "Ctrl Q", Command::Window(WindowCommand::Close)),
     ];
     for (words, keys, command) in items {
         item(ui, words, keys, command, out);
@@ -70,12 +70,12 @@ fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Co
 fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let (bodies, any) = (bench.selected_body().is_some(), !bench.scene().girders.is_empty());
     let items = [
-        (true, text::PLACE_GIRDER, "Shift G", Command::Tool(Tool::Girder)),
-        (any, text::PLACE_ABUTMENT, "Shift B", Command::Tool(Tool::Abutment)),
-        (any, text::ROW_ASK, "Ctrl R", Command::AskRow(Some(RowDraft::of(bench)))),
-        (any, text::SELECT_ALL, "Ctrl A", Command::SelectAll),
-        (bodies, text::DUPLICATE, "Ctrl D", Command::Duplicate),
-        (bodies, text::REMOVE, "Delete", Command::Remove),
+        (true, text::PLACE_GIRDER, "Shift G", Command::View(ViewCommand::Tool(Tool::Girder))),
+        (any, text::PLACE_ABUTMENT, "Shift B", Command::View(ViewCommand::Tool(Tool::Abutment))),
+        (any, text::ROW_ASK, "Ctrl R", Command::Window(WindowCommand::AskRow(Some(edits::offered_row(bench.scene()))))),
+        (any, text::SELECT_ALL, "Ctrl A", Command::Select(SelectCommand::All)),
+        (bodies, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate)),
+        (bodies, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove)),
     ];
     for (enabled, words, keys, command) in items {
         if ui.add_enabled(enabled, Button::new(words).shortcut_text(keys)).clicked() {
@@ -89,7 +89,7 @@ fn preset_list(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     for preset in presets::all() {
         let chosen = bench.scene().name == preset.name;
         if ui.add(Button::selectable(chosen, preset.name)).on_hover_text(preset.summary).clicked() {
-            out.push(Command::OpenPreset(preset.name.to_owned()));
+            out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
             ui.close();
         }
     }
@@ -103,13 +103,13 @@ fn views(ui: &mut Ui, out: &mut Vec<Command>) {
         (text::VIEW_CONTACT, "4", ViewPreset::Contact),
     ];
     for (words, key, preset) in presets {
-        button(ui, true, words, key, Command::View(preset), out);
+        button(ui, true, words, key, Command::View(ViewCommand::Preset(preset)), out);
     }
-    button(ui, true, text::VIEW_FRAME, text::FRAME_HINT, Command::Frame, out);
+    button(ui, true, text::VIEW_FRAME, text::FRAME_HINT, Command::View(ViewCommand::Frame), out);
 }
 
 fn theme(ui: &mut Ui, out: &mut Vec<Command>) {
     let (words, other) =
         if ui.visuals().dark_mode { (text::THEME_LIGHT, Theme::Light) } else { (text::THEME_DARK, Theme::Dark) };
-    button(ui, true, words, text::THEME_HINT, Command::Theme(other), out);
+    button(ui, true, words, text::THEME_HINT, Command::Window(WindowCommand::Theme(other)), out);
 }

@@ -1,9 +1,11 @@
 //! Panels and dialogs of the window: they read the workbench and return commands.
 
+pub(in crate::app) mod comparison;
 pub(in crate::app) mod file_questions;
 pub(in crate::app) mod ground_motion;
 pub(in crate::app) mod help;
 pub(in crate::app) mod inspector;
+pub(in crate::app) mod layout;
 pub(in crate::app) mod limits;
 pub(in crate::app) mod menu;
 pub(in crate::app) mod models;
@@ -11,9 +13,9 @@ pub(in crate::app) mod name_field;
 pub(in crate::app) mod notices;
 pub(in crate::app) mod outliner;
 pub(in crate::app) mod overlays;
-pub(in crate::app) mod pins;
 pub(in crate::app) mod results;
 pub(in crate::app) mod row_dialog;
 pub(in crate::app) mod shortcuts;
 pub(in crate::app) mod status;
+pub(in crate::app) mod view_menu;
 pub(in crate::app) mod whatif;

@@ -3,10 +3,11 @@
 use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::field::{PURE, Place, SLOW, choice_line, slider, slider_of};
+use crate::app::command::{Command, EditCommand};
+use crate::app::field::{Place, choice_line, slider, slider_of};
 use crate::app::run::answer::Apart;
 use crate::app::text;
+use crate::app::unit::{PURE, SLOW};
 use crate::scene::edit::Edit;
 use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
 use crate::sim::State;
@@ -24,7 +25,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         ui.add(egui::Label::new(RichText::new(text::MODEL_SPATIAL).weak().small()).wrap());
     }
     if model != scene.model {
-        out.push(Command::Edit { edit: Edit::Model(model), gesture: None });
+        out.push(EditCommand::Change { edit: Edit::Model(model), gesture: None }.into());
     }
     if scene.model.kind != ModelKind::Contact {
         numbers(ui, bench, out);
@@ -81,7 +82,7 @@ fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let rule = choice_line(ui, place, ("flush", text::FLUSH_HITS), &mut new.flush, &RULES);
     let change = changes.into_iter().chain(corner).flatten().next().or(speed).or(rule);
     if let Some(change) = change {
-        out.push(Command::Edit { edit: Edit::Impact(new), gesture: change.gesture });
+        out.push(EditCommand::Change { edit: Edit::Impact(new), gesture: change.gesture }.into());
     }
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{Id, TextEdit, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, EditCommand};
 use crate::app::field::{Place, tag};
 use crate::app::text;
 use crate::view::Target;
@@ -20,7 +20,7 @@ pub(in crate::app) fn show(ui: &mut Ui, place: Place<'_>, target: Option<Target>
     } else {
         ui.data_mut(|d| d.remove::<String>(draft_id));
         if response.lost_focus() && draft != name {
-            out.push(Command::Rename(target, draft));
+            out.push(EditCommand::Rename(target, draft).into());
         }
     }
     ui.end_row();

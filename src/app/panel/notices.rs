@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, FileCommand, WindowCommand};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 
@@ -13,7 +13,7 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, bench: &Workbench, out:
         let veil: Color32 = Palette::of(ui).view.gamma_multiply(0.55);
         ui.painter().rect_filled(rect, 0.0, veil);
     }
-    if bench.tool() != crate::app::viewport::tool::Tool::Select {
+    if bench.tool() != crate::app::command::Tool::Select {
         let at = rect.center_bottom() - vec2(0.0, 10.0);
         let font = egui::FontId::proportional(12.0);
         ui.painter().text(at, Align2::CENTER_BOTTOM, text::TOOL_ENDS, font, Palette::of(ui).weak);
@@ -48,7 +48,7 @@ fn computing(ui: &mut Ui, progress: f64, out: &mut Vec<Command>) {
         ui.label(text::COMPUTING);
         ui.add(ProgressBar::new(progress as f32).desired_width(140.0).show_percentage());
         if ui.button(text::CANCEL).clicked() {
-            out.push(Command::CancelRun);
+            out.push(WindowCommand::CancelRun.into());
         }
     });
 }
@@ -71,7 +71,7 @@ pub(in crate::app) fn over_all(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Com
                 ui.horizontal(|ui| {
                     ui.label(notice);
                     if ui.button(text::DISMISS).clicked() {
-                        out.push(Command::Dismiss);
+                        out.push(WindowCommand::Dismiss.into());
                     }
                 });
             });
@@ -82,9 +82,9 @@ pub(in crate::app) fn over_all(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Com
             ui.label(text::UNSAVED_QUESTION);
             ui.horizontal(|ui| {
                 for (words, command) in [
-                    (text::SAVE_FIRST, Command::Save),
-                    (text::CLOSE_ANYWAY, Command::CloseAnyway),
-                    (text::KEEP_OPEN, Command::KeepOpen),
+                    (text::SAVE_FIRST, Command::File(FileCommand::Save)),
+                    (text::CLOSE_ANYWAY, Command::Window(WindowCommand::CloseAnyway)),
+                    (text::KEEP_OPEN, Command::Window(WindowCommand::KeepOpen)),
                 ] {
                     if ui.button(words).clicked() {
                         out.push(command);

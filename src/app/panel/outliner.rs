@@ -3,9 +3,9 @@
 use egui::{Button, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::field::{self, Place, mark};
-use crate::app::text;
+use crate::app::command::{Command, PlaceCommand, SelectCommand, ViewCommand};
+use crate::app::field::{Place, mark};
+use crate::app::{text, unit};
 use crate::view::Target;
 
 /// Shows the list and the buttons that add to it.
@@ -17,19 +17,19 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             let add = ui.small_button(text::ADD_ABUTMENT).on_hover_text("B");
             mark(&add, top, ("abutment", text::ADD_ABUTMENT));
             if add.clicked() {
-                out.push(Command::AddAbutment);
+                out.push(PlaceCommand::AddAbutment.into());
             }
             let add = ui.small_button(text::ADD_GIRDER).on_hover_text("G");
             mark(&add, top, ("girder", text::ADD_GIRDER));
             if add.clicked() {
-                out.push(Command::AddGirder);
+                out.push(PlaceCommand::AddGirder.into());
             }
         });
     });
     let scene = bench.scene();
     egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
         for (i, girder) in scene.girders.iter().enumerate() {
-            let about = format!("β {}°", field::trimmed(girder.skew_deg));
+            let about = format!("β {}°", unit::trimmed(girder.skew_deg));
             row(ui, bench, Target::Girder(i), &girder.name, &about, out);
         }
         for (i, abutment) in scene.abutments.iter().enumerate() {
@@ -50,11 +50,11 @@ fn row(ui: &mut Ui, bench: &Workbench, target: Target, name: &str, about: &str, 
     if response.clicked() {
         let alone = selected && bench.selection().len() == 1;
         let also = ui.input(|i| i.modifiers.command || i.modifiers.shift);
-        let one = Command::Select(if alone { None } else { Some(target) });
-        out.push(if also { Command::SelectAlso(target) } else { one });
+        let one = Command::Select(SelectCommand::Only(if alone { None } else { Some(target) }));
+        out.push(if also { Command::Select(SelectCommand::Also(target)) } else { one });
     }
     if response.double_clicked() {
-        out.push(Command::Select(Some(target)));
-        out.push(Command::Frame);
+        out.push(SelectCommand::Only(Some(target)).into());
+        out.push(ViewCommand::Frame.into());
     }
 }

@@ -3,8 +3,9 @@
 use egui::{Slider, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, EditCommand, ViewCommand};
 use crate::app::field::{Place, choice_line, slider_row, tag};
+use crate::app::panel::view_menu;
 use crate::app::text;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset, ViewSettings};
@@ -24,10 +25,10 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         }
     });
     if changed {
-        out.push(Command::Overlays(overlays));
+        out.push(ViewCommand::Overlays(overlays).into());
     }
     force_scale(ui, bench, out);
-    crate::app::viewport::view_options::exaggeration(ui, bench, out);
+    view_menu::exaggeration(ui, bench, out);
     first_view(ui, bench, out);
 }
 
@@ -43,15 +44,15 @@ fn first_view(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let place = Place { problems: bench.problems(), table: "view" };
     let mut view = ViewSettings { ..bench.scene().view.clone() };
     if choice_line(ui, place, ("camera", text::FIRST_VIEW), &mut view.camera, &VIEWS).is_some() {
-        out.push(Command::Edit { edit: Edit::View(view), gesture: None });
+        out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
     }
 }
 
 fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let automatic = bench.automatic_force_scale();
+    let automatic = bench.display.automatic_force_scale();
     let mut auto = bench.force_scale().is_none();
     if ui.checkbox(&mut auto, text::AUTO_SCALE).changed() {
-        out.push(Command::ForceScale((!auto).then_some(automatic)));
+        out.push(ViewCommand::ForceScale((!auto).then_some(automatic)).into());
     }
     let mut scale = bench.force_scale().unwrap_or(automatic);
     let words = format!("{}/m", text::force(scale));
@@ -62,6 +63,6 @@ fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let place = Place { problems: bench.problems(), table: "view" };
     let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
     if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE)).changed() {
-        out.push(Command::ForceScale(Some(scale)));
+        out.push(ViewCommand::ForceScale(Some(scale)).into());
     }
 }

@@ -3,9 +3,9 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
-use crate::app::{field, text};
+use crate::app::{text, unit};
 use crate::dynamics::model::bearing::Quantities;
 use crate::scene::Girder;
 use crate::sim::quantity::{OfPair, Quantity};
@@ -30,7 +30,7 @@ pub(in crate::app) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, gird
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
     let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
-    let mut rows = vec![(text::US_SKEW, format!("{}°", field::trimmed(90.0 - girder.skew_deg)))];
+    let mut rows = vec![(text::US_SKEW, format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
     let body = bench.answer().and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
     if let Some(body) = body.filter(|_| !bench.is_stale()) {
         rows.extend(quantities(&body.quantities()));
@@ -125,7 +125,7 @@ fn touches(ui: &mut Ui, answer: &Answer, contact: usize, t: f64, out: &mut Vec<C
         let words = text::touch(touch.start, touch.end, touch.peak_force, touch.impulse);
         let here = (touch.start..=touch.end).contains(&t);
         if ui.add(egui::Button::selectable(here, words)).on_hover_text(text::GO_TO_PEAK).clicked() {
-            out.push(Command::Seek(touch.peak_time));
+            out.push(TimeCommand::Seek(touch.peak_time).into());
         }
     }
     if all.len() > MOST_TOUCHES {

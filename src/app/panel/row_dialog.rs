@@ -3,26 +3,11 @@
 use egui::{Id, Modal, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::bench::placing::MOST_SPANS;
-use crate::app::command::Command;
-use crate::app::field::{PURE, Place, Unit, length_unit, number};
+use crate::app::command::{Command, PlaceCommand, RowDraft, WindowCommand};
+use crate::app::edits::MOST_SPANS;
+use crate::app::field::{Place, number};
 use crate::app::text;
-
-/// What has been typed so far.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RowDraft {
-    /// Girders in the row, the selected one among them.
-    pub spans: usize,
-    /// Gap between neighbours \[m\].
-    pub gap: f64,
-}
-
-impl RowDraft {
-    /// What is offered at first: five spans with the gap that the scene has.
-    pub(in crate::app) fn of(bench: &Workbench) -> Self {
-        Self { spans: 5, gap: crate::app::edits::gap_of(bench.scene()).unwrap_or(0.003) }
-    }
-}
+use crate::app::unit::{PURE, Unit, length_unit};
 
 /// Shows the question while it is open.
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -41,19 +26,19 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         });
         new = RowDraft { spans: whole(spans), gap: new.gap.max(0.0) };
         if new != draft {
-            out.push(Command::AskRow(Some(new)));
+            out.push(WindowCommand::AskRow(Some(new)).into());
         }
         ui.horizontal(|ui| {
             if ui.button(text::ROW_MAKE).clicked() {
-                out.extend([Command::Array { spans: new.spans, gap: new.gap }, Command::AskRow(None)]);
+                out.extend([Command::Place(PlaceCommand::Array(new)), Command::Window(WindowCommand::AskRow(None))]);
             }
             if ui.button(text::CANCEL).clicked() {
-                out.push(Command::AskRow(None));
+                out.push(WindowCommand::AskRow(None).into());
             }
         });
     });
     if modal.should_close() {
-        out.push(Command::AskRow(None));
+        out.push(WindowCommand::AskRow(None).into());
     }
 }
 

@@ -5,19 +5,20 @@
 use egui::{Event, Key, Modifiers};
 
 use crate::app::bench::Workbench;
-use crate::app::command::{Command, Nudge, Way};
-use crate::app::panel::row_dialog::RowDraft;
-use crate::app::viewport::mouse;
-use crate::app::viewport::tool::Tool;
+use crate::app::command::{
+    Command, CompareCommand, EditCommand, FileCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand, Tool,
+    ViewCommand, Way, WindowCommand,
+};
+use crate::app::edits;
 use crate::scene::ViewPreset;
 
 /// Commands for the keys pressed in this frame.
 pub(in crate::app) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let asked = bench.asks_before_closing() || bench.asks_about_files();
+    let asked = bench.asks_before_closing() || bench.session.asks();
     if asked || bench.film_plan().is_some() || bench.row_draft().is_some() {
         return;
     }
-    if !bench.help_is_open() && mouse::keys(ui, bench, out) {
+    if !bench.help_is_open() && bench.viewport.hand.keys(ui, out) {
         return;
     }
     let typing = ui.text_edit_focused();
@@ -26,10 +27,10 @@ pub(in crate::app) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Comma
     for event in events {
         let Event::Key { key, pressed: true, modifiers, .. } = event else { continue };
         if bench.help_is_open() {
-            out.extend(matches!(key, Key::Escape | Key::F1).then_some(Command::Help(false)));
+            out.extend(matches!(key, Key::Escape | Key::F1).then_some(Command::Window(WindowCommand::Help(false))));
             continue;
         }
-        if bench.takes_number(key) && !modifiers.command && !modifiers.alt {
+        if bench.viewport.hand.takes_number(key) && !modifiers.command && !modifiers.alt {
             continue;
         }
         let command = with_command(key, modifiers)
@@ -56,17 +57,17 @@ fn is_widget_key(key: Key) -> bool {
 /// Keys that work while typing too.
 fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
     if key == Key::F1 {
-        return Some(Command::Help(true));
+        return Some(Command::Window(WindowCommand::Help(true)));
     }
     if !modifiers.command {
         return None;
     }
     match (key, modifiers.shift) {
-        (Key::S, true) => Some(Command::SaveAs),
-        (Key::S, false) => Some(Command::Save),
-        (Key::N, _) => Some(Command::New),
-        (Key::O, _) => Some(Command::OpenDialog),
-        (Key::Q, _) => Some(Command::Close),
+        (Key::S, true) => Some(Command::File(FileCommand::SaveAs)),
+        (Key::S, false) => Some(Command::File(FileCommand::Save)),
+        (Key::N, _) => Some(Command::File(FileCommand::New)),
+        (Key::O, _) => Some(Command::File(FileCommand::AskOpen)),
+        (Key::Q, _) => Some(Command::Window(WindowCommand::Close)),
         _ => None,
     }
 }
@@ -79,40 +80,40 @@ fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
         return nudge(key, modifiers.shift, bench);
     }
     match key {
-        Key::G if modifiers.shift => Some(Command::Tool(Tool::Girder)),
-        Key::B if modifiers.shift => Some(Command::Tool(Tool::Abutment)),
+        Key::G if modifiers.shift => Some(Command::View(ViewCommand::Tool(Tool::Girder))),
+        Key::B if modifiers.shift => Some(Command::View(ViewCommand::Tool(Tool::Abutment))),
         Key::OpenBracket => Some(turn(1.0, modifiers)),
         Key::CloseBracket => Some(turn(-1.0, modifiers)),
-        Key::Escape if bench.tool() != Tool::Select => Some(Command::Tool(Tool::Select)),
-        Key::Space => Some(Command::TogglePlay),
-        Key::ArrowRight => Some(Command::Step(steps(modifiers))),
-        Key::ArrowLeft => Some(Command::Step(-steps(modifiers))),
-        Key::Home => Some(Command::Seek(0.0)),
-        Key::End => Some(Command::Seek(f64::INFINITY)),
-        Key::Comma => Some(Command::StepSpeed(-1)),
-        Key::Period => Some(Command::StepSpeed(1)),
-        Key::L => Some(Command::Loop(!bench.clock().looping)),
-        Key::M => Some(Command::SlowAtHits(!bench.clock().slow_at_hits)),
-        Key::P => Some(Command::Pin),
-        Key::I => Some(Command::SpanFrom),
-        Key::O => Some(Command::SpanTo),
-        Key::X => Some(Command::PlaySpan(None)),
-        Key::F => Some(Command::Frame),
-        Key::Num1 => Some(Command::View(ViewPreset::Iso)),
-        Key::Num2 => Some(Command::View(ViewPreset::Top)),
-        Key::Num3 => Some(Command::View(ViewPreset::Side)),
-        Key::Num4 => Some(Command::View(ViewPreset::Contact)),
-        Key::G => Some(Command::AddGirder),
-        Key::B => Some(Command::AddAbutment),
-        Key::Delete | Key::Backspace => Some(Command::Remove),
-        Key::Escape => Some(Command::Select(None)),
+        Key::Escape if bench.tool() != Tool::Select => Some(Command::View(ViewCommand::Tool(Tool::Select))),
+        Key::Space => Some(Command::Time(TimeCommand::TogglePlay)),
+        Key::ArrowRight => Some(Command::Time(TimeCommand::Step(steps(modifiers)))),
+        Key::ArrowLeft => Some(Command::Time(TimeCommand::Step(-steps(modifiers)))),
+        Key::Home => Some(Command::Time(TimeCommand::Seek(0.0))),
+        Key::End => Some(Command::Time(TimeCommand::Seek(f64::INFINITY))),
+        Key::Comma => Some(Command::Time(TimeCommand::StepSpeed(-1))),
+        Key::Period => Some(Command::Time(TimeCommand::StepSpeed(1))),
+        Key::L => Some(Command::Time(TimeCommand::Loop(!bench.clock().looping))),
+        Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!bench.clock().slow_at_hits))),
+        Key::P => Some(Command::Compare(CompareCommand::Pin)),
+        Key::I => Some(Command::Time(TimeCommand::SpanFrom)),
+        Key::O => Some(Command::Time(TimeCommand::SpanTo)),
+        Key::X => Some(Command::Time(TimeCommand::PlaySpan(None))),
+        Key::F => Some(Command::View(ViewCommand::Frame)),
+        Key::Num1 => Some(Command::View(ViewCommand::Preset(ViewPreset::Iso))),
+        Key::Num2 => Some(Command::View(ViewCommand::Preset(ViewPreset::Top))),
+        Key::Num3 => Some(Command::View(ViewCommand::Preset(ViewPreset::Side))),
+        Key::Num4 => Some(Command::View(ViewCommand::Preset(ViewPreset::Contact))),
+        Key::G => Some(Command::Place(PlaceCommand::AddGirder)),
+        Key::B => Some(Command::Place(PlaceCommand::AddAbutment)),
+        Key::Delete | Key::Backspace => Some(Command::Place(PlaceCommand::Remove)),
+        Key::Escape => Some(Command::Select(SelectCommand::Only(None))),
         _ => None,
     }
 }
 
 fn turn(sign: f64, modifiers: Modifiers) -> Command {
     let turn_deg = if modifiers.shift { 15.0 } else { 1.0 } * sign;
-    Command::Nudge(Nudge { way: [0.0; 2], turn_deg })
+    Command::Place(PlaceCommand::Nudge(Nudge { way: [0.0; 2], turn_deg }))
 }
 
 /// A step of about a thousandth of the largest girder, a round number.
@@ -126,18 +127,18 @@ fn nudge(key: Key, far: bool, bench: &Workbench) -> Option<Command> {
         Key::ArrowDown => [0.0, -step],
         _ => return None,
     };
-    Some(Command::Nudge(Nudge { way, turn_deg: 0.0 }))
+    Some(Command::Place(PlaceCommand::Nudge(Nudge { way, turn_deg: 0.0 })))
 }
 
 fn with_control(key: Key, shift: bool, bench: &Workbench) -> Option<Command> {
     match (key, shift) {
-        (Key::Z, false) => Some(Command::Undo),
-        (Key::Z, true) | (Key::Y, _) => Some(Command::Redo),
-        (Key::D, _) => Some(Command::Duplicate),
-        (Key::A, false) => Some(Command::SelectAll),
-        (Key::R, false) => Some(Command::AskRow(Some(RowDraft::of(bench)))),
-        (Key::ArrowRight, _) => Some(Command::StepEvent(Way::Forward)),
-        (Key::ArrowLeft, _) => Some(Command::StepEvent(Way::Back)),
+        (Key::Z, false) => Some(Command::Edit(EditCommand::Undo)),
+        (Key::Z, true) | (Key::Y, _) => Some(Command::Edit(EditCommand::Redo)),
+        (Key::D, _) => Some(Command::Place(PlaceCommand::Duplicate)),
+        (Key::A, false) => Some(Command::Select(SelectCommand::All)),
+        (Key::R, false) => Some(Command::Window(WindowCommand::AskRow(Some(edits::offered_row(bench.scene()))))),
+        (Key::ArrowRight, _) => Some(Command::Time(TimeCommand::StepEvent(Way::Forward))),
+        (Key::ArrowLeft, _) => Some(Command::Time(TimeCommand::StepEvent(Way::Back))),
         _ => None,
     }
 }

@@ -3,13 +3,14 @@
 use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
-use crate::app::field::{Change, DEGREES, PURE, Place, SECONDS, choice_line, length_unit, slider};
-use crate::app::panel::{ground_motion, limits, models, overlays, pins};
+use crate::app::command::{Command, EditCommand};
+use crate::app::field::{Change, Place, choice_line, slider};
+use crate::app::panel::{comparison, ground_motion, limits, models, overlays};
 use crate::app::plot::user_plots;
+use crate::app::unit::{DEGREES, PURE, SECONDS, length_unit};
 use crate::app::{edits, text};
+use crate::scene::FrictionLaw;
 use crate::scene::edit::Edit;
-use crate::scene::{FrictionLaw, Motion, Scene};
 use crate::view::Target;
 
 /// Shows the sliders, then the overlays.
@@ -20,8 +21,8 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     section(ui, text::CONTACT_SECTION, |ui| contact(ui, bench, out));
     section(ui, text::MODEL_SECTION, |ui| models::show(ui, bench, out));
     section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, bench, out));
-    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, bench, out));
-    section(ui, text::PINS_SECTION, |ui| pins::show(ui, bench, out));
+    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &bench.plot_source(), out));
+    section(ui, text::PINS_SECTION, |ui| comparison::show(ui, bench, out));
     section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
 }
 
@@ -31,7 +32,7 @@ fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
 
 fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> Edit) {
     if let Some(change) = change {
-        out.push(Command::Edit { edit: edit(), gesture: change.gesture });
+        out.push(EditCommand::Change { edit: edit(), gesture: change.gesture }.into());
     }
 }
 
@@ -94,12 +95,4 @@ fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let place = Place { problems: bench.problems(), table: "" };
     let change = slider(ui, place, ("duration_s", text::DURATION), &mut duration, SECONDS, 0.1..=60.0);
     push(out, change, || edits::duration(scene, duration));
-}
-
-/// Period of the shaking, to count time in \[s\].
-pub(in crate::app) fn period(scene: &Scene) -> Option<f64> {
-    match &scene.motion {
-        Motion::Sine(sine) if sine.frequency_hz > 0.0 => Some(1.0 / sine.frequency_hz),
-        _ => None,
-    }
 }

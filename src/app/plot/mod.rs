@@ -2,5 +2,7 @@
 
 pub(in crate::app) mod plot_files;
 pub(in crate::app) mod plots;
+pub(in crate::app) mod sampled;
+pub(in crate::app) mod source;
 pub(in crate::app) mod traces;
 pub(in crate::app) mod user_plots;

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::app::bench::Workbench;
-use crate::app::plot::user_plots::{self, Sampled};
+use crate::app::plot::sampled::{self, Sampled};
+use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::files::write_atomic;
 use crate::scene::PlotSettings;
@@ -14,22 +14,21 @@ use crate::study::plot::chart::{Chart, Curve, Panel};
 /// Samples of a curve on paper.
 const POINTS: usize = 2000;
 
-impl Workbench {
-    /// Writes the plots that are seen, over the window of time that is shown, on a thread.
-    pub(in crate::app) fn write_plots(&self, path: PathBuf) {
-        let Some(answer) = self.answer().cloned() else { return };
-        let window = self.time_window().unwrap_or([0.0, self.end()]);
-        let mut plots = standing(&answer.history, self.shown_girder());
-        plots.extend(self.scene().view.plots.iter().cloned());
-        let title = self.scene().name.clone();
-        self.in_background(move || {
-            let sampled: Vec<(PlotSettings, Sampled)> = plots
-                .into_iter()
-                .map(|p| (p.clone(), user_plots::sample(&answer.history, &p, window, POINTS)))
-                .collect();
-            write(&path, &title, &sampled)
-        });
-    }
+/// The work of writing the plots that are seen, over the window of time that is shown; none without an answer.
+pub(in crate::app) fn writing(
+    source: &Source<'_>,
+    path: PathBuf,
+) -> Option<impl FnOnce() -> Result<String, String> + Send + 'static> {
+    let answer = source.answer.cloned()?;
+    let window = source.playback.window.unwrap_or([0.0, source.end]);
+    let mut plots = standing(&answer.history, source.girder);
+    plots.extend(source.scene.view.plots.iter().cloned());
+    let title = source.scene.name.clone();
+    Some(move || {
+        let sampled: Vec<(PlotSettings, Sampled)> =
+            plots.into_iter().map(|p| (p.clone(), sampled::sample(&answer.history, &p, window, POINTS))).collect();
+        write(&path, &title, &sampled)
+    })
 }
 
 /// The panels that every scene has: place, rotation, contact force.

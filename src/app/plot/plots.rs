@@ -6,10 +6,10 @@ use egui_plot::{
     AxisHints, FilledArea, GridMark, Line, LineStyle, Plot, PlotBounds, PlotPoints, PlotUi, Points, VLine,
 };
 
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
+use crate::app::plot::sampled::Sampled;
+use crate::app::plot::source::Source;
 use crate::app::plot::traces::{Band, Curve, Traces};
-use crate::app::plot::user_plots::Sampled;
 use crate::app::style::theme::{OWN, PINS, Palette};
 use crate::app::text;
 use crate::app::time::time_axis::{TimeAxis, ticks};
@@ -29,27 +29,27 @@ struct Chart<'a> {
 }
 
 /// Shows the plots over the rest of the room.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Command>) {
     let size = ui.available_size();
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::PLOTS));
     let strip = Rect::from_min_max(pos2(rect.left() + AXIS_WIDTH, rect.top()), rect.max);
-    let axis = TimeAxis::over(strip, bench.time_window(), bench.end());
+    let axis = TimeAxis::over(strip, source.playback.window, source.end);
     axis.interact(ui, &response, out);
-    let traces = bench.traces(axis.window, samples(strip.width()));
+    let traces = source.traces(axis.window, samples(strip.width()));
     let palette = Palette::of(ui);
-    let own = bench.own_panels(axis.window, samples(strip.width()));
+    let own = source.own_panels(axis.window, samples(strip.width()));
     let stacks: Vec<Vec<Curve>> = own.iter().map(stack).collect();
-    let mut charts = charts(ui, bench, &traces, &palette);
+    let mut charts = charts(ui, source, &traces, &palette);
     charts.extend(own.iter().zip(&stacks).filter(|(p, _)| p.x.is_none()).map(|(p, s)| own_chart(p, s, &palette)));
     let height = (rect.height() + 4.0) / charts.len() as f32 - 4.0;
     for (i, chart) in charts.iter().enumerate() {
         let top = rect.top() + i as f32 * (height + 4.0);
         let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), height));
-        draw(ui, i, chart, place, &axis, bench.clock().t, &palette);
+        draw(ui, i, chart, place, &axis, source.playback.clock.t, &palette);
     }
     for (i, panel) in own.iter().enumerate().filter(|(_, p)| p.x.is_some()) {
-        orbit(ui, bench, i, panel, &palette);
+        orbit(ui, source, i, panel, &palette);
     }
 }
 
@@ -94,13 +94,13 @@ fn names(panel: &Sampled, palette: &Palette) -> LayoutJob {
 }
 
 /// A panel against another quantity: a small window of its own over the view, with a dot at the time shown.
-fn orbit(ui: &Ui, bench: &Workbench, number: usize, panel: &Sampled, palette: &Palette) {
+fn orbit(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled, palette: &Palette) {
     let title = text::panel(number + 1);
     let id = Id::unique(("orbit", number));
     let at = ui.content_rect().left_top() + vec2(280.0 + 30.0 * number as f32, 150.0 + 24.0 * number as f32);
     Window::new(title).id(id).default_pos(at).default_size([250.0, 210.0]).show(ui, |ui| {
         ui.label(names(panel, palette));
-        let here = bench.own_at(number);
+        let here = source.own_at(number);
         let plot =
             Plot::new(id.with("plot")).height((ui.available_height() - 20.0).max(80.0)).show_x(false).show_y(false);
         plot.allow_scroll(false).grid_color(palette.line).show(ui, |plot: &mut PlotUi<'_>| {
@@ -119,8 +119,8 @@ fn samples(width: f32) -> usize {
     (width * 1.5).clamp(16.0, 8000.0) as usize
 }
 
-fn charts<'a>(ui: &Ui, bench: &Workbench, traces: &'a Traces, palette: &Palette) -> Vec<Chart<'a>> {
-    let shown = bench.shown_girder();
+fn charts<'a>(ui: &Ui, source: &Source<'_>, traces: &'a Traces, palette: &Palette) -> Vec<Chart<'a>> {
+    let shown = source.girder;
     let pick = |curves: &'a [Curve], color: Color32, style: LineStyle| -> Vec<_> {
         let curve = move |(i, c): (usize, &'a Curve)| {
             let chosen = i == shown;

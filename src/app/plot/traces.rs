@@ -9,8 +9,8 @@
 
 use std::sync::Arc;
 
-use crate::app::panel::pins::Pin;
 use crate::app::run::answer::Answer;
+use crate::app::run::comparison::Pin;
 use crate::sim::Touch;
 
 /// A curve: `[t, value]`.

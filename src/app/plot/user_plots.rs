@@ -1,145 +1,23 @@
 //! Plot panels that the user has made: any quantity against time or against another; saved with the scene.
 
-use std::sync::Arc;
-
 use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, EditCommand, FileCommand};
 use crate::app::field::{Place, mark};
-use crate::app::run::answer::Answer;
+use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::scene::edit::Edit;
 use crate::scene::{PlotSettings, ViewSettings};
-use crate::sim::History;
-use crate::sim::quantity::{OfContact, OfCorner, OfEnergy, Quantity, Unit};
+use crate::sim::quantity::{OfContact, OfCorner, OfEnergy, Quantity};
 
 /// Most panels of the user's own.
 const MOST: usize = 6;
 
-/// Points that a touch adds to a curve of a contact, so that its peak is not lost between two samples.
-const IN_A_TOUCH: u32 = 6;
-
-/// Most points of a curve.
-const MOST_POINTS: usize = 20_000;
-
-/// A panel's curves over a window of time.
-#[derive(Clone, Debug, Default)]
-pub(in crate::app) struct Sampled {
-    /// Name, unit shown, values `[x or t, y]` in shown units.
-    pub(in crate::app) curves: Vec<(String, Vec<[f64; 2]>)>,
-    /// What is drawn upright, with its unit.
-    pub(in crate::app) y: String,
-    /// What is drawn level, with its unit; time when absent.
-    pub(in crate::app) x: Option<String>,
-    /// Whether the curves are energies that are stored or lost: drawn one upon the other.
-    pub(in crate::app) stacked: bool,
-}
-
-/// What panels were sampled for.
-#[derive(Clone, Debug, PartialEq)]
-struct Key {
-    answer: u64,
-    window: [f64; 2],
-    points: usize,
-    plots: Vec<PlotSettings>,
-}
-
-/// Keeps the last samples until something else is to be seen.
-#[derive(Default)]
-pub(in crate::app) struct PanelCache {
-    key: Option<Key>,
-    panels: Arc<Vec<Sampled>>,
-}
-
-impl PanelCache {
-    /// Every panel over a window, about `points` samples long.
-    pub(in crate::app) fn of(
-        &mut self,
-        (history, answer): (&History, u64),
-        plots: &[PlotSettings],
-        window: [f64; 2],
-        points: usize,
-    ) -> Arc<Vec<Sampled>> {
-        let key = Key { answer, window, points, plots: plots.to_vec() };
-        if self.key.as_ref() != Some(&key) {
-            self.panels = Arc::new(plots.iter().map(|p| sample(history, p, window, points)).collect());
-            self.key = Some(key);
-        }
-        self.panels.clone()
-    }
-}
-
-/// How a unit is shown: factor from SI, and its name.
-pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
-    match unit {
-        Unit::Metre => (1e3, "mm"),
-        Unit::Radian => (180.0 / std::f64::consts::PI, "°"),
-        Unit::MetrePerSecond => (1.0, "m/s"),
-        Unit::RadianPerSecond => (180.0 / std::f64::consts::PI, "°/s"),
-        Unit::MetrePerSecond2 => (1.0, "m/s²"),
-        Unit::Newton => (1.0, "N"),
-        Unit::Joule => (1.0, "J"),
-        Unit::One => (1.0, "1"),
-    }
-}
-
-/// A panel's curves; quantities that the run does not have are left out.
-pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
-    let model = history.model();
-    let found: Vec<(&String, Quantity)> =
-        plot.y.iter().filter_map(|name| Some((name, Quantity::find(model, name)?))).collect();
-    let x = plot.x.as_ref().and_then(|name| Some((name, Quantity::find(model, name)?)));
-    let times = times(history, window, points);
-    let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| shown(q.unit()));
-    let level = |t: f64| x.map_or(t, |(_, q)| q.at(history, t) * factor_x);
-    let curve = |(name, quantity): &(&String, Quantity)| {
-        let (factor, _) = shown(quantity.unit());
-        let point = |&t: &f64| [level(t), quantity.at(history, t) * factor];
-        ((*name).clone(), times.iter().map(point).collect())
-    };
-    let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
-    Sampled {
-        curves: found.iter().map(curve).collect(),
-        y: format!("[{unit}]"),
-        x: x.map(|(name, _)| format!("{name} [{unit_x}]")),
-        stacked: x.is_none() && found.len() > 1 && found.iter().all(|(_, q)| matches!(q, Quantity::Energy(_))),
-    }
-}
-
-/// The panel's points at one instant.
-pub(in crate::app) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f64; 2]> {
-    let value = |name: &String| {
-        let quantity = answer.quantity(name)?;
-        Some(quantity.at(&answer.history, t) * shown(quantity.unit()).0)
-    };
-    let level = plot.x.as_ref().and_then(value).unwrap_or(t);
-    plot.y.iter().filter_map(value).map(|y| [level, y]).collect()
-}
-
-/// Evenly spaced times, and enough of them inside every touch.
-fn times(history: &History, window: [f64; 2], points: usize) -> Vec<f64> {
-    let (from, to) = (window[0], window[1].min(history.end()));
-    let step = (to - from) / (points.max(2) - 1) as f64;
-    let mut times: Vec<f64> = (0..points.max(2)).map(|i| from + step * i as f64).collect();
-    for touch in history.touches().iter().filter(|touch| touch.end >= from && touch.start <= to) {
-        if times.len() > MOST_POINTS {
-            break;
-        }
-        let inside =
-            (0..=IN_A_TOUCH).map(|i| touch.start + (touch.end - touch.start) * f64::from(i) / f64::from(IN_A_TOUCH));
-        times.extend(inside.chain([touch.peak_time]).filter(|t| (from..=to).contains(t)));
-    }
-    times.sort_by(f64::total_cmp);
-    times.dedup();
-    times
-}
-
 /// Shows the list of panels and lets it be changed.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let Some(answer) = bench.answer() else { return };
+pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Command>) {
+    let Some(answer) = source.answer else { return };
     let names = answer.quantities();
-    let mut plots = bench.scene().view.plots.clone();
+    let mut plots = source.scene.view.plots.clone();
     let mut gone = None;
     for (i, plot) in plots.iter_mut().enumerate() {
         ui.horizontal(|ui| {
@@ -156,7 +34,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     ui.horizontal(|ui| {
         ui.add_enabled_ui(plots.len() < MOST, |ui| {
             let adding = ui.menu_button(text::ADD_PANEL, |ui| {
-                for (words, plot) in offers(names, bench.shown_girder()) {
+                for (words, plot) in offers(names, source.girder) {
                     if ui.button(words).clicked() {
                         plots.push(plot);
                         ui.close();
@@ -169,15 +47,15 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
             for (words, format) in [("SVG…", "svg"), ("PNG…", "png"), ("CSV…", "csv")] {
                 if ui.button(words).clicked() {
-                    out.push(Command::AskPlots(format));
+                    out.push(FileCommand::AskPlots(format).into());
                     ui.close();
                 }
             }
         });
     });
-    if plots != bench.scene().view.plots {
-        let view = ViewSettings { plots, ..bench.scene().view.clone() };
-        out.push(Command::Edit { edit: Edit::View(view), gesture: None });
+    if plots != source.scene.view.plots {
+        let view = ViewSettings { plots, ..source.scene.view.clone() };
+        out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
     }
 }
 

@@ -3,7 +3,6 @@
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use crate::app::time::clock::merged;
 use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::{ContactState, EventKind, History, Hit, Quantity, Summary};
 
@@ -210,5 +209,28 @@ fn after(kind: EventKind) -> Option<ContactState> {
         EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
         EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
         EventKind::Opened | EventKind::LeftFace | EventKind::Missed | EventKind::Hit => None,
+    }
+}
+
+/// Closed intervals of any contact, merged and ordered, from `(start, end)` pairs ordered by start \[s\].
+fn merged(touches: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut merged: Vec<(f64, f64)> = Vec::new();
+    for (start, end) in touches {
+        match merged.last_mut() {
+            Some(last) if start <= last.1 => last.1 = last.1.max(end),
+            _ => merged.push((start, end)),
+        }
+    }
+    merged
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overlapping_touches_merge() {
+        let merged = merged([(0.0, 1.0), (0.5, 2.0), (3.0, 4.0)].into_iter());
+        assert_eq!(merged, vec![(0.0, 2.0), (3.0, 4.0)], "first two overlap");
     }
 }

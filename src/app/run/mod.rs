@@ -1,4 +1,5 @@
-//! Runs of the scene: the runner, and a finished run prepared for the window.
+//! Runs of the scene: the runner, a finished run prepared for the window, and runs kept to compare with.
 
 pub(in crate::app) mod answer;
+pub(in crate::app) mod comparison;
 pub(in crate::app) mod runner;

@@ -8,19 +8,16 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
+use crate::app::host::{Wake, now};
 use crate::app::run::answer::Answer;
-use crate::app::time::clock::now;
 use crate::scene::{Scene, SceneErrors};
-use crate::sim::Session;
+use crate::sim::{History, Session};
 
 /// How long a run may hold up a frame before it goes on on a thread.
 const AT_ONCE: Duration = Duration::from_millis(30);
 
 /// How long the window must be left alone before the error is estimated.
 pub(in crate::app) const IDLE_BEFORE_ESTIMATE: Duration = Duration::from_millis(400);
-
-/// Calls the window back when a thread has news; does nothing in a test.
-pub type Wake = Arc<dyn Fn() + Send + Sync>;
 
 /// A run on a thread.
 struct Job {
@@ -98,6 +95,15 @@ impl Runner {
     /// Whether the answer shown belongs to an older scene.
     pub(in crate::app) fn is_stale(&self) -> bool {
         self.problems.is_some() || self.job.is_some() || self.given_up
+    }
+
+    /// What is to be shown of a scene: an old answer is shown with its own scene, so that the two belong together.
+    pub(in crate::app) fn shown<'a>(&'a self, scene: &'a Scene) -> (&'a Scene, Option<&'a History>) {
+        let history = self.answer().map(|a| &a.history);
+        match history {
+            Some(old) if self.is_stale() => (old.scene(), Some(old)),
+            _ => (scene, history),
+        }
     }
 
     /// How far the run on a thread has come, 0 to 1.

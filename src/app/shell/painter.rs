@@ -175,7 +175,7 @@ mod tests {
     use std::io::Write as _;
 
     use crate::app::bench::Workbench;
-    use crate::app::command::Command;
+    use crate::app::command::{EditCommand, PlaceCommand};
     use crate::scene::presets;
     use egui::{Context, FullOutput, RawInput, Rect, pos2, vec2};
 
@@ -257,7 +257,7 @@ mod tests {
     fn shown() -> Shown {
         let mut bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), None);
         bench.set_estimates(false);
-        bench.apply(Command::AddGirder);
+        bench.apply(PlaceCommand::AddGirder);
         bench.wait();
         let mut shown = Shown { bench, context: Context::default(), textures: Textures::default() };
         // Panels grow and things fade in for some frames.
@@ -280,7 +280,7 @@ mod tests {
         let second = painter(&shown.textures).expect("there was one before");
         assert!(shown.paint(&second).expect("it draws") == before, "the same picture to the last bit");
         let girders = shown.bench.scene().girders.len();
-        shown.bench.apply(Command::Undo);
+        shown.bench.apply(EditCommand::Undo);
         assert_eq!(shown.bench.scene().girders.len() + 1, girders, "the work and its past are where they were");
     }
 

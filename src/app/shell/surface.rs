@@ -14,9 +14,9 @@ use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureF
 use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::window::Window;
 
+use crate::app::host::now;
 use crate::app::shell::painter::{Painter, Shapes, modest};
 use crate::app::shell::textures::Textures;
-use crate::app::time::clock::now;
 use crate::render::{Fault, GpuError};
 
 /// Failures in a row, no frame shown between them, after which it is given up.

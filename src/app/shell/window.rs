@@ -15,13 +15,13 @@ use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
-use crate::app::bench::workbench::Workbench;
-use crate::app::command::Command;
+use crate::app::bench::Workbench;
+use crate::app::command::WindowCommand;
 use crate::app::disk::session_files;
+use crate::app::host::now;
 use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
-use crate::app::time::clock::now;
 use crate::render::GpuError;
 use crate::scene::Scene;
 
@@ -145,7 +145,7 @@ impl Open {
         let painted = self.surface.paint(shapes, output.textures_delta)?;
         if painted == Painted::Anew {
             bench.set_target(self.surface.format(), self.surface.adapter().to_owned());
-            bench.notice = Some(text::DRAWN_ANEW.to_owned());
+            bench.window.say(text::DRAWN_ANEW);
         }
         let title = bench.title();
         if title != self.title {
@@ -170,7 +170,7 @@ impl Shell {
             return Err(AppError::NoWindow(why));
         }
         // The workbench keeps what is unsaved as it goes.
-        let kept = self.bench.is_kept() && self.bench.is_dirty();
+        let kept = self.bench.session.is_kept() && self.bench.is_dirty();
         Err(AppError::Ended { why, kept })
     }
 }
@@ -228,7 +228,7 @@ impl ApplicationHandler<News> for Shell {
                 }
             },
             WindowEvent::CloseRequested => {
-                self.bench.apply(Command::Close);
+                self.bench.apply(WindowCommand::Close);
                 open.window.request_redraw();
             }
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
@@ -247,6 +247,7 @@ impl ApplicationHandler<News> for Shell {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::command::{EditCommand, PlaceCommand};
     use crate::scene::presets;
 
     /// Frames shown before the device is taken away, and after.
@@ -262,7 +263,7 @@ mod tests {
     impl ApplicationHandler<News> for Losing {
         fn resumed(&mut self, event_loop: &ActiveEventLoop) {
             self.shell.resumed(event_loop);
-            self.shell.bench.apply(Command::AddGirder);
+            self.shell.bench.apply(PlaceCommand::AddGirder);
         }
 
         fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
@@ -278,7 +279,7 @@ mod tests {
             self.shell.window_event(event_loop, id, event);
             let Some(open) = self.shell.open.as_ref().filter(|_| drawn) else { return };
             self.frames += 1;
-            self.seen.extend(self.shell.bench.notice.take());
+            self.seen.extend(self.shell.bench.window.notice.take());
             match self.frames {
                 FRAMES => open.surface.lose(),
                 // Losing it, bringing up another and the pause between them take frames of their own.
@@ -303,7 +304,7 @@ mod tests {
         assert!(seen.iter().any(|words| words == text::DRAWN_ANEW), "it was lost, and that was said: {seen:?}");
         assert!(shell.open.as_ref().is_some_and(|open| open.surface.is_shown()), "and it is shown again");
         assert_eq!(shell.bench.scene().girders.len(), girders + 1, "with the work");
-        shell.bench.apply(Command::Undo);
+        shell.bench.apply(EditCommand::Undo);
         assert_eq!(shell.bench.scene().girders.len(), girders, "and its past");
         // What is unsaved here is nobody's.
         shell.bench.forget_work();

@@ -1,4 +1,5 @@
-//! How the window looks: colours and drawn signs.
+//! How the window looks: colours, drawn signs, sizes.
 
 pub(in crate::app) mod icons;
+pub(in crate::app) mod size;
 pub(in crate::app) mod theme;

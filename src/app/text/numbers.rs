@@ -47,9 +47,9 @@ pub(in crate::app) fn length(metres: f64) -> String {
 /// A length as it is, to the micrometre, in the unit that fits it.
 pub(in crate::app) fn exact_length(metres: f64) -> String {
     if metres.abs() >= 1.0 {
-        format!("{} m", crate::app::field::trimmed(metres))
+        format!("{} m", crate::app::unit::trimmed(metres))
     } else {
-        format!("{} mm", crate::app::field::trimmed(crate::app::field::rounded(metres * 1e3, 1e-4)))
+        format!("{} mm", crate::app::unit::trimmed(crate::app::unit::rounded(metres * 1e3, 1e-4)))
     }
 }
 
@@ -161,13 +161,13 @@ pub(in crate::app) fn section(pair: &str, least: f64, factor: f64) -> String {
 
 /// A stiffness in the unit that fits it.
 pub(in crate::app) fn stiffness(k: f64) -> String {
-    let unit = crate::app::field::stiffness_unit(k);
+    let unit = crate::app::unit::stiffness_unit(k);
     format!("{}{}", short(k * unit.factor), unit.suffix)
 }
 
 /// A dashpot in the unit that fits it.
 pub(in crate::app) fn damping(c: f64) -> String {
-    let unit = crate::app::field::damping_unit(c);
+    let unit = crate::app::unit::damping_unit(c);
     format!("{}{}", short(c * unit.factor), unit.suffix)
 }
 

@@ -3,8 +3,6 @@
 //! Slow motion lives here and nowhere else: the physics knows no clock, playing is a look-up in a finished answer. The
 //! clock is advanced by the time that a frame says has passed, so a test can play without waiting.
 
-use std::time::Instant;
-
 /// Playing speeds, in seconds of the answer per second on the wall.
 pub const SPEEDS: [f64; 13] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
 
@@ -16,12 +14,6 @@ const HIT_LEAD: f64 = 0.004;
 
 /// Longest step that one frame may play, so that a stall of the window is no jump \[s on the wall\].
 const LONGEST_FRAME: f64 = 0.25;
-
-/// The time on the wall, for waking the window and for timing a run; the physics never sees it.
-#[expect(clippy::disallowed_methods, reason = "the one clock of the window")]
-pub(in crate::app) fn now() -> Instant {
-    Instant::now()
-}
 
 /// What is shown, and how it goes on.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,18 +100,6 @@ impl Clock {
     }
 }
 
-/// Closed intervals of any contact, merged and ordered, from `(start, end)` pairs ordered by start \[s\].
-pub(in crate::app) fn merged(touches: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let mut merged: Vec<(f64, f64)> = Vec::new();
-    for (start, end) in touches {
-        match merged.last_mut() {
-            Some(last) if start <= last.1 => last.1 = last.1.max(end),
-            _ => merged.push((start, end)),
-        }
-    }
-    merged
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,11 +155,5 @@ mod tests {
         assert_eq!(clock.speed, 0.001, "slowest");
         clock.step_speed(1);
         assert_eq!(clock.speed, 0.002, "one up");
-    }
-
-    #[test]
-    fn overlapping_touches_merge() {
-        let merged = merged([(0.0, 1.0), (0.5, 2.0), (3.0, 4.0)].into_iter());
-        assert_eq!(merged, vec![(0.0, 2.0), (3.0, 4.0)], "first two overlap");
     }
 }

@@ -5,7 +5,7 @@
 
 use egui::{PointerButton, Rect, Response, Ui};
 
-use crate::app::command::Command;
+use crate::app::command::{Command, TimeCommand};
 
 /// Times on a strip of pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ impl TimeAxis {
     /// What the mouse asks of a strip that shows this axis.
     pub(in crate::app) fn interact(&self, ui: &Ui, response: &Response, out: &mut Vec<Command>) {
         if response.double_clicked() {
-            out.push(Command::TimeWindow(None));
+            out.push(TimeCommand::Window(None).into());
             return;
         }
         self.drag(ui, response, out);
@@ -85,9 +85,9 @@ impl TimeAxis {
             let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta, i.zoom_delta()));
             let factor = (-f64::from(scroll.y) * 0.005).exp() / f64::from(pinch);
             if factor != 1.0 {
-                out.push(Command::TimeWindow(self.zoomed(factor, pointer.x)));
+                out.push(TimeCommand::Window(self.zoomed(factor, pointer.x)).into());
             } else if scroll.x != 0.0 {
-                out.push(Command::TimeWindow(self.panned(scroll.x)));
+                out.push(TimeCommand::Window(self.panned(scroll.x)).into());
             }
         }
     }
@@ -98,11 +98,11 @@ impl TimeAxis {
             || response.dragged_by(PointerButton::Secondary)
             || (shift && response.dragged_by(PointerButton::Primary));
         if panning {
-            out.push(Command::TimeWindow(self.panned(response.drag_delta().x)));
+            out.push(TimeCommand::Window(self.panned(response.drag_delta().x)).into());
         } else if (response.dragged_by(PointerButton::Primary) || response.clicked())
             && let Some(pointer) = response.interact_pointer_pos()
         {
-            out.push(Command::Seek(self.t(pointer.x).clamp(0.0, self.end)));
+            out.push(TimeCommand::Seek(self.t(pointer.x).clamp(0.0, self.end)).into());
         }
     }
 }

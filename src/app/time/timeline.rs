@@ -5,13 +5,14 @@
 
 use egui::{Align2, FontId, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
 use crate::app::run::answer::{Answer, Span};
 use crate::app::style::theme::{Palette, SLIP, STICK};
 use crate::app::text;
+use crate::app::time::playback::Playback;
 use crate::app::time::time_axis::{TimeAxis, ticks};
 use crate::sim::ContactState;
+use crate::sim::readings::Passed;
 
 /// Height of the ticks' row \[points\].
 const RULER: f32 = 15.0;
@@ -28,19 +29,32 @@ const HATCH: f32 = 4.0;
 /// Lowest bar that a hatch can be seen in, and lowest lane of one pair alone \[points\].
 const LOWEST: f32 = 1.5;
 
+/// What the timeline shows.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Shown<'a> {
+    /// The time shown, and the window of time.
+    pub(in crate::app) playback: &'a Playback,
+    /// End of the answer \[s\].
+    pub(in crate::app) end: f64,
+    /// The last good answer.
+    pub(in crate::app) answer: Option<&'a Answer>,
+    /// Limits of the scene that were passed.
+    pub(in crate::app) passed: &'a [Passed],
+}
+
 /// Shows the timeline over the rest of the row, its time axis beginning at `left`.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut Vec<Command>) {
+pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut Vec<Command>) {
     let size = vec2(ui.available_width(), RULER + LANES);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    let end = bench.end();
-    let t = bench.clock().t;
+    let Shown { playback, end, answer, passed } = shown;
+    let t = playback.clock.t;
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::Slider, true, text::TIMELINE);
         info.value = Some(t);
         info
     });
     let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), rect.max);
-    let axis = TimeAxis::over(strip, bench.time_window(), end);
+    let axis = TimeAxis::over(strip, playback.window, end);
     axis.interact(ui, &response, out);
     let painter = ui.painter_at(rect);
     let palette = Palette::of(ui);
@@ -48,13 +62,13 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, left: f32, out: &mut 
     painter.rect_filled(lanes, 2.0, palette.track);
     ruler(&painter, &axis, strip, &palette);
     caption(ui, rect, lanes);
-    if let Some(answer) = bench.answer() {
+    if let Some(answer) = answer {
         draw_lanes(&painter, answer, &axis, lanes, &palette);
     }
-    if let Some(span) = bench.clock().span {
+    if let Some(span) = playback.clock.span {
         bracket(&painter, &axis, strip, span, &palette);
     }
-    flags(&painter, bench, &axis, strip, &palette);
+    flags(&painter, passed, &axis, strip, &palette);
     playhead(&painter, &axis, strip, t, &palette);
 }
 
@@ -70,10 +84,8 @@ fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], pale
 }
 
 /// A little flag where a limit is passed for the first time.
-fn flags(painter: &Painter, bench: &Workbench, axis: &TimeAxis, strip: Rect, palette: &Palette) {
-    let watched = bench.scene().limits != crate::scene::Limits::default();
-    let Some(answer) = bench.answer().filter(|_| watched && !bench.is_stale()) else { return };
-    for flag in answer.passed() {
+fn flags(painter: &Painter, passed: &[Passed], axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    for flag in passed {
         let x = axis.x(flag.t);
         if !strip.x_range().contains(x) {
             continue;

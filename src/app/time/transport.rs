@@ -2,37 +2,37 @@
 
 use egui::{Button, ComboBox, RichText, Ui};
 
-use crate::app::bench::Workbench;
-use crate::app::command::{Command, Way};
-use crate::app::panel::whatif;
+use crate::app::command::{Command, TimeCommand, Way};
 use crate::app::style::icons::{self, Icon};
 use crate::app::text;
 use crate::app::time::clock::SPEEDS;
+use crate::app::time::playback::Playback;
+use crate::scene::Motion;
 
-/// Shows the row.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+/// Shows the row; time is also counted in periods of the motion.
+pub(in crate::app) fn show(ui: &mut Ui, playback: &Playback, motion: &Motion, out: &mut Vec<Command>) {
+    let clock = &playback.clock;
     ui.horizontal(|ui| {
-        buttons(ui, bench, out);
+        buttons(ui, clock.playing, out);
         ui.separator();
-        speed(ui, bench, out);
-        let clock = bench.clock();
+        speed(ui, clock.speed, out);
         let (mut looping, mut slow) = (clock.looping, clock.slow_at_hits);
         if ui.checkbox(&mut looping, text::LOOP).on_hover_text(text::LOOP_HINT).changed() {
-            out.push(Command::Loop(looping));
+            out.push(TimeCommand::Loop(looping).into());
         }
         if ui.checkbox(&mut slow, text::SLOW_AT_HITS).on_hover_text(text::SLOW_HINT).changed() {
-            out.push(Command::SlowAtHits(slow));
+            out.push(TimeCommand::SlowAtHits(slow).into());
         }
         ui.separator();
-        time(ui, bench);
+        time(ui, clock.t, motion);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let all = ui.add_enabled(bench.time_window().is_some(), Button::new(text::ALL_TIME));
-            let span = bench.clock().span.is_some();
+            let all = ui.add_enabled(playback.window.is_some(), Button::new(text::ALL_TIME));
+            let span = clock.span.is_some();
             if span && ui.button(text::ALL_SPAN).on_hover_text(text::ALL_SPAN_HINT).clicked() {
-                out.push(Command::PlaySpan(None));
+                out.push(TimeCommand::PlaySpan(None).into());
             }
             if all.on_hover_text(text::ALL_TIME_HINT).clicked() {
-                out.push(Command::TimeWindow(None));
+                out.push(TimeCommand::Window(None).into());
             }
         });
     });
@@ -47,16 +47,16 @@ fn sign(ui: &mut Ui, icon: Icon, words: &str, keys: &str) -> bool {
     response.on_hover_text(format!("{words} ({keys})")).clicked()
 }
 
-fn buttons(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let (play, word) = if bench.clock().playing { (Icon::Pause, text::PAUSE) } else { (Icon::Play, text::PLAY) };
+fn buttons(ui: &mut Ui, playing: bool, out: &mut Vec<Command>) {
+    let (play, word) = if playing { (Icon::Pause, text::PAUSE) } else { (Icon::Play, text::PLAY) };
     let row = [
-        (Icon::Start, text::TO_START, "Home", Command::Seek(0.0)),
-        (Icon::PreviousEvent, text::PREVIOUS_EVENT, "Ctrl Left", Command::StepEvent(Way::Back)),
-        (Icon::StepBack, text::STEP_BACK, "Left", Command::Step(-1.0)),
-        (play, word, "Space", Command::TogglePlay),
-        (Icon::StepForward, text::STEP_FORWARD, "Right", Command::Step(1.0)),
-        (Icon::NextEvent, text::NEXT_EVENT, "Ctrl Right", Command::StepEvent(Way::Forward)),
-        (Icon::End, text::TO_END, "End", Command::Seek(f64::INFINITY)),
+        (Icon::Start, text::TO_START, "Home", Command::Time(TimeCommand::Seek(0.0))),
+        (Icon::PreviousEvent, text::PREVIOUS_EVENT, "Ctrl Left", Command::Time(TimeCommand::StepEvent(Way::Back))),
+        (Icon::StepBack, text::STEP_BACK, "Left", Command::Time(TimeCommand::Step(-1.0))),
+        (play, word, "Space", Command::Time(TimeCommand::TogglePlay)),
+        (Icon::StepForward, text::STEP_FORWARD, "Right", Command::Time(TimeCommand::Step(1.0))),
+        (Icon::NextEvent, text::NEXT_EVENT, "Ctrl Right", Command::Time(TimeCommand::StepEvent(Way::Forward))),
+        (Icon::End, text::TO_END, "End", Command::Time(TimeCommand::Seek(f64::INFINITY))),
     ];
     for (icon, words, keys, command) in row {
         if sign(ui, icon, words, keys) {
@@ -65,8 +65,7 @@ fn buttons(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     }
 }
 
-fn speed(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let now = bench.clock().speed;
+fn speed(ui: &mut Ui, now: f64, out: &mut Vec<Command>) {
     let mut chosen = now;
     let label = ui.label(text::SPEED);
     let combo = ComboBox::from_id_salt("speed").width(64.0).selected_text(text::speed(now)).show_ui(ui, |ui| {
@@ -76,16 +75,23 @@ fn speed(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     });
     combo.response.labelled_by(label.id).on_hover_text(", .");
     if chosen != now {
-        out.push(Command::Speed(chosen));
+        out.push(TimeCommand::Speed(chosen).into());
     }
 }
 
 /// The time in seconds and in periods of the shaking.
-fn time(ui: &mut Ui, bench: &Workbench) {
-    let t = bench.clock().t;
+fn time(ui: &mut Ui, t: f64, motion: &Motion) {
     ui.label(RichText::new(format!("t = {t:.4} s")).monospace());
     // In a narrow window the buttons at the other end come first.
-    if let Some(period) = whatif::period(bench.scene()).filter(|_| ui.available_width() > 200.0) {
+    if let Some(period) = period(motion).filter(|_| ui.available_width() > 200.0) {
         ui.label(RichText::new(text::periods(t / period)).monospace().weak());
+    }
+}
+
+/// Period of the shaking, to count time in \[s\].
+fn period(motion: &Motion) -> Option<f64> {
+    match motion {
+        Motion::Sine(sine) if sine.frequency_hz > 0.0 => Some(1.0 / sine.frequency_hz),
+        _ => None,
     }
 }

@@ -1,9 +1,14 @@
 //! The 3D view: camera, picture, mouse, handles.
 
 pub(in crate::app) mod blit;
+pub(in crate::app) mod display;
+pub(in crate::app) mod eye;
 pub(in crate::app) mod gizmo;
+pub(in crate::app) mod hand;
 pub(in crate::app) mod mouse;
+pub(in crate::app) mod picture;
 pub(in crate::app) mod screen;
+pub(in crate::app) mod section;
+pub(in crate::app) mod seen;
+pub(in crate::app) mod show;
 pub(in crate::app) mod tool;
-pub(in crate::app) mod view;
-pub(in crate::app) mod view_options;

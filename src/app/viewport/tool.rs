@@ -3,26 +3,17 @@
 use egui::{CursorIcon, Response, Shape, Stroke, Ui};
 use glam::DVec3;
 
-use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, PlaceCommand, Tool};
 use crate::app::edits;
 use crate::app::style::theme::Palette;
-use crate::app::viewport::gizmo::{self, Eye};
+use crate::app::text;
+use crate::app::viewport::eye::Eye;
+use crate::app::viewport::gizmo;
+use crate::app::viewport::seen::Seen;
 use crate::scene::Scene;
 use crate::scene::edit::Edit;
+use crate::view::Target;
 use crate::view::block::{Block, abutment_block, girder_block};
-
-/// What the mouse does in the 3D view.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tool {
-    /// Selects, and moves what is selected.
-    #[default]
-    Select,
-    /// Puts a girder where it is clicked.
-    Girder,
-    /// Puts an abutment before the nearest free end.
-    Abutment,
-}
 
 /// Something that would be placed by a click here.
 struct Ghost {
@@ -32,45 +23,38 @@ struct Ghost {
 }
 
 /// Shows what a click would place, and places it.
-pub(in crate::app) fn show(ui: &Ui, response: &Response, bench: &Workbench, out: &mut Vec<Command>) {
-    let Some((at, &camera)) = response.hover_pos().or(response.interact_pointer_pos()).zip(bench.camera()) else {
-        return;
-    };
-    if bench.tool() == Tool::Select {
+pub(in crate::app) fn show(ui: &Ui, eye: &Eye, response: &Response, seen: &Seen<'_>, out: &mut Vec<Command>) {
+    let Some(at) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
+    if seen.display.tool == Tool::Select {
         return;
     }
-    let eye = &Eye { camera, rect: response.rect };
     ui.set_cursor_icon(CursorIcon::Crosshair);
     let free = ui.input(|i| i.modifiers.command);
-    let scene = bench.scene();
+    let scene = seen.scene;
     let level = scene.girders.first().map_or(0.0, |g| g.position[2]);
     let Some(there) = eye.on_level(at, level) else { return };
-    let found = match bench.tool() {
+    let found = match seen.display.tool {
         Tool::Select => None,
-        Tool::Girder => girder(bench, there, eye.metres_per_point(there), free),
+        Tool::Girder => girder(seen, there, eye.metres_per_point(there), free),
         Tool::Abutment => abutment(scene, there),
     };
     let Some(ghost) = found else { return };
     draw(ui, eye, &ghost.block);
     gizmo::say(ui, eye, at, &[ghost.words]);
     if response.clicked() {
-        out.push(Command::Place(ghost.edit));
+        out.push(PlaceCommand::Put(ghost.edit).into());
     }
 }
 
-fn girder(bench: &Workbench, there: DVec3, point: f64, free: bool) -> Option<Ghost> {
-    let scene = bench.scene();
-    let edit = edits::add_girder(scene, bench.selection.girders().last());
+fn girder(seen: &Seen<'_>, there: DVec3, point: f64, free: bool) -> Option<Ghost> {
+    let scene = seen.scene;
+    let girders = seen.selection.iter().filter_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
+    let edit = edits::add_girder(scene, girders.last());
     let Edit::AddGirder(at, mut new) = edit else { return None };
     new.position = edits::tidy(there.with_z(new.position[2]));
     let (way, words) = gizmo::snapped(scene, &new, point, free);
     new.position = edits::tidy(DVec3::from(new.position) + way);
-    let place = format!(
-        "{}   x {}   y {}",
-        new.name,
-        crate::app::text::length(new.position[0]),
-        crate::app::text::length(new.position[1])
-    );
+    let place = format!("{}   x {}   y {}", new.name, text::length(new.position[0]), text::length(new.position[1]));
     let words = std::iter::once(place).chain(words).collect::<Vec<_>>().join("\n");
     Some(Ghost { block: girder_block(&new), edit: Edit::AddGirder(at, new), words })
 }

@@ -2,11 +2,12 @@
 
 use egui::{ComboBox, Ui};
 
-use super::{grid, push};
+use super::rows::{grid, push};
 use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Place, act, length_unit, number, optional, tag};
+use crate::app::field::{CLICK, Change, Place, act, number, optional, tag};
 use crate::app::panel::name_field;
+use crate::app::unit::length_unit;
 use crate::app::{edits, text};
 use crate::geometry::End;
 use crate::scene::{Abutment, Girder, placed};

@@ -2,10 +2,9 @@
 
 use egui::{RichText, Ui};
 
-use super::{grid, note};
-use crate::app::field::{
-    CLICK, Change, HERTZ, PURE, Place, Unit, act, damping_unit, length_unit, number, optional, stiffness_unit, tag,
-};
+use super::rows::{grid, note};
+use crate::app::field::{CLICK, Change, Place, act, number, optional, tag};
+use crate::app::unit::{HERTZ, PURE, Unit, damping_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
 use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, SharedBearings};
 
@@ -134,7 +133,7 @@ fn list(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, each: &mut Vec<Be
     let mut change = None;
     let mut gone = None;
     for (n, bearing) in each.iter_mut().enumerate() {
-        super::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
+        super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| single(ui, place, kind, unit, n, bearing)));
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);

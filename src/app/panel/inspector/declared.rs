@@ -6,7 +6,7 @@
 use egui::{ComboBox, RichText, Ui};
 
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, EditCommand};
 use crate::app::field::{Place, act, complain, tag};
 use crate::app::{edits, text};
 use crate::geometry::End;
@@ -38,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
         }
     });
     if new != scene.contact {
-        out.push(Command::Edit { edit: edits::contact(new), gesture: None });
+        out.push(EditCommand::Change { edit: edits::contact(new), gesture: None }.into());
     }
 }
 

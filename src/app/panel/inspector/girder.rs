@@ -2,13 +2,13 @@
 
 use egui::Ui;
 
-use super::{bearings, grid, push, section};
+use super::bearings;
+use super::rows::{grid, push, section};
 use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{
-    Change, DEGREES, MOMENTS, Place, SPEED, TURNING, force_unit, length_unit, mass_unit, number, tag,
-};
+use crate::app::field::{Change, Place, number, tag};
 use crate::app::panel::{name_field, results};
+use crate::app::unit::{DEGREES, MOMENTS, SPEED, TURNING, force_unit, length_unit, mass_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
 use crate::scene::{Direction, Girder, Kind};

@@ -5,17 +5,16 @@ mod bearings;
 mod declared;
 mod girder;
 mod pairs;
+mod rows;
 mod scene;
 mod stiffness;
 
-use egui::{CollapsingHeader, Grid, RichText, Ui};
+use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::Change;
 use crate::app::panel::results;
 use crate::app::text;
-use crate::scene::edit::Edit;
 use crate::view::Target;
 
 /// Shows the inspector.
@@ -46,28 +45,4 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             pairs::show(ui, bench, None, out);
         }
     }
-}
-
-fn grid<R>(ui: &mut Ui, salt: &str, rows: impl FnOnce(&mut Ui) -> R) -> R {
-    let column = (ui.available_width() - 8.0) / 2.0;
-    Grid::new(salt).num_columns(2).min_col_width(column.min(112.0)).spacing([8.0, 3.0]).show(ui, rows).inner
-}
-
-/// A section that can be folded away.
-fn section<R>(ui: &mut Ui, title: &str, open: bool, rows: impl FnOnce(&mut Ui) -> R) -> Option<R> {
-    let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(open);
-    header.show_unindented(ui, rows).body_returned
-}
-
-fn push(change: Option<Change>, out: &mut Vec<Command>, edit: impl FnOnce() -> Edit) {
-    if let Some(change) = change {
-        out.push(Command::Edit { edit: edit(), gesture: change.gesture });
-    }
-}
-
-fn note(ui: &mut Ui, words: &str) -> Option<Change> {
-    ui.label("");
-    ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
-    ui.end_row();
-    None
 }

@@ -2,12 +2,14 @@
 
 use egui::{RichText, Ui};
 
-use super::{grid, section, stiffness};
+use super::rows::{grid, section};
+use super::stiffness;
 use crate::app::bench::Workbench;
-use crate::app::command::Command;
+use crate::app::command::{Command, EditCommand, SelectCommand};
 use crate::app::edits;
-use crate::app::field::{Change, PURE, Place, choice, laid_over};
+use crate::app::field::{Change, Place, choice, laid_over};
 use crate::app::text;
+use crate::app::unit::PURE;
 use crate::scene::facing::{self, Facing};
 use crate::scene::{ContactNumber, ContactSettings, PairSettings, Scene};
 use crate::view::Target;
@@ -47,14 +49,16 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
     let own_id = ("pair", &pair.name);
     let change = ui.push_id(own_id, |ui| grid(ui, "own", |ui| own_rows(ui, place, pair, &mut own))).inner;
     if let Some(change) = change {
-        out.push(Command::Edit { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture });
+        out.push(
+            EditCommand::Change { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture }.into(),
+        );
     }
     if let Some(n) = entry
         && ui.small_button(text::PAIR_RESET).on_hover_text(text::PAIR_RESET_HINT).clicked()
     {
         let mut contact = scene.contact.clone();
         contact.pairs.remove(n);
-        out.push(Command::Edit { edit: edits::contact(contact), gesture: None });
+        out.push(EditCommand::Change { edit: edits::contact(contact), gesture: None }.into());
     }
 }
 
@@ -67,7 +71,7 @@ fn contacts(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command
         for contact in run.contacts.clone().take(MOST) {
             let name = format!("{} | {}", model.contacts[contact].node, model.contacts[contact].face_name);
             if ui.small_button(name).on_hover_text(text::CONTACTS_OF_PAIR).clicked() {
-                out.push(Command::Select(Some(Target::Contact(contact))));
+                out.push(SelectCommand::Only(Some(Target::Contact(contact))).into());
             }
         }
     });

@@ -2,10 +2,12 @@
 
 use egui::{Id, TextEdit, Ui};
 
-use super::{declared, grid, push, section, stiffness};
+use super::rows::{grid, push, section};
+use super::{declared, stiffness};
 use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, GRAVITIES, PARTS, PURE, Place, SECONDS, choice, number, tag};
+use crate::app::field::{CLICK, Change, Place, choice, number, tag};
+use crate::app::unit::{GRAVITIES, PARTS, PURE, SECONDS};
 use crate::app::{edits, text};
 use crate::scene::edit::{Edit, General};
 use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS};
@@ -39,8 +41,8 @@ fn general(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
 }
 
 /// Metres a second squared, shown as multiples of g.
-fn gravities() -> crate::app::field::Unit {
-    crate::app::field::Unit { factor: 1.0 / STANDARD_GRAVITY, ..GRAVITIES }
+fn gravities() -> crate::app::unit::Unit {
+    crate::app::unit::Unit { factor: 1.0 / STANDARD_GRAVITY, ..GRAVITIES }
 }
 
 fn solver(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {

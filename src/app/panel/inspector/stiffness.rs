@@ -2,8 +2,9 @@
 
 use egui::Ui;
 
-use crate::app::field::{Change, MODULUS, Place, area_unit, laid_over, stiffness_unit};
+use crate::app::field::{Change, Place, laid_over};
 use crate::app::text;
+use crate::app::unit::{MODULUS, area_unit, stiffness_unit};
 use crate::scene::facing::DEFAULT_YOUNG_MODULUS;
 use crate::scene::{FrictionLaw, Sharing, Tension};
 

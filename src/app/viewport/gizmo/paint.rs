@@ -3,9 +3,12 @@
 use egui::{Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use glam::DVec3;
 
-use super::{Eye, Grip, Handle, Pulled};
-use crate::app::bench::Workbench;
+use super::handles::Handle;
+use super::pull::Pulled;
+use crate::app::command::Grip;
 use crate::app::style::theme::Palette;
+use crate::app::viewport::eye::Eye;
+use crate::app::viewport::seen::Seen;
 use crate::view::block::{abutment_block, girder_block};
 
 /// Length of a moving arrow \[points\].
@@ -110,14 +113,14 @@ pub(super) fn plate(painter: &Painter, room: Rect, at: Pos2, words: &[String], p
 
 /// The scene as it is edited, where the answer in view is an older one; dashed, in the colour of complaints when it
 /// cannot be run.
-pub(super) fn outlines(ui: &Ui, eye: &Eye, bench: &Workbench) {
-    if !bench.is_stale() || bench.answer().is_none() {
+pub(super) fn outlines(ui: &Ui, eye: &Eye, seen: &Seen<'_>) {
+    if !seen.is_stale() || seen.answer().is_none() {
         return;
     }
     let palette = Palette::of(ui);
-    let color = if bench.problems().is_some() { palette.problem } else { palette.force };
+    let color = if seen.runner.problems().is_some() { palette.problem } else { palette.force };
     let painter = ui.painter().with_clip_rect(eye.rect);
-    let scene = bench.scene();
+    let scene = seen.scene;
     let girders = scene.girders.iter().map(girder_block);
     let walls = scene.abutments.iter().filter_map(|a| abutment_block(scene, a));
     for edges in girders.chain(walls).take(64).map(|block| block.edges()) {

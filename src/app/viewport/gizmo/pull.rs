@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::grip::{Flank, Grip};
 use super::snap::{self, Guide};
-use crate::app::{edits, field, text};
+use crate::app::command::{Flank, Grip};
+use crate::app::{edits, text, unit};
 use crate::geometry::End;
 use crate::scene::edit::Edit;
 use crate::scene::facing::{self, Side};
@@ -46,7 +46,7 @@ pub(in crate::app) struct Pulled {
 impl Pull<'_> {
     /// How far along a direction, rounded \[m\].
     fn along(&self, direction: DVec3) -> f64 {
-        field::rounded((self.to - self.from).dot(direction), self.step)
+        unit::rounded((self.to - self.from).dot(direction), self.step)
     }
 
     /// The number that was typed, or else what the hand pulled it to.
@@ -104,13 +104,13 @@ fn plain(edit: Edit, words: String) -> Pulled {
 /// Moves all that is selected one way.
 fn along(pull: &Pull<'_>, axis: DVec3, word: &str) -> Option<Pulled> {
     let way = (axis * pull.or_typed(pull.along(axis))).truncate();
-    bodies(pull, way, |way| text::dragged(word, &text::exact_length(field::rounded(way.dot(axis.truncate()), 1e-7))))
+    bodies(pull, way, |way| text::dragged(word, &text::exact_length(unit::rounded(way.dot(axis.truncate()), 1e-7))))
 }
 
 /// Moves all that is selected; the girder that leads is what snaps.
 fn bodies(pull: &Pull<'_>, way: DVec2, say: impl Fn(DVec2) -> String) -> Option<Pulled> {
     let lead = pull.selected.iter().rev().find_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
-    let rounded = DVec2::new(field::rounded(way.x, pull.step), field::rounded(way.y, pull.step));
+    let rounded = DVec2::new(unit::rounded(way.x, pull.step), unit::rounded(way.y, pull.step));
     let snapped = match lead {
         _ if pull.typed.is_some() => snap::Snapped::free(way),
         Some(i) if pull.reach > 0.0 => {
@@ -133,9 +133,9 @@ fn turn(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let middle = DVec3::from(girder.position);
     let angle = |p: DVec3| (p - middle).y.atan2((p - middle).x);
     let way = (angle(pull.to) - angle(pull.from)).to_degrees();
-    let free = pull.or_typed(field::rounded(wrapped(girder.heading_deg + way), 0.1));
+    let free = pull.or_typed(unit::rounded(wrapped(girder.heading_deg + way), 0.1));
     let (heading, to) = if pull.snaps() { snap::heading(pull.scene, i, free) } else { (free, None) };
-    let mut words = vec![text::dragged(text::TURNED_TO, &format!("{}°", field::trimmed(heading)))];
+    let mut words = vec![text::dragged(text::TURNED_TO, &format!("{}°", unit::trimmed(heading)))];
     words.extend(to);
     Some(Pulled { edit: Edit::MoveGirder(i, girder.position, heading), words, guides: Vec::new() })
 }
@@ -168,10 +168,10 @@ fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
     let half = flank.sign() * girder.width / 2.0;
     // The corner slides along the girder: cot β = (shift of the corner) / (its distance from the axis).
     let shear = girder.prism().shear() + (pull.to - pull.from).dot(x) / half;
-    let free = pull.or_typed(field::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1));
+    let free = pull.or_typed(unit::rounded(1f64.atan2(shear).to_degrees().clamp(5.0, 175.0), 0.1));
     let (skew, to) = if pull.snaps() { snap::skew(pull.scene, i, free) } else { (free, None) };
     let new = Girder { skew_deg: skew, ..stretched(girder, 1.0, 1.0, skew) };
-    let mut words = vec![text::skewed_to(&field::trimmed(skew), end)];
+    let mut words = vec![text::skewed_to(&unit::trimmed(skew), end)];
     words.extend(to);
     Some(Pulled { edit: edits::girder(i, new), words, guides: Vec::new() })
 }

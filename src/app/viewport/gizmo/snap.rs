@@ -159,14 +159,14 @@ pub(super) fn round_step(per_pixel: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::field;
+    use crate::app::unit;
     use crate::scene::presets;
 
     #[test]
     fn steps_are_powers_of_ten_below_a_pixel() {
         assert_eq!(round_step(0.00037), 1e-4, "below a pixel");
-        assert_eq!(field::rounded(0.123_456, 1e-4), 0.1235, "four digits");
-        assert_eq!(field::rounded(1234.0, 100.0), 1200.0, "large scenes round too");
+        assert_eq!(unit::rounded(0.123_456, 1e-4), 0.1235, "four digits");
+        assert_eq!(unit::rounded(1234.0, 100.0), 1200.0, "large scenes round too");
     }
 
     #[test]

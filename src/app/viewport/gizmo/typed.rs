@@ -3,12 +3,12 @@
 //! It is what the plate names: a length, an angle, a gap, or how far something moves. Without a unit it is in the unit
 //! in which the numbers of the scene are shown.
 
-use super::Held;
-use super::grip::Grip;
+use super::held::Held;
 use super::pull::{self, Pull, Pulled};
-use crate::app::field::units;
-use crate::app::field::{DEGREES, Unit, length_unit};
+use crate::app::command::Grip;
+use crate::app::field::parse;
 use crate::app::text;
+use crate::app::unit::{DEGREES, Unit, length_unit};
 use crate::scene::keys::{self, Range};
 use crate::scene::{Girder, Scene};
 
@@ -84,7 +84,7 @@ pub(in crate::app) fn read(held: &Held, typing: &Typing) -> Said {
 
 /// The number in the unit of the scene; an empty text of a way is no way at all.
 fn number_in(text: &str, unit: Unit, range: Range) -> Result<f64, String> {
-    let number = units::read(text, unit)?.unwrap_or(0.0) / unit.factor;
+    let number = parse::read(text, unit)?.unwrap_or(0.0) / unit.factor;
     range.fault(number).map_or(Ok(number), Err)
 }
 

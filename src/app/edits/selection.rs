@@ -55,6 +55,24 @@ impl Selection {
         self.0.iter().filter_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None })
     }
 
+    /// Selects every girder and abutment.
+    pub(in crate::app) fn everything(&mut self, scene: &Scene) {
+        let girders = (0..scene.girders.len()).map(Target::Girder);
+        self.these(girders.chain((0..scene.abutments.len()).map(Target::Abutment)));
+    }
+
+    /// The girder whose curves stand out: the one that leads, or the one that its abutment faces; else the first.
+    pub(in crate::app) fn girder_shown(&self, scene: &Scene) -> usize {
+        match self.lead() {
+            Some(Target::Girder(i)) => i,
+            Some(Target::Abutment(i)) => {
+                let faces = scene.abutments.get(i).map(|a| &a.faces);
+                scene.girders.iter().position(|g| Some(&g.name) == faces).unwrap_or(0)
+            }
+            _ => 0,
+        }
+    }
+
     /// Lets go of what is not there any more; contacts belong to an answer that is gone.
     pub(in crate::app) fn keep_in(&mut self, scene: &Scene) {
         self.0.retain(|t| match t {

@@ -4,6 +4,7 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
+use crate::app::command::{Flank, Grip};
 use crate::app::text;
 use crate::geometry::End;
 use crate::scene::facing::{self, Facing, Side};
@@ -12,53 +13,6 @@ use crate::view::Target;
 
 /// Most gaps with a handle of their own: beyond that they would hide the row.
 const MOST_GAPS: usize = 24;
-
-/// One of two long sides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Flank {
-    /// Toward `+y`.
-    Left,
-    /// Toward `-y`.
-    Right,
-}
-
-impl Flank {
-    /// Both.
-    pub(super) const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// +1 or −1.
-    pub(super) fn sign(self) -> f64 {
-        match self {
-            Self::Left => 1.0,
-            Self::Right => -1.0,
-        }
-    }
-}
-
-/// What a hand takes hold of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Grip {
-    /// All that is selected, over the ground.
-    Bodies,
-    /// A girder along its own axis.
-    Along(usize),
-    /// A girder across its axis.
-    Across(usize),
-    /// A girder about its middle.
-    Turn(usize),
-    /// An end: the length.
-    Length(usize, End),
-    /// A long side: the width.
-    Width(usize, Flank),
-    /// A corner: the skew.
-    Skew(usize, End, Flank),
-    /// A gap, by the number of the facing pair.
-    Gap(usize),
-    /// An abutment along its face.
-    Offset(usize),
-    /// An abutment's side: the width of its face.
-    FaceWidth(usize, Flank),
-}
 
 /// Something to take hold of.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 //! How numbers are shown: in which unit, how fast a drag changes them.
 
-use super::trimmed;
-use crate::app::field::units::Dimension;
+use super::dimension::Dimension;
 
 /// How a number is shown: `shown = SI × factor`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +28,7 @@ impl Unit {
     }
 
     /// A shown number.
-    pub(super) fn written(&self, shown: f64) -> String {
+    pub(in crate::app) fn written(&self, shown: f64) -> String {
         if self.decimals > 6 && shown != 0.0 { format!("{shown:e}") } else { trimmed(shown) }
     }
 }
@@ -103,5 +102,34 @@ pub(in crate::app) fn damping_unit(c: f64) -> Unit {
         Unit::new(Dimension::Damping, 1e-3, " kN s/m", 0.1)
     } else {
         Unit::new(Dimension::Damping, 1.0, " N s/m", 0.1)
+    }
+}
+
+/// Rounded to a power of ten, with no digits beyond it.
+pub(in crate::app) fn rounded(value: f64, step: f64) -> f64 {
+    // Dividing by a whole number keeps the decimal digits short, multiplying by 0.0001 does not.
+    if step < 1.0 {
+        let per_unit = (1.0 / step).round();
+        (value * per_unit).round() / per_unit
+    } else {
+        (value / step).round() * step
+    }
+}
+
+/// Up to six decimals, none of them needless.
+pub(in crate::app) fn trimmed(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_show_no_needless_zeros() {
+        assert_eq!(trimmed(3.2), "3.2", "short");
+        assert_eq!(trimmed(-1e-9), "0", "no minus zero");
     }
 }

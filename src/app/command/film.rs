@@ -1,0 +1,83 @@
+//! Commands about films, and the numbers of one.
+
+use std::path::PathBuf;
+
+use crate::snapshot::MOST_FPS;
+
+/// A longer film is a mistake in a number.
+const MOST_FRAMES: u32 = 20_000;
+
+/// What a film becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmFormat {
+    /// Numbered pictures in a folder.
+    Png,
+    /// One file that plays by itself.
+    Gif,
+}
+
+/// What the dialog asks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilmPlan {
+    /// Pictures or one file.
+    pub format: FilmFormat,
+    /// Where in the run it begins \[s\].
+    pub from: f64,
+    /// Where it ends \[s\].
+    pub to: f64,
+    /// Seconds of the run in a second of the film.
+    pub speed: f64,
+    /// Frames in a second of the film \[Hz\].
+    pub fps: f64,
+    /// Width and height \[pixels\]; as large as the view when none.
+    pub size: Option<[u32; 2]>,
+}
+
+impl FilmPlan {
+    /// A slow film of a stretch of the run.
+    pub(in crate::app) fn of(from: f64, to: f64) -> Self {
+        Self { format: FilmFormat::Gif, from, to, speed: 0.1, fps: 25.0, size: None }
+    }
+
+    /// Frames a second that the format can have.
+    pub(in crate::app) fn fastest(format: FilmFormat) -> f64 {
+        if format == FilmFormat::Gif { MOST_FPS } else { 120.0 }
+    }
+
+    /// How many frames there are; `None` when there would be none, or far too many.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be in 1..=MOST_FRAMES")]
+    pub fn frames(&self) -> Option<u32> {
+        let frames = ((self.to - self.from) / self.speed * self.fps).round() + 1.0;
+        (self.to >= self.from && (1.0..=f64::from(MOST_FRAMES)).contains(&frames)).then_some(frames as u32)
+    }
+}
+
+/// The film dialog, and a film that is being written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Filming {
+    /// Open the dialog.
+    Ask,
+    /// Another plan.
+    Plan(FilmPlan),
+    /// Close the dialog.
+    Never,
+    /// Ask where the film is to go.
+    Choose,
+    /// Film into a folder (pictures) or file (GIF).
+    Shoot(PathBuf),
+    /// Stop filming; nothing stays.
+    Cancel,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_film_has_a_frame_at_both_ends() {
+        // 1 s of the run at 0.1 s/s and 25 Hz: 250 intervals, 251 frames.
+        assert_eq!(FilmPlan::of(0.0, 1.0).frames(), Some(251), "both ends");
+        assert_eq!(FilmPlan::of(1.0, 0.0).frames(), None, "ends before it begins");
+        assert_eq!(FilmPlan { speed: 1e-6, ..FilmPlan::of(0.0, 1.0) }.frames(), None, "far too long");
+    }
+}

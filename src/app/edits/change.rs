@@ -1,0 +1,300 @@
+//! From what a hand does to the edits of [`scene::edit`](crate::scene::edit) that do it.
+
+use glam::DVec3;
+
+use super::fresh::first_girder;
+use crate::geometry::End;
+use crate::scene::edit::{Edit, General, free_name};
+use crate::scene::facing::{self, Side};
+use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Scene, placed};
+use crate::view::Target;
+use crate::view::block::abutment_block;
+
+/// Gives a girder other numbers.
+pub(in crate::app) fn girder(i: usize, girder: Girder) -> Edit {
+    Edit::ReplaceGirder(i, Box::new(girder))
+}
+
+/// Gives an abutment other numbers.
+pub(in crate::app) fn abutment(i: usize, abutment: Abutment) -> Edit {
+    Edit::ReplaceAbutment(i, Box::new(abutment))
+}
+
+/// Turns the ends of one girder, or of all.
+pub(in crate::app) fn skew(scene: &Scene, one: Option<usize>, skew_deg: f64) -> Edit {
+    let turned = scene.girders.iter().enumerate().filter(|(i, _)| one.is_none_or(|one| one == *i));
+    Edit::Batch(turned.map(|(i, g)| girder(i, Girder { skew_deg, ..g.clone() })).collect())
+}
+
+/// A girder with other numbers; each number that was changed goes to the other selected girders too.
+pub(in crate::app) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selected: &[Target]) -> Edit {
+    let Some(old) = scene.girders.get(i) else { return girder(i, new.clone()) };
+    let mut edits = vec![girder(i, new.clone())];
+    for target in selected {
+        let Target::Girder(k) = *target else { continue };
+        if let Some(other) = scene.girders.get(k).filter(|_| k != i) {
+            edits.push(girder(k, carried(old, new, other)));
+        }
+    }
+    if edits.len() == 1 { girder(i, new.clone()) } else { Edit::Batch(edits) }
+}
+
+/// What changed from `old` to `new`, in `other`.
+fn carried(old: &Girder, new: &Girder, other: &Girder) -> Girder {
+    fn take<T: Clone + PartialEq>(to: &mut T, old: &T, new: &T) {
+        if old != new {
+            to.clone_from(new);
+        }
+    }
+    let mut out = other.clone();
+    take(&mut out.length, &old.length, &new.length);
+    take(&mut out.width, &old.width, &new.width);
+    take(&mut out.thickness, &old.thickness, &new.thickness);
+    take(&mut out.skew_deg, &old.skew_deg, &new.skew_deg);
+    take(&mut out.mass, &old.mass, &new.mass);
+    for axis in 0..3 {
+        take(&mut out.position[axis], &old.position[axis], &new.position[axis]);
+    }
+    take(&mut out.heading_deg, &old.heading_deg, &new.heading_deg);
+    take(&mut out.bearings, &old.bearings, &new.bearings);
+    take(&mut out.initial, &old.initial, &new.initial);
+    take(&mut out.push, &old.push, &new.push);
+    take(&mut out.held, &old.held, &new.held);
+    take(&mut out.seat, &old.seat, &new.seat);
+    out
+}
+
+/// Gives the contact other numbers.
+pub(in crate::app) fn contact(contact: ContactSettings) -> Edit {
+    Edit::Contact(Box::new(contact))
+}
+
+/// Moves the ground otherwise.
+pub(in crate::app) fn motion(motion: Motion) -> Edit {
+    Edit::Motion(Box::new(motion))
+}
+
+/// Runs longer or shorter \[s\].
+pub(in crate::app) fn duration(scene: &Scene, duration: f64) -> Edit {
+    Edit::General(Box::new(General { duration, ..General::of(scene) }))
+}
+
+/// The gap of the first facing pair, which the slider shows \[m\].
+pub(in crate::app) fn gap_of(scene: &Scene) -> Option<f64> {
+    facing::find(scene).ok()?.first().map(|f| f.gap)
+}
+
+/// How far an abutment stands before its girder's end, along the girder's axis \[m\].
+pub(in crate::app) fn gap_before(scene: &Scene, abutment: &Abutment) -> Option<f64> {
+    let number = scene.abutments.iter().position(|a| a.name == abutment.name)?;
+    let pairs = facing::find(scene).ok()?;
+    let own = pairs.iter().find(|p| p.second == Side::Abutment(number))?;
+    Some(micrometres(own.gap).max(0.0))
+}
+
+/// Opens every facing pair to the same gap: abutments by their own number, girders by standing farther apart \[m\].
+pub(in crate::app) fn gap(scene: &Scene, gap: f64) -> Edit {
+    let mut edits = Vec::new();
+    let mut shift = vec![None; scene.girders.len()];
+    for pair in facing::find(scene).unwrap_or_default() {
+        match (pair.first, pair.second) {
+            (Side::Girder(..), Side::Abutment(i)) => {
+                if let Some(wall) = scene.abutments.get(i).filter(|a| a.gap.is_some()) {
+                    edits.push(abutment(i, Abutment { gap: Some(gap), ..wall.clone() }));
+                }
+            }
+            (Side::Girder(first, end), Side::Girder(second, _)) => {
+                let along = placed::axes(&scene.girders[first]).x_axis * end.sign();
+                push_apart(&mut shift, first, second, along * (gap - pair.gap));
+            }
+            (Side::Abutment(_), _) => {}
+        }
+    }
+    let moved = scene.girders.iter().zip(shift).enumerate();
+    edits.extend(moved.filter_map(|(i, (g, shift))| {
+        Some(Edit::MoveGirder(i, tidy(DVec3::from(g.position) + shift?), g.heading_deg))
+    }));
+    Edit::Batch(edits)
+}
+
+/// A place in whole micrometres: it will be read in a file.
+pub(in crate::app) fn tidy(place: DVec3) -> [f64; 3] {
+    place.to_array().map(micrometres)
+}
+
+/// To a whole micrometre \[m\].
+pub(in crate::app) fn micrometres(v: f64) -> f64 {
+    (v * 1e6).round() / 1e6
+}
+
+/// Moves a girder and every girder that stands in a row with it, up to `from`, by a way \[m\]: gaps beyond stay.
+pub(in crate::app) fn row_shifted(scene: &Scene, from: usize, second: usize, way: DVec3) -> Edit {
+    let pairs = facing::find(scene).unwrap_or_default();
+    let mut row = vec![second];
+    let mut next = 0;
+    while let Some(&here) = row.get(next) {
+        next += 1;
+        for pair in &pairs {
+            let (Side::Girder(a, _), Side::Girder(b, _)) = (pair.first, pair.second) else { continue };
+            let there = if a == here { b } else { a };
+            if (a == here || b == here) && there != from && !row.contains(&there) {
+                row.push(there);
+            }
+        }
+    }
+    let moved = row.into_iter().filter_map(|i| {
+        let girder = scene.girders.get(i)?;
+        Some(Edit::MoveGirder(i, tidy(DVec3::from(girder.position) + way), girder.heading_deg))
+    });
+    Edit::Batch(moved.collect())
+}
+
+/// Moves the second girder with the first one's shift and `way` on; a girder already moved by another pair stays.
+fn push_apart(shift: &mut [Option<DVec3>], first: usize, second: usize, way: DVec3) {
+    match (shift[first], shift[second]) {
+        (_, None) => {
+            let base = *shift[first].get_or_insert(DVec3::ZERO);
+            shift[second] = Some(base + way);
+        }
+        (None, Some(there)) => shift[first] = Some(there - way),
+        (Some(_), Some(_)) => {}
+    }
+}
+
+/// Gives something another name.
+pub(in crate::app) fn rename(scene: &Scene, target: Target, name: String) -> Option<Edit> {
+    let old = match target {
+        Target::Girder(i) => scene.girders.get(i).map(|g| g.name.clone()),
+        Target::Abutment(i) => scene.abutments.get(i).map(|a| a.name.clone()),
+        Target::Contact(_) => None,
+    };
+    old.map(|old| Edit::Rename(old, name))
+}
+
+/// Removes something.
+pub(in crate::app) fn remove(target: Target) -> Option<Edit> {
+    match target {
+        Target::Girder(i) => Some(Edit::RemoveGirder(i)),
+        Target::Abutment(i) => Some(Edit::RemoveAbutment(i)),
+        Target::Contact(_) => None,
+    }
+}
+
+/// The name without the number at its end, so that copies count on.
+fn stem(name: &str) -> &str {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    if stem.is_empty() { name } else { stem }
+}
+
+/// A copy of a girder beyond the `+x` end of the row, one gap away.
+pub(in crate::app) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
+    let model = like.and_then(|i| scene.girders.get(i)).or(scene.girders.last());
+    let mut new = model.cloned().unwrap_or_else(first_girder);
+    new.name = free_name(scene, stem(&new.name));
+    new.initial = Initial::default();
+    let along = placed::axes(&new).x_axis;
+    let gap = gap_of(scene).unwrap_or(0.003).max(new.length * 0.005);
+    let end = scene.girders.iter().map(|g| DVec3::from(g.position).dot(along) + g.length / 2.0);
+    let walls = scene.abutments.iter().filter_map(|a| wall_end(scene, a, along));
+    if let Some(farthest) = end.chain(walls).reduce(f64::max) {
+        let place = DVec3::from(new.position);
+        let there = place + along * (farthest + gap + new.length / 2.0 - place.dot(along));
+        new.position = tidy(there);
+    }
+    Edit::AddGirder(scene.girders.len(), Box::new(new))
+}
+
+/// Copies of a girder in a row beyond its `+x` end: so many spans, the first of them itself, `gap` apart \[m\]. The
+/// abutment that stood before that end stands before the row's end then.
+pub(in crate::app) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
+    let mut scene = scene.clone();
+    let mut edits = Vec::with_capacity(spans);
+    for span in 1..spans {
+        let Some(model) = scene.girders.get(first) else { break };
+        let way = placed::axes(model).x_axis * ((model.length + gap) * span as f64);
+        let mut new = model.clone();
+        new.name = free_name(&scene, stem(&new.name));
+        new.position = tidy(DVec3::from(new.position) + way);
+        scene.girders.push(new.clone());
+        edits.push(Edit::AddGirder(scene.girders.len() - 1, Box::new(new)));
+    }
+    let Some((model, last)) = scene.girders.get(first).zip(scene.girders.last()) else { return Edit::Batch(edits) };
+    let walls = scene.abutments.iter().enumerate();
+    let before = walls.filter(|(_, a)| a.faces == model.name && a.end == End::Plus && a.polygon.is_none());
+    edits.extend(before.map(|(i, a)| abutment(i, Abutment { faces: last.name.clone(), ..a.clone() })));
+    Edit::Batch(edits)
+}
+
+/// A body moved over the ground \[m\] and turned \[degrees\]; an abutment that follows a girder goes with its gap and
+/// offset, and does not turn.
+pub(in crate::app) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
+    match target {
+        Target::Girder(i) => {
+            let girder = scene.girders.get(i)?;
+            let [x, y, z] = girder.position;
+            Some(Edit::MoveGirder(i, tidy(DVec3::new(x + dx, y + dy, z)), girder.heading_deg + turn_deg))
+        }
+        Target::Abutment(i) => shifted_abutment(scene, i, glam::DVec2::new(dx, dy)),
+        Target::Contact(_) => None,
+    }
+}
+
+/// An abutment follows its gap and its offset, or its corners.
+fn shifted_abutment(scene: &Scene, number: usize, way: glam::DVec2) -> Option<Edit> {
+    let mut new = scene.abutments.get(number)?.clone();
+    if let Some(corners) = &mut new.polygon {
+        for corner in corners {
+            *corner = tidy(DVec3::new(corner[0] + way.x, corner[1] + way.y, corner[2]));
+        }
+        return Some(abutment(number, new));
+    }
+    let girder = scene.girders.iter().find(|g| g.name == new.faces)?;
+    let along = (placed::axes(girder).x_axis * new.end.sign()).truncate();
+    let [a, b, ..] = placed::end_face(girder, new.end);
+    let side = (a - b).truncate().normalize_or_zero();
+    // way = u along + v side: the two are not square to each other on a skewed girder.
+    let area = along.perp_dot(side);
+    if area.abs() < 1e-9 {
+        return None;
+    }
+    let (u, v) = (way.perp_dot(side) / area, along.perp_dot(way) / area);
+    new.gap = Some(micrometres(new.gap? + u).max(0.0));
+    new.offset = Some(micrometres(new.offset.unwrap_or(0.0) + v)).filter(|o| *o != 0.0);
+    Some(abutment(number, new))
+}
+
+/// How far a wall reaches along a direction \[m\].
+fn wall_end(scene: &Scene, abutment: &Abutment, along: DVec3) -> Option<f64> {
+    let block = abutment_block(scene, abutment)?;
+    block.corners().iter().map(|c| c.dot(along)).reduce(f64::max)
+}
+
+/// An abutment before the first end, of the chosen girder or of any, that faces nobody yet.
+pub(in crate::app) fn add_abutment(scene: &Scene, before: Option<usize>) -> Option<Edit> {
+    let free = free_ends(scene);
+    let (i, end) = free.iter().find(|(i, _)| Some(*i) == before).or(free.first()).copied()?;
+    Some(Edit::AddAbutment(scene.abutments.len(), Box::new(abutment_before(scene, i, end))))
+}
+
+/// Ends of girders that face nobody.
+pub(in crate::app) fn free_ends(scene: &Scene) -> Vec<(usize, End)> {
+    let pairs = facing::find(scene).unwrap_or_default();
+    let taken = |side: Side| pairs.iter().any(|p| p.first == side || p.second == side);
+    let ends = (0..scene.girders.len()).flat_map(|i| End::BOTH.into_iter().map(move |end| (i, end)));
+    ends.filter(|&(i, end)| !taken(Side::Girder(i, end))).collect()
+}
+
+/// An abutment before an end of a girder, at the scene's own gap.
+pub(in crate::app) fn abutment_before(scene: &Scene, girder: usize, end: End) -> Abutment {
+    Abutment {
+        name: free_name(scene, "abutment"),
+        faces: scene.girders[girder].name.clone(),
+        end,
+        gap: Some(gap_of(scene).unwrap_or(scene.girders[girder].length * 0.016)),
+        width: None,
+        height: None,
+        offset: None,
+        polygon: None,
+        depth: None,
+    }
+}

@@ -1,0 +1,69 @@
+//! Where a field's value stands in the scene file, and what a hand did to it.
+
+use egui::{Response, Ui};
+
+use crate::scene::SceneErrors;
+
+/// Where a field's value stands in the scene file, and what is wrong with it.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Place<'a> {
+    /// Complaints about the scene.
+    pub problems: Option<&'a SceneErrors>,
+    /// `girder.deck`, `contact`, `motion`; empty for the top of the file.
+    pub table: &'a str,
+}
+
+impl Place<'_> {
+    /// The way to a key from the top of the file.
+    pub(in crate::app) fn path(&self, key: &str) -> String {
+        if self.table.is_empty() { key.to_owned() } else { format!("{}.{key}", self.table) }
+    }
+
+    pub(in crate::app) fn complaint(&self, key: &str) -> Option<String> {
+        let errors = &self.problems?.0;
+        let place = self.path(key);
+        // An index or a suffix may follow the key: `position_m[0]`.
+        let own = |p: &str| p == place || p.strip_prefix(&place).is_some_and(|rest| rest.starts_with(['[', '.']));
+        errors.iter().find(|e| own(&e.place)).map(|e| format!("{}: {}", e.value, e.remedy))
+    }
+}
+
+/// What the hand did to a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::app) struct Change {
+    /// The same for all changes of one drag; none for typing and keys.
+    pub gesture: Option<u64>,
+}
+
+/// What a button, a box or a typed number did.
+pub(in crate::app) const CLICK: Option<Change> = Some(Change { gesture: None });
+
+/// The gesture that a response belongs to, if it has just changed its value.
+pub(in crate::app) fn change(ui: &Ui, response: &Response) -> Option<Change> {
+    if !response.changed() {
+        return None;
+    }
+    let pressed = ui.input(|i| i.pointer.press_start_time());
+    let held = response.is_pointer_button_down_on() || response.dragged();
+    Some(Change { gesture: pressed.filter(|_| held).map(|t| response.id.value() ^ t.to_bits()) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::SceneError;
+
+    #[test]
+    fn a_complaint_stands_at_its_field_only() {
+        let error = |place: &str| SceneError {
+            file: "f".into(),
+            place: place.into(),
+            value: "-1".into(),
+            remedy: "give more than 0".into(),
+        };
+        let errors = SceneErrors(vec![error("girder.deck.mass_kg")]);
+        let place = Place { problems: Some(&errors), table: "girder.deck" };
+        assert_eq!(place.complaint("mass_kg").as_deref(), Some("-1: give more than 0"), "its own");
+        assert_eq!(place.complaint("length_m"), None, "another's");
+    }
+}

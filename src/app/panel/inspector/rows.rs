@@ -1,0 +1,34 @@
+//! What the sections of the inspector are laid out with.
+
+use egui::{CollapsingHeader, Grid, RichText, Ui};
+
+use crate::app::command::{Command, EditCommand};
+use crate::app::field::Change;
+use crate::scene::edit::Edit;
+
+/// A grid of names and values.
+pub(super) fn grid<R>(ui: &mut Ui, salt: &str, rows: impl FnOnce(&mut Ui) -> R) -> R {
+    let column = (ui.available_width() - 8.0) / 2.0;
+    Grid::new(salt).num_columns(2).min_col_width(column.min(112.0)).spacing([8.0, 3.0]).show(ui, rows).inner
+}
+
+/// A section that can be folded away.
+pub(super) fn section<R>(ui: &mut Ui, title: &str, open: bool, rows: impl FnOnce(&mut Ui) -> R) -> Option<R> {
+    let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(open);
+    header.show_unindented(ui, rows).body_returned
+}
+
+/// Turns a change of a field into a command.
+pub(super) fn push(change: Option<Change>, out: &mut Vec<Command>, edit: impl FnOnce() -> Edit) {
+    if let Some(change) = change {
+        out.push(EditCommand::Change { edit: edit(), gesture: change.gesture }.into());
+    }
+}
+
+/// A line of small words under a row.
+pub(super) fn note(ui: &mut Ui, words: &str) -> Option<Change> {
+    ui.label("");
+    ui.add(egui::Label::new(RichText::new(words).weak().small()).wrap());
+    ui.end_row();
+    None
+}

@@ -1,0 +1,50 @@
+//! How the view is looked at: the menu of views beyond the standing ones, and the slider of the exaggeration.
+
+use egui::{Button, Slider, Ui};
+
+use crate::app::bench::Workbench;
+use crate::app::command::{Command, Follow, Sight, ViewCommand, WindowCommand};
+use crate::app::field::slider_row;
+use crate::app::style::size::SCALES;
+use crate::app::text;
+
+/// The menu of views beyond the standing ones.
+pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let sight = bench.sight();
+    let mut new = sight;
+    ui.checkbox(&mut new.plan, text::PLAN_BESIDE);
+    ui.checkbox(&mut new.section, text::GAP_SECTION);
+    ui.checkbox(&mut new.lecture, text::LECTURE);
+    ui.separator();
+    ui.label(text::FOLLOW);
+    let girder = bench.shown_girder();
+    let name = bench.scene().girders.get(girder).map_or("", |g| g.name.as_str());
+    ui.radio_value(&mut new.follow, None, text::FOLLOW_NOTHING);
+    ui.radio_value(&mut new.follow, Some(Follow::Middle(girder)), text::follow(name, None));
+    for corner in 0..4 {
+        ui.radio_value(&mut new.follow, Some(Follow::Corner(girder, corner)), text::follow(name, Some(corner)));
+    }
+    ui.separator();
+    ui.label(text::SIZE);
+    ui.horizontal(|ui| {
+        for (words, scale) in SCALES {
+            if ui.add(Button::selectable(ui.zoom_factor() == scale, words)).clicked() {
+                out.push(WindowCommand::Scale(scale).into());
+            }
+        }
+    });
+    if new != sight {
+        out.push(ViewCommand::Sight(new).into());
+    }
+}
+
+/// The slider of the exaggeration, in the panel of what is shown.
+pub(in crate::app) fn exaggeration(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+    let sight = bench.sight();
+    let mut factor = sight.exaggeration;
+    let slider = Slider::new(&mut factor, 1.0..=100.0).logarithmic(true).prefix("× ").max_decimals(1);
+    if slider_row(ui, text::EXAGGERATION.into(), slider, "").changed() {
+        let factor = if factor.is_finite() { factor.clamp(1.0, 1000.0) } else { 1.0 };
+        out.push(ViewCommand::Sight(Sight { exaggeration: factor, ..sight }).into());
+    }
+}

@@ -1,0 +1,100 @@
+//! Runs that are kept to compare with.
+
+use std::sync::Arc;
+
+use crate::app::run::answer::Answer;
+use crate::app::style::theme::PINS;
+use crate::app::text;
+
+/// Most runs that are kept: more cannot be told apart.
+const MOST: usize = PINS.len();
+
+/// A run that is kept.
+#[derive(Clone)]
+pub(in crate::app) struct Pin {
+    /// What it is called: what was different, as far as undo knows it.
+    pub(in crate::app) name: String,
+    /// The run.
+    pub(in crate::app) answer: Arc<Answer>,
+    /// Which of the colours it has.
+    pub(in crate::app) color: usize,
+}
+
+/// The runs that are kept, in the order in which they were.
+#[derive(Default)]
+pub(in crate::app) struct Comparison {
+    pins: Vec<Pin>,
+    /// How many have been kept since the window was opened.
+    count: usize,
+}
+
+impl Comparison {
+    /// All of them.
+    pub(in crate::app) fn pins(&self) -> &[Pin] {
+        &self.pins
+    }
+
+    /// Numbers of their answers.
+    pub(in crate::app) fn numbers(&self) -> Vec<u64> {
+        self.pins.iter().map(|p| p.answer.number).collect()
+    }
+
+    /// Keeps a run, named after what was different in it.
+    ///
+    /// # Errors
+    /// In words: the same run is kept already, or there is no room.
+    pub(in crate::app) fn pin(&mut self, answer: &Arc<Answer>, what: &str) -> Result<(), &'static str> {
+        let digest = answer.history.digest();
+        if self.pins.iter().any(|p| p.answer.history.digest() == digest) {
+            return Err(text::PIN_THERE);
+        }
+        let free = (0..MOST).find(|c| self.pins.iter().all(|p| p.color != *c));
+        let color = free.ok_or(text::PINS_FULL)?;
+        self.count += 1;
+        let name = format!("{} {}: {what}", text::PIN, self.count);
+        self.pins.push(Pin { name, answer: answer.clone(), color });
+        Ok(())
+    }
+
+    /// Lets one go, by its number from 0; nothing where there is none.
+    pub(in crate::app) fn unpin(&mut self, number: usize) {
+        if number < self.pins.len() {
+            self.pins.remove(number);
+        }
+    }
+
+    /// Lets all go.
+    pub(in crate::app) fn clear(&mut self) {
+        self.pins.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::scene::presets;
+    use crate::sim::History;
+
+    fn answer(duration: f64) -> Arc<Answer> {
+        let mut scene = presets::load(presets::OPENING).expect("ships");
+        scene.duration = duration;
+        Arc::new(Answer::new(History::of(&scene).expect("runs"), Duration::ZERO, 1))
+    }
+
+    #[test]
+    fn a_run_is_kept_once_and_a_colour_is_free_again_when_its_run_goes() {
+        let mut kept = Comparison::default();
+        let runs: Vec<Arc<Answer>> = (0..=MOST).map(|i| answer(0.1 + 0.01 * i as f64)).collect();
+        for run in &runs[..MOST] {
+            kept.pin(run, "gap").expect("room for it");
+        }
+        assert_eq!(kept.pin(&runs[0], "gap"), Err(text::PIN_THERE), "the same run");
+        assert_eq!(kept.pin(&runs[MOST], "gap"), Err(text::PINS_FULL), "one too many");
+        kept.unpin(1);
+        kept.unpin(99);
+        kept.pin(&runs[MOST], "gap").expect("room again");
+        assert_eq!(kept.pins().last().map(|p| p.color), Some(1), "the colour that became free");
+    }
+}

@@ -1,0 +1,6 @@
+//! Numbers and their units: how a number of the scene is shown, and which units may be typed for it.
+
+mod dimension;
+mod shown;
+
+pub(in crate::app) use shown::*;

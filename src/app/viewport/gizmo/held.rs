@@ -1,0 +1,59 @@
+//! What is held, and what a pull on it comes to.
+
+use egui::{Id, Pos2};
+use glam::DVec3;
+
+use super::pull::{self, Pull, Pulled};
+use super::snap;
+use crate::app::command::Grip;
+use crate::app::viewport::eye::Eye;
+use crate::scene::{Girder, Scene};
+use crate::view::Target;
+
+/// Snaps to lines nearer than this \[points\].
+const SNAP: f64 = 8.0;
+
+/// What a closed hand holds.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Held {
+    /// Of what.
+    pub(in crate::app) grip: Grip,
+    /// Where the mouse took it, on its plane \[m\].
+    pub(in crate::app) from: DVec3,
+    /// The scene then: the way is counted from there, so that nothing drifts.
+    pub(in crate::app) scene: Box<Scene>,
+    /// What was selected then.
+    pub(in crate::app) selected: Vec<Target>,
+    /// The same for all edits of this pull.
+    pub(in crate::app) gesture: u64,
+    /// Whether it is held by keys alone.
+    pub(in crate::app) by_keys: bool,
+}
+
+/// What a pull comes to, with the mouse at `at`; `free` pulls do not snap.
+pub(in crate::app) fn pull(held: &Held, eye: &Eye, at: Pos2, free: bool) -> Option<Pulled> {
+    let to = eye.on_level(at, held.from.z)?;
+    let point = eye.metres_per_point(to);
+    let reach = if free { 0.0 } else { SNAP * point };
+    let (scene, selected) = (&*held.scene, &held.selected[..]);
+    let step = snap::round_step(point);
+    pull::pulled(held.grip, &Pull { scene, selected, from: held.from, to, step, reach, typed: None })
+}
+
+/// How far a new girder snaps from where it stands, and to what; a `point` of the screen is so many metres.
+pub(in crate::app) fn snapped(scene: &Scene, new: &Girder, point: f64, free: bool) -> (DVec3, Vec<String>) {
+    if free {
+        return (DVec3::ZERO, Vec::new());
+    }
+    // Its own gap means nothing yet: only those that there were count.
+    let (reach, gaps) = (SNAP * point, snap::usual_gaps(scene));
+    let (mut with, number) = (scene.clone(), scene.girders.len());
+    with.girders.push(new.clone());
+    let found = snap::moved(&with, &[Target::Girder(number)], number, glam::DVec2::ZERO, (reach, &gaps));
+    (found.way.extend(0.0), found.words)
+}
+
+/// What a handle is called among widgets.
+pub(in crate::app) fn handle_id(grip: Grip) -> Id {
+    Id::unique(("handle", grip))
+}
