@@ -3,6 +3,28 @@
 //! Everything but the thin `shell` is one function, [`Workbench::ui`], that a test can call without a window. Panels
 //! read the workbench and return [`Command`]s; [`Workbench::apply`] is where they are done. Changes of the scene go
 //! through [`scene::edit`](crate::scene::edit), so that every one of them can be undone.
+//!
+//! # Rooms
+//!
+//! Each uses only rooms above it (`APP_ROOMS` in `tests/architecture.rs`).
+//!
+//! | room | what is in it |
+//! |---|---|
+//! | `host` | time on the wall, threads, the wake-up call |
+//! | `style`, `unit` | colours, signs and sizes; units of numbers |
+//! | `command` | what can be asked for, as plain data |
+//! | `text` | every word that the window shows |
+//! | `field` | one number of a scene: label, unit, range, reset |
+//! | `edits` | the scene with its past, what is selected, edits of both |
+//! | `learn` | lessons |
+//! | `run` | runs of the scene, their answers, runs kept to compare with |
+//! | `time` | playing clock, window of time, timeline |
+//! | `plot` | curves: sampled, drawn, written |
+//! | `disk` | scene files, autosave, exports, films, the system's dialogs |
+//! | `viewport` | the 3D view: camera, picture, mouse, handles |
+//! | `bench` | the parts put together, and what concerns several of them |
+//! | `panel` | panels, dialogs, keys, and where they stand |
+//! | `shell` | the system's window |
 
 mod bench;
 mod command;

@@ -3,10 +3,8 @@
 use egui::Ui;
 
 use super::workbench::Workbench;
-use crate::app::command::{
-    Command, CompareCommand, EditCommand, HandCommand, SelectCommand, ViewCommand, WindowCommand,
-};
-use crate::app::edits::{self, placed};
+use crate::app::command::{Command, HandCommand, PlaceCommand, ViewCommand, WindowCommand};
+use crate::app::edits::placed;
 use crate::app::style::size::LECTURE;
 use crate::app::viewport::hand::Keyed;
 use crate::app::viewport::picture::bounds_of;
@@ -33,8 +31,16 @@ impl Workbench {
     fn state_shown(&self) -> impl PartialEq + use<> {
         let view = (self.viewport.camera().copied(), self.viewport.wanted(), self.viewport.hand.seen());
         let shown = (self.display.seen(), self.comparison.numbers(), self.window.clone());
-        let files = (self.session.seen(), self.films.plan, self.learning, self.aim_next);
-        (self.revision(), self.playback.clone(), self.selection.clone(), self.is_stale(), view, shown, files)
+        let files = (self.files.session.seen(), self.films.plan, self.learning, self.aim_next);
+        (
+            self.files.document.revision(),
+            self.playback.clone(),
+            self.selection.clone(),
+            self.is_stale(),
+            view,
+            shown,
+            files,
+        )
     }
 
     /// Does one thing.
@@ -44,23 +50,20 @@ impl Workbench {
                 let end = self.end();
                 self.playback.apply(command, end, self.runner.answer().map(|a| &**a));
             }
-            Command::Edit(command) => self.apply_edit(command),
-            Command::Place(command) => {
-                if let Some(placed) = placed(command, self.document.scene(), &self.selection) {
-                    self.edit(placed.edit, None);
-                    if let Some(then) = placed.then.filter(|_| self.window.notice.is_none()) {
-                        self.selection.these(then);
-                    }
-                }
+            Command::Edit(command) => {
+                let done = self.files.document.apply(command);
+                self.after(done);
             }
+            Command::Place(command) => self.apply_place(command),
             Command::Hand(command) => self.apply_hand(&command),
-            Command::Select(SelectCommand::Only(target)) => self.selection.only(target),
-            Command::Select(SelectCommand::Also(target)) => self.selection.toggle(target),
-            Command::Select(SelectCommand::All) => self.selection.everything(self.document.scene()),
+            Command::Select(command) => self.selection.apply(command, self.files.document.scene()),
             Command::View(command) => self.apply_view(command),
-            Command::Compare(CompareCommand::Pin) => self.pin(),
-            Command::Compare(CompareCommand::Unpin(number)) => self.comparison.unpin(number),
-            Command::Compare(CompareCommand::UnpinAll) => self.comparison.clear(),
+            Command::Compare(command) => {
+                let (document, answer) = (&self.files.document, self.runner.fresh_answer());
+                let what = document.undo_label().unwrap_or(&document.scene().name);
+                let done = self.comparison.apply(command, answer, what);
+                self.window.say_failure(done);
+            }
             Command::File(command) => self.apply_file(command),
             Command::Keep(command) => self.apply_keep(command),
             Command::Film(command) => self.apply_film(command),
@@ -69,42 +72,22 @@ impl Workbench {
         }
     }
 
-    fn apply_edit(&mut self, command: EditCommand) {
-        match command {
-            EditCommand::Change { edit, gesture } => self.edit(edit, gesture),
-            EditCommand::Undo => {
-                let done = self.document.undo();
-                self.after(done);
-            }
-            EditCommand::Redo => {
-                let done = self.document.redo();
-                self.after(done);
-            }
-            EditCommand::Rename(target, name) => {
-                if let Some(edit) = edits::rename(self.document.scene(), target, name) {
-                    self.edit(edit, None);
-                }
-            }
+    fn apply_place(&mut self, command: PlaceCommand) {
+        let Some(placed) = placed(command, self.files.document.scene(), &self.selection) else { return };
+        self.edit(placed.edit, None);
+        if let Some(then) = placed.then.filter(|_| self.window.notice.is_none()) {
+            self.selection.these(then);
         }
     }
 
     fn apply_hand(&mut self, command: &HandCommand) {
-        let hand = &mut self.viewport.hand;
-        let keyed = match command {
-            HandCommand::Take(grip, at) => {
-                hand.hold_by_keys(*grip, *at, self.document.scene(), self.selection.all());
-                None
-            }
-            HandCommand::Type(key) => hand.type_key(key),
+        let (scene, selected) = (self.files.document.scene(), self.selection.all());
+        let done = match self.viewport.hand.apply(command, scene, selected) {
+            Some(Keyed::Change(edit, gesture)) => self.files.document.edit(edit, Some(gesture)),
+            Some(Keyed::Abandon(gesture)) => self.files.document.abandon(gesture),
+            None => return,
         };
-        match keyed {
-            Some(Keyed::Change(edit, gesture)) => self.edit(edit, Some(gesture)),
-            Some(Keyed::Abandon(gesture)) => {
-                let done = self.document.abandon(gesture);
-                self.after(done);
-            }
-            None => {}
-        }
+        self.after(done);
     }
 
     fn apply_view(&mut self, command: ViewCommand) {
@@ -127,37 +110,18 @@ impl Workbench {
     }
 
     fn apply_window(&mut self, command: WindowCommand) {
-        match command {
-            // The context of egui keeps theme and size.
-            WindowCommand::Theme(_) | WindowCommand::Scale(_) => {}
-            WindowCommand::Help(open) => self.window.help = open,
-            WindowCommand::AskRow(draft) => self.window.row = draft,
-            WindowCommand::CancelRun => self.runner.cancel(),
-            WindowCommand::Dismiss => self.window.notice = None,
-            WindowCommand::Close => self.close(self.is_dirty()),
-            WindowCommand::CloseAnyway => self.close(false),
-            WindowCommand::KeepOpen => self.window.stay_open(),
+        if command == WindowCommand::CancelRun {
+            self.runner.cancel();
         }
-    }
-
-    /// Closes the window, or asks first; work that is given up is not kept.
-    fn close(&mut self, ask: bool) {
-        if self.window.close(ask) {
-            self.forget_work();
+        if self.window.apply(command, self.is_dirty()) {
+            // Saved, or given up.
+            self.files.forget_work();
         }
-    }
-
-    /// Keeps the run that is shown to compare with.
-    fn pin(&mut self) {
-        let Some(answer) = self.runner.answer().filter(|_| !self.runner.is_stale()) else { return };
-        let what = self.document.undo_label().unwrap_or(&self.document.scene().name);
-        let done = self.comparison.pin(answer, what);
-        self.window.say_failure(done);
     }
 
     /// Changes the scene; edits of one gesture are undone together.
     pub(super) fn edit(&mut self, edit: Edit, gesture: Option<u64>) {
-        let done = self.document.edit(edit, gesture);
+        let done = self.files.document.edit(edit, gesture);
         self.after(done);
     }
 
@@ -172,8 +136,8 @@ impl Workbench {
 
     /// The scene is another one: run it, and let go of what is no longer there.
     fn changed(&mut self) {
-        self.selection.keep_in(self.document.scene());
-        self.runner.start(self.document.scene());
+        self.selection.keep_in(self.files.document.scene());
+        self.runner.start(self.files.document.scene());
         let end = self.end();
         self.playback.keep_inside(end);
     }

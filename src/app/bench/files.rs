@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::workbench::Workbench;
-use crate::app::command::{Export, FileCommand, FilmPlan, Filming, Keep, Learn};
+use crate::app::command::{Export, FileCommand, Filming, Keep, Learn};
+use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::disk::{export, film, record};
+use crate::app::edits;
 use crate::app::plot::plot_files;
-use crate::app::{edits, text};
-use crate::files::{load_scene, load_unsaved, save_scene};
+use crate::files::{Found, load_scene, load_unsaved};
 use crate::scene::Scene;
-use crate::scene::edit::Edit;
 use crate::snapshot::Shot;
 
 impl Workbench {
@@ -21,21 +21,28 @@ impl Workbench {
             FileCommand::AskOpen => self.dialogs.open(),
             FileCommand::AskRecord => self.dialogs.record(),
             FileCommand::Record(path) => {
-                let folder = self.document.file().and_then(Path::parent).unwrap_or(Path::new(""));
-                match record::shaking_by(&path, folder, &self.document.scene().motion) {
+                match record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion) {
                     Ok(motion) => self.edit(edits::motion(motion), None),
                     Err(problem) => self.window.say(problem),
                 }
             }
-            FileCommand::Save => match self.document.file().map(Path::to_owned) {
+            FileCommand::Save => match self.files.document.file().map(Path::to_owned) {
                 Some(file) => self.save(&file),
                 None => self.ask_where_to_save(),
             },
             FileCommand::SaveAs => self.ask_where_to_save(),
             FileCommand::SaveTo(path) => self.save(&path),
-            FileCommand::AskExport(what) => self.dialogs.export(what, &self.document.scene().name),
-            FileCommand::Export(what, path) => self.export(what, path),
-            FileCommand::AskPlots(format) => self.dialogs.plots(format, &self.document.scene().name),
+            FileCommand::AskExport(what) => self.dialogs.export(what, &self.files.document.scene().name),
+            FileCommand::Export(Export::Picture, path) => {
+                let Some(list) = self.viewport.list().cloned() else { return };
+                let (size, title) = (self.viewport.size(), self.files.document.scene().name.clone());
+                self.background.run(move || export::picture(&list, size, &title, &path));
+            }
+            FileCommand::Export(Export::Tables, path) => {
+                let Some(answer) = self.runner.answer().cloned() else { return };
+                self.background.run(move || export::tables(&answer, &path));
+            }
+            FileCommand::AskPlots(format) => self.dialogs.plots(format, &self.files.document.scene().name),
             FileCommand::Plots(path) => {
                 if let Some(work) = plot_files::writing(&self.plot_source(), path) {
                     self.background.run(work);
@@ -45,59 +52,39 @@ impl Workbench {
     }
 
     pub(super) fn apply_keep(&mut self, command: Keep) {
-        match command {
-            Keep::Recover => self.recover(),
-            Keep::Discard => {
-                let done = self.session.discard();
-                self.window.say_failure(done);
+        match self.files.apply(command) {
+            Ok(Left::Nothing) => {}
+            Ok(Left::Recover(found)) => self.recover(found),
+            Ok(Left::Reload(file)) => {
+                let mine = self.files.document.origin_id();
+                self.open(&file.to_string_lossy(), Some(file.clone()));
+                // Given up; undo brings it back, and then it is kept again.
+                self.files.session.forget_work(mine);
             }
-            Keep::Later => drop(self.session.take_found()),
-            Keep::Reload => self.reload(),
-            Keep::KeepMine => self.session.keep_mine(&mut self.document),
-            Keep::Forget(file) => {
-                let done = self.session.forget(&file);
-                self.window.say_failure(done);
-            }
-            Keep::ForgetAll => {
-                let done = self.session.forget_all();
-                self.window.say_failure(done);
-            }
+            Err(problem) => self.window.say(problem),
         }
     }
 
     pub(super) fn apply_film(&mut self, command: Filming) {
-        match command {
-            Filming::Ask => {
-                let [from, to] = self.playback.window.unwrap_or([0.0, self.end()]);
-                self.films.plan = Some(FilmPlan::of(from, to));
-            }
-            Filming::Plan(plan) => self.films.plan = Some(plan),
-            Filming::Never => self.films.plan = None,
-            Filming::Choose => {
-                if let Some(plan) = self.films.plan {
-                    self.dialogs.film(plan.format, &film::file_stem(&self.document.scene().name));
-                }
-            }
-            Filming::Shoot(path) => self.shoot(path),
-            Filming::Cancel => {
-                self.films.cancel();
-                self.window.say(text::FILM_CANCELLED);
-            }
-        }
-    }
-
-    fn shoot(&mut self, path: PathBuf) {
-        let (Some(plan), Some(answer)) = (self.films.plan.take(), self.runner.answer().cloned()) else { return };
         let shot = Shot {
             camera: self.viewport.camera().copied(),
-            size: plan.size.unwrap_or(self.viewport.size()),
+            size: self.viewport.size(),
             overlays: Some(self.display.overlays),
             background: self.viewport.background(),
             force_scale: self.display.force_scale(),
             ..Shot::default()
         };
-        let name = film::file_stem(&self.document.scene().name);
-        self.films.shoot(film::Order { answer, plan, shot, name }, path, self.wake());
+        let source = film::Source {
+            answer: self.runner.answer(),
+            stretch: self.playback.window.unwrap_or([0.0, self.end()]),
+            shot,
+            name: &self.files.document.scene().name,
+            dialogs: &self.dialogs,
+            wake: self.wake(),
+        };
+        if let Some(words) = self.films.apply(command, source) {
+            self.window.say(words);
+        }
     }
 
     pub(super) fn apply_learn(&mut self, command: Learn) {
@@ -107,7 +94,7 @@ impl Workbench {
             Learn::Close => self.learning.close(),
             Learn::Try(number) => {
                 let (Some(open), Some(lesson)) = (self.learning.number(), self.learning.lesson()) else { return };
-                if self.document.scene().name != lesson.name {
+                if self.files.document.scene().name != lesson.name {
                     self.open_lesson(open);
                 }
                 if let Some(edit) = self.learning.try_edit(number) {
@@ -143,11 +130,8 @@ impl Workbench {
         self.keep_work_now();
         self.learning.close();
         self.look_as(&scene);
-        let opened = self.document.open(scene, file.clone());
-        self.after(opened.map(|()| true));
-        if let Some(file) = file {
-            self.session.opened(&file, self.document.scene());
-        }
+        let taken = self.files.take_up(scene, file);
+        self.after(taken);
     }
 
     /// Looks at a scene as it wants to be looked at, from its start.
@@ -160,91 +144,39 @@ impl Workbench {
 
     fn ask_where_to_save(&mut self) {
         self.window.begin_saving();
-        self.dialogs.save(&self.document.scene().name);
+        self.dialogs.save(&self.files.document.scene().name);
     }
 
     /// Saves the scene with the view as it is seen.
     fn save(&mut self, path: &Path) {
-        if self.document.file() == Some(path) && self.session.is_kept() && !self.compare_with_disk() {
-            // First the question what to do about the other program's changes.
-            self.window.stay_open();
-            return;
-        }
-        match save_scene(&self.display.scene_as_seen(self.document.scene()), self.document.file(), path) {
-            Ok(()) => {
-                self.forget_work();
-                self.document.saved_as(path.to_owned());
-                self.session.opened(path, self.document.scene());
-                self.window.say(format!("{}: {}", text::SAVED, path.display()));
+        let as_seen = self.display.scene_as_seen(self.files.document.scene());
+        match self.files.save(&as_seen, path) {
+            Saved::Done(words) => {
+                self.window.say(words);
                 self.window.saved();
             }
-            Err(error) => {
-                self.window.say(error.to_string());
+            Saved::Question => self.window.stay_open(),
+            Saved::Failed(words) => {
+                self.window.say(words);
                 self.window.stay_open();
             }
         }
     }
 
-    fn export(&self, what: Export, path: PathBuf) {
-        match what {
-            Export::Picture => {
-                let Some(list) = self.viewport.list().cloned() else { return };
-                let (size, title) = (self.viewport.size(), self.document.scene().name.clone());
-                self.background.run(move || export::picture(&list, size, &title, &path));
-            }
-            Export::Tables => {
-                let Some(answer) = self.runner.answer().cloned() else { return };
-                self.background.run(move || export::tables(&answer, &path));
-            }
-        }
-    }
-
     /// Keeps unsaved work now: something else is about to be opened, or the window ends otherwise than by being closed.
-    pub(in crate::app) fn keep_work_now(&mut self) {
-        let Self { session, document, display, .. } = self;
-        session.keep_work_now(document, || display.scene_as_seen(document.scene()));
+    pub(super) fn keep_work_now(&mut self) {
+        self.files.keep_work_now(|scene| self.display.scene_as_seen(scene));
     }
 
-    /// The work is saved or given up.
-    pub(in crate::app) fn forget_work(&mut self) {
-        self.session.forget_work(self.document.origin_id());
-    }
-
-    /// Whether the file is as it was last seen; if not, the window says so or asks.
-    pub(in crate::app) fn compare_with_disk(&mut self) -> bool {
-        let compared = self.session.compare(&mut self.document);
-        if let Some(words) = compared.notice {
-            self.window.say(words);
+    /// Brings found work back.
+    fn recover(&mut self, found: Found) {
+        match load_unsaved(&found.path) {
+            Ok(scene) => {
+                self.look_as(&scene);
+                let done = self.files.recover(found, scene, |scene| self.display.scene_as_seen(scene));
+                self.after(done);
+            }
+            Err(errors) => self.window.say(errors.to_string()),
         }
-        compared.same
-    }
-
-    /// Reads the file again that another program has changed.
-    fn reload(&mut self) {
-        let Some(file) = self.document.file().map(Path::to_owned) else { return };
-        let mine = self.document.origin_id();
-        self.session.keep_mine(&mut self.document);
-        self.open(&file.to_string_lossy(), Some(file.clone()));
-        // Given up; undo brings it back, and then it is kept again.
-        self.session.forget_work(mine);
-    }
-
-    /// Brings found work back as an edit of its file's scene, or as a scene without a file.
-    fn recover(&mut self) {
-        let Some(found) = self.session.take_found() else { return };
-        let scene = match load_unsaved(&found.path) {
-            Ok(scene) => scene,
-            Err(errors) => return self.window.say(errors.to_string()),
-        };
-        self.look_as(&scene);
-        if found.file.is_some() && found.file.as_deref() == self.document.file() {
-            self.edit(Edit::Scene(Box::new(scene)), None);
-        } else {
-            self.keep_work_now();
-            let opened = self.document.open(scene, found.file);
-            self.document.unsave();
-            self.after(opened.map(|()| true));
-        }
-        self.session.adopt(self.document.origin_id(), self.document.revision(), &found.path);
     }
 }

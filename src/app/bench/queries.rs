@@ -5,14 +5,13 @@ use std::sync::Arc;
 
 use super::window_state::Closing;
 use super::workbench::Workbench;
-use crate::app::command::{FilmPlan, RowDraft, Sight, Tool};
+use crate::app::command::{FilmPlan, Sight, Tool};
 use crate::app::learn::lessons::Lesson;
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::app::time::clock::Clock;
 use crate::files::Found;
-use crate::scene::{Limits, Overlays, Scene, SceneErrors};
-use crate::sim::readings::Passed;
+use crate::scene::{Scene, SceneErrors};
 use crate::view::{Camera, DrawList, Target};
 
 impl Workbench {
@@ -24,8 +23,7 @@ impl Workbench {
 
     /// The name of the file, or of a scene without one.
     pub fn file_name(&self) -> String {
-        let file = self.document.file().and_then(|f| f.file_name()).map(|f| f.to_string_lossy().into_owned());
-        file.unwrap_or_else(|| self.scene().name.clone())
+        self.files.name()
     }
 
     /// Whether the window is to close now.
@@ -48,44 +46,29 @@ impl Workbench {
         self.window.notice.as_deref()
     }
 
-    /// The row that is being asked for.
-    pub fn row_draft(&self) -> Option<RowDraft> {
-        self.window.row
-    }
-
     /// The scene as it is now.
     pub fn scene(&self) -> &Scene {
-        self.document.scene()
-    }
-
-    /// Counts the changes of the scene.
-    pub fn revision(&self) -> u64 {
-        self.document.revision()
+        self.files.document.scene()
     }
 
     /// Whether something would be lost by closing.
     pub fn is_dirty(&self) -> bool {
-        self.document.is_dirty()
+        self.files.document.is_dirty()
     }
 
     /// The change that undo would take back.
     pub fn undo_label(&self) -> Option<&str> {
-        self.document.undo_label()
+        self.files.document.undo_label()
     }
 
     /// The change that redo would make again.
     pub fn redo_label(&self) -> Option<&str> {
-        self.document.redo_label()
+        self.files.document.redo_label()
     }
 
     /// The last good answer.
     pub fn answer(&self) -> Option<&Arc<Answer>> {
         self.runner.answer()
-    }
-
-    /// The last good answer, if it is the scene's as it is now.
-    pub(in crate::app) fn fresh_answer(&self) -> Option<&Arc<Answer>> {
-        self.answer().filter(|_| !self.is_stale())
     }
 
     /// Whether the answer shown belongs to an older scene.
@@ -103,12 +86,6 @@ impl Workbench {
         self.runner.progress()
     }
 
-    /// Limits of the scene that its answer passes, the earliest first.
-    pub(in crate::app) fn passed(&self) -> &[Passed] {
-        let watched = self.scene().limits != Limits::default();
-        self.fresh_answer().filter(|_| watched).map_or(&[], |answer| answer.passed())
-    }
-
     /// The playing clock.
     pub fn clock(&self) -> &Clock {
         &self.playback.clock
@@ -116,7 +93,7 @@ impl Workbench {
 
     /// End of the answer \[s\].
     pub fn end(&self) -> f64 {
-        self.answer().map_or(self.scene().duration, |a| a.history.end())
+        self.runner.end(self.scene())
     }
 
     /// The stretch of time that timeline and plots show; all of it when none \[s\].
@@ -132,16 +109,6 @@ impl Workbench {
     /// All that is selected, in the order in which it was.
     pub fn selection(&self) -> &[Target] {
         self.selection.all()
-    }
-
-    /// The girder or abutment that is selected.
-    pub fn selected_body(&self) -> Option<Target> {
-        self.selected().filter(|t| !matches!(t, Target::Contact(_)))
-    }
-
-    /// The girder whose curves stand out.
-    pub(in crate::app) fn shown_girder(&self) -> usize {
-        self.selection.girder_shown(self.scene())
     }
 
     /// How many runs are kept to compare with.
@@ -164,16 +131,6 @@ impl Workbench {
         self.display.tool
     }
 
-    /// Which layers are shown.
-    pub fn overlays(&self) -> Overlays {
-        self.display.overlays
-    }
-
-    /// Force scale, unless it follows the run's peak \[N per m\].
-    pub fn force_scale(&self) -> Option<f64> {
-        self.display.force_scale()
-    }
-
     /// Where the view is seen from, once it has been shown.
     pub fn camera(&self) -> Option<&Camera> {
         self.viewport.camera()
@@ -189,24 +146,19 @@ impl Workbench {
         self.viewport.pictures()
     }
 
-    /// What draws, in words.
-    pub fn adapter(&self) -> &str {
-        &self.target.1
-    }
-
     /// Files that were used last.
     pub fn recent(&self) -> &[PathBuf] {
-        self.session.recent()
+        self.files.session.recent()
     }
 
     /// Unsaved work that is asked about.
     pub fn found_work(&self) -> Option<&Found> {
-        self.session.found_work()
+        self.files.session.found_work()
     }
 
     /// Whether another program has changed the file, and nothing was chosen about it yet.
     pub fn file_has_changed(&self) -> bool {
-        self.session.file_has_changed()
+        self.files.session.file_has_changed()
     }
 
     /// Frames written and frames in all, while a film is being written.

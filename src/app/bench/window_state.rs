@@ -1,6 +1,6 @@
 //! The window itself: its dialogs, its notice, whether it is about to close.
 
-use crate::app::command::RowDraft;
+use crate::app::command::{RowDraft, WindowCommand};
 
 /// Whether the window is about to close.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +34,21 @@ impl WindowState {
         self.closing
     }
 
+    /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
+    pub(super) fn apply(&mut self, command: WindowCommand, dirty: bool) -> bool {
+        match command {
+            // The context of egui keeps theme and size, the runner the run.
+            WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun => {}
+            WindowCommand::Help(open) => self.help = open,
+            WindowCommand::AskRow(draft) => self.row = draft,
+            WindowCommand::Dismiss => self.notice = None,
+            WindowCommand::Close => self.closing = if dirty { Closing::Asking } else { Closing::Now },
+            WindowCommand::CloseAnyway => self.closing = Closing::Now,
+            WindowCommand::KeepOpen => self.closing = Closing::Open,
+        }
+        self.closing == Closing::Now
+    }
+
     /// Shows a notice.
     pub(in crate::app) fn say(&mut self, words: impl Into<String>) {
         self.notice = Some(words.into());
@@ -44,12 +59,6 @@ impl WindowState {
         if let Err(problem) = done {
             self.say(problem.to_string());
         }
-    }
-
-    /// Closes, or asks first when something is not saved; `true` when it closes now.
-    pub(in crate::app) fn close(&mut self, dirty: bool) -> bool {
-        self.closing = if dirty { Closing::Asking } else { Closing::Now };
-        !dirty
     }
 
     /// Does not close after all.
@@ -79,7 +88,7 @@ mod tests {
     #[test]
     fn unsaved_work_is_asked_about_and_saving_it_closes_the_window() {
         let mut window = WindowState::default();
-        assert!(!window.close(true) && window.closing() == Closing::Asking, "asked first");
+        assert!(!window.apply(WindowCommand::Close, true), "asked first");
         window.begin_saving();
         window.saved();
         assert_eq!(window.closing(), Closing::Now, "saved, then closed");
@@ -91,10 +100,10 @@ mod tests {
         window.begin_saving();
         window.saved();
         assert_eq!(window.closing(), Closing::Open, "only saved");
-        window.close(true);
-        window.stay_open();
+        window.apply(WindowCommand::Close, true);
+        window.apply(WindowCommand::KeepOpen, true);
         window.saved();
         assert_eq!(window.closing(), Closing::Open, "kept open");
-        assert!(window.close(false), "nothing to lose");
+        assert!(window.apply(WindowCommand::Close, false), "nothing to lose");
     }
 }

@@ -9,8 +9,8 @@ use wgpu::TextureFormat;
 use super::window_state::{Closing, WindowState};
 use crate::app::disk::dialogs::Dialogs;
 use crate::app::disk::film::Films;
-use crate::app::disk::session_files::SessionFiles;
-use crate::app::edits::{Document, Selection};
+use crate::app::disk::scene_files::SceneFiles;
+use crate::app::edits::Selection;
 use crate::app::host::{Background, Wake};
 use crate::app::learn::lessons::Learning;
 use crate::app::plot::source::{Samples, Source};
@@ -24,7 +24,7 @@ use crate::scene::{Scene, ViewPreset};
 
 /// The state of the window, each part with its own job.
 pub struct Workbench {
-    pub(in crate::app) document: Document,
+    pub(in crate::app) files: SceneFiles,
     pub(in crate::app) runner: Runner,
     pub(in crate::app) playback: Playback,
     pub(in crate::app) selection: Selection,
@@ -35,7 +35,6 @@ pub struct Workbench {
     pub(in crate::app) learning: Learning,
     pub(in crate::app) dialogs: Dialogs,
     pub(in crate::app) films: Films,
-    pub(in crate::app) session: SessionFiles,
     pub(in crate::app) background: Background,
     pub(in crate::app) window: WindowState,
     /// Format that egui draws into, and what draws, in words.
@@ -62,16 +61,15 @@ impl Workbench {
             learning: Learning::default(),
             dialogs: Dialogs::new(wake.clone()),
             films: Films::default(),
-            session: SessionFiles::default(),
             background: Background::new(wake.clone()),
             window: WindowState::default(),
             target: (TextureFormat::Rgba8Unorm, String::new()),
             aim_next: None,
             dressed: false,
             wake,
-            document: Document::new(scene, file),
+            files: SceneFiles::new(scene, file),
         };
-        bench.runner.start(bench.document.scene());
+        bench.runner.start(bench.files.document.scene());
         bench
     }
 
@@ -104,20 +102,21 @@ impl Workbench {
 
     /// Keeps recent files and unsaved work in a folder from now on, and asks about work that is found.
     pub fn keep_in(&mut self, folder: &Path) {
-        self.session.keep_in(folder, self.wake.clone());
-        if let Some(file) = self.document.file() {
-            self.session.opened(file, self.document.scene());
+        self.files.session.keep_in(folder, self.wake.clone());
+        let SceneFiles { document, session } = &mut self.files;
+        if let Some(file) = document.file() {
+            session.opened(file, document.scene());
         }
     }
 
     /// How long after an edit unsaved work is kept (3 s unless told otherwise).
     pub fn set_autosave_delay(&mut self, delay: Duration) {
-        self.session.set_autosave_delay(delay);
+        self.files.session.set_autosave_delay(delay);
     }
 
     /// Waits until what is to be kept is on the disk.
     pub fn wait_for_disk(&self) {
-        self.session.wait();
+        self.files.session.wait();
     }
 
     /// Waits for the run on a thread.
@@ -128,8 +127,8 @@ impl Workbench {
     /// The 3D view, and what it is a picture of.
     pub(in crate::app) fn view_and_seen(&mut self) -> (&mut Viewport, Seen<'_>) {
         let seen = Seen {
-            scene: self.document.scene(),
-            revision: self.document.revision(),
+            scene: self.files.document.scene(),
+            revision: self.files.document.revision(),
             runner: &self.runner,
             playback: &self.playback,
             selection: self.selection.all(),
@@ -143,9 +142,9 @@ impl Workbench {
     /// What the plots are drawn from.
     pub(in crate::app) fn plot_source(&self) -> Source<'_> {
         Source {
-            scene: self.document.scene(),
+            scene: self.files.document.scene(),
             answer: self.runner.answer(),
-            girder: self.shown_girder(),
+            girder: self.selection.girder_shown(self.files.document.scene()),
             pins: self.comparison.pins(),
             playback: &self.playback,
             end: self.end(),

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread::JoinHandle;
 
-use crate::app::command::{FilmFormat, FilmPlan};
+use crate::app::command::{FilmFormat, FilmPlan, Filming};
+use crate::app::disk::dialogs::Dialogs;
 use crate::app::host::Wake;
 use crate::app::run::answer::Answer;
 use crate::app::text;
@@ -14,20 +15,33 @@ use crate::files::{Draft, FileSet, WriteError};
 use crate::render::{GpuError, Packing};
 use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instants};
 
-/// Everything that a film depends on, when it is begun.
-pub(in crate::app) struct Order {
+/// What a film can be taken of.
+pub(in crate::app) struct Source<'a> {
     /// The run.
-    pub(in crate::app) answer: Arc<Answer>,
-    /// When, how fast, as what.
-    pub(in crate::app) plan: FilmPlan,
-    /// How each picture is taken, but for its instant.
+    pub(in crate::app) answer: Option<&'a Arc<Answer>>,
+    /// The stretch of the run that is in view \[s\].
+    pub(in crate::app) stretch: [f64; 2],
+    /// How each picture is taken, but for its instant; as large as the view.
     pub(in crate::app) shot: Shot,
+    /// What the scene is called.
+    pub(in crate::app) name: &'a str,
+    /// The system's dialogs.
+    pub(in crate::app) dialogs: &'a Dialogs,
+    /// Who is woken when the film has ended.
+    pub(in crate::app) wake: Wake,
+}
+
+/// Everything that a film depends on, when it is begun.
+struct Order {
+    answer: Arc<Answer>,
+    plan: FilmPlan,
+    shot: Shot,
     /// What numbered pictures are called.
-    pub(in crate::app) name: String,
+    name: String,
 }
 
 /// A scene's name as a file's name can be.
-pub(in crate::app) fn file_stem(name: &str) -> String {
+fn file_stem(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
 }
 
@@ -57,20 +71,38 @@ pub(in crate::app) struct Films {
 }
 
 impl Films {
+    /// Does a command; answers with what the user is told.
+    pub(in crate::app) fn apply(&mut self, command: Filming, source: Source<'_>) -> Option<&'static str> {
+        match command {
+            Filming::Ask => self.plan = Some(FilmPlan::of(source.stretch[0], source.stretch[1])),
+            Filming::Plan(plan) => self.plan = Some(plan),
+            Filming::Never => self.plan = None,
+            Filming::Choose => {
+                if let Some(plan) = self.plan {
+                    source.dialogs.film(plan.format, &file_stem(source.name));
+                }
+            }
+            Filming::Shoot(path) => self.shoot(source, path),
+            Filming::Cancel => {
+                self.job = None;
+                return Some(text::FILM_CANCELLED);
+            }
+        }
+        None
+    }
+
     /// Begins a film; one before is given up.
-    pub(in crate::app) fn shoot(&mut self, order: Order, path: PathBuf, wake: Wake) {
+    fn shoot(&mut self, source: Source<'_>, path: PathBuf) {
+        let (Some(plan), Some(answer)) = (self.plan.take(), source.answer.cloned()) else { return };
         self.job = None;
-        let Some(count) = order.plan.frames() else { return };
+        let Some(count) = plan.frames() else { return };
+        let shot = Shot { size: plan.size.unwrap_or(source.shot.size), ..source.shot };
+        let (order, wake) = (Order { answer, plan, shot, name: file_stem(source.name) }, source.wake);
         let (send, told) = channel();
         let (cancel, done) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
         let watch = Watch { cancel: cancel.clone(), done: done.clone() };
         let thread = std::thread::spawn(move || make(&order, count, &path, &watch, &send, &wake));
         self.job = Some(Job { cancel, done, count, told, thread: Some(thread) });
-    }
-
-    /// Gives the film up.
-    pub(in crate::app) fn cancel(&mut self) {
-        self.job = None;
     }
 
     /// Frames written and frames in all, while a film is being written.

@@ -8,4 +8,5 @@ pub(in crate::app) mod film;
 pub(in crate::app) mod film_dialog;
 pub(in crate::app) mod recent;
 pub(in crate::app) mod record;
+pub(in crate::app) mod scene_files;
 pub(in crate::app) mod session_files;

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use super::change::rename;
+use crate::app::command::EditCommand;
 use crate::app::text;
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
@@ -84,6 +86,21 @@ impl Document {
         self.steps.redo_label()
     }
 
+    /// Does a command; `false` when nothing is different after it.
+    ///
+    /// # Errors
+    /// An edit that does not fit the scene; nothing is changed then.
+    pub(in crate::app) fn apply(&mut self, command: EditCommand) -> Result<bool, EditError> {
+        match command {
+            EditCommand::Change { edit, gesture } => self.edit(edit, gesture),
+            EditCommand::Undo => self.undo(),
+            EditCommand::Redo => self.redo(),
+            EditCommand::Rename(target, name) => {
+                rename(&self.scene, target, name).map_or(Ok(false), |edit| self.edit(edit, None))
+            }
+        }
+    }
+
     /// Changes the scene; edits of one gesture become one step of undo. `false` when nothing is different after it.
     ///
     /// # Errors
@@ -119,7 +136,7 @@ impl Document {
     ///
     /// # Errors
     /// As [`UndoStack::undo`].
-    pub(in crate::app) fn undo(&mut self) -> Result<bool, EditError> {
+    fn undo(&mut self) -> Result<bool, EditError> {
         let done = self.steps.undo(&mut self.scene)?;
         self.revision += u64::from(done);
         Ok(done)
@@ -129,7 +146,7 @@ impl Document {
     ///
     /// # Errors
     /// As [`UndoStack::redo`].
-    pub(in crate::app) fn redo(&mut self) -> Result<bool, EditError> {
+    fn redo(&mut self) -> Result<bool, EditError> {
         let done = self.steps.redo(&mut self.scene)?;
         self.revision += u64::from(done);
         Ok(done)
@@ -156,5 +173,40 @@ impl Document {
         self.origins.retain(|o| o.depth < depth);
         self.origins.push(Origin { id: self.begun, depth, file, saved: Some(saved) });
         self.begun += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+    use crate::view::Target;
+
+    fn renamed(name: &str) -> EditCommand {
+        EditCommand::Rename(Target::Girder(0), name.into())
+    }
+
+    #[test]
+    fn undo_leads_back_to_what_is_saved() {
+        let scene = presets::load(presets::OPENING).expect("ships");
+        let mut document = Document::new(scene.clone(), None);
+        assert!(document.apply(renamed("east")).expect("fits") && document.is_dirty(), "another scene");
+        assert!(!document.apply(renamed("east")).expect("fits"), "the same again is no change");
+        assert!(document.apply(EditCommand::Undo).expect("there is a step") && !document.is_dirty(), "as read");
+        assert_eq!(document.scene(), &scene, "to the last number");
+        assert!(document.apply(EditCommand::Redo).expect("there is a step") && document.is_dirty(), "again");
+        assert_eq!(document.revision(), 3, "three changes");
+    }
+
+    #[test]
+    fn a_gesture_is_undone_as_a_whole() {
+        let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), None);
+        let before = document.scene().clone();
+        for duration in [1.0, 2.0, 3.0] {
+            let edit = crate::app::edits::duration(document.scene(), duration);
+            document.edit(edit, Some(7)).expect("fits");
+        }
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert_eq!(document.scene(), &before, "one step back");
     }
 }

@@ -59,7 +59,7 @@ fn duplicates(scene: &Scene, selection: &Selection) -> Option<Placed> {
         edits.push(edit);
         copies.push(copy);
     }
-    (!copies.is_empty()).then(|| Placed { edit: Edit::Batch(edits), then: Some(copies) })
+    (!copies.is_empty()).then_some(Placed { edit: Edit::Batch(edits), then: Some(copies) })
 }
 
 /// So many spans like the one selected, in a row along its axis.

@@ -1,5 +1,6 @@
 //! What is selected: any number of things, in the order in which they were taken; the last one leads.
 
+use crate::app::command::SelectCommand;
 use crate::scene::Scene;
 use crate::view::Target;
 
@@ -8,6 +9,15 @@ use crate::view::Target;
 pub(in crate::app) struct Selection(Vec<Target>);
 
 impl Selection {
+    /// Does a command.
+    pub(in crate::app) fn apply(&mut self, command: SelectCommand, scene: &Scene) {
+        match command {
+            SelectCommand::Only(target) => self.only(target),
+            SelectCommand::Also(target) => self.toggle(target),
+            SelectCommand::All => self.everything(scene),
+        }
+    }
+
     /// The one whose numbers are shown.
     pub(in crate::app) fn lead(&self) -> Option<Target> {
         self.0.last().copied()
@@ -31,7 +41,7 @@ impl Selection {
 
     /// Takes something in, or lets go of it when it was in. Bodies and contacts are not mixed: what is done to the one
     /// kind means nothing to the other.
-    pub(in crate::app) fn toggle(&mut self, target: Target) {
+    fn toggle(&mut self, target: Target) {
         if self.has(target) {
             self.0.retain(|t| *t != target);
         } else {
@@ -56,9 +66,14 @@ impl Selection {
     }
 
     /// Selects every girder and abutment.
-    pub(in crate::app) fn everything(&mut self, scene: &Scene) {
+    fn everything(&mut self, scene: &Scene) {
         let girders = (0..scene.girders.len()).map(Target::Girder);
         self.these(girders.chain((0..scene.abutments.len()).map(Target::Abutment)));
+    }
+
+    /// The girder or abutment that leads.
+    pub(in crate::app) fn lead_body(&self) -> Option<Target> {
+        self.lead().filter(|t| is_body(*t))
     }
 
     /// The girder whose curves stand out: the one that leads, or the one that its abutment faces; else the first.

@@ -12,7 +12,7 @@ use crate::app::text;
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let pins = bench.comparison.pins();
     ui.horizontal(|ui| {
-        let fits = bench.fresh_answer().is_some();
+        let fits = bench.runner.fresh_answer().is_some();
         if ui.add_enabled(fits, egui::Button::new(text::PIN_THIS)).on_hover_text(text::PIN_HINT).clicked() {
             out.push(CompareCommand::Pin.into());
         }
@@ -43,7 +43,7 @@ type Row = (&'static str, fn(&Answer) -> String);
 
 /// A row for each number, a column for each run, the run that is shown first.
 fn differences(ui: &mut Ui, bench: &Workbench) {
-    let (pins, now) = (bench.comparison.pins(), bench.fresh_answer());
+    let (pins, now) = (bench.comparison.pins(), bench.runner.fresh_answer());
     let runs: Vec<(String, &Answer)> = now
         .map(|a| (text::NOW.to_owned(), &**a))
         .into_iter()

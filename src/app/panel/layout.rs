@@ -29,8 +29,10 @@ impl Workbench {
             self.dressed = true;
         }
         listen(self, ui);
-        if self.session.is_time_to_look(ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true)))) {
-            self.compare_with_disk();
+        if self.files.session.is_time_to_look(ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true))))
+            && let Some(words) = self.files.compare().notice
+        {
+            self.window.say(words);
         }
         let out = commands(self, ui);
         self.apply_all(ui, out);
@@ -124,7 +126,12 @@ fn lecture_panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
 fn time_rows(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     transport::show(ui, &bench.playback, &bench.scene().motion, out);
     let answer = bench.answer().map(|a| &**a);
-    let shown = timeline::Shown { playback: &bench.playback, end: bench.end(), answer, passed: bench.passed() };
+    let shown = timeline::Shown {
+        playback: &bench.playback,
+        end: bench.end(),
+        answer,
+        passed: bench.runner.passed(bench.scene()),
+    };
     timeline::show(ui, shown, plots::AXIS_WIDTH, out);
 }
 
@@ -145,11 +152,11 @@ fn go_on(bench: &mut Workbench, ui: &Ui) {
 
 /// Keeps unsaved work when it is time; when to come back.
 fn keep_work(bench: &mut Workbench) -> Option<Duration> {
-    let Workbench { session, document, display, window, .. } = bench;
+    let Workbench { files, display, window, .. } = bench;
     if window.closing() == Closing::Now {
         return None;
     }
-    let (again, problem) = session.keep_work(document, || display.scene_as_seen(document.scene()));
+    let (again, problem) = files.keep_work(|scene| display.scene_as_seen(scene));
     if let Some(words) = problem {
         window.say(words);
     }

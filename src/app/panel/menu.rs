@@ -24,7 +24,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Edit(EditCommand::Undo), out);
         button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Edit(EditCommand::Redo), out);
         ui.separator();
-        let some = bench.selected_body().is_some();
+        let some = bench.selection.lead_body().is_some();
         button(ui, some, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
         button(ui, some, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove), out);
         ui.separator();
@@ -68,7 +68,7 @@ fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Co
 }
 
 fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let (bodies, any) = (bench.selected_body().is_some(), !bench.scene().girders.is_empty());
+    let (bodies, any) = (bench.selection.lead_body().is_some(), !bench.scene().girders.is_empty());
     let items = [
         (true, text::PLACE_GIRDER, "Shift G", Command::View(ViewCommand::Tool(Tool::Girder))),
         (any, text::PLACE_ABUTMENT, "Shift B", Command::View(ViewCommand::Tool(Tool::Abutment))),

@@ -12,7 +12,7 @@ use crate::scene::{Overlays, ViewPreset, ViewSettings};
 
 /// Shows the toggles in two columns, then the force scale.
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut overlays = bench.overlays();
+    let mut overlays = bench.display.overlays;
     let layers = Place { problems: bench.problems(), table: "view.overlays" };
     let mut changed = false;
     egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
@@ -50,11 +50,11 @@ fn first_view(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
 
 fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let automatic = bench.display.automatic_force_scale();
-    let mut auto = bench.force_scale().is_none();
+    let mut auto = bench.display.force_scale().is_none();
     if ui.checkbox(&mut auto, text::AUTO_SCALE).changed() {
         out.push(ViewCommand::ForceScale((!auto).then_some(automatic)).into());
     }
-    let mut scale = bench.force_scale().unwrap_or(automatic);
+    let mut scale = bench.display.force_scale().unwrap_or(automatic);
     let words = format!("{}/m", text::force(scale));
     let slider = Slider::new(&mut scale, automatic / 50.0..=automatic * 50.0)
         .logarithmic(true)

@@ -11,8 +11,8 @@ use crate::app::unit::{PURE, Unit, length_unit};
 
 /// Shows the question while it is open.
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let Some(draft) = bench.row_draft() else { return };
-    let Some(girder) = bench.scene().girders.get(bench.shown_girder()) else { return };
+    let Some(draft) = bench.window.row else { return };
+    let Some(girder) = bench.scene().girders.get(bench.selection.girder_shown(bench.scene())) else { return };
     let modal = Modal::new(Id::unique("row")).show(ui, |ui| {
         ui.heading(text::ROW);
         ui.label(RichText::new(format!("{} {}", text::ROW_OF, girder.name)).weak());

@@ -14,8 +14,8 @@ use crate::scene::ViewPreset;
 
 /// Commands for the keys pressed in this frame.
 pub(in crate::app) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let asked = bench.asks_before_closing() || bench.session.asks();
-    if asked || bench.film_plan().is_some() || bench.row_draft().is_some() {
+    let asked = bench.asks_before_closing() || bench.files.session.asks();
+    if asked || bench.films.plan.is_some() || bench.window.row.is_some() {
         return;
     }
     if !bench.help_is_open() && bench.viewport.hand.keys(ui, out) {

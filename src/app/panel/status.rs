@@ -19,7 +19,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
             flag(ui, bench, answer);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.add(egui::Label::new(RichText::new(bench.adapter()).weak().small()).truncate());
+            ui.add(egui::Label::new(RichText::new(bench.target.1.as_str()).weak().small()).truncate());
         });
     });
 }

@@ -17,7 +17,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     ui.checkbox(&mut new.lecture, text::LECTURE);
     ui.separator();
     ui.label(text::FOLLOW);
-    let girder = bench.shown_girder();
+    let girder = bench.selection.girder_shown(bench.scene());
     let name = bench.scene().girders.get(girder).map_or("", |g| g.name.as_str());
     ui.radio_value(&mut new.follow, None, text::FOLLOW_NOTHING);
     ui.radio_value(&mut new.follow, Some(Follow::Middle(girder)), text::follow(name, None));

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::app::command::CompareCommand;
 use crate::app::run::answer::Answer;
 use crate::app::style::theme::PINS;
 use crate::app::text;
@@ -39,11 +40,34 @@ impl Comparison {
         self.pins.iter().map(|p| p.answer.number).collect()
     }
 
+    /// Does a command; `shown` is the run that is shown, `what` was different in it.
+    ///
+    /// # Errors
+    /// As [`Comparison::pin`].
+    pub(in crate::app) fn apply(
+        &mut self,
+        command: CompareCommand,
+        shown: Option<&Arc<Answer>>,
+        what: &str,
+    ) -> Result<(), &'static str> {
+        match command {
+            CompareCommand::Pin => shown.map_or(Ok(()), |answer| self.pin(answer, what)),
+            CompareCommand::Unpin(number) => {
+                self.unpin(number);
+                Ok(())
+            }
+            CompareCommand::UnpinAll => {
+                self.pins.clear();
+                Ok(())
+            }
+        }
+    }
+
     /// Keeps a run, named after what was different in it.
     ///
     /// # Errors
     /// In words: the same run is kept already, or there is no room.
-    pub(in crate::app) fn pin(&mut self, answer: &Arc<Answer>, what: &str) -> Result<(), &'static str> {
+    fn pin(&mut self, answer: &Arc<Answer>, what: &str) -> Result<(), &'static str> {
         let digest = answer.history.digest();
         if self.pins.iter().any(|p| p.answer.history.digest() == digest) {
             return Err(text::PIN_THERE);
@@ -57,15 +81,10 @@ impl Comparison {
     }
 
     /// Lets one go, by its number from 0; nothing where there is none.
-    pub(in crate::app) fn unpin(&mut self, number: usize) {
+    fn unpin(&mut self, number: usize) {
         if number < self.pins.len() {
             self.pins.remove(number);
         }
-    }
-
-    /// Lets all go.
-    pub(in crate::app) fn clear(&mut self) {
-        self.pins.clear();
     }
 }
 

@@ -10,7 +10,8 @@ use std::time::{Duration, Instant};
 
 use crate::app::host::{Wake, now};
 use crate::app::run::answer::Answer;
-use crate::scene::{Scene, SceneErrors};
+use crate::scene::{Limits, Scene, SceneErrors};
+use crate::sim::readings::Passed;
 use crate::sim::{History, Session};
 
 /// How long a run may hold up a frame before it goes on on a thread.
@@ -87,6 +88,11 @@ impl Runner {
         self.answer.as_ref()
     }
 
+    /// The last good answer, if it is the scene's as it is now.
+    pub(in crate::app) fn fresh_answer(&self) -> Option<&Arc<Answer>> {
+        self.answer().filter(|_| !self.is_stale())
+    }
+
     /// Complaints about the scene as it is now; the answer is an older one then.
     pub(in crate::app) fn problems(&self) -> Option<&SceneErrors> {
         self.problems.as_ref()
@@ -95,6 +101,17 @@ impl Runner {
     /// Whether the answer shown belongs to an older scene.
     pub(in crate::app) fn is_stale(&self) -> bool {
         self.problems.is_some() || self.job.is_some() || self.given_up
+    }
+
+    /// End of what is shown of a scene: of its answer, or what it asks for \[s\].
+    pub(in crate::app) fn end(&self, scene: &Scene) -> f64 {
+        self.answer().map_or(scene.duration, |a| a.history.end())
+    }
+
+    /// Limits of a scene that its answer passes, the earliest first; none where the scene has no limits.
+    pub(in crate::app) fn passed(&self, scene: &Scene) -> &[Passed] {
+        let watched = scene.limits != Limits::default();
+        self.fresh_answer().filter(|_| watched).map_or(&[], |answer| answer.passed())
     }
 
     /// What is to be shown of a scene: an old answer is shown with its own scene, so that the two belong together.

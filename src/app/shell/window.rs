@@ -170,7 +170,7 @@ impl Shell {
             return Err(AppError::NoWindow(why));
         }
         // The workbench keeps what is unsaved as it goes.
-        let kept = self.bench.session.is_kept() && self.bench.is_dirty();
+        let kept = self.bench.files.session.is_kept() && self.bench.is_dirty();
         Err(AppError::Ended { why, kept })
     }
 }
@@ -307,7 +307,7 @@ mod tests {
         shell.bench.apply(EditCommand::Undo);
         assert_eq!(shell.bench.scene().girders.len(), girders, "and its past");
         // What is unsaved here is nobody's.
-        shell.bench.forget_work();
+        shell.bench.files.forget_work();
     }
 
     /// Tests do not run on the main thread.

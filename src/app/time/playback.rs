@@ -97,7 +97,9 @@ mod tests {
 
     fn after(commands: &[TimeCommand]) -> Playback {
         let mut playback = Playback::default();
-        commands.iter().for_each(|command| playback.apply(*command, END, None));
+        for command in commands {
+            playback.apply(*command, END, None);
+        }
         playback
     }
 

@@ -99,6 +99,17 @@ impl Hand {
         holds
     }
 
+    /// Does a command; answers with what is to be done to the scene.
+    pub(in crate::app) fn apply(&mut self, command: &HandCommand, scene: &Scene, selected: &[Target]) -> Option<Keyed> {
+        match command {
+            HandCommand::Take(grip, at) => {
+                self.hold_by_keys(*grip, *at, scene, selected);
+                None
+            }
+            HandCommand::Type(key) => self.type_key(key),
+        }
+    }
+
     /// Closes on something, at a place of its plane \[m\].
     pub(in crate::app) fn hold(&mut self, grip: Grip, from: DVec3, scene: &Scene, selected: &[Target]) {
         self.count += 1;
@@ -108,7 +119,7 @@ impl Hand {
     }
 
     /// Takes hold of a handle to type its number, without the mouse.
-    pub(in crate::app) fn hold_by_keys(&mut self, grip: Grip, at: DVec3, scene: &Scene, selected: &[Target]) {
+    fn hold_by_keys(&mut self, grip: Grip, at: DVec3, scene: &Scene, selected: &[Target]) {
         self.hold(grip, at, scene, selected);
         if let Some(held) = &mut self.held {
             held.by_keys = true;
@@ -116,7 +127,7 @@ impl Hand {
     }
 
     /// A key for the number of what is held; `None` when nothing is changed by it.
-    pub(in crate::app) fn type_key(&mut self, key: &HandKey) -> Option<Keyed> {
+    fn type_key(&mut self, key: &HandKey) -> Option<Keyed> {
         let held = self.held.as_ref()?;
         match key {
             HandKey::Text(words) => self.typing.add(words),

@@ -48,8 +48,8 @@ pub(in crate::app) fn show(ui: &Ui, eye: &Eye, response: &Response, seen: &Seen<
 
 fn girder(seen: &Seen<'_>, there: DVec3, point: f64, free: bool) -> Option<Ghost> {
     let scene = seen.scene;
-    let girders = seen.selection.iter().filter_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
-    let edit = edits::add_girder(scene, girders.last());
+    let girder = seen.selection.iter().rev().find_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None });
+    let edit = edits::add_girder(scene, girder);
     let Edit::AddGirder(at, mut new) = edit else { return None };
     new.position = edits::tidy(there.with_z(new.position[2]));
     let (way, words) = gizmo::snapped(scene, &new, point, free);

@@ -1,0 +1,173 @@
+//! The scene that is worked on and its files: opening, saving, unsaved work that is found, changes by other programs.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use crate::app::command::Keep;
+use crate::app::disk::session_files::{Compared, SessionFiles};
+use crate::app::edits::Document;
+use crate::app::text;
+use crate::files::{Found, save_scene};
+use crate::scene::Scene;
+use crate::scene::edit::{Edit, EditError};
+
+/// What became of a wish to save.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Saved {
+    /// It is on the disk; in words.
+    Done(String),
+    /// Another program has changed the file: first the question what to do about it.
+    Question,
+    /// It is not; in words.
+    Failed(String),
+}
+
+/// What a command about kept files leaves to be done.
+#[derive(Clone, Debug)]
+pub(in crate::app) enum Left {
+    /// Nothing.
+    Nothing,
+    /// Found work is brought back.
+    Recover(Found),
+    /// The file is read again.
+    Reload(PathBuf),
+}
+
+/// The document, and what is kept beside it.
+pub(in crate::app) struct SceneFiles {
+    /// The scene with its past.
+    pub(in crate::app) document: Document,
+    /// Recent files, unsaved work, the file's state on the disk.
+    pub(in crate::app) session: SessionFiles,
+}
+
+impl SceneFiles {
+    /// A scene as it was read; nothing is kept yet.
+    pub(in crate::app) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
+        Self { document: Document::new(scene, file), session: SessionFiles::default() }
+    }
+
+    /// The name of the file, or of a scene without one.
+    pub(in crate::app) fn name(&self) -> String {
+        let file = self.document.file().and_then(Path::file_name).map(|f| f.to_string_lossy().into_owned());
+        file.unwrap_or_else(|| self.document.scene().name.clone())
+    }
+
+    /// The folder from which a scene names its records; empty without a file.
+    pub(in crate::app) fn folder(&self) -> &Path {
+        self.document.file().and_then(Path::parent).unwrap_or(Path::new(""))
+    }
+
+    /// Another scene from now on; the one before can be had back by undo.
+    ///
+    /// # Errors
+    /// As [`Document::open`].
+    pub(in crate::app) fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) -> Result<bool, EditError> {
+        let opened = self.document.open(scene, file.clone());
+        if let Some(file) = file {
+            self.session.opened(&file, self.document.scene());
+        }
+        opened.map(|()| true)
+    }
+
+    /// Saves the scene as it is seen.
+    pub(in crate::app) fn save(&mut self, as_seen: &Scene, path: &Path) -> Saved {
+        if self.document.file() == Some(path) && self.session.is_kept() && !self.compare().same {
+            return Saved::Question;
+        }
+        if let Err(error) = save_scene(as_seen, self.document.file(), path) {
+            return Saved::Failed(error.to_string());
+        }
+        self.forget_work();
+        self.document.saved_as(path.to_owned());
+        self.session.opened(path, self.document.scene());
+        Saved::Done(format!("{}: {}", text::SAVED, path.display()))
+    }
+
+    /// Compares the file with what was last seen of it.
+    pub(in crate::app) fn compare(&mut self) -> Compared {
+        self.session.compare(&mut self.document)
+    }
+
+    /// Does a command; answers with what is left to be done.
+    ///
+    /// # Errors
+    /// In words: a file that cannot be removed or written.
+    pub(in crate::app) fn apply(&mut self, command: Keep) -> Result<Left, String> {
+        match command {
+            Keep::Recover => return Ok(self.session.take_found().map_or(Left::Nothing, Left::Recover)),
+            Keep::Discard => self.session.discard().map_err(|e| e.to_string())?,
+            Keep::Later => drop(self.session.take_found()),
+            Keep::Reload => {
+                self.session.keep_mine(&mut self.document);
+                return Ok(self.document.file().map_or(Left::Nothing, |file| Left::Reload(file.to_owned())));
+            }
+            Keep::KeepMine => self.session.keep_mine(&mut self.document),
+            Keep::Forget(file) => self.session.forget(&file)?,
+            Keep::ForgetAll => self.session.forget_all()?,
+        }
+        Ok(Left::Nothing)
+    }
+
+    /// Brings found work back as an edit of its file's scene, or as a scene without a file.
+    ///
+    /// # Errors
+    /// As [`Document::open`].
+    pub(in crate::app) fn recover(
+        &mut self,
+        found: Found,
+        scene: Scene,
+        as_seen: impl FnOnce(&Scene) -> Scene,
+    ) -> Result<bool, EditError> {
+        let done = if found.file.is_some() && found.file.as_deref() == self.document.file() {
+            self.document.edit(Edit::Scene(Box::new(scene)), None)
+        } else {
+            self.keep_work_now(as_seen);
+            let opened = self.document.open(scene, found.file);
+            self.document.unsave();
+            opened.map(|()| true)
+        };
+        self.session.adopt(self.document.origin_id(), self.document.revision(), &found.path);
+        done
+    }
+
+    /// Keeps unsaved work when it is time: when to come back, and what went wrong.
+    pub(in crate::app) fn keep_work(
+        &mut self,
+        as_seen: impl FnOnce(&Scene) -> Scene,
+    ) -> (Option<Duration>, Option<String>) {
+        self.session.keep_work(&self.document, || as_seen(self.document.scene()))
+    }
+
+    /// Keeps unsaved work now: something else is about to be opened, or the window ends otherwise than by being closed.
+    pub(in crate::app) fn keep_work_now(&mut self, as_seen: impl FnOnce(&Scene) -> Scene) {
+        self.session.keep_work_now(&self.document, || as_seen(self.document.scene()));
+    }
+
+    /// The work is saved or given up.
+    pub(in crate::app) fn forget_work(&mut self) {
+        self.session.forget_work(self.document.origin_id());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn a_saved_scene_is_named_after_its_file_and_lost_no_more() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = presets::load(presets::OPENING).expect("ships");
+        let mut files = SceneFiles::new(scene.clone(), None);
+        assert_eq!((files.name(), files.folder()), (scene.name.clone(), Path::new("")), "no file yet");
+        let renamed = Scene { name: "east".into(), ..scene };
+        files.document.edit(Edit::Scene(Box::new(renamed)), None).expect("fits");
+        let path = folder.path().join("bridge.toml");
+        let as_seen = files.document.scene().clone();
+        assert!(matches!(files.save(&as_seen, &path), Saved::Done(_)), "there is room");
+        assert!(!files.document.is_dirty(), "it is on the disk");
+        assert_eq!((files.name().as_str(), files.folder()), ("bridge.toml", folder.path()), "named after it");
+        assert!(matches!(files.save(&as_seen, folder.path()), Saved::Failed(_)), "a folder is no file");
+    }
+}
