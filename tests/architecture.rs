@@ -1,9 +1,16 @@
 //! The house's rules that a compiler does not know: which room may use which, what the physics rooms keep out, one
 //! shader a pass, short files.
 
+#[path = "architecture/imports.rs"]
+mod imports;
+#[path = "architecture/source.rs"]
+mod source;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+
+use imports::Imports;
+use source::{blank_comments_and_strings, files_under, has_word, is_word, root, sources};
 
 /// Every room and the rooms that it may use: arrows run one way.
 const ROOMS: &[(&str, &[&str])] = &[
@@ -23,6 +30,45 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app", "study"]),
 ];
 
+/// Every room of the window and the rooms of the window that it may use.
+const APP_ROOMS: &[(&str, &[&str])] = &[
+    ("host", &[]),
+    ("style", &[]),
+    ("unit", &[]),
+    ("command", &[]),
+    ("text", &["style", "unit"]),
+    ("field", &["style", "unit", "text"]),
+    ("edits", &["command", "text"]),
+    ("learn", &["command", "text"]),
+    ("run", &["host", "style", "command", "text"]),
+    ("time", &["style", "command", "text", "run"]),
+    ("plot", &["style", "command", "text", "field", "run", "time"]),
+    ("disk", &["host", "command", "text", "edits", "run", "time"]),
+    ("viewport", &["style", "unit", "command", "text", "field", "edits", "run", "time"]),
+    ("bench", &["host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport"]),
+    (
+        "panel",
+        &[
+            "style", "unit", "command", "text", "field", "edits", "learn", "run", "time", "plot", "disk", "viewport",
+            "bench",
+        ],
+    ),
+    ("shell", &["host", "command", "text", "disk", "bench"]),
+];
+
+/// Circles of files that are still there: where all their files lie, and how many files one holds at the most. The list
+/// only shrinks: a place without a circle is struck.
+const KNOWN_CIRCLES: &[(&str, usize)] = &[
+    ("src/cli/", 13),
+    ("src/contact/", 3),
+    ("src/dynamics/", 30),
+    ("src/render/pass/", 9),
+    ("src/scene/", 13),
+    ("src/sim/", 6),
+    ("src/study/", 7),
+    ("src/view/", 11),
+];
+
 /// Rooms whose answer depends on their input alone, to the last bit.
 const PHYSICS: &[&str] = &["geometry", "contact", "motion", "scene", "dynamics", "sim"];
 
@@ -39,93 +85,6 @@ const LONGEST_FILE: usize = 400;
 const LONGEST_TEST: usize = 600;
 /// Files that may be longer, and why.
 const LONG_FILES: &[(&str, &str)] = &[];
-
-/// A source file: its path from the package's root, and its code with comments and string contents blanked out.
-struct Source {
-    path: String,
-    text: String,
-    code: String,
-}
-
-impl Source {
-    /// The room that a file of `src/` belongs to; none for `lib.rs` and `main.rs`.
-    fn room(&self) -> Option<&str> {
-        let inside = self.path.strip_prefix("src/")?;
-        let name = inside.split('/').next()?.trim_end_matches(".rs");
-        (!["lib", "main"].contains(&name)).then_some(name)
-    }
-
-    /// Code outside of a test module at the end of the file.
-    fn production(&self) -> &str {
-        self.code.split("#[cfg(test)]\nmod ").next().unwrap_or(&self.code)
-    }
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-fn files_under(folder: &str, extension: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut folders = vec![root().join(folder)];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let path = entry.path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|have| have == extension) {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
-    found
-}
-
-fn sources(folder: &str, extension: &str) -> Vec<Source> {
-    let read = |path: PathBuf| {
-        let text = fs::read_to_string(&path).expect("a source file is text");
-        let path = path.strip_prefix(root()).expect("inside the package").to_string_lossy().replace('\\', "/");
-        Source { path, code: blank_comments_and_strings(&text), text }
-    };
-    files_under(folder, extension).into_iter().map(read).collect()
-}
-
-/// Keeps the line structure; good enough for this package's own style (no block comments, no raw strings with quotes).
-fn blank_comments_and_strings(text: &str) -> String {
-    text.lines().map(blank_line).collect::<Vec<_>>().join("\n")
-}
-
-fn blank_line(line: &str) -> String {
-    let (mut out, mut in_string, mut escaped) = (String::new(), false, false);
-    let mut characters = line.chars().peekable();
-    while let Some(c) = characters.next() {
-        if in_string {
-            in_string = escaped || c != '"';
-            escaped = !escaped && c == '\\';
-            out.push(if in_string { ' ' } else { c });
-        } else if c == '/' && characters.peek() == Some(&'/') {
-            break;
-        } else {
-            in_string = c == '"' && !out.ends_with('\'');
-            out.push(c);
-        }
-    }
-    out
-}
-
-fn is_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
-/// Whether `word` stands in `code` by itself, not as a part of a longer one.
-fn has_word(code: &str, word: &str) -> bool {
-    code.match_indices(word).any(|(at, _)| {
-        let before = code[..at].chars().next_back();
-        let after = code[at + word.len()..].chars().next();
-        !before.is_some_and(is_word) && !after.is_some_and(is_word)
-    })
-}
 
 /// Rooms that a piece of code reaches through `crate::…`, grouped imports included.
 fn used_rooms(code: &str) -> BTreeSet<String> {
@@ -209,6 +168,42 @@ fn imports_run_one_way() {
         }
     }
     expect_none(&complaints, "a room uses only rooms below it (ROOMS)");
+}
+
+#[test]
+fn imports_inside_the_window_run_one_way() {
+    let allowed: BTreeMap<&str, &[&str]> = APP_ROOMS.iter().copied().collect();
+    let room = |path: &str| -> Option<String> {
+        let inside = path.strip_prefix("src/app/")?.split('/').next()?.trim_end_matches(".rs").to_owned();
+        (inside != "mod").then_some(inside)
+    };
+    let imports = Imports::of(&sources("src", "rs"));
+    let mut complaints = Vec::new();
+    for (from, to) in imports.arrows() {
+        let (Some(user), Some(used)) = (room(from), room(to)) else { continue };
+        match allowed.get(user.as_str()) {
+            None => complaints.push(format!("{from}: the room {user} has no place in APP_ROOMS")),
+            Some(may_use) if used != user && !may_use.contains(&used.as_str()) => {
+                complaints.push(format!("{from}: {user} uses {used} ({to})"));
+            }
+            Some(_) => {}
+        }
+    }
+    expect_none(&complaints, "a room of the window uses only rooms below it (APP_ROOMS)");
+}
+
+#[test]
+fn files_do_not_import_each_other_in_a_circle() {
+    let circles = Imports::of(&sources("src", "rs")).circles();
+    let lies_in = |circle: &BTreeSet<String>, place: &str| circle.iter().all(|file| file.starts_with(place));
+    let known = |circle: &BTreeSet<String>| {
+        KNOWN_CIRCLES.iter().any(|(place, most)| circle.len() <= *most && lies_in(circle, place))
+    };
+    let new = circles.iter().filter(|circle| !known(circle));
+    let mut complaints: Vec<String> = new.map(|circle| format!("a circle of {}: {circle:?}", circle.len())).collect();
+    let gone = KNOWN_CIRCLES.iter().filter(|(place, _)| !circles.iter().any(|circle| lies_in(circle, place)));
+    complaints.extend(gone.map(|(place, _)| format!("{place} has no circle any more: strike it from KNOWN_CIRCLES")));
+    expect_none(&complaints, "files do not import each other in a circle");
 }
 
 #[test]
