@@ -2,9 +2,10 @@
 //! to the bodies.
 
 use divan::{Bencher, black_box};
-use girderbench::contact::{Frame, Law, Local, Mode, law::Friction, locate};
+use girderbench::contact::normal::Linear;
+use girderbench::contact::{Frame, FrictionLaw, Law, Local, Mode, Normal, locate};
 use girderbench::dynamics::penalty3d::contact_force::act;
-use girderbench::dynamics::penalty3d::contact_state::Closed;
+use girderbench::dynamics::penalty3d::contact_state::ClosedContact;
 use girderbench::dynamics::{ContactSite, Model};
 use girderbench::scene::presets;
 use glam::{DVec2, DVec3};
@@ -31,8 +32,9 @@ fn touching() -> (ContactSite, [Frame; 2]) {
     (site, [node, face])
 }
 
-fn law(friction: Friction) -> Law {
-    Law { k: 1.55e5, c_n: 220.0, c_t: 26.0, mu_s: 0.2, mu_k: 0.15, friction, clamp: false, v_stick: 0.0 }
+fn law(friction: FrictionLaw) -> Law {
+    let normal = Normal::Linear(Linear { k: 1.55e5, c: 220.0 });
+    Law { normal, k_t: 1.55e5, c_t: 26.0, mu_s: 0.2, mu_k: 0.15, friction, clamp: false, v_stick: 0.0 }
 }
 
 const STICK: Mode = Mode::Stick { anchor: DVec2::new(0.01, 0.005) };
@@ -48,7 +50,7 @@ fn node_against_face(bencher: Bencher<'_, '_>) {
 fn forces(bencher: Bencher<'_, '_>, case: &str) {
     let (site, [node, face]) = touching();
     let here: Local = locate(&site.home, &node, &face);
-    let law = law(if case.starts_with("paper") { Friction::Paper } else { Friction::ReturnMapping });
+    let law = law(if case.starts_with("paper") { FrictionLaw::Paper } else { FrictionLaw::ReturnMapping });
     let mode = if case.ends_with("stick") { STICK } else { SLIP };
     bencher.bench(|| black_box(&law).forces(black_box(&mode), black_box(&here)));
 }
@@ -57,15 +59,6 @@ fn forces(bencher: Bencher<'_, '_>, case: &str) {
 #[divan::bench]
 fn one_contact(bencher: Bencher<'_, '_>) {
     let (site, [node, face]) = touching();
-    let closed = Closed {
-        law: law(Friction::ReturnMapping),
-        mode: SLIP,
-        at: None,
-        ease: 0.0,
-        passing: false,
-        again: 0,
-        slack: false,
-        at_face: false,
-    };
+    let closed = ClosedContact::new(law(FrictionLaw::ReturnMapping), SLIP, 0.0);
     bencher.bench(|| act(&site, black_box(&closed), black_box(&node), black_box(&face)));
 }

@@ -1,27 +1,20 @@
-//! A contact law: forces from where a node is, and the functions whose zeros change the state.
+//! A contact law: forces from the position and velocity of a node against a face, and the switching functions whose zeros
+//! change the state {open, stick, slip}.
 //!
-//! Lengths instead of forces wherever a sign is all that matters: `|F_t| − μ_s |F_n|` over K is `|s| − μ_s δ`.
+//! Switching functions are lengths, not forces: `|F_t| − μ_s N` over `k_t` is `|s| − μ_s ℓ` with `ℓ = N(δ)/k_t`.
 
 use glam::DVec2;
 
-use super::{Local, paper, return_mapping};
+use super::friction::{FrictionLaw, paper, return_mapping, stick};
+use super::{Local, Normal, NormalLaw};
 
-/// Which friction law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Friction {
-    /// The paper's (54)–(59) in continuous time (`docs/physics.md#law-paper`).
-    Paper,
-    /// Elastic-plastic Coulomb after Cundall and Strack.
-    ReturnMapping,
-}
-
-/// The numbers of one contact, its share of the pair already taken.
+/// The law of one contact, or of a whole pair before it is divided among its nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
-    /// `K` \[N/m\].
-    pub k: f64,
-    /// `C_n` \[N·s/m\].
-    pub c_n: f64,
+    /// Force along the normal.
+    pub normal: Normal,
+    /// Stiffness of the tangential spring \[N/m\].
+    pub k_t: f64,
     /// `C_t` \[N·s/m\].
     pub c_t: f64,
     /// `μ_s`.
@@ -29,8 +22,8 @@ pub struct Law {
     /// `μ_k`.
     pub mu_k: f64,
     /// Friction law.
-    pub friction: Friction,
-    /// Whether the normal force is held at 0 or above; when it is, the caller knows the phase.
+    pub friction: FrictionLaw,
+    /// Whether the normal force is held at 0 or above; the phase in which it is, is a state of the contact.
     pub clamp: bool,
     /// Speed below which sliding in two directions counts as stopped; 0 where sliding has one direction only \[m/s\].
     pub v_stick: f64,
@@ -54,9 +47,9 @@ pub enum Mode {
 /// Forces on the node in the face's axes \[N\], and where p is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
-    /// `|F_n| = K δ`.
+    /// Elastic normal force `N(δ)`.
     pub normal: f64,
-    /// Dashpot along the normal.
+    /// Damping force along the normal.
     pub normal_damping: f64,
     /// Tangential spring (stick, return mapping) or friction (paper's slip).
     pub tangential: DVec2,
@@ -104,26 +97,63 @@ impl Law {
     pub fn forces(&self, mode: &Mode, here: &Local) -> Forces {
         match (mode, self.friction) {
             (Mode::Stick { anchor }, _) => stick(self, *anchor, here),
-            (Mode::Slip { direction }, Friction::Paper) => paper::slip(self, *direction, here),
-            (Mode::Slip { direction }, Friction::ReturnMapping) => return_mapping::slip(self, *direction, here),
+            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::slip(self, *direction, here),
+            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::slip(self, *direction, here),
         }
     }
 
-    /// Function that is negative while the state holds and rises through 0 when it ends: breakaway in stick, stopping in
-    /// slip.
+    /// Normal force as a length, `ℓ = N(δ)/k_t` \[m\].
+    #[inline]
+    pub fn length(&self, here: &Local) -> f64 {
+        self.normal.length(here.penetration(), self.k_t)
+    }
+
+    /// Length of a slipping contact's tangential spring, `μ_k ℓ`, 0 before the face \[m\].
+    #[inline]
+    pub fn slip_stretch(&self, here: &Local) -> f64 {
+        (self.mu_k * self.length(here)).max(0.0)
+    }
+
+    /// Derivative of the length by the penetration, `dℓ/dδ` \[–\].
+    #[inline]
+    pub(super) fn length_slope(&self, here: &Local) -> f64 {
+        self.normal.length_slope(here.penetration(), self.k_t)
+    }
+
+    /// Normal forces and velocities with the anchor at that stretch; no tangential force.
+    #[inline]
+    pub(super) fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
+        let (sliding, normal_velocity) = here.relative_velocity(stretch);
+        let penetration = here.penetration();
+        Forces {
+            normal: self.normal.elastic(penetration),
+            normal_damping: self.normal.damping(penetration, normal_velocity),
+            tangential: DVec2::ZERO,
+            tangential_damping: DVec2::ZERO,
+            stretch,
+            sliding,
+            normal_velocity,
+            anchor_rate: DVec2::ZERO,
+        }
+    }
+
+    /// Switching function: negative while the state holds, rises through 0 at breakaway in stick and at the stop in slip.
     #[inline]
     pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
         match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * here.penetration(),
-            (Mode::Slip { direction }, Friction::Paper) => paper::stopping(self, *direction, here),
-            (Mode::Slip { direction }, Friction::ReturnMapping) => return_mapping::stopping(self, *direction, here),
+            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * self.length(here),
+            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::stopping(self, *direction, here),
+            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::stopping(self, *direction, here),
         }
     }
 
-    /// Mode of a contact that closes: stick if `|V_t| < μ_s |V_n|`, else slip along `V_t` (`docs/physics.md#closing`).
-    /// Where the node has no normal velocity the caller passes accelerations.
+    /// Mode of a contact that closes (`docs/physics.md#closing`): stick if the tangential force grows more slowly than its limit,
+    /// `k_t |V_t| < μ_s N′ |V_n|`, else slip along `V_t`. Where the normal velocity is 0, rates are accelerations.
     pub fn on_closing(&self, here: &Local, tangential: DVec2, normal: f64) -> Mode {
-        if tangential.length() < self.mu_s * normal.abs() {
+        let limit = self.mu_s * self.length_slope(here) * normal.abs();
+        // A law with N′(0) = 0 sticks where nothing moves along the face.
+        let still = tangential == DVec2::ZERO && normal != 0.0 && self.has_friction();
+        if still || tangential.length() < limit {
             Mode::Stick { anchor: here.way }
         } else {
             Mode::Slip { direction: tangential.try_normalize().unwrap_or(DVec2::X) }
@@ -133,37 +163,33 @@ impl Law {
     /// What breakaway makes of a stick (`docs/physics.md#breakaway`).
     pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
         match self.friction {
-            Friction::Paper => paper::breakaway(self, anchor, here),
-            Friction::ReturnMapping => return_mapping::breakaway(self, anchor, here),
+            FrictionLaw::Paper => paper::breakaway(self, anchor, here),
+            FrictionLaw::ReturnMapping => return_mapping::breakaway(self, anchor, here),
         }
     }
 
     /// What stopping makes of a slip (`docs/physics.md#stop`).
     pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
         match self.friction {
-            Friction::Paper => Mode::Stick { anchor: here.way },
-            Friction::ReturnMapping => Mode::Stick { anchor: here.way - direction * (self.mu_k * here.penetration()) },
+            FrictionLaw::Paper => Mode::Stick { anchor: here.way },
+            FrictionLaw::ReturnMapping => {
+                Mode::Stick { anchor: here.way - direction * (self.mu_k * self.length(here)) }
+            }
         }
     }
 
-    /// Strain energy of the contact's springs \[J\].
-    pub fn strain(&self, forces: &Forces) -> f64 {
-        0.5 * (forces.normal.powi(2) / self.k + self.k * forces.stretch.length_squared())
+    /// Strain energy of normal law and tangential spring \[J\].
+    pub fn strain(&self, here: &Local, forces: &Forces) -> f64 {
+        self.normal.stored_energy(here.penetration()) + 0.5 * (self.k_t * forces.stretch.length_squared())
     }
-}
 
-/// (57a), the same in both laws: spring to p and both dashpots.
-fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
-    let stretch = here.way - anchor;
-    let (sliding, normal_velocity) = here.relative_velocity(stretch);
-    Forces {
-        normal: law.k * here.penetration(),
-        normal_damping: -law.c_n * normal_velocity,
-        tangential: stretch * -law.k,
-        tangential_damping: sliding * -law.c_t,
-        stretch,
-        sliding,
-        normal_velocity,
-        anchor_rate: DVec2::ZERO,
+    /// Energy of an overlap of rounding size at the instant of closing, `½ N δ` by the trapezoidal rule \[J\].
+    pub fn entry_energy(&self, here: &Local) -> f64 {
+        0.5 * self.normal.elastic(here.penetration()) * here.penetration()
+    }
+
+    /// Whether the normal force has zeros that end a phase of the clamp.
+    pub fn has_kinks(&self) -> bool {
+        self.clamp && self.normal.can_pull()
     }
 }

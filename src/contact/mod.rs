@@ -1,14 +1,17 @@
-//! Contact laws at one point, knowing no bodies (`docs/physics.md#contact-kinematics`; paper section 4).
+//! Contact laws at one point of contact, independent of bodies (`docs/physics.md#contact-kinematics`; paper section 4).
 //!
-//! [`node_face`] measures where a node is relative to a face; a [`Law`] turns that into forces and says when the state
-//! {open, stick, slip} changes. Everything is in the face's own axes: first tangent, second tangent, outward normal.
+//! [`node_face`] measures a node against a face; a [`Law`] (a [`Normal`] law and a [`FrictionLaw`]) gives forces and switching
+//! functions of the state {open, stick, slip}; [`parameters`] derives a law's numbers from a scene's. All vectors are in the
+//! face's axes: first tangent, second tangent, outward normal.
 
+pub mod friction;
 pub mod law;
 pub mod node_face;
-mod paper;
+pub mod normal;
 pub mod parameters;
-mod return_mapping;
 
+pub use friction::FrictionLaw;
 pub use law::{Breakaway, Forces, Law, Mode};
 pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
-pub use parameters::{Dashpots, damping_ratio, dashpots};
+pub use normal::{Normal, NormalLaw};
+pub use parameters::{Dashpots, PairNumbers, damping_ratio, dashpots, law_of_pair};

@@ -1,6 +1,88 @@
-//! Contact numbers from restitution: paper equations (64), (65).
+//! The law of a pair of facing ends and of each of its nodes, from a scene's numbers: paper equations (64), (65).
 
 use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use super::normal::{Linear, Normal, NormalLaw};
+use super::{FrictionLaw, Law};
+use crate::geometry::Face;
+
+/// Sliding in two directions below this speed counts as stopped (`docs/physics.md#stop`): a regularisation, tuned \[m/s\].
+const V_STICK: f64 = 1e-6;
+/// Projections this far outside a face, in parts of its size, count as on its edge; tuned: far above the rounding of ends
+/// placed edge on edge, 1e-16, and far below any width.
+const EDGE: f64 = 1e-9;
+
+/// Contact numbers of a pair of facing ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairNumbers {
+    /// `K` \[N/m\].
+    pub stiffness: f64,
+    /// Reduced mass M of the two bodies \[kg\].
+    pub mass: f64,
+    /// `e_n`.
+    pub restitution_normal: f64,
+    /// `e_t`.
+    pub restitution_tangential: f64,
+    /// `μ_s`.
+    pub mu_static: f64,
+    /// `μ_k`.
+    pub mu_kinetic: f64,
+    /// Friction law.
+    pub friction: FrictionLaw,
+    /// Whether the normal force is held at 0 or above.
+    pub clamp: bool,
+    /// Whether sliding has one direction only.
+    pub one_way: bool,
+}
+
+/// Kelvin–Voigt law of a whole pair: K along normal and tangent, dashpots of (65).
+pub fn law_of_pair(numbers: &PairNumbers) -> Law {
+    let &PairNumbers { stiffness: k, mass, restitution_normal, restitution_tangential, .. } = numbers;
+    let dashpots = dashpots(k, mass, restitution_normal, restitution_tangential);
+    Law {
+        normal: Normal::Linear(Linear { k, c: dashpots.normal }),
+        k_t: k,
+        c_t: dashpots.tangential,
+        mu_s: numbers.mu_static,
+        mu_k: numbers.mu_kinetic,
+        friction: numbers.friction,
+        clamp: numbers.clamp,
+        v_stick: if numbers.one_way { 0.0 } else { V_STICK },
+    }
+}
+
+impl Law {
+    /// The law of one of `nodes` that share this one.
+    #[must_use]
+    pub fn shared(&self, nodes: usize) -> Self {
+        let parts = nodes as f64;
+        Self { normal: self.normal.divided(parts), k_t: self.k_t / parts, c_t: self.c_t / parts, ..*self }
+    }
+
+    /// Dashpots at the face.
+    pub fn dashpots(&self) -> Dashpots {
+        Dashpots { normal: self.normal.damping_coefficient(0.0), tangential: self.c_t }
+    }
+}
+
+/// Distance of a projection on a face, from its corner a, outside of the face's polygon, edges included; negative inside
+/// \[m\].
+#[inline]
+pub fn outside(face: &Face, at: DVec2) -> f64 {
+    -(face.inset_at(at) + EDGE * face.size())
+}
+
+/// Whether a projection is inside a face's polygon, edges included.
+pub fn is_over(face: &Face, at: DVec2) -> bool {
+    face.inset_at(at) >= -EDGE * face.size()
+}
+
+/// Number of nodes that share the law of a pair: those over the faces opposite, at least one.
+pub fn sharers<'a>(nodes: impl Iterator<Item = (&'a Face, DVec2)>) -> usize {
+    nodes.filter(|(face, at)| is_over(face, *at)).count().max(1)
+}
 
 /// Dashpots of a pair of facing ends \[N·s/m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +115,8 @@ pub fn dashpots(stiffness: f64, mass: f64, restitution_normal: f64, restitution_
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
 
     #[test]
@@ -51,5 +135,47 @@ mod tests {
     #[test]
     fn no_dashpot_for_a_perfect_bounce() {
         assert_eq!(damping_ratio(1.0), 0.0, "exactly none");
+    }
+
+    fn numbers() -> PairNumbers {
+        PairNumbers {
+            stiffness: 1.55e5,
+            mass: 1.0,
+            restitution_normal: 0.4,
+            restitution_tangential: 0.9,
+            mu_static: 0.2,
+            mu_kinetic: 0.15,
+            friction: FrictionLaw::Paper,
+            clamp: true,
+            one_way: false,
+        }
+    }
+
+    #[test]
+    fn a_pairs_law_has_the_scenes_numbers() {
+        let law = law_of_pair(&numbers());
+        assert_eq!((law.normal.tangent_stiffness(0.0), law.k_t), (1.55e5, 1.55e5), "one K for both directions");
+        assert_eq!(law.dashpots(), dashpots(1.55e5, 1.0, 0.4, 0.9), "(65)");
+        assert_eq!((law.mu_s, law.mu_k, law.friction, law.clamp), (0.2, 0.15, FrictionLaw::Paper, true), "as given");
+        assert!(law.v_stick > 0.0, "two directions of sliding are regularised");
+        assert_eq!(law_of_pair(&PairNumbers { one_way: true, ..numbers() }).v_stick, 0.0, "one is not");
+    }
+
+    #[test]
+    fn nodes_share_stiffness_and_dashpots_but_not_friction() {
+        let (whole, part) = (law_of_pair(&numbers()), law_of_pair(&numbers()).shared(4));
+        assert_eq!(4.0 * part.normal.elastic(1e-3), whole.normal.elastic(1e-3), "normal force");
+        assert_eq!((4.0 * part.k_t, 4.0 * part.c_t), (whole.k_t, whole.c_t), "tangential spring and dashpot");
+        assert_eq!((part.mu_s, part.mu_k), (whole.mu_s, whole.mu_k), "coefficients of friction");
+    }
+
+    #[test]
+    fn sharers_are_the_nodes_over_their_faces() {
+        let corners = [[0.0, 0.0], [0.2, 0.0], [0.2, 0.1], [0.0, 0.1]].map(|[y, z]| DVec3::new(0.0, y, z));
+        let face = Face::new(corners, 1.0).expect("a rectangle");
+        let [inside, edge, far] = [DVec2::new(0.1, 0.05), DVec2::ZERO, DVec2::new(-0.1, 0.05)];
+        assert_eq!(sharers([inside, edge, far].into_iter().map(|at| (&face, at))), 2, "edges count");
+        assert_eq!(sharers([far].into_iter().map(|at| (&face, at))), 1, "at least one");
+        assert!(outside(&face, far) > 0.0 && outside(&face, inside) < 0.0, "the sign of the distance");
     }
 }

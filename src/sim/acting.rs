@@ -8,13 +8,13 @@ use crate::contact::{Frame, Home, Mode};
 use crate::dynamics::model::reference_pose::{Base, seen_from};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
-use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::trajectory::stored_path::Kept;
 
 /// A closed contact at one instant.
 struct Seen {
     /// Its state, with its anchor counted as its sides are.
-    closed: Closed,
+    closed: ClosedContact,
     /// Node and face where they are counted from.
     home: Home,
     /// Node's body and face's body, counted from there.
@@ -51,7 +51,7 @@ impl History {
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body), side(site.face_body)) {
-            let home = seen_from(site, [node.as_ref(), face.as_ref()], closed.at);
+            let home = seen_from(site, [node.as_ref(), face.as_ref()], closed.solver.rebased_node);
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
         }
@@ -60,7 +60,7 @@ impl History {
     }
 
     /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.
-    pub(super) fn acting(&self, contact: usize, t: f64) -> Option<(Closed, Action)> {
+    pub(super) fn acting(&self, contact: usize, t: f64) -> Option<(ClosedContact, Action)> {
         let Seen { closed, home, since: [node, face], .. } = self.closed(contact, t)?;
         Some((closed, act_in(&home, &closed, &closed.mode, &node, &face)))
     }

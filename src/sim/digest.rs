@@ -3,7 +3,7 @@
 use xxhash_rust::xxh3::Xxh3;
 
 use super::History;
-use crate::contact::Mode;
+use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::stored_path::Kept;
@@ -37,7 +37,8 @@ pub(super) fn of(history: &History) -> u64 {
                     Mode::Stick { anchor } => (3.0, anchor),
                     Mode::Slip { direction } => (4.0, direction),
                 };
-                [kind, vector.x, vector.y, closed.law.k].into_iter().for_each(&mut add);
+                [kind, vector.x, vector.y].into_iter().for_each(&mut add);
+                closed.law.normal.digest(&mut add);
             }
         }
     }

@@ -123,7 +123,7 @@ impl Books {
         }
         for contact in 0..history.logs.len() {
             if let Some((closed, action)) = history.acting(contact, t) {
-                ledger.contact += closed.law.strain(&action.forces);
+                ledger.contact += closed.law.strain(&action.here, &action.forces);
             }
         }
         ledger

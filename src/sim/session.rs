@@ -43,11 +43,18 @@ impl Session {
     /// Every complaint about the scene, each naming place, value and remedy.
     pub fn new(scene: &Scene) -> Result<Self, SceneErrors> {
         let facings = crate::scene::validate::facings(scene)?;
-        let model = Arc::new(Model::of(scene, facings)?);
+        let mut session = Self::of_model(scene, Model::of(scene, facings)?);
+        session.beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
+        Ok(session)
+    }
+
+    /// Sets the bodies of a model up at t = 0 that was compiled from `scene`, with other laws of its pairs, say; without the
+    /// other model's run beside it.
+    pub fn of_model(scene: &Scene, model: Model) -> Self {
+        let model = Arc::new(model);
         let groups = (0..model.groups.len()).into_par_iter();
         let groups = groups.map(|group| run::start(&model, group, scene.model.kind)).collect();
-        let beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
-        Ok(Self { scene: scene.clone(), model, groups, asked: 0.0, beside })
+        Self { scene: scene.clone(), model, groups, asked: 0.0, beside: None }
     }
 
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.

@@ -19,6 +19,7 @@ mod physics {
     mod drift;
     mod energy;
     mod free_motion;
+    mod hertz;
     mod long_runs;
     mod reference;
     mod rows;

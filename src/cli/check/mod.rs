@@ -81,8 +81,8 @@ fn pair_text(pair: &Pair, nodes: &str) -> String {
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),
-        short(pair.c_n),
-        short(pair.c_t),
+        short(pair.law.dashpots().normal),
+        short(pair.law.dashpots().tangential),
         six(c.mu_static),
         six(c.mu_kinetic)
     )

@@ -3,16 +3,17 @@
 
 use glam::{DMat2, DMat3, DVec2};
 
-use crate::contact::{Frame, Home, Law, Local, Mode, law::Friction, locate};
+use crate::contact::parameters::is_over;
+use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::next_closing::INSTANT;
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::Pace;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::{reference_pose, rigid_body};
+use crate::dynamics::penalty3d::constants::POSITION_ROUNDING;
 use crate::dynamics::penalty3d::contact_force;
-use crate::dynamics::penalty3d::contact_state::Closed;
-use crate::dynamics::penalty3d::event_location::{EDGE, ROUNDING};
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::world::World;
 use crate::scene::Kind;
 
@@ -101,7 +102,7 @@ impl AtInstant<'_> {
     /// configuration, both poses in `frames`, and the node.
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
-        let at = track.state.closed().and_then(|closed| closed.at);
+        let at = track.state.closed().and_then(|closed| closed.solver.rebased_node);
         let bases = track.slots.map(|slot| self.now.base(slot));
         let home = reference_pose::seen_from(&self.world.model.contacts[track.site], bases, at);
         let sides = [0, 1].map(|which| self.side(contact, which, frames));
@@ -112,7 +113,7 @@ impl AtInstant<'_> {
     pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
         let here = self.local(contact);
         let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
-        face.inset_at(here.at) >= -EDGE * face.size() && !self.touches_elsewhere(contact)
+        is_over(face, here.at) && !self.touches_elsewhere(contact)
     }
 
     /// Whether the same node is in another face already: it touches one at a time.
@@ -127,7 +128,7 @@ impl AtInstant<'_> {
 
     /// Whether a contact that has stopped sliding in two directions can hold: the tangential force that keeps `V_t` at
     /// rest is within `μ_s |F_n|` (`docs/physics.md#stop`).
-    pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &Closed) -> bool {
+    pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &ClosedContact) -> bool {
         let track = &self.world.contacts[contact];
         let (home, sides, _) = self.since(contact, &self.now.since);
         let action = contact_force::act_in(&home, closed, &closed.mode, &sides[0], &sides[1]);
@@ -143,8 +144,9 @@ impl AtInstant<'_> {
         }
         // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair
         // that slide with it share.
-        let sliding =
-            |c: &usize| matches!(self.world.contacts[*c].state.closed(), Some(Closed { mode: Mode::Slip { .. }, .. }));
+        let sliding = |c: &usize| {
+            matches!(self.world.contacts[*c].state.closed(), Some(ClosedContact { mode: Mode::Slip { .. }, .. }))
+        };
         let sharing = self.world.pairs[track.pair].contacts.clone().filter(sliding).count().max(1);
         let needed = action.forces.tangential - mobility.inverse() * acceleration / sharing as f64;
         // A NaN, where nothing can move tangentially, holds.
@@ -171,7 +173,7 @@ impl AtInstant<'_> {
     /// entry lead to, or of the overlap, whichever is deepest \[m\].
     pub(in crate::dynamics) fn ease(&self, contact: usize, law: &Law, here: &Local) -> f64 {
         // Without sliding friction there is no force whose direction could turn.
-        if law.v_stick == 0.0 || law.friction == Friction::Paper || law.mu_k == 0.0 {
+        if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
         let radian = self.world.pairs[self.world.contacts[contact].pair].together * 1e9;
@@ -180,6 +182,6 @@ impl AtInstant<'_> {
         let depth = (speed.abs() * radian).max(push.abs() * radian * radian).max(here.penetration());
         let size = self.world.model.contacts[self.world.contacts[contact].site].reach();
         // Never less than a stretch's rounding: a direction within that is none.
-        (EASE * law.mu_k.max(LEAST_EASED) * depth).max(ROUNDING * size)
+        (EASE * law.mu_k.max(LEAST_EASED) * law.normal.length(depth, law.k_t)).max(POSITION_ROUNDING * size)
     }
 }

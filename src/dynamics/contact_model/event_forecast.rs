@@ -4,19 +4,12 @@
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
 use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::constants::{CONFIRMED_RISE, FORECAST_PHASE, SLOPE_PHASE};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::event_location::{Reason, function, reasons};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 use crate::scene::Kind;
-
-/// How far ahead the slopes are asked, in radians of the fastest motion.
-const AHEAD: f64 = 1e-4;
-
-/// How far they can tell of, likewise.
-const FAR: f64 = 0.4;
-/// A change that has not come nearer by this part when it should be there is none.
-const NEARER: f64 = 0.5;
 
 /// What may change: an active contact's state, or an open contact.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +21,7 @@ enum Change {
 /// Time from the start of an island's next step to the first change of a contact that its slopes point to, if that comes
 /// within `horizon`; infinite where they point to none \[s\]. A guess: whatever the step meets is found as ever.
 pub(in crate::dynamics) fn soonest(world: &World, island: &Island, horizon: f64) -> f64 {
-    let (dt, horizon) = (AHEAD / island.omega(), horizon.min(FAR / island.omega()));
+    let (dt, horizon) = (SLOPE_PHASE / island.omega(), horizon.min(FORECAST_PHASE / island.omega()));
     if horizon <= dt {
         return f64::INFINITY;
     }
@@ -53,7 +46,7 @@ pub(in crate::dynamics) fn soonest(world: &World, island: &Island, horizon: f64)
     let comes = |&(after, start, change): &(f64, f64, Change)| {
         let there = look(world, island, change, &frames_after(island, &world.model, after))?;
         let there = value(world, island, change, &there);
-        (there > NEARER * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
+        (there > CONFIRMED_RISE * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
     likely.iter().find_map(comes).unwrap_or(f64::INFINITY)
 }

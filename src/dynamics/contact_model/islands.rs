@@ -5,7 +5,7 @@ use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::Pace;
 use crate::dynamics::model::reference_pose::{self, Base};
 use crate::dynamics::model::rigid_body;
-use crate::dynamics::penalty3d::equations_of_motion::Active;
+use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
@@ -77,7 +77,7 @@ pub(in crate::dynamics) fn assemble(
     pace: Pace,
 ) -> Island {
     let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
-    let active: Vec<(usize, Active)> = world
+    let active: Vec<(usize, ActiveContact)> = world
         .pairs_of(members)
         .into_iter()
         .flat_map(|pair| world.pairs[pair].contacts.clone())
@@ -86,8 +86,8 @@ pub(in crate::dynamics) fn assemble(
             let closed = *track.state.closed()?;
             let [node, face] = track.slots.map(index);
             let sides = [node, face].map(|i| bases.get(i?));
-            let home = reference_pose::seen_from(&world.model.contacts[track.site], sides, closed.at);
-            Some((contact, Active { site: track.site, node, face, closed, home, angle: None }))
+            let home = reference_pose::seen_from(&world.model.contacts[track.site], sides, closed.solver.rebased_node);
+            Some((contact, ActiveContact { site: track.site, node, face, closed, home, angle: None, depth: 0.0 }))
         })
         .collect();
     let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();

@@ -3,10 +3,9 @@
 //! A polynomial is read in nanoseconds and takes up to 400 bytes a body; a start takes a seventh of the memory and
 //! microseconds to read. A run keeps polynomials up to the memory that the model allows, and starts from then on.
 
-use crate::contact::law::Friction;
+use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body;
-use crate::dynamics::penalty3d::contact_state::Closed;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{Member, Replay, Seat};
 use crate::dynamics::world::World;
@@ -71,11 +70,12 @@ impl StepStore {
 
 /// An island's contacts by what their logs say; nothing where these do not say all.
 fn seats(world: &World, island: &Island) -> Option<Vec<Seat>> {
-    let seat = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::Active, &usize)| {
+    let seat = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::ActiveContact, &usize)| {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
-        let same = track.log.closed(entry)
-            == Some(Closed { again: 0, at_face: active.closed.law.friction == Friction::Paper, ..active.closed });
+        let mut logged = active.closed;
+        (logged.solver.retries, logged.solver.at_face) = (0, logged.law.friction == FrictionLaw::Paper);
+        let same = track.log.closed(entry) == Some(logged);
         same.then_some(Seat { site: u32::try_from(track.site).ok()?, entry })
     };
     island.active.iter().zip(&island.contacts).map(seat).collect()

@@ -2,13 +2,15 @@
 
 use glam::DVec2;
 
-use crate::contact::{Mode, law::Friction};
+use crate::contact::parameters::is_over;
+use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::reference_pose::{self, Base};
-use crate::dynamics::penalty3d::contact_state::{Closed, Contact};
-use crate::dynamics::penalty3d::event_location::{EDGE, PATIENCE, Reason};
+use crate::dynamics::penalty3d::constants::FREE_RETRIES;
+use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
+use crate::dynamics::penalty3d::event_location::Reason;
 use crate::dynamics::record::event::{Event, EventKind};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::ContactTrack;
@@ -37,7 +39,11 @@ pub(in crate::dynamics) fn enter(world: &mut World, contact: usize, state: Conta
     let track = &mut world.contacts[contact];
     let way = match state {
         // Where it is counted from is the same as long as it is closed and not counted anew.
-        Contact::Closed(now) if track.state.closed().is_some_and(|before| before.at == now.at) => track.log.way(),
+        Contact::Closed(now)
+            if track.state.closed().is_some_and(|before| before.solver.rebased_node == now.solver.rebased_node) =>
+        {
+            track.log.way()
+        }
         // Only a spring along the face remembers where it began.
         Contact::Closed(now) if now.law.has_friction() => {
             reference_pose::way_to(&world.model.contacts[track.site], bases)
@@ -61,7 +67,7 @@ impl Transitions<'_> {
     }
 
     /// A change within a state: kept, but no event.
-    fn remember(&mut self, contact: usize, closed: Closed) {
+    fn remember(&mut self, contact: usize, closed: ClosedContact) {
         self.note(contact, Contact::Closed(closed));
         self.count(contact);
     }
@@ -116,7 +122,7 @@ impl Transitions<'_> {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let ease = self.at().ease(contact, &law, &here);
-        let closed = Closed { law, mode, at: None, ease, passing: false, again: 0, slack: false, at_face: false };
+        let closed = ClosedContact::new(law, mode, ease);
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -124,7 +130,7 @@ impl Transitions<'_> {
         self.world.contacts[contact].closing = None;
         self.world.contacts[contact].counted.0 = 0;
         // Rounding leaves a hair of overlap at the crossing; its strain appears from nowhere and is booked.
-        let appeared = -0.5 * law.k * here.gap * here.gap;
+        let appeared = -law.entry_energy(&here);
         self.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
@@ -143,7 +149,7 @@ impl Transitions<'_> {
             if here.gap >= 0.0 {
                 continue;
             }
-            let inside = face.inset_at(here.at) >= -EDGE * face.size() && here.penetration() < face.depth;
+            let inside = is_over(face, here.at) && here.penetration() < face.depth;
             let inside = inside && !self.at().touches_elsewhere(contact);
             let state = if inside {
                 let (.., here) = self.at().since(contact, &self.now.since);
@@ -155,9 +161,8 @@ impl Transitions<'_> {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed =
-                    Closed { law, mode, at: None, ease, passing: false, again: 0, slack: false, at_face: false };
-                closed.slack = law.clamp && closed.pull(&here) > 0.0;
+                let mut closed = ClosedContact::new(law, mode, ease);
+                closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {
                 Contact::Open { armed: false }
@@ -173,13 +178,13 @@ impl Transitions<'_> {
             Reason::Opening => self.part(contact, &closed, EventKind::Opened),
             Reason::Edge => self.part(contact, &closed, EventKind::LeftFace),
             Reason::Switching => self.switch(contact, closed),
-            Reason::Kink => self.remember(contact, Closed { slack: !closed.slack, ..closed }),
+            Reason::Kink => self.remember(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed }),
         }
     }
 
-    fn part(&mut self, contact: usize, closed: &Closed, kind: EventKind) {
+    fn part(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         let (.., here) = self.at().since(contact, &self.now.since);
-        let released = closed.law.strain(&closed.forces(&here));
+        let released = closed.law.strain(&here, &closed.forces(&here));
         self.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
         let pair = self.world.contacts[contact].pair;
         let touching = self.world.pairs[pair].contacts.clone().any(|c| self.world.contacts[c].state.closed().is_some());
@@ -188,28 +193,29 @@ impl Transitions<'_> {
         }
     }
 
-    fn switch(&mut self, contact: usize, mut closed: Closed) {
+    fn switch(&mut self, contact: usize, mut closed: ClosedContact) {
         let (.., here) = self.at().since(contact, &self.now.since);
         match closed.mode {
             Mode::Stick { anchor } => {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
                 let (_, at, same) = self.world.contacts[contact].counted;
-                closed.again = if at == self.now.t { u32::try_from(same).unwrap_or(u32::MAX) } else { 0 };
+                closed.solver.retries = if at == self.now.t { u32::try_from(same).unwrap_or(u32::MAX) } else { 0 };
                 self.log(contact, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {
                 if closed.law.v_stick > 0.0
-                    && closed.law.friction == Friction::Paper
+                    && closed.law.friction == FrictionLaw::Paper
                     && !self.at().can_hold(contact, &closed)
                 {
-                    self.remember(contact, Closed { passing: true, ..closed });
+                    closed.solver.passing_stop = true;
+                    self.remember(contact, closed);
                     return;
                 }
-                closed.passing = false;
+                closed.solver.passing_stop = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
                 let worn = u32::try_from(self.world.contacts[contact].counted.0 / WORN).unwrap_or(u32::MAX);
-                closed.again = if worn > 0 { PATIENCE.saturating_add(worn) } else { 0 };
+                closed.solver.retries = if worn > 0 { FREE_RETRIES.saturating_add(worn) } else { 0 };
                 self.log(contact, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::contact::dashpots;
 use crate::contact::parameters::reduced_mass;
+use crate::contact::{PairNumbers, law_of_pair};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
@@ -13,7 +13,7 @@ use crate::dynamics::model::rate_bounds::Quickness;
 use crate::dynamics::model::single_axis;
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
-use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, facing, placed};
+use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, Tension, facing, placed};
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
@@ -147,19 +147,24 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
     let sides = [owner(&facing.first), owner(&facing.second)];
     let mass = |side: Option<usize>| side.map_or(f64::INFINITY, |b| bodies[b].mass);
     let numbers = &facing.contact;
-    let dashpots = dashpots(
-        numbers.stiffness,
-        reduced_mass(mass(sides[0]), mass(sides[1])),
-        numbers.restitution_normal,
-        numbers.restitution_tangential,
-    );
     let flat = |side: Option<usize>| side.is_none_or(|b| bodies[b].free[2..5] == [false; 3]);
+    let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
+    let law = law_of_pair(&PairNumbers {
+        stiffness: numbers.stiffness,
+        mass: reduced_mass(mass(sides[0]), mass(sides[1])),
+        restitution_normal: numbers.restitution_normal,
+        restitution_tangential: numbers.restitution_tangential,
+        mu_static: numbers.mu_static,
+        mu_kinetic: numbers.mu_kinetic,
+        friction: numbers.law,
+        clamp: numbers.tension == Tension::Clamp,
+        one_way,
+    });
     Pair {
         bodies: sides,
-        c_n: dashpots.normal,
-        c_t: dashpots.tangential,
+        law,
         contacts,
-        one_way: vertical && (kind == Kind::Planar || sides.into_iter().all(flat)),
+        one_way,
         name: facing.name,
         first: facing.first,
         second: facing.second,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::contact::{Frame, Home};
+use crate::contact::{Frame, Home, Law};
 use crate::geometry::Face;
 use crate::scene::facing::{PairContact, Side};
 
@@ -21,10 +21,8 @@ pub struct Pair {
     pub bodies: [Option<usize>; 2],
     /// The numbers in force.
     pub contact: PairContact,
-    /// `C_n` of the pair (65) \[N·s/m\].
-    pub c_n: f64,
-    /// `C_t` of the pair (65) \[N·s/m\].
-    pub c_t: f64,
+    /// The law of the whole pair, which its nodes share.
+    pub law: Law,
     /// Gap along the first girder's axis as placed \[m\].
     pub gap: f64,
     /// Its contacts, numbers in [`Model::contacts`](crate::dynamics::Model::contacts).

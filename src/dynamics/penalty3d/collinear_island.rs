@@ -1,23 +1,21 @@
 //! Bodies that move along one axis and touch flush across it: nothing slides and nothing turns, so the nodes of two faces
 //! push as one and a body's rate is that of one coordinate.
 //!
-//! `m ẍ + c ẋ + k x = Σ ±(K δ + C δ̇) − m Ẍ` with the sums of a face's K and C (`docs/physics.md#plane-motion`,
+//! `m ẍ + c ẋ + k x = Σ ±N(δ, δ̇) − m Ẍ` with the sum of a face's normal forces (`docs/physics.md#plane-motion`,
 //! `docs/physics.md#linear-spring-and-dashpot`). What makes it so is exact: bearings and ground that do not lead off
 //! the axis, faces square to it, levers across it that cancel, and a state whose other components are 0. These stay 0
 //! then, to the last bit; where one is not, all is computed.
 
 use glam::DVec3;
 
-use crate::contact::{Frame, Measured, Mode, law::Friction, measure};
+use crate::contact::{Frame, FrictionLaw, Measured, Mode, Normal, NormalLaw, measure};
 use crate::dynamics::Model;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::model::single_axis::along;
-use crate::dynamics::penalty3d::equations_of_motion::Active;
+use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
+use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::scene::Kind;
-
-/// Levers and places that cancel do so to this part of their size: rounding.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Two sides that touch flush.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,13 +26,13 @@ struct Joint {
     normal: f64,
     /// `g` as placed \[m\].
     rest: f64,
-    /// `Σ K` \[N/m\] and `Σ C` \[N·s/m\] of its contacts.
-    law: [f64; 2],
+    /// Normal law of its contacts together; nothing where the normal force is held at 0.
+    law: Option<Normal>,
 }
 
 /// An island in one line.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::dynamics) struct Line {
+pub(in crate::dynamics) struct CollinearIsland {
     axis: usize,
     joints: Vec<Joint>,
     /// The first contact of each contact's joint.
@@ -46,15 +44,20 @@ struct Touch {
     sides: [Option<usize>; 2],
     normal: f64,
     rest: f64,
-    law: [f64; 2],
+    law: Option<Normal>,
     /// Levers of its force across the axis from G of either side \[m\].
     levers: [f64; 2],
     reach: f64,
 }
 
-impl Line {
+impl CollinearIsland {
     /// Of bodies with these closed contacts, where they may be in line.
-    pub(in crate::dynamics) fn of(model: &Model, bodies: &[usize], bases: &[Base], active: &[Active]) -> Option<Self> {
+    pub(in crate::dynamics) fn of(
+        model: &Model,
+        bodies: &[usize],
+        bases: &[Base],
+        active: &[ActiveContact],
+    ) -> Option<Self> {
         if model.kind != Kind::Planar || active.is_empty() {
             return None;
         }
@@ -65,7 +68,7 @@ impl Line {
         (0..2).filter(|&axis| straight(axis)).find_map(|axis| Self::across(model, bodies, active, axis))
     }
 
-    fn across(model: &Model, bodies: &[usize], active: &[Active], axis: usize) -> Option<Self> {
+    fn across(model: &Model, bodies: &[usize], active: &[ActiveContact], axis: usize) -> Option<Self> {
         let touches: Option<Vec<Touch>> = active.iter().map(|a| Touch::of(model, bodies, a, axis)).collect();
         let touches = touches?;
         let first: Vec<usize> =
@@ -112,7 +115,7 @@ impl Line {
             let [node, face] = joint.sides;
             let gap = joint.rest + joint.normal * (at(node, 0) - at(face, 0));
             let rate = joint.normal * (at(node, 3) - at(face, 3));
-            let force = -joint.normal * (joint.law[0] * gap + joint.law[1] * rate);
+            let force = joint.law.map_or(0.0, |law| joint.normal * (law.elastic(-gap) + law.damping(-gap, rate)));
             for (side, force) in [(node, force), (face, -force)] {
                 if let Some(i) = side {
                     out[i * PLANAR + 3 + axis] += force;
@@ -131,7 +134,7 @@ impl Line {
 }
 
 impl Touch {
-    fn of(model: &Model, bodies: &[usize], active: &Active, axis: usize) -> Option<Self> {
+    fn of(model: &Model, bodies: &[usize], active: &ActiveContact, axis: usize) -> Option<Self> {
         let site = &model.contacts[active.site];
         let frame = |side: Option<usize>| side.map_or(site.stand, |i| Frame::fixed(model.bodies[bodies[i]].home));
         let (node, face): (Frame, Frame) = (frame(active.node), frame(active.face));
@@ -141,13 +144,13 @@ impl Touch {
         let (closed, law) = (&active.closed, &active.closed.law);
         let still = match closed.mode {
             Mode::Stick { anchor } => anchor == here.way,
-            Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == Friction::ReturnMapping && law.v_stick == 0.0,
+            Mode::Slip { .. } => law.mu_k == 0.0 && law.friction == FrictionLaw::ReturnMapping && law.v_stick == 0.0,
         };
         (square && still && active.angle.is_none()).then(|| Self {
             sides: [active.node, active.face],
             normal: normal[axis],
             rest: here.gap,
-            law: if closed.slack { [0.0; 2] } else { [law.k, law.c_n] },
+            law: (!closed.held_at_zero).then_some(law.normal),
             levers: [arm[1 - axis], apart[1 - axis]],
             reach: site.reach(),
         })
@@ -161,18 +164,18 @@ impl Touch {
 
     /// The joint of contacts between the same sides, where they are equally deep and leave no moment.
     fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<Joint> {
-        let level = members().all(|m| m.law == first.law && (m.rest - first.rest).abs() <= ROUNDING * m.reach);
+        let level = members().all(|m| m.law == first.law && (m.rest - first.rest).abs() <= LEVEL_ROUNDING * m.reach);
         let lever = |side: Option<usize>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
         let balanced = first.sides.into_iter().all(|side| {
             let (sum, size) = members().fold((0.0, 0.0f64), |(sum, size), m| {
                 let lever = lever(side, m);
                 (sum + lever, size.max(lever.abs()))
             });
-            side.is_none() || f64::abs(sum) <= ROUNDING * size
+            side.is_none() || f64::abs(sum) <= LEVEL_ROUNDING * size
         });
         let count = members().count() as f64;
         let rest = members().map(|m| m.rest).sum::<f64>() / count;
-        let law = first.law.map(|of_one| of_one * count);
+        let law = first.law.map(|of_one| of_one.times(count));
         (level && balanced).then_some(Joint { sides: first.sides, normal: first.normal, rest, law })
     }
 }
@@ -181,14 +184,15 @@ impl Touch {
 mod tests {
     use super::*;
     use crate::contact::Law;
+    use crate::contact::normal::Linear;
     use crate::dynamics::ContactSite;
     use crate::dynamics::integrator::system::System;
-    use crate::dynamics::penalty3d::contact_state::Closed;
-    use crate::dynamics::penalty3d::equations_of_motion::{Field, Scale, Sliding};
+    use crate::dynamics::penalty3d::contact_state::ClosedContact;
+    use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
     use crate::scene::{Motion, Scene, presets};
 
     /// Two straight girders and what they stick to, all nodes closed.
-    fn pressed(scene: &Scene) -> (Model, Vec<Active>) {
+    fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
         let model = Model::compile(scene).expect("a valid scene");
         let stick = |site: usize| {
             let here = crate::contact::locate(
@@ -196,23 +200,22 @@ mod tests {
                 &frame(&model, model.contacts[site].node_body, site),
                 &frame(&model, model.contacts[site].face_body, site),
             );
-            let (k, c_n, c_t) = (4e4, 11.0, 7.0);
+            let (k, c, c_t) = (4e4, 11.0, 7.0);
             let law = Law {
-                k,
-                c_n,
+                normal: Normal::Linear(Linear { k, c }),
+                k_t: k,
                 c_t,
                 mu_s: 0.2,
                 mu_k: 0.15,
-                friction: Friction::ReturnMapping,
+                friction: FrictionLaw::ReturnMapping,
                 clamp: false,
                 v_stick: 0.0,
             };
             let mode = Mode::Stick { anchor: here.way };
-            let closed =
-                Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: false };
+            let closed = ClosedContact::new(law, mode, 0.0);
             let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
             let home = model.contacts[site].home;
-            Active { site, node, face, closed, home, angle: None }
+            ActiveContact { site, node, face, closed, home, angle: None, depth: 0.0 }
         };
         let active = (0..model.contacts.len()).map(stick).collect();
         (model, active)
@@ -237,16 +240,16 @@ mod tests {
         body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
     }
 
-    fn slopes(model: &Model, active: &[Active], line: Option<&Line>, y: &[f64]) -> Vec<f64> {
+    fn slopes(model: &Model, active: &[ActiveContact], line: Option<&CollinearIsland>, y: &[f64]) -> Vec<f64> {
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         let mut out = vec![9.0; y.len()];
-        let mut field = Field {
+        let mut field = EquationsOfMotion {
             model,
             bodies: &bodies,
             bases: &bases(model),
             active,
             piece: model.ground.piece(model.ground.piece_number(0.3)),
-            scale: Scale::default(),
+            scale: ErrorScale::default(),
             angles: &[],
             line,
             frames: &mut Vec::new(),
@@ -263,7 +266,7 @@ mod tests {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        let line = Line::of(&model, &bodies, &bases(&model), &active).expect("a straight row");
+        let line = CollinearIsland::of(&model, &bodies, &bases(&model), &active).expect("a straight row");
         let mut y = vec![0.0; PLANAR * bodies.len()];
         for (i, state) in y.chunks_exact_mut(PLANAR).enumerate() {
             (state[0], state[3]) = (1e-3 * (1.7 * i as f64).sin(), 0.2 * (2.9 * i as f64).cos());
@@ -284,18 +287,27 @@ mod tests {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_some(), "all nodes of flush faces");
-        assert!(Line::of(&model, &bodies, &bases(&model), &active[1..]).is_none(), "a corner alone turns its girder");
+        assert!(CollinearIsland::of(&model, &bodies, &bases(&model), &active).is_some(), "all nodes of flush faces");
+        assert!(
+            CollinearIsland::of(&model, &bodies, &bases(&model), &active[1..]).is_none(),
+            "a corner alone turns its girder"
+        );
         let mut dragged = active.clone();
         if let Mode::Stick { anchor } = &mut dragged[0].closed.mode {
             anchor.x += 1e-6;
         }
-        assert!(Line::of(&model, &bodies, &bases(&model), &dragged).is_none(), "a stretched spring pulls sideways");
+        assert!(
+            CollinearIsland::of(&model, &bodies, &bases(&model), &dragged).is_none(),
+            "a stretched spring pulls sideways"
+        );
         let mut aslant = scene.clone();
         shake_along(&mut aslant, 1.0);
         let (model, active) = pressed(&aslant);
-        assert!(Line::of(&model, &bodies, &bases(&model), &active).is_none(), "the ground drives it off");
+        assert!(CollinearIsland::of(&model, &bodies, &bases(&model), &active).is_none(), "the ground drives it off");
         let (model, active) = pressed(&presets::load("skew45-abutment").expect("a preset"));
-        assert!(Line::of(&model, &[0], &bases(&model), &active).is_none(), "a skewed face is not square to its girder");
+        assert!(
+            CollinearIsland::of(&model, &[0], &bases(&model), &active).is_none(),
+            "a skewed face is not square to its girder"
+        );
     }
 }

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use crate::contact::{Forces, Frame, Home, Local, Measured, Mode, measure};
 use crate::dynamics::ContactSite;
-use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
 /// A contact's forces and where they act, world frame.
 #[derive(Clone, Copy, Debug)]
@@ -26,13 +26,13 @@ pub struct Action {
 
 /// Forces of a closed contact.
 #[inline]
-pub fn act(site: &ContactSite, closed: &Closed, node: &Frame, face: &Frame) -> Action {
+pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Frame) -> Action {
     act_in(&site.home, closed, &closed.mode, node, face)
 }
 
 /// Forces of a contact that is closed but for its mode, whose sides are counted from that home.
 #[inline]
-pub fn act_in(home: &Home, closed: &Closed, mode: &Mode, node: &Frame, face: &Frame) -> Action {
+pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
     let Measured { here, arm, apart } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
     let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
@@ -54,4 +54,51 @@ pub fn to_world(home: &Home, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
     }
     let placed = axes.x_axis * along.x + axes.y_axis * along.y + axes.z_axis * normal;
     if face.turned == DMat3::ZERO { placed } else { face.turn(placed) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::dynamics::penalty3d::example::{closed, stick, wall};
+
+    /// A contact of a girder that is pressed in, moved along the wall and turned.
+    fn turned(level: bool) -> (Model, Action, [Frame; 2], Home) {
+        let (model, active) = closed(&wall(), stick);
+        let site = &model.contacts[active[0].site];
+        let node = Frame { level, ..model.bodies[0].planar_frame(&[1e-3, 2e-4, 1e-3, 0.3, 0.1, 0.5]) };
+        let (home, face) = (site.home, Frame { level, ..site.stand });
+        let action = act(site, &active[0].closed, &node, &face);
+        (model, action, [node, face], home)
+    }
+
+    #[test]
+    fn the_couple_of_action_and_reaction_is_that_of_the_stretch() {
+        let (_, action, [node, face], home) = turned(true);
+        let [at_node, at_face] = [node.origin() + action.node_arm, face.origin() + action.face_arm];
+        let couple = at_node.cross(action.force) - at_face.cross(action.force);
+        let offset = to_world(&home, &face, action.forces.stretch, 0.0);
+        let expected =
+            offset.cross(action.force) + to_world(&home, &face, DVec2::ZERO, action.here.gap).cross(action.force);
+        assert!(action.forces.stretch.length() > 1e-5, "the spring is stretched");
+        assert!((couple - expected).length() < 1e-12 * action.force.length(), "{couple} is not {expected}");
+    }
+
+    #[test]
+    fn the_force_in_the_world_has_the_components_of_the_law() {
+        let (_, action, [_, face], home) = turned(true);
+        let normal = face.turn(home.axes.z_axis);
+        let forces = action.forces;
+        assert!((action.force.dot(normal) - forces.normal_total()).abs() < 1e-11 * action.force.length(), "normal");
+        let square = forces.normal_total().powi(2) + forces.tangential_total().length_squared();
+        assert!((action.force.length_squared() / square - 1.0).abs() < 1e-12, "length");
+    }
+
+    #[test]
+    fn the_sums_in_plan_are_those_in_space() {
+        let [(_, plan, ..), (_, space, ..)] = [turned(true), turned(false)];
+        assert!((plan.force - space.force).length() < 1e-11 * space.force.length(), "{} N", plan.force);
+        assert!((plan.node_arm - space.node_arm).length() < 1e-15, "node");
+        assert!((plan.face_arm - space.face_arm).length() < 1e-15, "face");
+    }
 }

@@ -3,33 +3,36 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::contact::{Mode, law::Friction};
+use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::model::rigid_body::response;
-use crate::dynamics::penalty3d::equations_of_motion::Active;
+use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::{Body, Model};
 
 /// Circular frequency that no contact or bearing of these bodies exceeds by much \[rad/s\].
-pub(in crate::dynamics) fn fastest(model: &Model, bodies: &[usize], active: &[Active]) -> f64 {
+pub(in crate::dynamics) fn fastest(model: &Model, bodies: &[usize], active: &[ActiveContact]) -> f64 {
     let contacts = active.iter().map(|a| {
         let pair = &model.pairs[model.contacts[a.site].pair];
-        a.closed.law.k * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
+        let law = &a.closed.law;
+        law.normal.stiffness_bound(a.depth).max(law.k_t)
+            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
     });
     let bearings = bodies.iter().map(|&b| model.bodies[b].quickness.stiffest);
     contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
 }
 
 /// Rate that no dashpot of these contacts decays by much faster than \[1/s\].
-pub(in crate::dynamics) fn quickest(model: &Model, active: &[Active]) -> f64 {
+pub(in crate::dynamics) fn quickest(model: &Model, active: &[ActiveContact]) -> f64 {
     let contacts = active.iter().map(|a| {
         let (pair, law) = (&model.pairs[model.contacts[a.site].pair], &a.closed.law);
-        law.c_n.max(law.c_t) * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
+        law.normal.damping_bound(a.depth).max(law.c_t)
+            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
     });
     contacts.fold(0.0, f64::max)
 }
 
 /// Rate that the dashpots of these contacts of an island's bodies decay by at most, all together, with the levers that they
 /// had as placed \[1/s\].
-pub(in crate::dynamics) fn decay(model: &Model, bodies: &[usize], active: &[Active]) -> f64 {
+pub(in crate::dynamics) fn decay(model: &Model, bodies: &[usize], active: &[ActiveContact]) -> f64 {
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
         let home = &model.contacts[a.site].home;
@@ -39,16 +42,17 @@ pub(in crate::dynamics) fn decay(model: &Model, bodies: &[usize], active: &[Acti
             }
         }
     }
-    let apart = |a: &Active| [a.node, a.face].into_iter().flatten().map(|i| sums[i]).sum::<f64>();
+    let apart = |a: &ActiveContact| [a.node, a.face].into_iter().flatten().map(|i| sums[i]).sum::<f64>();
     active.iter().map(apart).fold(0.0, f64::max)
 }
 
 /// How fast the dashpots of one contact, with the face's axes and a lever from G, slow a body down at most \[1/s\].
-fn yielding(body: &Body, contact: &Active, axes: &DMat3, arm: DVec3) -> f64 {
+fn yielding(body: &Body, contact: &ActiveContact, axes: &DMat3, arm: DVec3) -> f64 {
     let law = &contact.closed.law;
-    let holds = matches!(contact.closed.mode, Mode::Stick { .. }) || law.friction == Friction::ReturnMapping;
+    let holds = matches!(contact.closed.mode, Mode::Stick { .. }) || law.friction == FrictionLaw::ReturnMapping;
     let across = if holds { law.c_t.sqrt() } else { 0.0 };
-    let pushes = [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.c_n.sqrt()];
+    let pushes =
+        [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.normal.damping_bound(contact.depth).sqrt()];
     let row = |push: DVec3| {
         let (linear, turning) = response(body, &body.axes, push, arm);
         let there = linear + turning.cross(arm);

@@ -3,23 +3,24 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{Forces, Frame, Home, Local, Mode, law::Friction, locate};
+use crate::contact::{Forces, Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm, System};
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
-use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
+use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_rates::quickest;
-use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
 /// A closed contact between bodies of one island.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Active {
+pub(in crate::dynamics) struct ActiveContact {
     /// Its number in the model.
     pub site: usize,
     /// Which of the island's bodies owns the node; nothing for an abutment.
@@ -27,14 +28,16 @@ pub(in crate::dynamics) struct Active {
     /// Which owns the face.
     pub face: Option<usize>,
     /// Its state.
-    pub closed: Closed,
+    pub closed: ClosedContact,
     /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
     pub home: Home,
     /// Where its slip angle stands in the vector, if it is a state.
     pub angle: Option<usize>,
+    /// Penetration that it is expected not to exceed by much \[m\].
+    pub depth: f64,
 }
 
-impl Active {
+impl ActiveContact {
     /// The node against the face, with the island's bodies in `frames`, counted from their bases.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
@@ -42,16 +45,24 @@ impl Active {
         locate(&self.home, frame(self.node), frame(self.face))
     }
 
+    /// Penetration that its present one and its normal speed lead to, with the lighter of its bodies behind it \[m\].
+    pub(in crate::dynamics) fn expected_depth(&self, model: &Model, frames: &[Frame]) -> f64 {
+        let here = self.look(model, frames);
+        let pair = &model.pairs[model.contacts[self.site].pair];
+        let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+        here.gap.abs().max(self.closed.law.normal.depth(mass, here.gap_rate.abs()))
+    }
+
     /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
     pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
         let law = &self.closed.law;
         let slips = matches!(self.closed.mode, Mode::Slip { .. });
-        slips && law.friction == Friction::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
+        slips && law.friction == FrictionLaw::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
     }
 
     /// The contact with its slip direction as the vector has it.
     #[inline]
-    pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> Closed {
+    pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> ClosedContact {
         let mut closed = self.closed;
         if let Some(at) = self.angle {
             closed.mode = Mode::Slip { direction: direction(y[at]) };
@@ -68,7 +79,7 @@ pub(in crate::dynamics) fn direction(angle: f64) -> DVec2 {
 
 /// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::dynamics) struct Scale {
+pub(in crate::dynamics) struct ErrorScale {
     /// What the tolerance allows \[m/s\].
     pub speed: f64,
     /// Fastest circular frequency in play \[rad/s\].
@@ -79,7 +90,7 @@ pub(in crate::dynamics) struct Scale {
 
 /// The right-hand side for one island.
 #[derive(Debug)]
-pub(in crate::dynamics) struct Field<'a> {
+pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     /// The scene.
     pub model: &'a Model,
     /// Its bodies, numbers in the model.
@@ -87,15 +98,15 @@ pub(in crate::dynamics) struct Field<'a> {
     /// What their states are counted from.
     pub bases: &'a [Base],
     /// Its closed contacts.
-    pub active: &'a [Active],
+    pub active: &'a [ActiveContact],
     /// The stretch of ground motion that the step stays in.
     pub piece: LinearPiece,
     /// Error scale.
-    pub scale: Scale,
+    pub scale: ErrorScale,
     /// What the tolerance allows of each slip angle \[rad\].
     pub angles: &'a [f64],
     /// Its one line, where it may have one.
-    pub line: Option<&'a Line>,
+    pub line: Option<&'a CollinearIsland>,
     /// Scratch.
     pub frames: &'a mut Vec<Frame>,
     /// Scratch.
@@ -123,29 +134,29 @@ pub(in crate::dynamics) struct Sliding {
 
 impl Sliding {
     /// Of these closed contacts.
-    pub(in crate::dynamics) fn of(active: &[Active]) -> Self {
-        let slides = |a: &Active| a.angle.is_some() || a.turns_at_once();
+    pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
+        let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
         let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
         Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
     }
 }
-
-/// Change of a slip angle by which its force's change is measured \[rad\].
-const TURN: f64 = 1e-6;
 
 impl Sliding {
     /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
     fn follows(
         &mut self,
         [slider, follower]: [usize; 2],
-        closed: &Closed,
+        closed: &ClosedContact,
         direction: DVec2,
         action: &Action,
         length: f64,
     ) {
-        let turned = Mode::Slip { direction: (direction + direction.perp() * TURN) / (1.0 + TURN * TURN).sqrt() };
+        let turned = Mode::Slip {
+            direction: (direction + direction.perp() * ANGLE_DIFFERENCE)
+                / (1.0 + ANGLE_DIFFERENCE * ANGLE_DIFFERENCE).sqrt(),
+        };
         let turned = closed.forces_in(&turned, &action.here);
-        let force = (turned.tangential_total() - action.forces.tangential_total()) / TURN;
+        let force = (turned.tangential_total() - action.forces.tangential_total()) / ANGLE_DIFFERENCE;
         self.channels.push(RankOneTerm {
             port: slider,
             input: force,
@@ -155,7 +166,7 @@ impl Sliding {
     }
 
     /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
-    fn turns(&mut self, slider: usize, closed: &Closed, here: &Local, forces: &Forces) {
+    fn turns(&mut self, slider: usize, closed: &ClosedContact, here: &Local, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
         let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
@@ -173,7 +184,7 @@ impl Sliding {
     }
 }
 
-impl Field<'_> {
+impl EquationsOfMotion<'_> {
     fn ground(&self, t: f64) -> DVec3 {
         match &self.model.ground {
             Ground::Record { direction, .. } => {
@@ -198,7 +209,7 @@ impl Field<'_> {
                     held.law.v_stick = 0.0;
                 }
                 // Friction comes and goes at the face: differences across it would be of neither side.
-                held.at_face = false;
+                held.solver.at_face = false;
                 if self.sliding.loose[number] {
                     held.law.mu_k = 0.0;
                 }
@@ -215,7 +226,7 @@ impl Field<'_> {
                 self.wrenches[i].push(-action.force, action.face_arm);
             }
             if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
-                let length = (closed.law.mu_k * action.here.penetration()).max(0.0) + closed.ease;
+                let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;
                 out[at] = direction.perp_dot(action.here.rate) / length;
                 self.rates.push(-direction.dot(action.here.rate) / length);
                 self.sliding.follows([slider, self.rates.len() - 1], closed, direction, &action, length);
@@ -230,7 +241,7 @@ impl Field<'_> {
     }
 }
 
-impl System for Field<'_> {
+impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
         let (model, width) = (self.model, rigid_body::width(self.model.kind));
         self.frames.clear();
@@ -283,7 +294,7 @@ impl System for Field<'_> {
     }
 }
 
-impl ImplicitSystem for Field<'_> {
+impl ImplicitSystem for EquationsOfMotion<'_> {
     fn is_constant(&self, i: usize) -> bool {
         let width = rigid_body::width(self.model.kind);
         let Some(&body) = self.bodies.get(i / width) else { return false };
@@ -379,3 +390,6 @@ impl ImplicitSystem for Field<'_> {
 fn square(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum()
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,61 +2,32 @@
 
 use glam::DVec3;
 
-use crate::contact::{Mode, law::Friction};
+use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::dop853::SEEN;
 use crate::dynamics::model::rigid_body;
+use crate::dynamics::penalty3d::constants::{
+    EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
+    IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, NEAR_BASE, REST_SPEED, REVERSAL_SPEED,
+    ROUNDING_FLOOR, ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
+};
 use crate::dynamics::penalty3d::contact_rates::decay;
-use crate::dynamics::penalty3d::equations_of_motion::Scale;
+use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::event_location::is_at_face;
 use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::motion::Ground;
 use crate::scene::Kind;
 
-/// Rounding of a place and a speed over one explicit step, which spans less than a radian, in parts of how far corners have
-/// come: a gap is a sum of three. More would hide errors that are no rounding, and those of a thousand elastic touches add up.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// The same over an implicit step, which spans many: every stage's force rounds with its places, and an error smaller than
-/// what that comes to cannot be had by a shorter step.
-const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Steps of a body after which each may err by less, in proportion to how many there were: errors of a long run add up, all of
-/// one sign where it swings, and so come to no more than their logarithm.
-const LONG: f64 = 1000.0;
-/// The same of steps without contact: they all swing, and each of a turning girder loses a twelfth of a tolerance.
-const SWINGING: f64 = 250.0;
-/// What turns back is about to move at this part of what its acceleration gives it in one radian.
-const TURNING: f64 = 0.1;
-/// Longest implicit step with contact, in radians of the ground motion.
-const DRIVE: f64 = 1.0;
-/// Longest step without contact, likewise: one of four radians loses 0.4 of a coarse tolerance, always of one sign, and its
-/// error follows no order there.
-const SWAY: f64 = 2.0;
-/// What has hardly moved rounds with this part of its size.
-const LITTLE: f64 = 1e-3;
-/// Bodies are near enough to their bases within this part of how far they have come.
-const NEAR: f64 = 1e-2;
-/// However near, no step is asked to err by less than what this part of that rounds with: a swing so small that nothing damps
-/// it would be followed for ever.
-const BEYOND_DOUBT: f64 = 0.1;
-/// The same where a slip turns: its steps are implicit and need not follow such a swing, and a tenth of what contacts of
-/// grams under 1e12 N/m round with is more than they may err by.
-const TURNING_DOUBT: f64 = 0.01;
-/// No step must err by less than what the finest tolerance of a scene allows: that would be rounding.
-const FINEST: f64 = 1e-13;
-/// The same without contact, where no stiff spring is between a place and its force: a million steps of a tumbling girder
-/// leave 1e-10 of its energy at ten times this, and a tenth of that here.
-const FINEST_FLYING: f64 = 1e-14;
-
 impl Island {
     /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
-    pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> Scale {
+    pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
         let (omega, width) = (self.omega.max(self.turning(model)), rigid_body::width(model.kind));
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near) = (0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
         let turns = self.active.iter().any(|active| active.angle.is_some());
-        let doubt = if turns { TURNING_DOUBT } else { BEYOND_DOUBT };
+        let doubt = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let body = &model.bodies[b];
@@ -69,7 +40,8 @@ impl Island {
             let known = since.max(doubt * self.moved[i]);
             // However fast a body tumbles, its place moves it no faster than its bearings do.
             bits = bits.max(self.omega * known + here.speed(self.radii[i]));
-            (farthest, near) = (farthest.max(since), near.max(NEAR * self.moved[i].max(LITTLE * self.radii[i])));
+            (farthest, near) =
+                (farthest.max(since), near.max(NEAR_BASE * self.moved[i].max(SIZE_ROUNDING_SHARE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
@@ -95,17 +67,22 @@ impl Island {
             if active.angle.is_some() {
                 // As deep as it goes from here: on the way out the direction counts for less and less.
                 let inwards = (-here.gap_rate).max(0.0);
-                self.angles.push(active.closed.law.mu_k * (here.gap.abs() + inwards / omega));
+                let law = &active.closed.law;
+                self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
             }
         }
         // From rest nothing is moving yet: what the ground and a push do to it in one radian.
-        let floor = (model.ground.peak() + weight + pushed + 1e-9) / omega;
-        let speed = speed2.sqrt().max(1e-3 * floor).max(TURNING * gained / omega);
+        let floor = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
+        let speed = speed2.sqrt().max(REST_SPEED * floor).max(REVERSAL_SPEED * gained / omega);
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
         let pace = self.stepper.pace();
-        let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { ROUNDING };
-        let (long, finest) = if self.active.is_empty() { (SWINGING, FINEST_FLYING) } else { (LONG, FINEST) };
+        let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
+        let (long, finest) = if self.active.is_empty() {
+            (LONG_RUN_FREE, FINEST_TOLERANCE_FREE)
+        } else {
+            (LONG_RUN_CONTACT, FINEST_TOLERANCE)
+        };
         let asked = model.tolerance * (long / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(finest));
         let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
@@ -115,7 +92,7 @@ impl Island {
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
-        Scale { speed, omega, place }
+        ErrorScale { speed, omega, place }
     }
 
     /// How fast the fastest of its bodies turns, where nothing touches: what tumbles on no bearing swings by that alone, and
@@ -145,9 +122,9 @@ impl Island {
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.active.is_empty() {
-            cap.min(self.until + SWAY / omega)
+            cap.min(self.until + GROUND_PHASE_FREE / omega)
         } else if self.stepper.pace().stiff {
-            cap.min(self.until + DRIVE / omega)
+            cap.min(self.until + GROUND_PHASE_CONTACT / omega)
         } else {
             cap
         }
@@ -170,7 +147,7 @@ impl Island {
     pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
         let active = &self.active[number];
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
-        moved.max(LITTLE * model.contacts[active.site].reach())
+        moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
     }
 
     /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether
@@ -179,15 +156,60 @@ impl Island {
     pub(in crate::dynamics) fn note_faces(&mut self, model: &Model) -> bool {
         let mut changed = false;
         for number in 0..self.active.len() {
-            if self.active[number].closed.law.friction != Friction::Paper {
+            if self.active[number].closed.law.friction != FrictionLaw::Paper {
                 continue;
             }
             let here = self.active[number].look(model, &self.frames);
             let at_face = is_at_face(model, self, number, &here);
             let active = &mut self.active[number];
-            changed |= active.closed.at_face != at_face && here.gap > 0.0;
-            active.closed.at_face = at_face;
+            changed |= active.closed.solver.at_face != at_face && here.gap > 0.0;
+            active.closed.solver.at_face = at_face;
         }
         changed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, island, stick, wall};
+
+    const SPEED: f64 = 0.5;
+
+    fn scale(tolerance: f64, taken: usize, state: [f64; 4]) -> ErrorScale {
+        let (mut model, active) = closed(&wall(), stick);
+        model.tolerance = tolerance;
+        let mut island = island(&model, active, &[state]);
+        island.taken = taken;
+        island.scale(&model)
+    }
+
+    #[test]
+    fn the_allowed_error_is_the_tolerance_of_the_contacts_speed() {
+        let entering = scale(1e-8, 1, [0.0, 0.0, SPEED, 0.0]);
+        assert!((entering.speed / (1e-8 * SPEED) - 1.0).abs() < 1e-3, "{} m/s", entering.speed);
+        // A penetration counts by the speed that it swings with.
+        let pressed = scale(1e-8, 1, [1e-3, 0.0, 0.0, 0.0]);
+        assert!((pressed.speed / (1e-8 * 1e-3 * pressed.omega) - 1.0).abs() < 1e-3, "{} m/s", pressed.speed);
+        assert!(pressed.omega >= (STIFFNESS / 2.0 / MASS).sqrt(), "no slower than half of the spring");
+    }
+
+    #[test]
+    fn a_stretched_spring_counts_as_a_penetration_does() {
+        let [still, sliding] = [0.0, 0.05].map(|u| scale(1e-8, 1, [1e-3, u, 0.0, 0.0]).speed);
+        assert!(sliding > still, "{sliding} m/s against {still}");
+    }
+
+    #[test]
+    fn long_runs_have_smaller_errors_per_step() {
+        let state = [0.0, 0.0, SPEED, 0.0];
+        let [short, long] = [1, 2000].map(|taken| scale(1e-8, taken, state).speed);
+        assert!((long / short - 0.5).abs() < 1e-3, "half after twice as many, {}", long / short);
+    }
+
+    #[test]
+    fn no_error_is_asked_for_below_round_off() {
+        let scale = scale(1e-18, 1, [0.0, 0.0, SPEED, 0.0]);
+        assert!(scale.speed > 1e-16 * SPEED, "{} m/s", scale.speed);
     }
 }

@@ -3,39 +3,18 @@
 //! A step is short against everything that moves in it, so five looks see every sign change but a short excursion; that
 //! is caught where three looks bend towards 0.
 
-use crate::contact::{Local, Mode, locate};
+use crate::contact::parameters::outside;
+use crate::contact::{Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::next_closing::arms;
 use crate::dynamics::locate::first_rise::{First, first_rise};
 use crate::dynamics::locate::root::root;
-use crate::dynamics::penalty3d::contact_state::Closed;
+use crate::dynamics::penalty3d::constants::{
+    CLOCK_ROUNDING, ENTRY_ROUNDING, FREE_RETRIES, PARTING_BAND, POSITION_ROUNDING, RETRY_DOUBLINGS, SAMPLES_EXPLICIT,
+    SAMPLES_IMPLICIT, SHORT_PHASES, SPEED_ROUNDING_PHASE, WIDEST_STICK_BAND, ZERO_BAND,
+};
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{ContactSite, Model};
-
-/// Looks per step.
-const LOOKS: usize = 5;
-/// Looks per implicit step, which may span several swings of a contact.
-const CLOSE_LOOKS: usize = 17;
-/// Implicit steps that span no more of the fastest motion than explicit ones do, or than two of them \[rad\].
-const SHORT: [f64; 2] = [2.5, 5.0];
-/// Projections this far outside a face, in parts of its size, still count as on its edge.
-pub(in crate::dynamics) const EDGE: f64 = 1e-9;
-/// Rounding of a node's coordinates on a face, in parts of how far the two have come: a stretch is no better known.
-pub(in crate::dynamics) const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// A node that goes in and is less deep than this, in parts of that, has only just touched.
-const ENTRY: f64 = 1e-14;
-/// Rounding of the time at which it did.
-const CLOCK: f64 = 4.0 * f64::EPSILON;
-/// Radians of a step from which on its speeds round with its length.
-const SPAN: f64 = 16.0;
-/// On its way out the node is held by no more than this part of that.
-const PARTING: f64 = 0.1;
-/// At the start of a step, values below this part of their scale are the zero that the last event left.
-const ZERO: f64 = 1e-10;
-/// Sliding that began again so often at one instant ends there less easily each time, doubled so many times at most.
-pub(in crate::dynamics) const PATIENCE: u32 = 4;
-const MOST: u32 = 36;
-/// A stick that breaks away again and again in one touch does so late by no more than this part of its cone.
-const WEAR: f64 = 5e-9;
 
 /// What ends a contact's state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -81,8 +60,7 @@ pub(in crate::dynamics) fn function(
         Reason::Opening => here.gap,
         Reason::Edge => {
             let site: &ContactSite = &model.contacts[active.site];
-            let outside = -(site.face.inset_at(here.at) + EDGE * site.face.size());
-            outside.max(here.penetration() - site.face.depth)
+            outside(&site.face, here.at).max(here.penetration() - site.face.depth)
         }
         Reason::Switching | Reason::Kink => {
             // A copy only where the slip's direction has moved on.
@@ -92,7 +70,7 @@ pub(in crate::dynamics) fn function(
                 return closed.law.switch(&closed.mode, here) - eased(closed, here);
             }
             let pull = closed.pull(here);
-            if closed.slack { -pull } else { pull }
+            if closed.held_at_zero { -pull } else { pull }
         }
     }
 }
@@ -101,7 +79,7 @@ pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Itera
     let closed = &island.active[number].closed;
     // In line a spring along the face is never stretched: breakaway comes with the opening.
     let switches = closed.law.has_friction() && !island.is_in_line();
-    let kinks = closed.law.clamp && closed.law.c_n > 0.0;
+    let kinks = closed.law.has_kinks();
     [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
         .into_iter()
         .filter_map(|(reason, wanted)| wanted.then_some(reason))
@@ -111,12 +89,12 @@ pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Itera
 /// with it.
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
     let phase = (island.until - island.from) * island.omega();
-    if !island.pace().stiff || phase <= SHORT[0] {
-        first_of::<LOOKS>(model, island, together)
-    } else if phase <= SHORT[1] {
-        first_of::<{ 2 * LOOKS - 1 }>(model, island, together)
+    if !island.pace().stiff || phase <= SHORT_PHASES[0] {
+        first_of::<SAMPLES_EXPLICIT>(model, island, together)
+    } else if phase <= SHORT_PHASES[1] {
+        first_of::<{ 2 * SAMPLES_EXPLICIT - 1 }>(model, island, together)
     } else {
-        first_of::<CLOSE_LOOKS>(model, island, together)
+        first_of::<SAMPLES_IMPLICIT>(model, island, together)
     }
 }
 
@@ -136,15 +114,15 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
             let values: [f64; N] =
                 std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
             let ask = |t: f64| function(model, island, number, reason, &look(model, island, number, t), t) - hair;
-            let passing = reason == Reason::Switching && island.active[number].closed.passing;
+            let passing = reason == Reason::Switching && island.active[number].closed.solver.passing_stop;
             let entering = is_entering(model, island, number, &looks[0]);
-            let rounding = ROUNDING * island.reach(model, number);
+            let rounding = POSITION_ROUNDING * island.reach(model, number);
             let zero = match reason {
                 _ if entering => f64::INFINITY,
                 Reason::Switching if is_sticking(island, number) => {
-                    ZERO * scale(island, number, reason, &looks) + rounding
+                    ZERO_BAND * scale(island, number, reason, &looks) + rounding
                 }
-                _ => ZERO * scale(island, number, reason, &looks),
+                _ => ZERO_BAND * scale(island, number, reason, &looks),
             };
             let first = if entering { First::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], zero, passing, first, ask) {
@@ -180,11 +158,11 @@ fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> boo
 
 /// How far sliding that began again and again at one instant may go back along itself: as fast as its anchor, eased, moves
 /// across, where stick would have turned its stretch faster and broken away at once \[m/s\].
-fn eased(closed: &Closed, here: &Local) -> f64 {
+fn eased(closed: &ClosedContact, here: &Local) -> f64 {
     match closed.mode {
-        Mode::Slip { direction } if closed.ease > 0.0 && closed.again >= PATIENCE => {
-            let length = (closed.law.mu_k * here.penetration()).max(0.0);
-            direction.perp_dot(here.rate).abs() * closed.ease / (length + closed.ease)
+        Mode::Slip { direction } if closed.solver.regularisation > 0.0 && closed.solver.retries >= FREE_RETRIES => {
+            let length = closed.law.slip_stretch(here);
+            direction.perp_dot(here.rate).abs() * closed.solver.regularisation / (length + closed.solver.regularisation)
         }
         _ => 0.0,
     }
@@ -193,11 +171,11 @@ fn eased(closed: &Closed, here: &Local) -> f64 {
 /// What sliding must be past its end by to end once more at the instant at which it began again and again: neither state
 /// lasts there (the two differ by an eased direction, or by rounding), and each time it takes more.
 fn reluctance(island: &Island, number: usize, reason: Reason, looks: &[Local]) -> f64 {
-    let again = island.active[number].closed.again;
-    if again < PATIENCE || reason != Reason::Switching || is_sticking(island, number) {
+    let again = island.active[number].closed.solver.retries;
+    if again < FREE_RETRIES || reason != Reason::Switching || is_sticking(island, number) {
         return 0.0;
     }
-    ZERO * scale(island, number, reason, looks) * f64::from((again - PATIENCE).min(MOST)).exp2()
+    ZERO_BAND * scale(island, number, reason, looks) * f64::from((again - FREE_RETRIES).min(RETRY_DOUBLINGS)).exp2()
 }
 
 /// A node that comes in by less than its rounding goes out where it turns round: not before, or it would come in again.
@@ -212,7 +190,7 @@ fn is_sticking(island: &Island, number: usize) -> bool {
 
 /// How deep a node that has only just touched may be \[m\].
 fn entry(model: &Model, island: &Island, number: usize, here: &Local) -> f64 {
-    ENTRY * island.reach(model, number) + CLOCK * island.from * here.gap_rate.abs()
+    ENTRY_ROUNDING * island.reach(model, number) + CLOCK_ROUNDING * island.from * here.gap_rate.abs()
 }
 
 /// Whether a node is within rounding of its face and, at its speed, stays there for a radian.
@@ -232,27 +210,29 @@ fn hair(model: &Model, island: &Island, number: usize, reason: Reason, here: &Lo
     let closed = &island.active[number].closed;
     let entry = entry(model, island, number, here);
     if here.gap <= -entry {
-        let rounding = ROUNDING * island.reach(model, number);
+        let rounding = POSITION_ROUNDING * island.reach(model, number);
         return match reason {
             // A stretch that goes along the edge of its cone, as where both decay at one rate, crosses it with every bit.
-            Reason::Switching if is_sticking(island, number) && closed.again >= PATIENCE => {
-                let times = f64::from((closed.again - PATIENCE).min(MOST)).exp2();
-                (times * rounding).min(rounding.max(WEAR * closed.law.mu_s * here.penetration()))
+            Reason::Switching if is_sticking(island, number) && closed.solver.retries >= FREE_RETRIES => {
+                let times = f64::from((closed.solver.retries - FREE_RETRIES).min(RETRY_DOUBLINGS)).exp2();
+                (times * rounding).min(rounding.max(WIDEST_STICK_BAND * closed.law.mu_s * closed.law.length(here)))
             }
             // And a force that stays near 0 crosses that; it is continuous there.
-            Reason::Kink => closed.law.k * rounding,
+            Reason::Kink => closed.law.normal.change_scale(here.penetration(), rounding, 0.0),
             _ => 0.0,
         };
     }
     // A node that comes out slowly must not be held by more than its rounding.
     // One that goes in has crossed within rounding, be it before the face still.
-    let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING * entry };
+    let length = if here.gap_rate < 0.0 { entry.max(2.0 * here.gap) } else { PARTING_BAND * entry };
     match (reason, &closed.mode) {
         (Reason::Edge, _) => 0.0,
         (Reason::Opening, _) | (Reason::Switching, Mode::Stick { .. }) => length,
         // Over a long implicit step a speed is as good as its places over that.
-        (Reason::Switching, Mode::Slip { .. }) => length * island.omega().min(SPAN / (island.until - island.from)),
-        (Reason::Kink, _) => length * (closed.law.k + closed.law.c_n * island.omega()),
+        (Reason::Switching, Mode::Slip { .. }) => {
+            length * island.omega().min(SPEED_ROUNDING_PHASE / (island.until - island.from))
+        }
+        (Reason::Kink, _) => closed.law.normal.change_scale(here.penetration(), length, island.omega()),
     }
 }
 
@@ -282,9 +262,12 @@ fn scale(island: &Island, number: usize, reason: Reason, looks: &[Local]) -> f64
     let speed = largest(|l| l.gap_rate.abs() + l.rate.length());
     match (reason, &closed.mode) {
         (Reason::Opening, _) => depth,
-        (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * depth,
+        (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * closed.law.normal.length(depth, closed.law.k_t),
         (Reason::Switching, Mode::Slip { .. }) => speed,
         (Reason::Edge, _) => 0.0,
-        (Reason::Kink, _) => closed.law.k * depth + closed.law.c_n * speed,
+        (Reason::Kink, _) => closed.law.normal.force_scale(depth, speed),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,27 +8,19 @@ use crate::dynamics::integrator::step_control::{Limits, Pace, Stepper};
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
-use crate::dynamics::penalty3d::collinear_island::Line;
+use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
+use crate::dynamics::penalty3d::constants::{
+    FIRST_PHASE, OVERSHOOT_EXPLICIT, OVERSHOOT_IMPLICIT, RETAKE_MARGIN, RETAKE_TOLERANCE, SMALLEST_PHASE,
+};
 use crate::dynamics::penalty3d::contact_rates::{fastest, quickest};
-use crate::dynamics::penalty3d::contact_state::Closed;
-use crate::dynamics::penalty3d::equations_of_motion::{Active, Field, Scale, Sliding, direction};
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::equations_of_motion::{
+    ActiveContact, EquationsOfMotion, ErrorScale, Sliding, direction,
+};
 use crate::dynamics::penalty3d::event_location::{Due, Reason};
 use crate::dynamics::trajectory::step_polynomial::Piece;
 use crate::motion::LinearPiece;
 use crate::scene::Kind;
-
-/// A step shorter than this part of the contact's period means that the equations cannot be followed: a hard blow takes a
-/// sliding past its stop, within `V_STICK`, in less than a billionth.
-const SMALLEST: f64 = 1e-12;
-/// An event that is nearer to either end of an explicit step than this part of it starts from the continuous answer.
-const INSIDE: f64 = 0.03;
-/// An explicit step taken again for an event goes this part further, and an implicit one, whose end knows what lies beyond.
-const BEYOND: f64 = 1e-3;
-const IMPLICIT_BEYOND: f64 = 1e-5;
-/// Only below this tolerance: from there on the 30 m deck is as exact without, for a tenth less work.
-const FINE: f64 = 1e-9;
-/// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\].
-const FIRST: f64 = 0.48;
 
 /// Bodies in one integrator, with the step that is planned but not yet committed.
 #[derive(Debug)]
@@ -40,7 +32,7 @@ pub(in crate::dynamics) struct Island {
     /// What their states in `y` are counted from.
     pub(in crate::dynamics) bases: Vec<Base>,
     /// Closed contacts between them.
-    pub active: Vec<Active>,
+    pub active: Vec<ActiveContact>,
     /// Numbers of those contacts in the engine.
     pub contacts: Vec<usize>,
     /// Where the planned step begins \[s\].
@@ -65,7 +57,7 @@ pub(in crate::dynamics) struct Island {
     pub taken: usize,
     explicit: bool,
     /// What the error of the planned step was measured against.
-    measure: Scale,
+    measure: ErrorScale,
     pub(in crate::dynamics) stepper: Stepper,
     pub(in crate::dynamics) omega: f64,
     /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
@@ -83,7 +75,7 @@ pub(in crate::dynamics) struct Island {
     rates: Vec<f64>,
     pub(in crate::dynamics) angles: Vec<f64>,
     sliding: Sliding,
-    line: Option<Line>,
+    line: Option<CollinearIsland>,
     /// Whether its bodies are in that line as it stands.
     in_line: bool,
 }
@@ -110,17 +102,23 @@ impl Island {
         model: &Model,
         slots: Vec<usize>,
         (bodies, bases): (Vec<usize>, Vec<Base>),
-        contacts: Vec<(usize, Active)>,
+        contacts: Vec<(usize, ActiveContact)>,
         mut y: Vec<f64>,
         t: f64,
         pace: Pace,
     ) -> Self {
-        let mut active: Vec<Active> = contacts.iter().map(|(_, a)| *a).collect();
+        let mut active: Vec<ActiveContact> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
             if let Some(angle) = a.closed.turning() {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
+        }
+        let width = rigid_body::width(model.kind);
+        let frame = |(i, &b): (usize, &usize)| bases[i].since(&model.bodies[b], &y[i * width..]);
+        let frames: Vec<Frame> = bodies.iter().enumerate().map(frame).collect();
+        for a in &mut active {
+            a.depth = a.expected_depth(model, &frames);
         }
         // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
         let turns = active.iter().any(|a| a.angle.is_some());
@@ -148,7 +146,7 @@ impl Island {
             dense: None,
             taken: 0,
             explicit: false,
-            measure: Scale::default(),
+            measure: ErrorScale::default(),
             stepper: Stepper::new(y.len(), pace),
             y,
             distance: Distance::Near,
@@ -164,7 +162,7 @@ impl Island {
             island.stepper.trust();
         }
         island.sliding = Sliding::of(&island.active);
-        island.line = Line::of(model, &island.bodies, &island.bases, &island.active);
+        island.line = CollinearIsland::of(model, &island.bodies, &island.bases, &island.active);
         island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
@@ -175,7 +173,7 @@ impl Island {
         self.sloped = (t, model.ground.piece_number(t));
         let piece = model.ground.piece(self.sloped.1);
         let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
-        stepper.start(&mut self.field(model, piece, Scale::default()), t, &y);
+        stepper.start(&mut self.field(model, piece, ErrorScale::default()), t, &y);
         self.note_raw(model, &y);
         (self.stepper, self.y) = (stepper, y);
     }
@@ -188,8 +186,8 @@ impl Island {
         }
     }
 
-    fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: Scale) -> Field<'a> {
-        Field {
+    fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: ErrorScale) -> EquationsOfMotion<'a> {
+        EquationsOfMotion {
             model,
             bodies: &self.bodies,
             bases: &self.bases,
@@ -221,17 +219,17 @@ impl Island {
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
-        let loose = self.active.iter().any(|active| active.closed.at_face);
+        let loose = self.active.iter().any(|active| active.closed.solver.at_face);
         self.explicit = !self.stepper.pace().stiff;
         self.again = known && !loose && self.explicit;
         // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
         // estimate to be judged by, which tells little far beyond stability.
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { self.quickest };
-        let first = FIRST * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
+        let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
         let cap = self.drive_cap(model, cap);
-        let limits = Limits { cap, first, longest, soon, smallest: SMALLEST / scale.omega };
+        let limits = Limits { cap, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
@@ -250,7 +248,7 @@ impl Island {
     pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64, due: &[Due]) -> bool {
         let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
         let part = (t - self.from) / dense.step;
-        if !(INSIDE..1.0 - INSIDE).contains(&part) {
+        if !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
             return false;
         }
         let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
@@ -260,15 +258,15 @@ impl Island {
                 Reason::Switching => self.active[due.number].turns_at_once(),
                 Reason::Edge | Reason::Kink => false,
             };
-            return model.tolerance < FINE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
+            return model.tolerance < RETAKE_TOLERANCE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
         }
-        let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + BEYOND), y);
+        let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + OVERSHOOT_EXPLICIT), y);
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
         self.note_raw(model, &y);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
-        let dense = stepper.again(&mut self.field(model, piece, Scale::default()), from, &mut y, h);
+        let dense = stepper.again(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
         self.note_raw(model, &y);
         normalise(model, &self.bodies, &mut y);
         self.sloped = (from + dense.step, number);
@@ -279,7 +277,7 @@ impl Island {
     /// The same of an implicit step from `y` in which a touch ends whose slip turns, or sliding stops that turns at once: a
     /// direction bends sharply there, and the continuous answer of a step across that is right on neither side.
     fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
-        let (from, h) = (self.from, (t - self.from) * (1.0 + IMPLICIT_BEYOND));
+        let (from, h) = (self.from, (t - self.from) * (1.0 + OVERSHOOT_IMPLICIT));
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
@@ -298,7 +296,7 @@ impl Island {
     /// After everything is counted from elsewhere: the next step begins anew.
     pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
         (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
-        self.line = Line::of(model, &self.bodies, &self.bases, &self.active);
+        self.line = CollinearIsland::of(model, &self.bodies, &self.bases, &self.active);
         self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
         self.stepper.forget();
         self.rewind(model, self.until);
@@ -323,7 +321,7 @@ impl Island {
     }
 
     /// A contact's state with its slip direction as it is at `t`.
-    pub(in crate::dynamics) fn closed_at(&self, number: usize, t: f64) -> Closed {
+    pub(in crate::dynamics) fn closed_at(&self, number: usize, t: f64) -> ClosedContact {
         let active = &self.active[number];
         let mut closed = active.closed;
         if let Some(at) = active.angle {
@@ -397,3 +395,6 @@ pub(in crate::dynamics) fn normalise(model: &Model, bodies: &[usize], y: &mut [f
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -16,7 +16,7 @@ impl Island {
         self.frames = self.bases.iter().zip(states).map(|(base, (body, state))| base.since(body, state)).collect();
         for active in &mut self.active {
             let here = active.look(model, &self.frames);
-            active.closed.at = Some(here.at.extend(here.gap));
+            active.closed.solver.rebased_node = Some(here.at.extend(here.gap));
             if let Mode::Stick { anchor } = &mut active.closed.mode {
                 *anchor -= here.way;
             }
@@ -27,7 +27,7 @@ impl Island {
         }
         for active in &mut self.active {
             let bases = [active.node, active.face].map(|side| self.bases.get(side?));
-            active.home = seen_from(&model.contacts[active.site], bases, active.closed.at);
+            active.home = seen_from(&model.contacts[active.site], bases, active.closed.solver.rebased_node);
         }
         self.counted_anew(model);
     }

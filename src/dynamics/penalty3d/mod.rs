@@ -1,6 +1,7 @@
 //! The contact-friction model: states and forces of closed contacts, the equations of motion of bodies that touch.
 
 pub(in crate::dynamics) mod collinear_island;
+pub(in crate::dynamics) mod constants;
 pub mod contact_force;
 pub(in crate::dynamics) mod contact_rates;
 pub mod contact_state;
@@ -10,3 +11,6 @@ pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod island;
 pub(in crate::dynamics) mod island_poses;
 pub(in crate::dynamics) mod island_rebase;
+
+#[cfg(test)]
+mod example;

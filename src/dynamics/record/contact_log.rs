@@ -4,15 +4,15 @@ use std::num::NonZeroU32;
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{Law, Mode, law::Friction};
+use crate::contact::{FrictionLaw, Law, Mode};
 use crate::dynamics::integrator::dense_output::Dense;
-use crate::dynamics::penalty3d::contact_state::{Closed, Contact};
+use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
 /// A state, in twelve bytes.
 #[derive(Clone, Copy, Debug)]
 enum Kept {
     Open { armed: bool },
-    Closed { touch: u32, hold: Hold, passing: bool, slack: bool },
+    Closed { touch: u32, hold: Hold, passing_stop: bool, held_at_zero: bool },
 }
 
 /// A [`Mode`], its vector by its number.
@@ -55,13 +55,14 @@ impl ContactLog {
     pub fn push(&mut self, from: f64, state: Contact, way: DVec2) {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
-            Contact::Closed(Closed { law, mode, at, ease, passing, slack, .. }) => {
-                if self.laws.last() != Some(&(law, ease)) {
-                    self.laws.push((law, ease));
+            Contact::Closed(ClosedContact { law, mode, held_at_zero, solver }) => {
+                let SolverState { rebased_node, regularisation, passing_stop, .. } = solver;
+                if self.laws.last() != Some(&(law, regularisation)) {
+                    self.laws.push((law, regularisation));
                 }
                 // More touches of one contact than a u32 counts would not fit into memory.
                 let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
-                let at = at.and_then(|at| self.carry(at));
+                let at = rebased_node.and_then(|at| self.carry(at));
                 let touch = Touch { law: last(self.laws.len()), way, at };
                 if self.touches.last() != Some(&touch) {
                     self.touches.push(touch);
@@ -70,7 +71,7 @@ impl ContactLog {
                     Mode::Stick { anchor } => Hold::Stick(self.vector(anchor)),
                     Mode::Slip { direction } => Hold::Slip(self.vector(direction)),
                 };
-                Kept::Closed { touch: last(self.touches.len()), hold, passing, slack }
+                Kept::Closed { touch: last(self.touches.len()), hold, passing_stop, held_at_zero }
             }
         };
         self.from.push(from);
@@ -110,7 +111,7 @@ impl ContactLog {
     }
 
     /// A closed state by its number as it was entered, a turning slip in the direction that it began with.
-    pub fn closed(&self, number: u32) -> Option<Closed> {
+    pub fn closed(&self, number: u32) -> Option<ClosedContact> {
         self.entered(*self.states.get(number as usize)?).closed().copied()
     }
 
@@ -130,7 +131,7 @@ impl ContactLog {
     fn whole(&self, kept: Kept) -> Contact {
         let mut contact = self.entered(kept);
         if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept) {
-            closed.at = None;
+            closed.solver.rebased_node = None;
             if let Mode::Stick { anchor } = &mut closed.mode {
                 *anchor += self.touches[touch as usize].way;
             }
@@ -141,24 +142,17 @@ impl ContactLog {
     fn entered(&self, kept: Kept) -> Contact {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },
-            Kept::Closed { touch, hold, passing, slack } => {
+            Kept::Closed { touch, hold, passing_stop, held_at_zero } => {
                 let Touch { law, at, .. } = self.touches[touch as usize];
                 let at = at.and_then(|number| self.carried.get(number.get() as usize - 1)).copied();
-                let (law, ease) = self.laws[law as usize];
+                let (law, regularisation) = self.laws[law as usize];
                 let mode = match hold {
                     Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
                     Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
                 };
-                Contact::Closed(Closed {
-                    law,
-                    mode,
-                    at,
-                    ease,
-                    passing,
-                    again: 0,
-                    slack,
-                    at_face: law.friction == Friction::Paper,
-                })
+                let at_face = law.friction == FrictionLaw::Paper;
+                let solver = SolverState { rebased_node: at, regularisation, passing_stop, retries: 0, at_face };
+                Contact::Closed(ClosedContact { law, mode, held_at_zero, solver })
             }
         }
     }
@@ -172,7 +166,7 @@ impl ContactLog {
     }
 
     /// The closed state at `t`, its anchor counted from where the bases of its bodies are.
-    pub fn since(&self, t: f64) -> Option<Closed> {
+    pub fn since(&self, t: f64) -> Option<ClosedContact> {
         self.turned(self.entered(self.holding_at(t)?), t).closed().copied()
     }
 
@@ -184,7 +178,7 @@ impl ContactLog {
 
     fn turned(&self, contact: Contact, t: f64) -> Contact {
         let Contact::Closed(mut closed) = contact else { return contact };
-        if closed.ease > 0.0
+        if closed.solver.regularisation > 0.0
             && let Mode::Slip { direction } = &mut closed.mode
             && let Some(i) = self.angles.partition_point(|(from, _)| *from <= t).checked_sub(1)
         {

@@ -12,9 +12,8 @@ use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::model::reference_pose::Base;
 use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::model::{reference_pose, rigid_body};
-use crate::dynamics::penalty3d::collinear_island::Line;
-use crate::dynamics::penalty3d::contact_state::Closed;
-use crate::dynamics::penalty3d::equations_of_motion::{Active, Field, Scale, Sliding};
+use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
+use crate::dynamics::penalty3d::equations_of_motion::{ActiveContact, EquationsOfMotion, ErrorScale, Sliding};
 use crate::dynamics::penalty3d::island::normalise;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::Packed;
@@ -187,7 +186,7 @@ impl Replay {
             (Base::from_kept(kind, body, numbers), [0.0; PLANAR])
         };
         let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
-        let active: Vec<Active> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
+        let active: Vec<ActiveContact> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
         let mut y = vec![0.0; bodies.len() * width];
         for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
             if start == FLOWN {
@@ -197,15 +196,15 @@ impl Replay {
             }
         }
         let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
-        let line = Line::of(past.model, &bodies, &bases, &active);
+        let line = CollinearIsland::of(past.model, &bodies, &bases, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
-        let mut field = Field {
+        let mut field = EquationsOfMotion {
             model: past.model,
             bodies: &bodies,
             bases: &bases,
             active: &active,
             piece,
-            scale: Scale::default(),
+            scale: ErrorScale::default(),
             angles: &[],
             line: line.as_ref(),
             frames: &mut frames,
@@ -236,7 +235,7 @@ impl Replay {
 }
 
 /// The explicit step of this length.
-fn again(field: &mut Field<'_>, from: f64, y: &mut [f64], length: f64) -> Dense {
+fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> Dense {
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
@@ -257,19 +256,21 @@ fn landed(member: Member, past: &Past<'_>) -> Planar {
 }
 
 /// A closed contact as the island had it.
-fn active(seat: Seat, bodies: &[usize], bases: &[Base], past: &Past<'_>) -> Option<Active> {
+fn active(seat: Seat, bodies: &[usize], bases: &[Base], past: &Past<'_>) -> Option<ActiveContact> {
     let site = &past.model.contacts[seat.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);
     let sides = [node, face].map(|i| bases.get(i?));
     // Steps that begin at a face are kept as they were.
-    let closed = Closed { at_face: false, ..past.logs[seat.site as usize].closed(seat.entry)? };
-    Some(Active {
+    let mut closed = past.logs[seat.site as usize].closed(seat.entry)?;
+    closed.solver.at_face = false;
+    Some(ActiveContact {
         site: seat.site as usize,
         node,
         face,
         closed,
-        home: reference_pose::seen_from(site, sides, closed.at),
+        home: reference_pose::seen_from(site, sides, closed.solver.rebased_node),
         angle: None,
+        depth: 0.0,
     })
 }

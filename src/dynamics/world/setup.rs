@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::contact::NormalLaw;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::{Flight, System};
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -13,6 +14,10 @@ use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, PairTrack, Trajectory};
 use crate::scene::Kind;
+
+/// Impact speed at which a pair's time scale is taken \[m/s\]; that of a linear law depends on no speed, that of Hertz's on its
+/// fifth root.
+const NOMINAL_SPEED: f64 = 1.0;
 
 impl World {
     /// A group of bodies by its number in the model.
@@ -66,7 +71,7 @@ impl World {
                 self.bodies[slot].pairs.push(self.pairs.len());
             }
             let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
-            let together = 1e-9 / (pair.contact.stiffness / mass).sqrt();
+            let together = 1e-9 / pair.law.normal.frequency(mass, NOMINAL_SPEED);
             let contacts = from..self.contacts.len();
             let axial = AxialGap::of(&model, number, &self.contacts[from..]);
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, axial });

@@ -3,16 +3,19 @@
 mod tables;
 
 use crate::geometry::End;
-use crate::scene::keys::{Fallback, Range, words};
+use crate::scene::keys::{Fallback, Range, Stands, words};
 use tables::contact_tables;
 
-words! {
-    /// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
-    FrictionLaw, by default ReturnMapping {
-        /// The paper's: the anchor is the projection in slip, the tangential force restarts at 0 on re-stick.
-        Paper = "paper",
-        /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
-        ReturnMapping = "return-mapping",
+pub use crate::contact::FrictionLaw;
+
+impl FrictionLaw {
+    /// The default as the table of keys has it.
+    pub(in crate::scene) const FALLBACK: Fallback = Fallback::Word(Self::DEFAULT.label());
+}
+
+impl Stands for FrictionLaw {
+    fn by_default(_: Fallback) -> Self {
+        Self::DEFAULT
     }
 }
 

@@ -202,7 +202,7 @@ fn the_tangential_dashpot_works_on_the_rate_of_the_stretch_as_it_turns() {
     else {
         panic!("it touches from {} to {}", touch.start, touch.end)
     };
-    let share = history.model().pairs[0].c_t / 4.0;
+    let share = history.model().pairs[0].law.c_t / 4.0;
     let expected = (after - before) / (2.0 * h) * -share;
     // The eased direction lags by a thousandth of the entry's depth over the depth in hand.
     within("dashpot force", (now.tangential_damping - expected).length() / expected.length(), 1e-4);

@@ -121,7 +121,7 @@ fn exact(law: FrictionLaw, until: f64, c_t: f64) -> Vec<Piece> {
 fn a_shaken_block_follows_its_exact_solution() {
     for law in [FrictionLaw::ReturnMapping, FrictionLaw::Paper] {
         let history = run(&block(law));
-        let c_t = history.model().pairs[0].c_t;
+        let c_t = history.model().pairs[0].law.c_t;
         let pieces = exact(law, 4.0, c_t);
         assert!(pieces.len() > 20, "{law:?}: it sticks and slips often, {} phases", pieces.len());
         let (mut worst, mut largest) = (0.0f64, 0.0f64);

@@ -100,8 +100,8 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
     let dashpots = dashpots.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
     let mut rows = vec![("K", text::stiffness(c.stiffness), stiffness_from)];
     if let Some(p) = dashpots {
-        rows.push(("C n", text::damping(p.c_n), text::FROM_65));
-        rows.push(("C t", text::damping(p.c_t), text::FROM_65));
+        rows.push(("C n", text::damping(p.law.dashpots().normal), text::FROM_65));
+        rows.push(("C t", text::damping(p.law.dashpots().tangential), text::FROM_65));
     }
     for one in ContactNumber::ALL {
         let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());

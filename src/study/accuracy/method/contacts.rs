@@ -3,17 +3,13 @@
 
 use glam::DVec2;
 
-use crate::contact::{Frame, Law, Local, Mode, law::Friction, locate};
+use crate::contact::parameters::is_over;
+use crate::contact::{Frame, FrictionLaw, Law, Local, Mode, locate};
 use crate::dynamics::model::rigid_body::Wrench;
 use crate::dynamics::penalty3d::contact_force::{Action, act};
-use crate::dynamics::penalty3d::contact_state::{Closed, Contact};
+use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::{ContactSite, Model};
-use crate::scene::{FrictionLaw, Sharing};
-
-/// A node this far over a face's edge, in parts of the face, still counts as inside.
-const EDGE: f64 = 1e-9;
-/// Sliding in two directions below this speed counts as stopped \[m/s\].
-const V_STICK: f64 = 1e-6;
+use crate::scene::Sharing;
 
 /// The states of all contacts.
 #[derive(Debug)]
@@ -33,7 +29,7 @@ fn sides(site: &ContactSite, frames: &[Frame]) -> [Frame; 2] {
 }
 
 fn inside(site: &ContactSite, here: &Local) -> bool {
-    site.face.inset_at(here.at) >= -EDGE * site.face.size()
+    is_over(&site.face, here.at)
 }
 
 impl Contacts {
@@ -127,7 +123,7 @@ impl Contacts {
     }
 
     /// A closed contact at the end of a step.
-    fn hold(&mut self, number: usize, closed: Closed, here: &Local, inside: bool) -> Contact {
+    fn hold(&mut self, number: usize, closed: ClosedContact, here: &Local, inside: bool) -> Contact {
         if here.gap >= 0.0 || !inside {
             return Contact::Open { armed: inside };
         }
@@ -139,17 +135,17 @@ impl Contacts {
             same => same,
         };
         if let Mode::Slip { direction } = mode {
-            self.anchors[number] = here.way - direction * (closed.law.mu_k * here.penetration());
+            self.anchors[number] = here.way - direction * (closed.law.mu_k * closed.law.length(here));
         }
-        Contact::Closed(Closed { mode, ..closed })
+        Contact::Closed(ClosedContact { mode, ..closed })
     }
 
     /// Discrete return mapping where sliding has two directions: the stretch from the last anchor, cut back.
     fn turned(&self, number: usize, law: &Law, direction: DVec2, here: &Local) -> Mode {
         let trial = here.way - self.anchors[number];
         let direction = match law.friction {
-            Friction::ReturnMapping => trial.try_normalize().unwrap_or(direction),
-            Friction::Paper => direction,
+            FrictionLaw::ReturnMapping => trial.try_normalize().unwrap_or(direction),
+            FrictionLaw::Paper => direction,
         };
         Mode::Slip { direction }
     }
@@ -170,20 +166,8 @@ impl Contacts {
         let share = match self.sharers[at] {
             0 => Self::count(model, at, frames),
             known => known,
-        } as f64;
-        Law {
-            k: pair.contact.stiffness / share,
-            c_n: pair.c_n / share,
-            c_t: pair.c_t / share,
-            mu_s: pair.contact.mu_static,
-            mu_k: pair.contact.mu_kinetic,
-            friction: match pair.contact.law {
-                FrictionLaw::Paper => Friction::Paper,
-                FrictionLaw::ReturnMapping => Friction::ReturnMapping,
-            },
-            clamp: false,
-            v_stick: if pair.one_way { 0.0 } else { V_STICK },
-        }
+        };
+        pair.law.shared(share)
     }
 
     /// Declared nodes of a pair that are inside the facing polygon.
@@ -201,11 +185,11 @@ impl Contacts {
     }
 }
 
-fn closed(law: Law, mode: Mode) -> Closed {
-    Closed { law, mode, at: None, ease: 0.0, passing: false, again: 0, slack: false, at_face: false }
+fn closed(law: Law, mode: Mode) -> ClosedContact {
+    ClosedContact::new(law, mode, 0.0)
 }
 
-fn entered(law: Law, here: &Local) -> Closed {
+fn entered(law: Law, here: &Local) -> ClosedContact {
     let (tangential, normal) = here.relative_velocity(DVec2::ZERO);
     closed(law, law.on_closing(here, tangential, normal))
 }
@@ -214,7 +198,7 @@ fn entered(law: Law, here: &Local) -> Closed {
 fn kind(state: &Contact) -> u8 {
     match state {
         Contact::Open { .. } => 0,
-        Contact::Closed(Closed { mode: Mode::Stick { .. }, .. }) => 1,
-        Contact::Closed(Closed { mode: Mode::Slip { .. }, .. }) => 2,
+        Contact::Closed(ClosedContact { mode: Mode::Stick { .. }, .. }) => 1,
+        Contact::Closed(ClosedContact { mode: Mode::Slip { .. }, .. }) => 2,
     }
 }

@@ -1,0 +1,115 @@
+//! Friction laws: tangential force, anchor and switching functions of a contact that sticks or slips.
+//!
+//! The normal force enters as a length, `ℓ(δ) = N(δ)/k_t`, the stretch of the tangential spring that carries it: the cone
+//! `|F_t| ≤ μ_s N` is `|s| ≤ μ_s ℓ`. With `N = K δ` and `k_t = K`, as the paper has it, ℓ = δ.
+
+pub(super) mod paper;
+pub(super) mod return_mapping;
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::{Forces, Law, Local};
+
+/// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FrictionLaw {
+    /// The paper's (54)–(59) in continuous time: the anchor is the projection in slip, the tangential force restarts at 0 on
+    /// re-stick.
+    Paper,
+    /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
+    #[default]
+    ReturnMapping,
+}
+
+impl FrictionLaw {
+    /// Every law, in the order of the documentation.
+    pub const ALL: &'static [Self] = &[Self::Paper, Self::ReturnMapping];
+    /// Their words in files.
+    pub const WORDS: &'static [&'static str] = &[Self::Paper.label(), Self::ReturnMapping.label()];
+    /// The law of a scene that names none.
+    pub const DEFAULT: Self = Self::ReturnMapping;
+
+    /// The word used in files and tables.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::ReturnMapping => "return-mapping",
+        }
+    }
+}
+
+/// (57a), the same in both laws: tangential spring to the anchor and both dashpots.
+pub(super) fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
+    let stretch = here.way - anchor;
+    let pressed = law.pressed(here, stretch);
+    Forces { tangential: stretch * -law.k_t, tangential_damping: pressed.sliding * -law.c_t, ..pressed }
+}
+
+#[cfg(test)]
+pub(in crate::contact) mod example {
+    use glam::{DVec2, DVec3};
+
+    use super::FrictionLaw;
+    use crate::contact::normal::Linear;
+    use crate::contact::{Law, Local, Normal};
+
+    /// A contact whose tangential spring is half as stiff as its normal one, so that ℓ = 2 δ.
+    pub(in crate::contact) fn law(friction: FrictionLaw) -> Law {
+        let normal = Normal::Linear(Linear { k: 2e5, c: 0.0 });
+        Law { normal, k_t: 1e5, c_t: 30.0, mu_s: 0.5, mu_k: 0.4, friction, clamp: false, v_stick: 0.0 }
+    }
+
+    /// A node 1 mm in, at that place and rate along the first tangent.
+    pub(in crate::contact) fn node(way: f64, rate: f64) -> Local {
+        let (at, rate) = (DVec2::new(way, 0.0), DVec2::new(rate, 0.0));
+        Local { gap: -1e-3, gap_rate: 0.0, at, way: at, rate, spin: DVec3::ZERO }
+    }
+
+    /// Whether two numbers agree to rounding.
+    pub(in crate::contact) fn agree(what: &str, got: f64, expected: f64) {
+        assert!((got - expected).abs() <= 1e-12 * expected.abs().max(1e-12), "{what}: {got} is not {expected}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::example::{agree, law, node};
+    use super::*;
+    use crate::contact::Mode;
+
+    #[test]
+    fn stick_is_a_spring_and_a_dashpot_to_the_anchor() {
+        for friction in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
+            let forces = law(friction).forces(&Mode::Stick { anchor: DVec2::ZERO }, &node(2e-4, 0.1));
+            agree("normal", forces.normal, 200.0);
+            agree("spring", forces.tangential.x, -20.0);
+            agree("dashpot", forces.tangential_damping.x, -3.0);
+            assert_eq!(forces.anchor_rate, DVec2::ZERO, "the anchor stays");
+        }
+    }
+
+    #[test]
+    fn a_stick_ends_on_the_cone_of_the_normal_force() {
+        for friction in [FrictionLaw::Paper, FrictionLaw::ReturnMapping] {
+            let (law, mode) = (law(friction), Mode::Stick { anchor: DVec2::ZERO });
+            // k_t s = μ_s N at s = 1 mm.
+            assert!(law.switch(&mode, &node(0.999e-3, 0.0)) < 0.0, "inside the cone");
+            assert!(law.switch(&mode, &node(1.001e-3, 0.0)) > 0.0, "outside");
+            let forces = law.forces(&mode, &node(1e-3, 0.0));
+            agree("on the cone", forces.tangential.length(), law.mu_s * forces.normal);
+        }
+    }
+
+    #[test]
+    fn a_contact_closes_in_stick_where_the_tangential_force_grows_more_slowly_than_its_limit() {
+        let (law, here) = (law(FrictionLaw::ReturnMapping), node(0.0, 0.0));
+        // k_t V_t against μ_s K V_n: equal at V_t = V_n.
+        let closes = |tangential: f64| law.on_closing(&here, DVec2::new(tangential, 0.0), -1.0);
+        assert!(matches!(closes(0.99), Mode::Stick { .. }), "below");
+        assert_eq!(closes(1.01), Mode::Slip { direction: DVec2::X }, "above");
+    }
+}

@@ -1,0 +1,85 @@
+//! A normal law defined outside of this package, as a fraction of a law that lives as long as the program.
+
+use super::NormalLaw;
+
+/// `fraction` times the forces of `law`.
+#[derive(Clone, Copy, Debug)]
+pub struct Custom {
+    /// The law of a whole pair.
+    law: &'static dyn NormalLaw,
+    /// Part of its forces that acts \[–\].
+    fraction: f64,
+}
+
+impl PartialEq for Custom {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::addr_eq(self.law, other.law) && self.fraction == other.fraction
+    }
+}
+
+impl Custom {
+    /// The whole of a law.
+    pub fn of(law: &'static dyn NormalLaw) -> Self {
+        Self { law, fraction: 1.0 }
+    }
+
+    /// The law of one of `parts` equal contacts that together have this one.
+    #[must_use]
+    pub fn divided(self, parts: f64) -> Self {
+        Self { fraction: self.fraction / parts, ..self }
+    }
+
+    /// The law of `count` such contacts together.
+    #[must_use]
+    pub fn times(self, count: f64) -> Self {
+        Self { fraction: self.fraction * count, ..self }
+    }
+}
+
+impl NormalLaw for Custom {
+    fn elastic(&self, penetration: f64) -> f64 {
+        self.fraction * self.law.elastic(penetration)
+    }
+
+    fn damping(&self, penetration: f64, velocity: f64) -> f64 {
+        self.fraction * self.law.damping(penetration, velocity)
+    }
+
+    fn stored_energy(&self, penetration: f64) -> f64 {
+        self.fraction * self.law.stored_energy(penetration)
+    }
+
+    fn tangent_stiffness(&self, penetration: f64) -> f64 {
+        self.fraction * self.law.tangent_stiffness(penetration)
+    }
+
+    fn stiffness_bound(&self, deepest: f64) -> f64 {
+        self.fraction * self.law.stiffness_bound(deepest)
+    }
+
+    fn damping_coefficient(&self, penetration: f64) -> f64 {
+        self.fraction * self.law.damping_coefficient(penetration)
+    }
+
+    fn damping_bound(&self, deepest: f64) -> f64 {
+        self.fraction * self.law.damping_bound(deepest)
+    }
+
+    /// A part of the force on a mass is the whole force on as many times the mass.
+    fn frequency(&self, mass: f64, speed: f64) -> f64 {
+        self.law.frequency(mass / self.fraction, speed)
+    }
+
+    fn depth(&self, mass: f64, speed: f64) -> f64 {
+        self.law.depth(mass / self.fraction, speed)
+    }
+
+    fn can_pull(&self) -> bool {
+        self.law.can_pull()
+    }
+
+    fn digest(&self, add: &mut dyn FnMut(f64)) {
+        add(self.fraction);
+        self.law.digest(add);
+    }
+}

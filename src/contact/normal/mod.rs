@@ -1,0 +1,171 @@
+//! Normal contact laws: force over penetration δ and its rate.
+//!
+//! Everything that depends on the shape of `N(δ)` is a method of [`NormalLaw`]: forces, stored energy, stiffness, time
+//! scale and the scales that numerical tolerances are set by. A new law is one file with an implementation of the trait and one
+//! variant of [`Normal`].
+
+mod custom;
+mod linear;
+
+use std::fmt::Debug;
+
+pub use custom::Custom;
+pub use linear::Linear;
+
+/// A normal contact law. δ is the penetration \[m\], `V_n` the normal velocity of (53b), positive apart \[m/s\].
+///
+/// `N(δ)` is smooth through δ = 0 and not defined by a case there: an integrator evaluates it a little before the face.
+pub trait NormalLaw: Debug + Send + Sync {
+    /// Elastic force `N(δ)` \[N\], rising in δ, `N(0) = 0`.
+    fn elastic(&self, penetration: f64) -> f64;
+
+    /// Damping force at penetration δ and normal velocity `V_n` \[N\]; positive on the way in.
+    fn damping(&self, penetration: f64, velocity: f64) -> f64;
+
+    /// Energy stored by the elastic force, `∫ N dδ` from 0 \[J\].
+    fn stored_energy(&self, penetration: f64) -> f64;
+
+    /// Tangent stiffness `dN/dδ` \[N/m\].
+    fn tangent_stiffness(&self, penetration: f64) -> f64;
+
+    /// Largest tangent stiffness at penetrations up to `deepest` \[N/m\].
+    fn stiffness_bound(&self, deepest: f64) -> f64;
+
+    /// Tangent damping `−∂N/∂V_n` at `V_n = 0` \[N·s/m\].
+    fn damping_coefficient(&self, penetration: f64) -> f64;
+
+    /// Largest tangent damping at penetrations up to `deepest` \[N·s/m\].
+    fn damping_bound(&self, deepest: f64) -> f64;
+
+    /// Circular frequency π/t of a contact of duration t between a mass \[kg\] and a fixed face at that impact speed \[m/s\],
+    /// without damping \[rad/s\].
+    fn frequency(&self, mass: f64, speed: f64) -> f64;
+
+    /// Largest penetration of that impact \[m\].
+    fn depth(&self, mass: f64, speed: f64) -> f64;
+
+    /// Whether elastic and damping force together can be negative, a pull, at δ > 0.
+    fn can_pull(&self) -> bool;
+
+    /// Numbers by which a digest tells two laws of one scene apart.
+    fn digest(&self, add: &mut dyn FnMut(f64));
+
+    /// Normal force as a length: the stretch of a spring of stiffness `k_t` that carries `N(δ)`, `N/k_t` \[m\].
+    fn length(&self, penetration: f64, k_t: f64) -> f64 {
+        self.elastic(penetration) / k_t
+    }
+
+    /// Derivative of that length by δ \[–\].
+    fn length_slope(&self, penetration: f64, k_t: f64) -> f64 {
+        self.tangent_stiffness(penetration) / k_t
+    }
+
+    /// Size of the normal force at penetrations and speeds of that size, by which its zeros are judged \[N\].
+    fn force_scale(&self, depth: f64, speed: f64) -> f64 {
+        self.elastic(depth) + self.damping_coefficient(depth) * speed
+    }
+
+    /// Size of the change of the normal force at δ by a change of δ of that size at that circular frequency \[N\].
+    fn change_scale(&self, penetration: f64, change: f64, frequency: f64) -> f64 {
+        change * (self.tangent_stiffness(penetration) + self.damping_coefficient(penetration) * frequency)
+    }
+}
+
+/// The normal law of a contact: one of those that exist, by value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Normal {
+    /// Kelvin–Voigt, (54).
+    Linear(Linear),
+    /// A law from outside this package.
+    Custom(Custom),
+}
+
+/// The value of an expression for whichever law it is.
+macro_rules! of_each {
+    ($normal:expr, $law:ident => $value:expr) => {
+        match $normal {
+            Normal::Linear($law) => $value,
+            Normal::Custom($law) => $value,
+        }
+    };
+}
+
+impl Normal {
+    /// The law of one of `parts` equal contacts that together have this one.
+    #[must_use]
+    pub fn divided(self, parts: f64) -> Self {
+        match self {
+            Self::Linear(law) => Self::Linear(law.divided(parts)),
+            Self::Custom(law) => Self::Custom(law.divided(parts)),
+        }
+    }
+
+    /// The law of `count` such contacts of equal penetration together.
+    #[must_use]
+    pub fn times(self, count: f64) -> Self {
+        match self {
+            Self::Linear(law) => Self::Linear(law.times(count)),
+            Self::Custom(law) => Self::Custom(law.times(count)),
+        }
+    }
+}
+
+impl NormalLaw for Normal {
+    #[inline]
+    fn elastic(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.elastic(penetration))
+    }
+
+    #[inline]
+    fn damping(&self, penetration: f64, velocity: f64) -> f64 {
+        of_each!(self, law => law.damping(penetration, velocity))
+    }
+
+    fn stored_energy(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.stored_energy(penetration))
+    }
+
+    #[inline]
+    fn tangent_stiffness(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.tangent_stiffness(penetration))
+    }
+
+    fn stiffness_bound(&self, deepest: f64) -> f64 {
+        of_each!(self, law => law.stiffness_bound(deepest))
+    }
+
+    #[inline]
+    fn damping_coefficient(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.damping_coefficient(penetration))
+    }
+
+    fn damping_bound(&self, deepest: f64) -> f64 {
+        of_each!(self, law => law.damping_bound(deepest))
+    }
+
+    fn frequency(&self, mass: f64, speed: f64) -> f64 {
+        of_each!(self, law => law.frequency(mass, speed))
+    }
+
+    fn depth(&self, mass: f64, speed: f64) -> f64 {
+        of_each!(self, law => law.depth(mass, speed))
+    }
+
+    fn can_pull(&self) -> bool {
+        of_each!(self, law => law.can_pull())
+    }
+
+    fn digest(&self, add: &mut dyn FnMut(f64)) {
+        of_each!(self, law => law.digest(add));
+    }
+
+    #[inline]
+    fn length(&self, penetration: f64, k_t: f64) -> f64 {
+        of_each!(self, law => law.length(penetration, k_t))
+    }
+
+    #[inline]
+    fn length_slope(&self, penetration: f64, k_t: f64) -> f64 {
+        of_each!(self, law => law.length_slope(penetration, k_t))
+    }
+}

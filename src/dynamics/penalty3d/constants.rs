@@ -1,0 +1,121 @@
+//! Tolerance factors of the contact model: unit, effect, and derivation or the word "tuned".
+
+// Round-off
+
+/// Round-off of a node's coordinates on a face, per distance that both bodies have moved \[–\]: no stretch is known
+/// better. Tuned.
+pub(in crate::dynamics) const POSITION_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Penetration below which an entering node is taken to be at the face, per distance that both bodies have moved
+/// \[–\]. Tuned: 45 units of round-off, three times [`POSITION_ROUNDING`]; within it the signs of gap, stretch and
+/// force are round-off.
+pub(in crate::dynamics) const ENTRY_ROUNDING: f64 = 1e-14;
+/// Round-off of the time of entry, per time \[–\]: times speed it is a penetration.
+pub(in crate::dynamics) const CLOCK_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Difference of gaps and sum of levers of a flush face that count as 0, per lever \[–\]: round-off of their sums.
+/// Tuned.
+pub(in crate::dynamics) const LEVEL_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Round-off of position and velocity over an explicit step, which spans less than a radian, per distance moved
+/// \[–\]: a gap is a sum of three terms. More would hide errors of the method, which add up over a thousand elastic
+/// touches.
+pub(in crate::dynamics) const EXPLICIT_ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// The same over an implicit step, which spans many radians: the force of every stage carries the round-off of its
+/// positions, and no shorter step avoids it. Tuned.
+pub(in crate::dynamics) const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Least distance moved, per size of body or face, that round-off is proportional to \[–\]. Tuned.
+pub(in crate::dynamics) const SIZE_ROUNDING_SHARE: f64 = 1e-3;
+/// Displacement from the reference pose below which no new one is needed, per displacement since placed \[–\]. Tuned.
+pub(in crate::dynamics) const NEAR_BASE: f64 = 1e-2;
+/// Lower bound of the error scale, per round-off of the contact point's position \[–\]. Prevents resolving undamped
+/// oscillations below round-off. Tuned.
+pub(in crate::dynamics) const ROUNDING_FLOOR: f64 = 0.1;
+/// The same where a slip direction turns: steps are implicit and need not resolve such an oscillation. Tuned: at 0.1
+/// contacts of grams on 1e12 N/m exceed their tolerance.
+pub(in crate::dynamics) const ROUNDING_FLOOR_TURNING: f64 = 0.01;
+
+// Error scale
+
+/// Steps with contact of a body after which the tolerance of each falls in proportion to their number \[–\]: the
+/// errors of a long run have one sign and add up, to no more than their logarithm then. Tuned.
+pub(in crate::dynamics) const LONG_RUN_CONTACT: f64 = 1000.0;
+/// The same of steps without contact: all of them swing, and a turning girder loses a twelfth of a tolerance in each.
+/// Tuned.
+pub(in crate::dynamics) const LONG_RUN_FREE: f64 = 250.0;
+/// Least speed that errors are relative to at a point of reversal, per speed gained by its acceleration in one radian
+/// \[–\]. Tuned.
+pub(in crate::dynamics) const REVERSAL_SPEED: f64 = 0.1;
+/// Least speed that errors are relative to, per speed gained in one radian from ground motion, weight and push \[–\].
+/// Tuned.
+pub(in crate::dynamics) const REST_SPEED: f64 = 1e-3;
+/// Acceleration that stands for no load at all \[m/s²\]: keeps the error scale of a body at rest above 0.
+pub(in crate::dynamics) const LEAST_ACCELERATION: f64 = 1e-9;
+/// Least tolerance of a step with contact \[–\], the finest that a scene can ask for: below it, errors are round-off.
+pub(in crate::dynamics) const FINEST_TOLERANCE: f64 = 1e-13;
+/// The same without contact, where no stiff spring is between position and force. Measured: a million steps of a
+/// tumbling girder change its energy by 1e-10 at 1e-13, and by a tenth of that here.
+pub(in crate::dynamics) const FINEST_TOLERANCE_FREE: f64 = 1e-14;
+
+// Step length
+
+/// Shortest step, in radians of the fastest motion \[rad\]; a shorter one ends the run. A hard impact takes sliding
+/// through its stop, within the regularisation speed, in less than 1e-9 rad.
+pub(in crate::dynamics) const SMALLEST_PHASE: f64 = 1e-12;
+/// Phase of the fastest motion that the first step of a touch spans at a tolerance of 1e-10 \[rad\]; it varies with
+/// the 8th root of the tolerance, the order of the method. Tuned.
+pub(in crate::dynamics) const FIRST_PHASE: f64 = 0.48;
+/// Longest implicit step with contact, in radians of the ground motion \[rad\]: a stiff contact follows the ground
+/// quasi-statically, and an error measured by the contact's own speed does not show it. Tuned.
+pub(in crate::dynamics) const GROUND_PHASE_CONTACT: f64 = 1.0;
+/// Longest step without contact, likewise \[rad\]. Measured: one of four radians loses 0.4 of a coarse tolerance, of
+/// one sign, and its error follows no order.
+pub(in crate::dynamics) const GROUND_PHASE_FREE: f64 = 2.0;
+/// An event nearer to either end of a step than this part of it starts from the dense output \[–\]; otherwise the
+/// step is retaken to end at the event. Tuned.
+pub(in crate::dynamics) const RETAKE_MARGIN: f64 = 0.03;
+/// Distance beyond the event, per length, at which a retaken explicit step ends \[–\]. Tuned: past the error of the
+/// event's time.
+pub(in crate::dynamics) const OVERSHOOT_EXPLICIT: f64 = 1e-3;
+/// The same of an implicit step, whose last stage is its end and depends on the forces beyond the event. Tuned.
+pub(in crate::dynamics) const OVERSHOOT_IMPLICIT: f64 = 1e-5;
+/// Tolerance below which implicit steps are retaken too \[–\]. Measured: at 1e-9 and above a 30 m deck is as exact
+/// without, for a tenth less work.
+pub(in crate::dynamics) const RETAKE_TOLERANCE: f64 = 1e-9;
+
+// Event location
+
+/// Samples of a switching function in an explicit step. A step is short against all that moves in it, so five show
+/// every sign change but short excursions, which three samples that bend towards 0 show.
+pub(in crate::dynamics) const SAMPLES_EXPLICIT: usize = 5;
+/// Samples in an implicit step, which may span several oscillations of a contact.
+pub(in crate::dynamics) const SAMPLES_IMPLICIT: usize = 17;
+/// Phases of implicit steps that are sampled like explicit ones, and twice as densely \[rad\]. Tuned: the longest
+/// phase of an explicit step, and two of them.
+pub(in crate::dynamics) const SHORT_PHASES: [f64; 2] = [2.5, 5.0];
+/// At the start of a step, values below this part of a switching function's scale are the zero that the last event
+/// left \[–\]. Tuned.
+pub(in crate::dynamics) const ZERO_BAND: f64 = 1e-10;
+/// Dead band of the opening of a node that moves out, per round-off of its entry \[–\]: the node is held no longer
+/// than that. Tuned.
+pub(in crate::dynamics) const PARTING_BAND: f64 = 0.1;
+/// Phase of a step from which on round-off of speeds is that of positions over the step's length \[rad\]. Tuned.
+pub(in crate::dynamics) const SPEED_ROUNDING_PHASE: f64 = 16.0;
+/// Retries of a stop at one instant before its dead band widens. Tuned.
+pub(in crate::dynamics) const FREE_RETRIES: u32 = 4;
+/// Most doublings of that dead band: 2³⁶ [`ZERO_BAND`] exceeds the scale itself.
+pub(in crate::dynamics) const RETRY_DOUBLINGS: u32 = 36;
+/// Widest dead band of a breakaway, per radius of the friction cone \[–\]: bounds by how much a stick that breaks
+/// away again and again in one touch exceeds its cone. Tuned.
+pub(in crate::dynamics) const WIDEST_STICK_BAND: f64 = 5e-9;
+
+// Forecast and differences
+
+/// Time over which switching functions are differenced for the forecast, in radians of the fastest motion \[rad\].
+/// Tuned.
+pub(in crate::dynamics) const SLOPE_PHASE: f64 = 1e-4;
+/// Longest forecast, likewise \[rad\]. Tuned.
+pub(in crate::dynamics) const FORECAST_PHASE: f64 = 0.4;
+/// A forecast event is confirmed where the switching function is above this part of its value at the start (both are
+/// negative) at the forecast time \[–\]. Tuned.
+pub(in crate::dynamics) const CONFIRMED_RISE: f64 = 0.5;
+/// Change of a slip angle over which its force is differenced \[rad\]: one-sided, with a truncation of 5e-7 and a
+/// round-off of 2e-10.
+pub(in crate::dynamics) const ANGLE_DIFFERENCE: f64 = 1e-6;

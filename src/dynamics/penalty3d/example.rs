@@ -1,0 +1,85 @@
+//! Closed contacts for the unit tests of the contact model: a girder flush against a wall, two girders end to end.
+
+use crate::contact::parameters::{is_over, sharers};
+use crate::contact::{Local, Mode, locate};
+use crate::dynamics::integrator::step_control::Pace;
+use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
+use crate::dynamics::penalty3d::event_location::{Due, first_due};
+use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::{ContactSite, Model};
+use crate::scene::{Kind, Scene, format};
+
+/// Mass of a girder \[kg\].
+pub(super) const MASS: f64 = 2.0;
+/// K of a pair \[N/m\].
+pub(super) const STIFFNESS: f64 = 1.55e5;
+
+const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\nheld = [\"yaw\"]\n";
+const CONTACT: &str = "[contact]\nstiffness_n_per_m = 1.55e5\nrestitution_normal = 1.0\nrestitution_tangential = 1.0\n\
+    law = \"paper\"\n[solver]\ntolerance = 1e-12\n";
+
+fn scene(text: &str) -> Scene {
+    format::parse(text, "example").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// A girder that cannot yaw, flush against a wall, elastic, without bearings.
+pub(super) fn wall() -> Scene {
+    let abutment = "[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\ngap_m = 0.0\nwidth_m = 2.0\n";
+    scene(&format!("name = \"wall\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\n{GIRDER}{abutment}{CONTACT}"))
+}
+
+/// Two such girders end to end.
+pub(super) fn row() -> Scene {
+    let [one, two] = [("one", 0.0), ("two", 0.19)]
+        .map(|(name, x)| format!("[[girder]]\nname = \"{name}\"\nposition_m = [{x}, 0.0, 0.0]\n{GIRDER}"));
+    scene(&format!("name = \"row\"\nduration_s = 1.0\n{one}{two}{CONTACT}"))
+}
+
+/// A scene compiled, with every node closed that is over its face as placed, in the mode that `mode` gives it.
+pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Vec<ActiveContact>) {
+    let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let frame = |body: Option<usize>, site: &ContactSite| {
+        body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
+    };
+    let local = |site: &ContactSite| locate(&site.home, &frame(site.node_body, site), &frame(site.face_body, site));
+    let active = (0..model.contacts.len()).filter_map(|number| {
+        let site = &model.contacts[number];
+        let here = local(site);
+        let pair = &model.pairs[site.pair];
+        let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
+        let closed = ClosedContact::new(pair.law.shared(nodes), mode(&here), 0.0);
+        let (node, face) = (site.node_body, site.face_body);
+        let active = ActiveContact { site: number, node, face, closed, home: site.home, angle: None, depth: 0.0 };
+        is_over(&site.face, here.at).then_some(active)
+    });
+    let active = active.collect();
+    (model, active)
+}
+
+/// Stick where the node is.
+pub(super) fn stick(here: &Local) -> Mode {
+    Mode::Stick { anchor: here.way }
+}
+
+/// All bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
+pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
+    let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+    let bases = model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect();
+    let y = states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect();
+    let contacts = active.into_iter().enumerate().collect();
+    Island::new(model, bodies.clone(), (bodies, bases), contacts, y, 0.0, Pace::default())
+}
+
+/// Steps until the first event and all within 1 ps of it, their time \[s\], and what they are.
+pub(super) fn first_event(model: &Model, island: &mut Island) -> (f64, Vec<Due>) {
+    for _ in 0..1000 {
+        island.plan(model, 1.0, f64::INFINITY).expect("a step that can be made");
+        if let Some(found) = first_due(model, island, 1e-12) {
+            return found;
+        }
+    }
+    panic!("no event until {} s", island.until);
+}
