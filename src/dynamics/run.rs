@@ -110,11 +110,11 @@ impl Run for impact2d::engine::Engine {
     }
 
     fn effort(&self) -> Effort {
-        self.schedule.effort
+        self.schedule().effort
     }
 
     fn stop(&self) -> Option<&Stop> {
-        self.schedule.stop()
+        self.schedule().stop()
     }
 
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
@@ -123,7 +123,7 @@ impl Run for impact2d::engine::Engine {
 
     fn finish(mut self: Box<Self>) -> Finished {
         let end = self.end();
-        let Self { bodies, record, schedule, .. } = *self;
+        let (bodies, record, schedule) = (*self).into_parts();
         Finished {
             end,
             stop: schedule.stop().cloned(),

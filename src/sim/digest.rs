@@ -48,7 +48,10 @@ pub(super) fn of(history: &History) -> u64 {
     }
     if let Some(record) = history.impact() {
         for hit in &record.hits {
-            [hit.t, hit.offset, hit.point.x, hit.point.y].into_iter().chain(hit.total()).for_each(&mut add);
+            [hit.t, hit.impulses.offset, hit.point.x, hit.point.y]
+                .into_iter()
+                .chain(hit.impulses.total())
+                .for_each(&mut add);
         }
         for change in &record.transitions {
             add(change.t);

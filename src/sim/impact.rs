@@ -5,8 +5,10 @@ use glam::{DVec2, DVec3};
 use super::{ContactNow, ContactState, Event, EventKind, History, Touch};
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
-use crate::dynamics::impact2d::lasting::constrained_motion::{Reaction, Scenery, Seat, Way, middle, react, shaking};
-use crate::dynamics::impact2d::{Record, Stay};
+use crate::dynamics::impact2d::delassus::centre;
+use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode, Reaction, solve_reactions};
+use crate::dynamics::impact2d::{LastingInterval, Record};
 
 /// Looks for the largest push of a lasting contact.
 const LOOKS: u32 = 64;
@@ -16,7 +18,7 @@ pub(super) fn events(record: &Record, model: &Model) -> Vec<Event> {
     let mut all: Vec<Event> = Vec::new();
     for hit in &record.hits {
         let contact = hit.sites.first().copied().unwrap_or(model.pairs[hit.pair].contacts.start);
-        all.push(Event::new(hit.t, contact, EventKind::Hit, hit.lost));
+        all.push(Event::new(hit.t, contact, EventKind::Hit, hit.impulses.lost));
     }
     for (_, site, spans) in spans(record) {
         let event = |t: f64, kind: EventKind| Event::new(t, site, kind, 0.0);
@@ -43,20 +45,24 @@ type Span = (f64, f64, ContactState);
 /// Per declared contact that lasts: its pair, its number, its stretches in order of time.
 fn spans(record: &Record) -> Vec<(usize, usize, Vec<Span>)> {
     let mut all: std::collections::BTreeMap<usize, (usize, Vec<Span>)> = std::collections::BTreeMap::new();
-    for stay in &record.stays {
-        for seat in &stay.seats {
-            for &site in &seat.sites {
-                all.entry(site).or_insert((seat.pair, Vec::new())).1.push((stay.from, stay.until, way(seat)));
+    for interval in &record.lasting {
+        for mode in &interval.modes {
+            for &site in &mode.sites {
+                all.entry(site).or_insert((mode.pair, Vec::new())).1.push((
+                    interval.from,
+                    interval.until,
+                    contact_state(mode),
+                ));
             }
         }
     }
     all.into_iter().map(|(site, (pair, spans))| (pair, site, spans)).collect()
 }
 
-fn way(seat: &Seat) -> ContactState {
-    match seat.way {
-        Way::Held => ContactState::Stick,
-        Way::Slides(_) => ContactState::Slip,
+fn contact_state(mode: &ContactMode) -> ContactState {
+    match mode.friction {
+        FrictionMode::Stick => ContactState::Stick,
+        FrictionMode::Slip(_) | FrictionMode::Frictionless => ContactState::Slip,
     }
 }
 
@@ -64,7 +70,7 @@ fn way(seat: &Seat) -> ContactState {
 pub(super) fn touches(history: &History, record: &Record) -> Vec<Touch> {
     let mut all: Vec<Touch> = Vec::new();
     for hit in &record.hits {
-        let [normal, tangential] = hit.total();
+        let [normal, tangential] = hit.impulses.total();
         let contact = hit.sites.first().copied().unwrap_or(history.model().pairs[hit.pair].contacts.start);
         all.push(Touch {
             pair: hit.pair,
@@ -117,29 +123,29 @@ pub(super) fn touches(history: &History, record: &Record) -> Vec<Touch> {
     all
 }
 
-/// Where a stay's bodies are at `t`, and its reactions.
-fn reactions(history: &History, stay: &Stay, t: f64) -> Option<(Scenery, Vec<Reaction>)> {
+/// Where a interval's bodies are at `t`, and its reactions.
+fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(Kinematics, Vec<Reaction>)> {
     let model = history.model();
     let state = |body: &usize| -> Planar {
         let state = history.state(*body, t);
         std::array::from_fn(|i| state[i])
     };
-    let states: Vec<Planar> = stay.bodies.iter().map(state).collect();
+    let states: Vec<Planar> = interval.bodies.iter().map(state).collect();
     let piece = model.ground.piece(model.ground.piece_number(t));
-    let scenery = Scenery::new(model, &stay.bodies, &states, shaking(&model.ground, &piece, t));
-    let points: Vec<_> = stay.seats.iter().map(|seat| scenery.points(model, seat)).collect();
-    let answer = react(&scenery, &stay.seats, &points, &model.impact)?;
-    Some((scenery, answer.reactions))
+    let kinematics = Kinematics::new(model, &interval.bodies, &states, ground_acceleration(&model.ground, &piece, t));
+    let points: Vec<_> = interval.modes.iter().map(|mode| mode.points(model, &kinematics)).collect();
+    let motion = solve_reactions(&kinematics, &interval.modes, &points, &model.impact)?;
+    Some((kinematics, motion.reactions))
 }
 
 /// Forces of all lasting contacts at `t`, on the body that owns the node.
 pub(super) fn contacts(history: &History, record: &Record, t: f64) -> Vec<ContactNow> {
     let mut all = Vec::new();
-    for stay in record.stays_at(t) {
-        let Some((scenery, reactions)) = reactions(history, stay, t) else { continue };
-        for (seat, reaction) in stay.seats.iter().zip(&reactions) {
-            for (i, &site) in seat.sites.iter().enumerate() {
-                all.push(now(history, &scenery, seat, reaction, i, site));
+    for interval in record.lasting_at(t) {
+        let Some((kinematics, reactions)) = reactions(history, interval, t) else { continue };
+        for (mode, reaction) in interval.modes.iter().zip(&reactions) {
+            for (i, &site) in mode.sites.iter().enumerate() {
+                all.push(now(history, &kinematics, mode, reaction, i, site));
             }
         }
     }
@@ -147,28 +153,35 @@ pub(super) fn contacts(history: &History, record: &Record, t: f64) -> Vec<Contac
     all
 }
 
-fn now(history: &History, scenery: &Scenery, seat: &Seat, reaction: &Reaction, end: usize, site: usize) -> ContactNow {
+fn now(
+    history: &History,
+    kinematics: &Kinematics,
+    mode: &ContactMode,
+    reaction: &Reaction,
+    end: usize,
+    site: usize,
+) -> ContactNow {
     let model = history.model();
     let contact = &model.contacts[site];
-    let point = scenery.point(model, site);
+    let point = kinematics.point(model, site);
     // Forces and V are the first side's; where the face is, they are the opposite.
-    let side = if contact.node_body == model.pairs[seat.pair].bodies[0] { 1.0 } else { -1.0 };
+    let side = if contact.node_body == model.pairs[mode.pair].bodies[0] { 1.0 } else { -1.0 };
     let flat = |v: DVec2| (v * side).extend(0.0);
     let total = reaction.total();
-    let share = if total > 0.0 { reaction.normal[end] / total } else { 1.0 / seat.sites.len() as f64 };
-    let [normal_velocity, slide] = scenery.cluster.speeds(&point);
-    let node = history.model().contacts[site].node_body.and_then(|body| scenery.bodies.binary_search(&body).ok());
+    let share = if total > 0.0 { reaction.normal[end] / total } else { 1.0 / mode.sites.len() as f64 };
+    let [normal_velocity, slide] = kinematics.cluster.speeds(&point);
+    let node = history.model().contacts[site].node_body.and_then(|body| kinematics.bodies.binary_search(&body).ok());
     let place = match node {
-        Some(place) => scenery.frames[place].origin() + scenery.frames[place].turn(contact.home.arm),
+        Some(place) => kinematics.frames[place].origin() + kinematics.frames[place].turn(contact.home.arm),
         None => contact.fixed + contact.point,
     };
     let normal = flat(point.n);
     let tangential = flat(point.s * (reaction.tangential * share));
-    let [mu_static, mu_kinetic] = seat.friction(&model.impact);
+    let [mu_static, mu_kinetic] = mode.friction_coefficients(&model.impact);
     ContactNow {
         contact: site,
-        pair: seat.pair,
-        state: way(seat),
+        pair: mode.pair,
+        state: contact_state(mode),
         point: place,
         anchor: place - normal * point.gap,
         normal,
@@ -185,13 +198,13 @@ fn now(history: &History, scenery: &Scenery, seat: &Seat, reaction: &Reaction, e
     }
 }
 
-/// Power lost in the friction of a stay \[W\].
-pub(super) fn friction_power(history: &History, stay: &Stay, t: f64) -> f64 {
-    let Some((scenery, reactions)) = reactions(history, stay, t) else { return 0.0 };
+/// Power lost in the friction of a interval \[W\].
+pub(super) fn friction_power(history: &History, interval: &LastingInterval, t: f64) -> f64 {
+    let Some((kinematics, reactions)) = reactions(history, interval, t) else { return 0.0 };
     let model = history.model();
-    let seat_power = |(seat, reaction): (&Seat, &Reaction)| {
-        let middle = middle(&scenery.points(model, seat));
-        -reaction.tangential * scenery.cluster.speed(&middle, middle.s)
+    let power = |(mode, reaction): (&ContactMode, &Reaction)| {
+        let centre = centre(&mode.points(model, &kinematics));
+        -reaction.tangential * kinematics.cluster.speed(&centre, centre.s)
     };
-    stay.seats.iter().zip(&reactions).map(seat_power).sum()
+    interval.modes.iter().zip(&reactions).map(power).sum()
 }

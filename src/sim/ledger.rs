@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger, impact};
-use crate::dynamics::impact2d::Stay;
+use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::{bearing_forces, world_inertia};
 use crate::dynamics::penalty3d::contact_force::Action;
@@ -59,7 +59,7 @@ pub(super) struct Books {
     /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
     contacts: Vec<Account<3>>,
     /// Per stretch of lasting contact of the impact model: the loss in friction.
-    stays: Vec<Account<1>>,
+    lasting: Vec<Account<1>>,
     initial: f64,
 }
 
@@ -69,15 +69,15 @@ impl Books {
         let mut books = Self {
             bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
             contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
-            stays: history
-                .impact()
-                .map_or(Vec::new(), |record| record.stays.iter().map(|stay| stay_account(history, stay)).collect()),
+            lasting: history.impact().map_or(Vec::new(), |record| {
+                record.lasting.iter().map(|interval| lasting_account(history, interval)).collect()
+            }),
             initial: 0.0,
         };
         let start = books.stored(history, 0.0);
         // Hits at the very start have taken theirs already.
         let hits = history.impact().map_or(0.0, |record| {
-            let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.lost).sum::<f64>();
+            let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.impulses.lost).sum::<f64>();
             hits + record.transitions.iter().take_while(|change| change.t <= 0.0).map(|change| change.lost).sum::<f64>()
         });
         books.initial = start.kinetic + start.bearing + start.gravity + start.contact + hits;
@@ -101,8 +101,9 @@ impl Books {
             ledger.loss_friction += friction;
         }
         if let Some(record) = history.impact() {
-            for (stay, account) in record.stays.iter().zip(&self.stays) {
-                let [friction] = account.at(t, |a, b| integrate(a, b, |s| [impact::friction_power(history, stay, s)]));
+            for (interval, account) in record.lasting.iter().zip(&self.lasting) {
+                let [friction] =
+                    account.at(t, |a, b| integrate(a, b, |s| [impact::friction_power(history, interval, s)]));
                 ledger.loss_friction += friction;
             }
             let stops = record.transitions.iter().take_while(|change| change.t <= t).map(|change| change.lost);
@@ -208,18 +209,18 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
 }
 
 /// Loss in the friction of a stretch of lasting contact, step by step.
-fn stay_account(history: &History, stay: &Stay) -> Account<1> {
+fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> {
     let mut account = Account::new();
-    let mut borders = vec![stay.from, stay.until];
-    for &body in &stay.bodies {
-        let begins = history.paths[body].spans_after(stay.from).map(|span| span.from);
-        borders.extend(begins.take_while(|t| *t < stay.until).filter(|t| *t > stay.from));
+    let mut borders = vec![interval.from, interval.until];
+    for &body in &interval.bodies {
+        let begins = history.paths[body].spans_after(interval.from).map(|span| span.from);
+        borders.extend(begins.take_while(|t| *t < interval.until).filter(|t| *t > interval.from));
     }
     borders.sort_by(f64::total_cmp);
     for w in borders.windows(2).filter(|w| w[1] > w[0]) {
-        account.add(w[0], w[1], integrate(w[0], w[1], |t| [impact::friction_power(history, stay, t)]));
+        account.add(w[0], w[1], integrate(w[0], w[1], |t| [impact::friction_power(history, interval, t)]));
     }
-    account.add(stay.until, stay.until, [0.0]);
+    account.add(interval.until, interval.until, [0.0]);
     account
 }
 

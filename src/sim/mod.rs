@@ -21,4 +21,4 @@ pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
 pub use session::{Reached, Session};
 
-pub use crate::dynamics::impact2d::{Hit, Record, Row, State, Stay, Transition};
+pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

@@ -38,7 +38,9 @@ pub fn hits(history: &History) -> Vec<u8> {
 fn hit_row(history: &History, hit: &Hit) -> Vec<String> {
     let model = history.model();
     let nodes: Vec<&str> = hit.sites.iter().map(|&site| model.contacts[site].node.as_str()).collect();
-    let second = hit.second.map_or([0.0; 2], |(_, second)| second.impulse);
+    let impulses = &hit.impulses;
+    let total = impulses.total();
+    let second = impulses.second.map_or([0.0; 2], |(_, second)| second.impulse);
     let words = [
         number(hit.t),
         model.pairs[hit.pair].name.clone(),
@@ -52,18 +54,18 @@ fn hit_row(history: &History, hit: &Hit) -> Vec<String> {
     let numbers = [
         hit.point.x,
         hit.point.y,
-        hit.normal.x,
-        hit.normal.y,
-        hit.approach[0],
-        hit.approach[1],
-        hit.offset,
-        hit.first[0],
-        hit.first[1],
+        impulses.normal.x,
+        impulses.normal.y,
+        impulses.approach[0],
+        impulses.approach[1],
+        impulses.offset,
+        impulses.first[0],
+        impulses.first[1],
         second[0],
         second[1],
-        hit.total()[0],
-        hit.total()[1],
-        hit.lost,
+        total[0],
+        total[1],
+        impulses.lost,
     ];
     words.into_iter().chain(numbers.map(number)).collect()
 }

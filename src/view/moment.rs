@@ -160,9 +160,10 @@ fn impulses(history: &History, t: f64, linger: f64) -> Vec<Impulse> {
     let recent = record.hits[..until].iter().rev().take_while(|hit| hit.t > t - linger).take(MOST_IMPULSES);
     let height = |body: Option<usize>| body.map_or(0.0, |body| history.motion(body, t).place.z);
     let impulse = |hit: &Hit| {
-        let [normal, tangential] = hit.total();
+        let [normal, tangential] = hit.impulses.total();
         let pair = &history.model().pairs[hit.pair];
-        let flat = hit.normal * normal + hit.normal.perp() * tangential;
+        let n = hit.impulses.normal;
+        let flat = n * normal + n.perp() * tangential;
         Impulse {
             point: hit.point.extend(height(pair.bodies.into_iter().flatten().next())),
             impulse: flat.extend(0.0),

@@ -462,7 +462,7 @@ fn both_models_are_drawn_together_and_told_apart() {
     }
     let impulse = list.arrows.iter().find(|arrow| arrow.kind == ArrowKind::Impulse).expect("the hit's impulse");
     let scale = f64::from((impulse.to - impulse.from).length());
-    let size = hit.total()[0].hypot(hit.total()[1]);
+    let size = hit.impulses.total()[0].hypot(hit.impulses.total()[1]);
     let unit = girderbench::view::scale::auto_impulse_scale(history.beside().expect("both")).expect("there are hits");
     assert!((scale - size / unit).abs() < 1e-6, "as long as it was large");
     let later = at(&history, hit.t + 0.02);

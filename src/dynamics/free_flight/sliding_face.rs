@@ -169,3 +169,55 @@ impl Law {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::model::compiled_model::Model;
+
+    /// `u`, `u̇` after `end` \[s\] by the classical method of Runge and Kutta.
+    fn integrated(slope: impl Fn(f64, [f64; 2]) -> [f64; 2], speed: f64, end: f64) -> [f64; 2] {
+        let (steps, mut y) = (2000, [0.0, speed]);
+        let h = end / f64::from(steps);
+        let add = |y: [f64; 2], k: [f64; 2], part: f64| [y[0] + part * h * k[0], y[1] + part * h * k[1]];
+        for i in 0..steps {
+            let t = h * f64::from(i);
+            let k1 = slope(t, y);
+            let k2 = slope(t + 0.5 * h, add(y, k1, 0.5));
+            let k3 = slope(t + 0.5 * h, add(y, k2, 0.5));
+            let k4 = slope(t + h, add(y, k3, 1.0));
+            y = [0, 1].map(|j| y[j] + h / 6.0 * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]));
+        }
+        y
+    }
+
+    #[test]
+    fn the_closed_form_solves_its_equation() {
+        let mut scene = crate::scene::presets::load("skew60-abutment").expect("a preset");
+        scene.girders[0].push.force = [5.0, 3.0, 0.0];
+        let model = Model::compile(&scene).expect("a sound scene");
+        let girder = &model.bodies[0];
+        let normal = DVec2::from_angle(2.5);
+        let piece = model.ground.piece(0);
+        for friction in [-0.15, 0.0, 0.15, 2.0] {
+            let s = normal.perp();
+            let d = s + normal * friction;
+            let start = [0.01, -0.02, 0.0, 0.3 * s.x, 0.3 * s.y, 0.0];
+            let slide = Slide::new((girder, &model.ground), [s, d], &piece, (0.0, &start), 0.2);
+            let q = DVec3::new(start[0], start[1], 0.0);
+            let slope = |t: f64, [u, v]: [f64; 2]| {
+                let along = s.extend(0.0);
+                let force =
+                    girder.push - girder.planar.stiffness * (q + along * u) - girder.planar.damping * (along * v);
+                let a = force.truncate() / girder.mass - model.ground.acceleration(t).truncate();
+                [v, d.dot(a)]
+            };
+            let [u, v] = integrated(slope, 0.3, 0.2);
+            let state = slide.state(0.2);
+            let place = DVec2::new(state[0] - start[0], state[1] - start[1]);
+            let velocity = DVec2::new(state[3], state[4]);
+            assert!((place - s * u).length() < 1e-11, "μ_k σ = {friction}: {place} against {}", s * u);
+            assert!((velocity - s * v).length() < 1e-10, "μ_k σ = {friction}: {velocity} against {}", s * v);
+        }
+    }
+}

@@ -1,323 +1,199 @@
-//! After the hits: who stays in contact and how, where everybody goes on, what is logged.
+//! After the impulses of an instant: contact modes, projected states, trajectories in force, log of state changes.
 
-use glam::{DVec2, DVec3};
-
+use crate::dynamics::Body;
 use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::State;
-use crate::dynamics::impact2d::delassus::Point;
-use crate::dynamics::impact2d::engine::{Engine, SINK};
-use crate::dynamics::impact2d::impulse::collision::Edge;
-use crate::dynamics::impact2d::instant::{Moment, TOUCH, kinetic};
-use crate::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat, Way, middle, shaking};
-use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
-use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, RuledOut, decide};
+use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUND_OFF, TOUCH};
+use crate::dynamics::impact2d::impulse::collision::ContactManifold;
+use crate::dynamics::impact2d::instant::ImpactInstant;
+use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::lasting::candidates::{all_separate, tangential_speed};
+use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode, connected_groups};
+use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, LastingContact};
+use crate::dynamics::impact2d::lasting::mode_selection::select_modes;
+use crate::dynamics::impact2d::lasting::painleve::consistent_modes;
+use crate::dynamics::impact2d::projection::project;
 use crate::dynamics::impact2d::record::Transition;
-use crate::dynamics::impact2d::state::Row;
-use crate::dynamics::impact2d::tracks::Going;
-use crate::dynamics::{Body, Model};
+use crate::dynamics::impact2d::run::Run;
+use crate::dynamics::impact2d::tables::Row;
+use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::world::World;
 
-/// A point so little behind a face, in parts of its girder's size, is there by the rounding of the search's gap, not by a hop: to
-/// take it out would turn a girder that is hit square.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Speeds off the face that a kept point may have gathered by its integrator's error, in parts of the fastest.
-pub(in crate::dynamics::impact2d) const DRIFT: f64 = 1e-8;
-
-impl Engine {
-    /// Decides who stays in contact, and sends everybody on; `energy` is the kinetic energy that the hits have left.
-    pub(in crate::dynamics::impact2d) fn settle(
-        &mut self,
-        moment: &mut Moment,
-        to: &[State],
-        energy: f64,
-        ending: Option<Ending>,
-    ) {
-        let numbers = self.model.impact;
-        // The velocities are those after the hits.
-        for (state, v) in moment.states.iter_mut().zip(&moment.scenery.cluster.velocity) {
-            state[3..].copy_from_slice(&v.to_array());
-        }
-        if self.all_part(moment) {
-            let (lost, strain) = (energy - kinetic(moment), self.strain(moment));
-            let shifted = self.tidy(moment, &[]);
-            self.go_on(moment, to, Vec::new(), if shifted { lost + strain - self.strain(moment) } else { lost });
-            return;
-        }
-        let bodies = moment.scenery.bodies.clone();
-        let piece = self.model.ground.piece(self.model.ground.piece_number(moment.t));
-        let shaking = shaking(&self.model.ground, &piece, moment.t);
-        moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
-        let (mut candidates, mut seats) = self.agree(moment, ending, shaking);
-        // A face that was to rest below the stop speed but cannot goes on as it goes.
-        let mut again = false;
-        for candidate in &mut candidates {
-            let held = seats.iter().any(|seat| seat.pair == candidate.pair && seat.way == Way::Held);
-            let v_s = along(moment, candidate);
-            if candidate.slides == 0.0 && !held && v_s.abs() > moment.hush {
-                (candidate.slides, again) = (v_s.signum(), true);
-            }
-        }
-        if again && let Some(other) = decide(&self.model, &moment.scenery, &candidates, &numbers) {
-            seats = other;
-        }
-        let strain = self.strain(moment);
-        self.tidy(moment, &seats);
-        moment.scenery = Scenery::new(&self.model, &bodies, &moment.states, shaking);
-        let lost = energy - kinetic(moment) + strain - self.strain(moment);
-        self.go_on(moment, to, seats, lost);
+/// Selects contact modes and starts the trajectories from here on. `to` holds the states among a–f that the hits lead to, by
+/// place, `energy` the kinetic energy that they left \[J\]; `ending` is what has ended a lasting contact at this instant.
+pub(in crate::dynamics::impact2d) fn resume(
+    run: &mut Run,
+    instant: &mut ImpactInstant,
+    to: &[State],
+    energy: f64,
+    ending: Option<Ending>,
+) {
+    instant.take_velocities();
+    let world = &run.world;
+    if all_separate(world, instant) {
+        let lost = energy - instant.kinematics.cluster.kinetic_energy();
+        let strain = strain_energy(world, instant);
+        let projected = project(world, instant, &[]);
+        let lost = if projected { lost + strain - strain_energy(world, instant) } else { lost };
+        start_trajectories(run, instant, to, Vec::new(), lost);
+        return;
     }
+    let bodies = instant.kinematics.bodies.clone();
+    let ground = &world.model.ground;
+    let ground = ground_acceleration(ground, &ground.piece(ground.piece_number(instant.t)), instant.t);
+    instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+    let modes = modes(world, instant, ending, ground);
+    let strain = strain_energy(world, instant);
+    project(world, instant, &modes);
+    instant.kinematics = Kinematics::new(&world.model, &bodies, &instant.states, ground);
+    let lost = energy - instant.kinematics.cluster.kinetic_energy() + strain - strain_energy(world, instant);
+    start_trajectories(run, instant, to, modes, lost);
+}
 
-    /// Whether every point that touches goes away.
-    fn all_part(&self, moment: &Moment) -> bool {
-        moment.edges.iter().all(|edge| {
-            let loose = self.looseness(edge) * moment.hush;
-            edge.points.iter().all(|point| moment.scenery.cluster.speed(point, point.n) > loose)
-        })
-    }
-
-    /// Speeds along the normal that count as none, in parts of the hush.
-    fn looseness(&self, edge: &Edge) -> f64 {
-        if self.is_kept(edge) { DRIFT / 1e-12 } else { 4.0 }
-    }
-
-    /// Pairs of a moment with points that neither come nor go.
-    pub(in crate::dynamics::impact2d) fn candidates(&self, moment: &Moment, ending: Option<Ending>) -> Vec<Candidate> {
-        let mut all = Vec::new();
-        for edge in self.edges(moment) {
-            let loose = self.looseness(&edge);
-            let stays = |point: &Point| moment.scenery.cluster.speed(point, point.n).abs() <= loose * moment.hush;
-            let kept: Vec<(usize, Point)> =
-                edge.sites.iter().copied().zip(edge.points.iter().copied()).filter(|(_, p)| stays(p)).collect();
-            if kept.is_empty() {
-                continue;
-            }
-            let (sites, points): (Vec<usize>, Vec<Point>) = kept.into_iter().unzip();
-            let rest = if points.len() > 1 { self.model.impact.stop_speed } else { loose * moment.hush };
-            let mut candidate = Candidate {
-                pair: edge.pair,
-                sites,
-                points,
-                slides: 0.0,
-                stays_or_leaves: false,
-                ruled_out: RuledOut::default(),
-            };
-            let v_s = along(moment, &candidate);
-            if v_s.abs() > rest && ending != Some(Ending::Stops(edge.pair)) {
-                candidate.slides = v_s.signum();
-            }
-            candidate.ruled_out = match ending {
-                Some(Ending::Lets(site)) => RuledOut { held: false, site: Some(site) },
-                _ => RuledOut { held: ending == Some(Ending::Breaks(edge.pair)), site: None },
-            };
-            all.push(candidate);
-        }
-        all
-    }
-
-    /// Takes out of places and velocities what the integrator's error has left between what is kept; returns whether
-    /// there was anything.
-    fn tidy(&self, moment: &mut Moment, seats: &[Seat]) -> bool {
-        let points: Vec<Vec<Point>> = seats.iter().map(|seat| moment.scenery.points(&self.model, seat)).collect();
-        let mut rows: Vec<(Point, DVec2, f64)> = Vec::new();
-        for (seat, points) in seats.iter().zip(&points) {
-            rows.extend(points.iter().map(|p| (*p, p.n, p.gap)));
-            if seat.way == Way::Held {
-                let middle = middle(points);
-                rows.push((middle, middle.s, 0.0));
-            }
-        }
-        let kept = rows.len();
-        // Who leaves leaves from the face, not from a little behind it: else every small hop would end a little deeper.
-        for edge in &moment.edges {
-            let leaves = |site: &usize| !seats.iter().any(|seat| seat.sites.contains(site));
-            let rounding = ROUNDING * self.reach(edge.pair);
-            let behind = edge.sites.iter().zip(&edge.points).filter(|(site, p)| leaves(site) && p.gap < -rounding);
-            rows.extend(behind.map(|(_, p)| (*p, p.n, p.gap)));
-        }
-        if rows.is_empty() {
-            return false;
-        }
-        let cluster = &moment.scenery.cluster;
-        let entry = |r: usize, c: usize| cluster.mobility(&rows[r].0, rows[r].1, &rows[c].0, rows[c].1);
-        let speeds = crate::dynamics::impact2d::dense::solve(kept, entry, |r| -cluster.speed(&rows[r].0, rows[r].1));
-        let shifts = crate::dynamics::impact2d::dense::solve(rows.len(), entry, |r| -rows[r].2);
-        for (solution, from) in [(shifts, 0), (speeds, 3)] {
-            for ((point, direction, _), size) in rows.iter().zip(solution.unwrap_or_default()) {
-                for (body, row) in point.row(*direction * size) {
-                    if let Some(b) = body {
-                        let change = moment.scenery.cluster.inverse[b] * row;
-                        for i in 0..3 {
-                            moment.states[b][from + i] += change[i];
-                        }
-                    }
-                }
-            }
-        }
-        for (place, state) in moment.states.iter_mut().enumerate() {
-            // Who lies still on his faces is still to the last bit.
-            let seated = |seat: &Seat| moment.scenery.places(&self.model, seat.pair).contains(&Some(place));
-            let rests = seats.iter().any(|s| seated(s) && s.is_flush() && s.way == Way::Held);
-            if rests && self.model.pairs.iter().any(|pair| pair.bodies == [Some(moment.scenery.bodies[place]), None]) {
-                for rate in &mut state[3..] {
-                    *rate = if rate.abs() <= 1e3 * moment.hush { 0.0 } else { *rate };
-                }
-            }
-        }
-        true
-    }
-
-    /// Energy in the bearings of a moment \[J\].
-    fn strain(&self, moment: &Moment) -> f64 {
-        let body = |(&body, state): (&usize, &Planar)| {
-            let q = DVec3::new(state[0], state[1], state[2]);
-            0.5 * q.dot(self.model.bodies[body].planar.stiffness * q)
-        };
-        moment.scenery.bodies.iter().zip(&moment.states).map(body).sum()
-    }
-
-    /// Starts flights and grips, logs what changed, and looks for the next meetings.
-    fn go_on(&mut self, moment: &Moment, to: &[State], seats: Vec<Seat>, lost: f64) {
-        let t = moment.t;
-        self.end_what_was(moment);
-        for (place, &slot) in moment.slots.iter().enumerate() {
-            let state = self.state_of(moment, place, &seats);
-            self.log(moment, place, to[place], state, &seats, if place == 0 { lost } else { 0.0 });
-            let track = &mut self.bodies[slot];
-            track.since = t;
-            track.state = state;
-            track.now = Going::Flight(track.system.fly(t, moment.states[place]));
-            self.note(slot, &moment.states[place]);
-        }
-        self.flag(moment, &seats);
-        for group in joined(&self.model, &moment.scenery, seats) {
-            self.start_grip(moment, group);
-        }
-        self.seek_around(&moment.slots, t);
-    }
-
-    fn end_what_was(&mut self, moment: &Moment) {
-        for &slot in &moment.slots {
-            self.close_segment(slot, moment.t);
-        }
-        for &slot in &moment.slots {
-            if let Going::Grip(grip, _) = self.bodies[slot].now {
-                self.end_grip(grip, moment.t);
-            }
+/// Contact modes of an instant. A face that was to stick below the stop speed, but cannot, goes on slipping as it does.
+fn modes(world: &World, instant: &mut ImpactInstant, ending: Option<Ending>, ground: glam::DVec3) -> Vec<ContactMode> {
+    let (mut candidates, modes) = consistent_modes(world, instant, ending, ground);
+    let mut slips_on = false;
+    for candidate in &mut candidates {
+        let sticks = modes.iter().any(|mode| mode.pair == candidate.pair && mode.friction == FrictionMode::Stick);
+        let v_s = tangential_speed(&instant.kinematics.cluster, &candidate.points);
+        if candidate.slip == 0.0 && !sticks && v_s.abs() > instant.speed_noise {
+            (candidate.slip, slips_on) = (v_s.signum(), true);
         }
     }
+    let model = &world.model;
+    let again = slips_on.then(|| select_modes(model, &instant.kinematics, &candidates, &model.impact)).flatten();
+    again.unwrap_or(modes)
+}
 
-    fn start_grip(&mut self, moment: &Moment, (places, seats): (Vec<usize>, Vec<Seat>)) {
-        let bodies: Vec<usize> = places.iter().map(|&place| moment.scenery.bodies[place]).collect();
-        let states: Vec<Planar> = places.iter().map(|&place| moment.states[place]).collect();
-        let number = self.grips.iter().position(Option::is_none).unwrap_or(self.grips.len());
-        let grip = Some(Grip::new(bodies, seats, &states, moment.t));
-        if number == self.grips.len() {
-            self.grips.push(grip);
-        } else {
-            self.grips[number] = grip;
-        }
-        for (at, &place) in places.iter().enumerate() {
-            self.bodies[moment.slots[place]].now = Going::Grip(number, at);
-        }
-        self.plan(number);
+/// Energy in the bearings of the bodies of an instant \[J\].
+fn strain_energy(world: &World, instant: &ImpactInstant) -> f64 {
+    let body = |(&body, state): (&usize, &Planar)| {
+        let q = glam::DVec3::new(state[0], state[1], state[2]);
+        0.5 * q.dot(world.model.bodies[body].planar.stiffness * q)
+    };
+    instant.kinematics.bodies.iter().zip(&instant.states).map(body).sum()
+}
+
+/// Starts flights and lasting contacts, logs changes of state, and searches the next impacts.
+fn start_trajectories(run: &mut Run, instant: &ImpactInstant, to: &[State], modes: Vec<ContactMode>, lost: f64) {
+    end_trajectories(run, instant);
+    for (place, &slot) in instant.slots.iter().enumerate() {
+        let state = state_of(&run.world, instant, place, &modes);
+        log_change(run, instant, place, [to[place], state], &modes, if place == 0 { lost } else { 0.0 });
+        let track = &mut run.world.bodies[slot];
+        track.since = instant.t;
+        track.state = state;
+        track.motion = Motion::Flight(track.system.fly(instant.t, instant.states[place]));
+        run.world.update_peaks(slot, &instant.states[place]);
     }
-
-    /// Marks who is kept, who has lifted off, who is behind a face without having come in through it.
-    fn flag(&mut self, moment: &Moment, seats: &[Seat]) {
-        for pair in self.pairs_of(&moment.slots) {
-            for site in self.pairs[pair].sites.clone() {
-                let number = self.sites[site].number;
-                let here = |slot: Option<usize>| slot.is_none_or(|slot| moment.slots.binary_search(&slot).is_ok());
-                if !self.pairs[pair].slots.into_iter().all(here) {
-                    continue;
-                }
-                let point = moment.scenery.point(&self.model, number);
-                let near = TOUCH * self.reach(pair);
-                let flush = seats.iter().find(|seat| seat.is_flush() && self.model.contacts[number].pair == seat.pair);
-                let on_face = flush.is_some() && point.gap.abs() <= 1e3 * near;
-                let kept = seats.iter().any(|seat| seat.sites.contains(&number)) || on_face;
-                let touches = self.touches(site, pair, &point);
-                let track = &mut self.sites[site];
-                (track.kept, track.out) = (kept, None);
-                if touches && !kept {
-                    // Until it is clearly out, it is watched just behind the face.
-                    (track.armed, track.lifted) = (false, true);
-                    track.sink = SINK * track.spot.size + (-point.gap).max(0.0);
-                } else if point.gap < near && !touches && !kept {
-                    // Behind the face, or beside it.
-                    (track.armed, track.lifted, track.left) = (false, false, true);
-                }
-            }
-        }
+    mark_sites(&mut run.world, instant, &modes);
+    let model = std::sync::Arc::clone(&run.world.model);
+    for group in connected_groups(&model, &instant.kinematics, modes) {
+        start_lasting(run, instant, group);
     }
+    run.search_around(&instant.slots, instant.t);
+}
 
-    /// State among a–f of a body.
-    fn state_of(&self, moment: &Moment, place: usize, seats: &[Seat]) -> State {
-        let touching = |seat: &&Seat| moment.scenery.places(&self.model, seat.pair).contains(&Some(place));
-        if let Some(seat) = seats.iter().find(touching) {
-            return seat.state();
-        }
-        let body = &self.model.bodies[moment.scenery.bodies[place]];
-        let v = moment.scenery.cluster.velocity[place];
-        let turns = turns_by_itself(body)
-            || body.radius * v.z.abs() > moment.hush.max(1e-12 * v.truncate().length())
-            || moment.states[place][2].abs() > 1e-12;
-        if turns { State::FreeTurning } else { State::Free }
+fn end_trajectories(run: &mut Run, instant: &ImpactInstant) {
+    for &slot in &instant.slots {
+        run.close_segment(slot, instant.t);
     }
-
-    /// Logs a body's change of state.
-    fn log(&mut self, moment: &Moment, place: usize, hit_to: State, now: State, seats: &[Seat], lost: f64) {
-        let body = moment.scenery.bodies[place];
-        let first = moment.t == 0.0 && !self.record.transitions.iter().any(|change| change.body == body);
-        if now == hit_to && !first && lost.abs() <= f64::MIN_POSITIVE {
-            return;
+    for &slot in &instant.slots {
+        if let Motion::Lasting(number, _) = run.world.bodies[slot].motion {
+            run.end_lasting(number, instant.t);
         }
-        let touching = |seat: &&Seat| moment.scenery.places(&self.model, seat.pair).contains(&Some(place));
-        let pair = seats.iter().find(touching).map(|seat| seat.pair);
-        let pair = pair.or_else(|| {
-            let edge = |edge: &&Edge| moment.scenery.places(&self.model, edge.pair).contains(&Some(place));
-            moment.edges.iter().find(edge).map(|edge| edge.pair)
-        });
-        let to_wall = pair.is_some_and(|pair| self.model.pairs[pair].bodies.contains(&None));
-        let row = if to_wall && now != hit_to { Row::between(hit_to, now) } else { None };
-        let from = if first { now } else { hit_to };
-        self.record.transitions.push(Transition { t: moment.t, body, pair, from, to: now, row, lost });
     }
 }
 
-/// Whether a girder turns without being hit: eccentric bearings, or a given moment.
-fn turns_by_itself(body: &Body) -> bool {
+fn start_lasting(run: &mut Run, instant: &ImpactInstant, (places, modes): (Vec<usize>, Vec<ContactMode>)) {
+    let bodies: Vec<usize> = places.iter().map(|&place| instant.kinematics.bodies[place]).collect();
+    let states: Vec<Planar> = places.iter().map(|&place| instant.states[place]).collect();
+    let lasting = &mut run.world.lasting;
+    let number = lasting.iter().position(Option::is_none).unwrap_or(lasting.len());
+    if number == lasting.len() {
+        lasting.push(None);
+    }
+    lasting[number] = Some(LastingContact::new(bodies, modes, &states, instant.t));
+    for (at, &place) in places.iter().enumerate() {
+        run.world.bodies[instant.slots[place]].motion = Motion::Lasting(number, at);
+    }
+    run.plan(number);
+}
+
+/// Marks the declared contacts: kept, lifted off without normal speed, or behind a face beside it.
+fn mark_sites(world: &mut World, instant: &ImpactInstant, modes: &[ContactMode]) {
+    for pair in world.pairs_within(&instant.slots) {
+        let pair_number = world.pairs[pair].number;
+        let flush = modes.iter().any(|mode| mode.is_flush() && mode.pair == pair_number);
+        let near = TOUCH * world.radius(pair);
+        for site in world.pairs[pair].sites.clone() {
+            let number = world.sites[site].number;
+            let point = instant.kinematics.point(&world.model, number);
+            let on_face = flush && point.gap.abs() <= KEPT_TOUCH * near;
+            let kept = modes.iter().any(|mode| mode.sites.contains(&number)) || on_face;
+            let touches = world.touches(site, pair, &point);
+            let track = &mut world.sites[site];
+            (track.kept, track.in_front_at) = (kept, None);
+            if touches && !kept {
+                // Until it is clearly in front it hits again just behind the face, so that round-off is no hit.
+                (track.armed, track.lifted) = (false, true);
+                track.depth = LIFTED_DEPTH * track.spot.size + (-point.gap).max(0.0);
+            } else if point.gap < near && !touches && !kept {
+                (track.armed, track.lifted, track.beside) = (false, false, true);
+            }
+        }
+    }
+}
+
+/// Whether a contact mode concerns the body at a place.
+fn concerns(world: &World, instant: &ImpactInstant, pair: usize, place: usize) -> bool {
+    instant.kinematics.places(&world.model, pair).contains(&Some(place))
+}
+
+/// State among a–f of the body at a place.
+fn state_of(world: &World, instant: &ImpactInstant, place: usize, modes: &[ContactMode]) -> State {
+    if let Some(mode) = modes.iter().find(|mode| concerns(world, instant, mode.pair, place)) {
+        return mode.state();
+    }
+    let body = &world.model.bodies[instant.kinematics.bodies[place]];
+    let v = instant.kinematics.cluster.velocity[place];
+    let turns = turns_without_contact(body)
+        || body.radius * v.z.abs() > instant.speed_noise.max(ROTATION_ROUND_OFF * v.truncate().length())
+        || instant.states[place][2].abs() > ROTATION_ROUND_OFF;
+    if turns { State::FreeTurning } else { State::Free }
+}
+
+/// Logs the change of a body from the state after the hits to the one in force.
+fn log_change(
+    run: &mut Run,
+    instant: &ImpactInstant,
+    place: usize,
+    [after_hits, now]: [State; 2],
+    modes: &[ContactMode],
+    lost: f64,
+) {
+    let (world, record) = (&run.world, &mut run.record);
+    let body = instant.kinematics.bodies[place];
+    let first = instant.t == 0.0 && !record.transitions.iter().any(|change| change.body == body);
+    if now == after_hits && !first && lost.abs() <= f64::MIN_POSITIVE {
+        return;
+    }
+    let pair = modes.iter().map(|mode| mode.pair).find(|&pair| concerns(world, instant, pair, place));
+    let touching = |manifold: &&ContactManifold| concerns(world, instant, manifold.pair, place);
+    let pair = pair.or_else(|| instant.manifolds.iter().find(touching).map(|manifold| manifold.pair));
+    let to_wall = pair.is_some_and(|pair| world.model.pairs[pair].bodies.contains(&None));
+    let row = if to_wall && now != after_hits { Row::without_hit(after_hits, now) } else { None };
+    let from = if first { now } else { after_hits };
+    record.transitions.push(Transition { t: instant.t, body, pair, from, to: now, row, lost });
+}
+
+/// Whether eccentric bearings or a given moment turn a girder without a hit.
+fn turns_without_contact(body: &Body) -> bool {
     let coupled = |m: &glam::DMat3| {
         let [x, y] = [m.z_axis.x, m.z_axis.y];
-        x.abs() > 1e-12 * (m.x_axis.x * m.z_axis.z).sqrt() || y.abs() > 1e-12 * (m.y_axis.y * m.z_axis.z).sqrt()
+        x.abs() > ROTATION_ROUND_OFF * (m.x_axis.x * m.z_axis.z).sqrt()
+            || y.abs() > ROTATION_ROUND_OFF * (m.y_axis.y * m.z_axis.z).sqrt()
     };
     body.free[5] && (body.moment != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
-}
-
-/// Speed along the face of what a candidate keeps \[m/s\].
-pub(in crate::dynamics::impact2d) fn along(moment: &Moment, candidate: &Candidate) -> f64 {
-    let middle = middle(&candidate.points);
-    moment.scenery.cluster.speed(&middle, middle.s)
-}
-
-/// Bodies that seats join, by their places, each with its seats.
-fn joined(model: &Model, scenery: &Scenery, seats: Vec<Seat>) -> Vec<(Vec<usize>, Vec<Seat>)> {
-    let mut groups: Vec<(Vec<usize>, Vec<Seat>)> = Vec::new();
-    for seat in seats {
-        let places: Vec<usize> = scenery.places(model, seat.pair).into_iter().flatten().collect();
-        let (mut into, others): (Vec<_>, Vec<_>) =
-            groups.into_iter().partition(|(members, _)| places.iter().any(|place| members.contains(place)));
-        let mut members = places;
-        let mut all = Vec::new();
-        for (places, seats) in into.drain(..) {
-            members.extend(places);
-            all.extend(seats);
-        }
-        all.push(seat);
-        members.sort_unstable();
-        members.dedup();
-        groups = others;
-        groups.push((members, all));
-    }
-    groups.sort_by_key(|(members, _)| members.first().copied());
-    groups
 }

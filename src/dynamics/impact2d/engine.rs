@@ -1,361 +1,314 @@
-//! The event loop of the impact model for one group of bodies: flights in closed form, hits found to rounding, lasting
-//! contact in steps.
+//! Event loop of the impact model for one group of bodies: flights in closed form, hits located to round-off, lasting contact
+//! in steps.
 
 use std::sync::Arc;
 
-use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
-use crate::dynamics::free_flight::flight::{Planar, System};
-use crate::dynamics::impact2d::Few;
-use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
-use crate::dynamics::impact2d::closing::next_impact;
-use crate::dynamics::impact2d::lasting::lasting_contact::{Ending, Grip};
-use crate::dynamics::impact2d::record::{Record, Stay};
-use crate::dynamics::impact2d::tracks::{BodyTrack, Going, PairTrack, SiteTrack};
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::trajectory::segment::{Path, Segment};
-use crate::dynamics::world::site_geometry::SiteGeometry;
-
-/// Hits, searches and steps per body after which a run gives up.
-const WORK: usize = 3_000_000;
-/// Changes at one instant after which a run gives up.
-const SAME_INSTANT: usize = 200;
-/// Changes at one instant after which lasting contact lasts for a moment: pushes that are rounding may change sides for ever.
-const RESTLESS: usize = 50;
-/// That moment, in parts of the run.
-const MOMENT: f64 = 1e-3;
-/// A point that has lifted off without speed is met again this much behind the face, in parts of its size: nearer is
-/// rounding.
-pub(in crate::dynamics::impact2d) const SINK: f64 = 1e-12;
+use crate::dynamics::impact2d::InlineVec;
+use crate::dynamics::impact2d::after_impact::resume;
+use crate::dynamics::impact2d::constants::{EVENTS_AT_ONE_INSTANT, SPEED_ROUND_OFF_OF_RUN, TOUCH, WORK_PER_BODY};
+use crate::dynamics::impact2d::impulse::sequential::impulses;
+use crate::dynamics::impact2d::instant::ImpactInstant;
+use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
+use crate::dynamics::impact2d::record::Record;
+use crate::dynamics::impact2d::run::Run;
+use crate::dynamics::impact2d::tracks::BodyTrack;
+use crate::dynamics::impact2d::world::World;
 
 /// The run of one group of bodies under the impact model.
 #[derive(Debug)]
 pub struct Engine {
-    pub(in crate::dynamics::impact2d) model: Arc<Model>,
-    pub(in crate::dynamics) bodies: Vec<BodyTrack>,
-    pub(in crate::dynamics::impact2d) pairs: Vec<PairTrack>,
-    pub(in crate::dynamics::impact2d) sites: Vec<SiteTrack>,
-    pub(in crate::dynamics::impact2d) grips: Vec<Option<Grip>>,
-    pub(in crate::dynamics) schedule: Schedule,
-    pub(in crate::dynamics) record: Record,
-    /// Fastest that anybody has been, and farthest from home, corners included \[m/s\], \[m\].
-    pub(in crate::dynamics::impact2d) largest: [f64; 2],
-    same: (f64, usize),
+    run: Run,
 }
 
 impl Engine {
-    /// Lasting contact as a source of events: its planned step ends.
-    pub(super) fn lasting(number: usize) -> Source {
-        Source { rank: 0, number }
-    }
-
-    /// A pair as a source of events: it meets, or its search goes on.
-    pub(super) fn pair(number: usize) -> Source {
-        Source { rank: 1, number }
-    }
-
     /// Sets up a group of bodies, by its number in the model, at t = 0.
     pub fn new(model: &Arc<Model>, group: usize) -> Self {
-        let mut engine = Self {
-            model: Arc::clone(model),
-            bodies: Vec::new(),
-            pairs: Vec::new(),
-            sites: Vec::new(),
-            grips: Vec::new(),
-            schedule: Schedule::default(),
-            record: Record::default(),
-            largest: [0.0; 2],
-            same: (-1.0, 0),
-        };
-        engine.gather(group);
+        let mut engine = Self { run: Run::new(World::new(model, group)) };
         engine.begin();
         engine
     }
 
-    fn gather(&mut self, number: usize) {
-        let model = Arc::clone(&self.model);
-        let group = &model.groups[number];
-        for &body in group {
-            let system = System::new(&model.bodies[body], &model.ground, model.duration);
-            let initial = rigid_body::initial(model.kind, &model.bodies[body]);
-            let state: Planar = std::array::from_fn(|i| initial[i]);
-            let now = Going::Flight(system.fly(0.0, state));
-            let (segments, pairs) = (Vec::new(), Vec::new());
-            self.bodies.push(BodyTrack {
-                body,
-                system,
-                now,
-                segments,
-                since: 0.0,
-                state: crate::dynamics::impact2d::State::Free,
-                pairs,
-            });
-        }
-        for &number in &model.group_pairs[number] {
-            let pair = &model.pairs[number];
-            let slots = pair.bodies.map(|side| side.and_then(|b| group.binary_search(&b).ok()));
-            let from = self.sites.len();
-            for site in pair.contacts.clone() {
-                let contact = &model.contacts[site];
-                let side = |owner: Option<usize>| owner.map(|b| usize::from(pair.bodies[0] != Some(b)));
-                let spot = SiteGeometry::of(&model, site);
-                self.sites.push(SiteTrack {
-                    number: site,
-                    sides: [side(contact.node_body), side(contact.face_body)],
-                    sink: SINK * spot.size,
-                    spot,
-                    aim: Aim::of(&model, site),
-                    kept: false,
-                    armed: true,
-                    lifted: false,
-                    left: false,
-                    out: None,
-                });
-            }
-            for slot in slots.into_iter().flatten() {
-                self.bodies[slot].pairs.push(self.pairs.len());
-            }
-            self.pairs.push(PairTrack { number, slots, sites: from..self.sites.len(), meets: false });
-        }
-    }
-
-    fn too_many_at(&mut self, t: f64) -> bool {
-        self.same = if self.same.0 == t { (t, self.same.1 + 1) } else { (t, 1) };
-        self.same.1 > SAME_INSTANT + 4 * self.pairs.len() + 2 * self.bodies.len()
-    }
-
-    /// Names of bodies by their numbers in the model.
-    pub(in crate::dynamics::impact2d) fn names(&self, bodies: &[usize]) -> String {
-        bodies.iter().map(|&b| self.model.bodies[b].name.as_str()).collect::<Vec<_>>().join(", ")
-    }
-
-    /// Looks for a pair's next meeting from `t` and enters it.
-    pub(in crate::dynamics::impact2d) fn seek(&mut self, pair: usize, t: f64) {
-        for site in self.pairs[pair].sites.clone() {
-            let track = &mut self.sites[site];
-            if track.out.take().is_some_and(|at| at <= t) {
-                track.arm();
+    /// Contacts and trajectories at t = 0.
+    fn begin(&mut self) {
+        disarm_points_behind(&mut self.run.world);
+        let mut seen = vec![false; self.run.world.bodies.len()];
+        for slot in 0..seen.len() {
+            if !seen[slot] {
+                for member in self.act(0.0, &[slot], None) {
+                    seen[member] = true;
+                }
             }
         }
-        let found = next_impact::pair(self, pair, t);
-        self.pairs[pair].meets = found.meets;
-        if found.due.is_finite() {
-            self.schedule.queue.set(Self::pair(pair), found.due);
-        } else {
-            self.schedule.queue.remove(Self::pair(pair));
-        }
     }
 
-    /// A grip's planned step ends.
+    /// Counts an event; whether there are too many at this instant.
+    fn is_stuck(&mut self, t: f64) -> bool {
+        let (run, world) = (&mut self.run.last, &self.run.world);
+        *run = if run.0 == t { (t, run.1 + 1) } else { (t, 1) };
+        run.1 > EVENTS_AT_ONE_INSTANT + 4 * world.pairs.len() + 2 * world.bodies.len()
+    }
+
+    /// One instant: impulses, contact modes, trajectories from there on. Returns the slots of all bodies concerned.
+    fn act(&mut self, t: f64, seeds: &[usize], ending: Option<Ending>) -> InlineVec<usize> {
+        let mut instant = ImpactInstant::new(&self.run.world, t, seeds);
+        let slots = instant.slots.clone();
+        if t == 0.0 && self.stop_if_overlapping(&slots) {
+            return slots;
+        }
+        for (slot, state) in slots.iter().zip(instant.states.clone()) {
+            self.run.world.update_peaks(*slot, &state);
+        }
+        instant.speed_noise = instant.speed_noise.max(SPEED_ROUND_OFF_OF_RUN * self.run.world.peak_speed);
+        let energy = instant.kinematics.cluster.kinetic_energy();
+        let mut to = instant.before.clone();
+        let lost = impulses(&self.run.world, &mut self.run.record, &mut instant, &mut to);
+        resume(&mut self.run, &mut instant, &to, energy - lost, ending);
+        slots
+    }
+
+    /// Stops the run where girders overlap as placed.
+    fn stop_if_overlapping(&mut self, slots: &[usize]) -> bool {
+        let Some((pair, depth)) = overlap(&self.run.world, slots) else { return false };
+        let world = &self.run.world;
+        let name = world.model.pairs[world.pairs[pair].number].name.clone();
+        let reason = format!(
+            "it starts {depth:.3e} m inside: rigid girders cannot overlap; move it out by its initial \
+             displacement or its place, or take the contact model"
+        );
+        self.run.schedule.give_up(0.0, name, reason);
+        true
+    }
+
+    /// End of the planned step of a lasting contact.
     fn end_of_step(&mut self, number: usize, t: f64) {
-        let Some(grip) = &self.grips[number] else { return };
-        let slots = self.slots(&grip.bodies);
-        if let Some(ending) = grip.ending {
-            if let Ending::Leaves(number) = ending {
-                let first = self.sites.partition_point(|site| site.number < number);
-                self.sites[first].left = true;
-                (self.sites[first].armed, self.sites[first].kept) = (false, false);
+        let Some(contact) = &self.run.world.lasting[number] else { return };
+        let slots = self.run.world.slots(&contact.bodies);
+        let (ending, decide_anew) = (contact.ending, contact.is_frictionless());
+        if let Some(ending) = ending {
+            if let Ending::LeavesFace(number) = ending
+                && let Some(site) = self.run.world.site(number)
+            {
+                let site = &mut self.run.world.sites[site];
+                (site.beside, site.armed, site.kept) = (true, false, false);
             }
-            self.meet(t, &slots, Some(ending));
+            self.act(t, &slots, Some(ending));
             return;
         }
-        if grip.is_makeshift() {
-            self.meet(t, &slots, None);
+        if decide_anew {
+            self.act(t, &slots, None);
             return;
         }
         for &slot in &slots {
-            self.close_segment(slot, t);
+            self.run.close_segment(slot, t);
         }
-        if let Some(grip) = &mut self.grips[number] {
-            grip.commit();
+        if let Some(contact) = &mut self.run.world.lasting[number] {
+            contact.commit();
         }
         for &slot in &slots {
-            self.bodies[slot].since = t;
+            self.run.world.bodies[slot].since = t;
         }
-        self.plan(number);
-        self.seek_around(&slots, t);
+        self.run.plan(number);
+        self.run.search_around(&slots, t);
     }
 
-    /// Plans a grip's next step.
-    pub(in crate::dynamics::impact2d) fn plan(&mut self, number: usize) {
-        let Some(mut grip) = self.grips[number].take() else { return };
-        self.schedule.effort.steps += 1;
-        let [speed, reach] = self.largest;
-        let size = grip.bodies.iter().map(|&b| self.model.bodies[b].radius).fold(0.0, f64::max);
-        let tolerance = self.model.tolerance;
-        let allowed =
-            [tolerance * reach.max(1e-6 * size), tolerance * speed.max(1e-6 * size / self.model.duration.min(1.0))];
-        let duration = self.model.duration;
-        let numbers = self.model.impact;
-        // Where the run ends the last step may end, too; one that begins there has no length.
-        let cap = if grip.until < duration { duration } else { duration + 1.0 };
-        let restless = self.same.0 == grip.until && self.same.1 > RESTLESS;
-        let least = if restless { MOMENT * duration } else { 0.0 };
-        match grip.plan(&self.model, &numbers, allowed, [least, cap]) {
-            Ok(()) => {
-                self.schedule.queue.set(Self::lasting(number), grip.until);
-                self.grips[number] = Some(grip);
-            }
-            Err(reason) => {
-                let (t, place) = (grip.until, self.names(&grip.bodies));
-                self.grips[number] = Some(grip);
-                self.schedule.give_up(t, place, reason);
-            }
-        }
-    }
-
-    /// Looks for the next meetings of everybody who is in a pair with these bodies.
-    pub(in crate::dynamics::impact2d) fn seek_around(&mut self, slots: &[usize], t: f64) {
-        for pair in self.pairs_of(slots) {
-            self.seek(pair, t);
-        }
-    }
-
-    /// Pairs that these bodies are in, each once, rising.
-    pub(in crate::dynamics::impact2d) fn pairs_of(&self, slots: &[usize]) -> Few<usize> {
-        let mut pairs: Few<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        pairs
-    }
-
-    /// Slots of bodies by their numbers in the model.
-    pub(in crate::dynamics::impact2d) fn slots(&self, bodies: &[usize]) -> Few<usize> {
-        bodies.iter().filter_map(|b| self.bodies.binary_search_by_key(b, |track| track.body).ok()).collect()
-    }
-
-    /// Where a body's planned step ends; nothing in flight \[s\].
-    pub(in crate::dynamics::impact2d) fn planned(&self, slot: usize) -> Option<f64> {
-        match self.bodies[slot].now {
-            Going::Grip(grip, _) => self.grips[grip].as_ref().map(|grip| grip.until),
-            Going::Flight(_) => None,
-        }
-    }
-
-    /// Lets a flight under a record keep the states that looks up to `until` start from.
-    pub(in crate::dynamics::impact2d) fn remember(&mut self, slot: usize, until: f64) {
-        let track = &mut self.bodies[slot];
-        if let Going::Flight(flight) = &mut track.now {
-            track.system.remember(flight, until);
-        }
-    }
-
-    /// State of a body on its trajectory.
-    pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> Planar {
-        let track = &self.bodies[slot];
-        match &track.now {
-            Going::Flight(flight) => track.system.state(flight, t),
-            Going::Grip(grip, place) => self.grips[*grip].as_ref().map_or([0.0; 6], |grip| grip.state(*place, t)),
-        }
-    }
-
-    /// Pose of a body on its trajectory.
-    pub(in crate::dynamics::impact2d) fn frame(&self, slot: usize, t: f64) -> Frame {
-        self.model.bodies[self.bodies[slot].body].planar_frame(&self.state(slot, t))
-    }
-
-    /// Notes how fast and how far a body is.
-    pub(in crate::dynamics::impact2d) fn note(&mut self, slot: usize, state: &Planar) {
-        let radius = self.model.bodies[self.bodies[slot].body].radius;
-        self.largest[0] = self.largest[0].max(state[3].hypot(state[4]) + radius * state[5].abs());
-        self.largest[1] = self.largest[1].max(state[0].hypot(state[1]) + radius * state[2].abs());
-    }
-
-    /// Keeps what a body did until `t`.
-    pub(in crate::dynamics::impact2d) fn close_segment(&mut self, slot: usize, t: f64) {
-        if let Going::Grip(..) = self.bodies[slot].now {
-            // A slide may begin and end at rest.
-            for part in [0.25, 0.5, 0.75, 1.0] {
-                let state = self.state(slot, self.bodies[slot].since + part * (t - self.bodies[slot].since));
-                self.note(slot, &state);
-            }
-        }
-        let track = &mut self.bodies[slot];
-        if t <= track.since {
-            return;
-        }
-        let path = match &mut track.now {
-            Going::Flight(flight) => {
-                track.system.remember(flight, t);
-                Path::Flight(Box::new(flight.clone()))
-            }
-            Going::Grip(grip, place) => {
-                let Some(path) = self.grips[*grip].as_ref().and_then(|grip| grip.path(*place)) else { return };
-                path
-            }
-        };
-        track.segments.push(Segment { from: track.since, until: t, path });
-    }
-
-    /// Ends a grip at `t` and keeps what it was.
-    pub(in crate::dynamics::impact2d) fn end_grip(&mut self, number: usize, t: f64) {
-        self.schedule.queue.remove(Self::lasting(number));
-        if let Some(grip) = self.grips[number].take()
-            && t > grip.since
-        {
-            self.record.stays.push(Stay { from: grip.since, until: t, bodies: grip.bodies, seats: grip.seats });
-        }
-    }
-
-    /// Ends all trajectories and lasting contacts where the run has come to, and says where that is \[s\].
+    /// Ends all trajectories and lasting contacts; returns the time reached \[s\].
     pub(in crate::dynamics) fn end(&mut self) -> f64 {
-        let end = self.schedule.reached(self.model.duration);
-        for slot in 0..self.bodies.len() {
-            self.close_segment(slot, end);
+        let end = self.run.schedule.reached(self.run.world.model.duration);
+        for slot in 0..self.run.world.bodies.len() {
+            self.run.close_segment(slot, end);
         }
-        for number in 0..self.grips.len() {
-            self.end_grip(number, end);
+        for number in 0..self.run.world.lasting.len() {
+            self.run.end_lasting(number, end);
         }
         end
+    }
+
+    /// Bodies with their paths, log, and progress.
+    pub(in crate::dynamics) fn into_parts(self) -> (Vec<BodyTrack>, Record, Schedule) {
+        let Run { world, record, schedule, .. } = self.run;
+        (world.bodies, record, schedule)
     }
 }
 
 impl Mechanics for Engine {
     fn schedule(&self) -> &Schedule {
-        &self.schedule
+        &self.run.schedule
     }
 
     fn schedule_mut(&mut self) -> &mut Schedule {
-        &mut self.schedule
+        &mut self.run.schedule
     }
 
     fn duration(&self) -> f64 {
-        self.model.duration
+        self.run.world.model.duration
     }
 
     fn exceeds_bounds(&mut self, t: f64) -> bool {
-        self.schedule.work > WORK.saturating_mul(self.bodies.len()) || self.too_many_at(t)
+        let most = WORK_PER_BODY.saturating_mul(self.run.world.bodies.len());
+        self.run.schedule.work > most || self.is_stuck(t)
     }
 
     fn excess(&self, source: Source) -> (String, String) {
-        let place = if source.rank == Self::pair(0).rank {
-            self.model.pairs[self.pairs[source.number].number].name.clone()
+        let world = &self.run.world;
+        let place = if source == Run::pair(source.number) {
+            world.model.pairs[world.pairs[source.number].number].name.clone()
         } else {
-            self.grips[source.number].as_ref().map_or(String::new(), |grip| self.names(&grip.bodies))
+            world.lasting[source.number].as_ref().map_or(String::new(), |contact| world.names(&contact.bodies))
         };
         let reason = format!(
             "{} hits, searches and steps, {} of them at this instant, lead nowhere; a larger stop_speed_m_s or a lower \
              restitution_normal would end it, or the contact model",
-            self.schedule.work, self.same.1
+            self.run.schedule.work, self.run.last.1
         );
         (place, reason)
     }
 
     fn handle(&mut self, source: Source, t: f64) {
-        if source.rank != Self::pair(0).rank {
-            self.end_of_step(source.number, t);
-        } else if self.pairs[source.number].meets {
-            let slots: Few<usize> = self.pairs[source.number].slots.into_iter().flatten().collect();
-            self.meet(t, &slots, None);
+        let number = source.number;
+        if source != Run::pair(number) {
+            self.end_of_step(number, t);
+        } else if self.run.world.pairs[number].impact_due {
+            let slots: InlineVec<usize> = self.run.world.pairs[number].slots.into_iter().flatten().collect();
+            self.act(t, &slots, None);
         } else {
-            self.seek(source.number, t);
+            self.run.search(number, t);
         }
     }
 
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {
-        self.bodies.iter().enumerate().map(|(slot, track)| (track.body, self.state(slot, t).to_vec())).collect()
+        let world = &self.run.world;
+        world.bodies.iter().enumerate().map(|(slot, track)| (track.body, world.state(slot, t).to_vec())).collect()
+    }
+}
+
+/// Disarms points that start behind the plane of their face: they hit after they have been in front of it.
+fn disarm_points_behind(world: &mut World) {
+    for pair in 0..world.pairs.len() {
+        let near = TOUCH * world.radius(pair);
+        for site in world.pairs[pair].sites.clone() {
+            let point = world.point(site, pair, 0.0);
+            if point.gap < near && !world.touches(site, pair, &point) {
+                let depth = world.model.contacts[world.sites[site].number].face.depth;
+                let beside = point.inset < 0.0 || -point.gap >= depth;
+                (world.sites[site].armed, world.sites[site].beside) = (false, beside);
+            }
+        }
+    }
+}
+
+/// A pair of these bodies that overlaps at t = 0, and by how much \[m\].
+fn overlap(world: &World, slots: &[usize]) -> Option<(usize, f64)> {
+    for &slot in slots {
+        for &pair in &world.bodies[slot].pairs {
+            let depth = |site: usize| {
+                let point = world.point(site, pair, 0.0);
+                let within = -point.gap < world.model.contacts[world.sites[site].number].face.depth;
+                if point.inset >= 0.0 && within { -point.gap } else { 0.0 }
+            };
+            let deepest = world.pairs[pair].sites.clone().map(depth).fold(0.0, f64::max);
+            if deepest > TOUCH * world.radius(pair) {
+                return Some((pair, deepest));
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::event_loop::mechanics::advance;
+    use crate::dynamics::impact2d::State;
+    use crate::dynamics::run::{Finished, Run as _};
+    use crate::scene::format;
+
+    /// Girders of 2 kg without bearings, one behind the other's back, each before a wall of its own at this gap \[m\].
+    fn model(count: usize, gap: f64, speed: f64, e_n: f64) -> Arc<Model> {
+        let head = format!(
+            "name = \"walls\"\nduration_s = 0.1\n[model]\nkind = \"impact\"\n[impact]\nrestitution_normal = {e_n:?}\n"
+        );
+        let girder = |i: usize| {
+            format!(
+                r#"
+                [[girder]]
+                name = "deck{i}"
+                length_m = 0.19
+                width_m = 0.07
+                thickness_m = 0.02
+                mass_kg = 2.0
+                position_m = [{:?}, 0.0, 0.0]
+                initial = {{ velocity_m_s = [{speed:?}, 0.0] }}
+                [[abutment]]
+                name = "wall{i}"
+                faces = "deck{i}"
+                end = "+x"
+                gap_m = {gap:?}
+                "#,
+                10.0 * i as f64
+            )
+        };
+        let text = head + &(0..count).map(girder).collect::<String>();
+        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        Arc::new(model)
+    }
+
+    fn finished(model: &Arc<Model>, group: usize) -> Finished {
+        let mut engine = Engine::new(model, group);
+        advance(&mut engine, model.duration);
+        Box::new(engine).finish()
+    }
+
+    fn record(finished: &Finished) -> &Record {
+        finished.record.as_ref().expect("the log of the impact model")
+    }
+
+    #[test]
+    fn a_free_girder_hits_once_and_comes_back_with_its_restitution() {
+        let model = model(1, 0.003, 0.25, 0.4);
+        let mut engine = Engine::new(&model, 0);
+        advance(&mut engine, 0.05);
+        let (_, state) = Mechanics::states(&engine, 0.05).pop().expect("one body");
+        let expected = 0.003 - 0.1 * (0.05 - 0.012);
+        assert!((state[0] - expected).abs() < 1e-15 && (state[3] + 0.1).abs() < 1e-15, "{state:?}");
+        let end = finished(&model, 0);
+        assert_eq!((record(&end).hits.len(), end.end), (1, 0.1), "one hit, to the end");
+        let hit = &record(&end).hits[0];
+        let lost = 0.5 * 2.0 * 0.25 * 0.25 * (1.0 - 0.16);
+        assert!((hit.t - 0.012).abs() < 1e-15 && (hit.impulses.lost - lost).abs() < 1e-15, "{hit:?}");
+        assert_eq!(record(&end).state(0, 0.05), State::Free, "b");
+    }
+
+    #[test]
+    fn groups_after_the_first_run_alike() {
+        let model = model(2, 0.003, 0.25, 0.4);
+        assert_eq!(model.groups.len(), 2, "girders that never meet");
+        let [first, second] = [0, 1].map(|group| finished(&model, group));
+        assert_eq!(record(&second).hits.len(), 1, "its own wall");
+        let later = (record(&second).hits[0].t - record(&first).hits[0].t).abs();
+        assert!(later < 1e-13, "at the same time but for the round-off of its place, {later} s");
+        assert_eq!(record(&second).hits[0].pair, 1, "numbers are those of the model");
+    }
+
+    #[test]
+    fn an_overlap_stops_the_run_before_it_begins() {
+        let mut scene = crate::scene::presets::load("straight-abutment").expect("a preset");
+        scene.abutments[0].gap = Some(0.0);
+        scene.girders[0].initial.displacement = [1e-3, 0.0, 0.0];
+        let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
+        let end = finished(&model, 0);
+        let stop = end.stop.expect("a reason");
+        assert!(stop.t == 0.0 && stop.reason.contains("1.000e-3 m inside"), "{stop:?}");
+    }
+
+    #[test]
+    fn a_plastic_hit_without_force_rests_at_the_wall() {
+        let end = finished(&model(1, 0.0025, 0.25, 0.0), 0);
+        assert_eq!(record(&end).hits.len(), 1, "no bounce");
+        let states: Vec<State> = record(&end).transitions.iter().map(|change| change.to).collect();
+        assert!(!states.is_empty() && record(&end).state(0, 0.1) != State::FreeTurning, "{states:?}");
     }
 }

@@ -4,29 +4,37 @@
 //! and girder against girder by the same impulses with the levers of both bodies. Free flight, rest and a face that slides
 //! along a wall are closed forms; hits are located to round-off.
 //!
-//! - [`impulse`]: impulses of a corner (26)–(43), of a face (44)–(48), and of several contacts at once.
+//! - [`delassus`]: velocities at a contact point per unit impulse; [`kinematics`]: poses and free accelerations.
+//! - [`impulse`]: impulses of a corner (26)–(43), of a face (44)–(48), and of several contacts at one instant.
 //! - [`lasting`]: constrained motion of states c–f (7)–(25), contact modes (Tables 4–7), integration between changes.
-//! - [`closing`]: the next impact of a pair.
-//! - [`delassus`]: velocities at a contact point per unit impulse; [`instant`]: contacts and impulses of one instant;
-//!   [`after_impact`]: contacts and trajectories from there on.
-//! - [`state`]: the six states and the rows of Tables 4–10; [`record`]: what a run logs; [`engine`]: the event loop.
+//! - `closing`: the next impact of a pair.
+//! - `instant`: bodies and contacts of one instant; `after_impact`: modes and trajectories from there on.
+//! - [`state`], [`tables`]: the six states and the rows of Tables 4–10; [`record`]: the log of a run.
+//! - [`engine`]: the event loop, over `run` (queue and log), `world` (state) and `tracks` (data of bodies and pairs).
+//! - `constants`: every tolerance and count.
 //!
 //! Left out: the spread of a contact force along an elastic face, waves, and the duration of a hit.
 
 mod after_impact;
 mod closing;
+mod constants;
 pub mod delassus;
-mod dense;
 pub mod engine;
 pub mod impulse;
 mod instant;
+pub mod kinematics;
 pub mod lasting;
+mod projection;
 pub mod record;
+mod run;
 pub mod state;
+pub mod tables;
 mod tracks;
+mod world;
 
-/// A list of what an instant concerns: mostly one girder or two, and as many points.
-pub type Few<T> = smallvec::SmallVec<[T; 2]>;
+pub use record::{Hit, LastingInterval, Record, Transition};
+pub use state::State;
+pub use tables::Row;
 
-pub use record::{Hit, Record, Stay, Transition};
-pub use state::{Row, State};
+/// A list that holds two entries without allocation: an instant mostly concerns one girder or two, and as many points.
+pub type InlineVec<T> = smallvec::SmallVec<[T; 2]>;

@@ -1,15 +1,16 @@
-//! What a run of the impact model leaves beside its paths: hits, transitions, lasting contacts.
+//! Log of a run of the impact model: hits, changes of state, intervals of lasting contact.
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::impulse::corner::Second;
-use crate::dynamics::impact2d::lasting::constrained_motion::Seat;
-use crate::dynamics::impact2d::state::{Row, State};
+use crate::dynamics::impact2d::impulse::collision::HitImpulses;
+use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
+use crate::dynamics::impact2d::state::State;
+use crate::dynamics::impact2d::tables::Row;
 
 /// A hit of a pair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hit {
-    /// When \[s\].
+    /// \[s\].
     pub t: f64,
     /// The pair, its number in the model.
     pub pair: usize,
@@ -17,46 +18,27 @@ pub struct Hit {
     pub sites: Vec<usize>,
     /// Where the first impulse acted, world \[m\].
     pub point: DVec2,
-    /// Unit normal, from the second side towards the first.
-    pub normal: DVec2,
-    /// `[v_n, v_s]` there before \[m/s\].
-    pub approach: [f64; 2],
-    /// `ζ` (44), from the middle of the face along `ẑ × normal`; 0 at a corner \[m\].
-    pub offset: f64,
-    /// `[P_n, P_s]` of the first impulse, on the first side \[N·s\].
-    pub first: [f64; 2],
-    /// The second impulse, and the declared contact where it acted.
-    pub second: Option<(usize, Second)>,
-    /// `[P_n, P_s]` of a last impulse along a whole face \[N·s\].
-    pub last: Option<[f64; 2]>,
-    /// Energy lost \[J\].
-    pub lost: f64,
+    /// Impulses, and the energy that they took.
+    pub impulses: HitImpulses,
     /// State of the first side's girder before.
     pub from: State,
     /// Its state after the hit.
     pub to: State,
-    /// The row of Tables 8–10 that fired; nothing for hits that they do not know.
+    /// The row of Tables 8–10; none for hits that the tables do not cover.
     pub row: Option<Row>,
 }
 
 impl Hit {
-    /// `[P_n, P_s]` of all impulses \[N·s\].
-    pub fn total(&self) -> [f64; 2] {
-        let second = self.second.map_or([0.0; 2], |(_, s)| s.impulse);
-        let last = self.last.unwrap_or([0.0; 2]);
-        [0, 1].map(|i| self.first[i] + second[i] + last[i])
-    }
-
     /// Whether a whole face was hit.
     pub fn is_flush(&self) -> bool {
         self.sites.len() > 1
     }
 }
 
-/// A girder goes from one state to another without a hit, or by one.
+/// A girder goes from one state to another, with a hit or without.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transition {
-    /// When \[s\].
+    /// \[s\].
     pub t: f64,
     /// The girder, its number in the model.
     pub body: usize,
@@ -66,35 +48,35 @@ pub struct Transition {
     pub from: State,
     /// After.
     pub to: State,
-    /// The row of Tables 4–7 that fired, where no hit did it.
+    /// The row of Tables 4–10.
     pub row: Option<Row>,
-    /// Energy that coming to rest below the stop speed took \[J\].
+    /// Energy lost besides hits, in coming to rest below the stop speed \[J\].
     pub lost: f64,
 }
 
-/// Bodies in lasting contact, from one change to the next.
+/// Bodies in lasting contact, between two changes of any contact mode.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stay {
-    /// From \[s\].
+pub struct LastingInterval {
+    /// \[s\].
     pub from: f64,
-    /// Until \[s\].
+    /// \[s\].
     pub until: f64,
     /// The girders, numbers in the model, rising.
     pub bodies: Vec<usize>,
-    /// What touches, and how.
-    pub seats: Vec<Seat>,
+    /// Contact modes.
+    pub modes: Vec<ContactMode>,
 }
 
-/// What the impact model did.
+/// Log of one run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record {
     /// Hits in order of time.
     pub hits: Vec<Hit>,
     /// Changes of state in order of time; each girder's first is its state at the start.
     pub transitions: Vec<Transition>,
-    /// Lasting contacts in order of their start.
-    pub stays: Vec<Stay>,
-    /// Where the answer ends \[s\].
+    /// Intervals of lasting contact in order of their start.
+    pub lasting: Vec<LastingInterval>,
+    /// Time reached \[s\].
     pub end: f64,
 }
 
@@ -107,24 +89,70 @@ impl Record {
     }
 
     /// Lasting contacts at `t` \[s\].
-    pub fn stays_at(&self, t: f64) -> impl Iterator<Item = &Stay> {
-        let started = self.stays.partition_point(|stay| stay.from <= t);
-        self.stays[..started].iter().filter(move |stay| t < stay.until || (t >= self.end && stay.until >= self.end))
+    pub fn lasting_at(&self, t: f64) -> impl Iterator<Item = &LastingInterval> {
+        let started = self.lasting.partition_point(|interval| interval.from <= t);
+        let lasts =
+            move |interval: &&LastingInterval| t < interval.until || (t >= self.end && interval.until >= self.end);
+        self.lasting[..started].iter().filter(lasts)
     }
 
-    /// The records of all groups in one, in order of time, up to `end` \[s\].
+    /// The logs of all groups in one, in order of time, up to `end` \[s\].
     #[must_use]
     pub fn together(records: Vec<Self>, end: f64) -> Self {
         let mut all = Self { end, ..Self::default() };
         for record in records {
             all.hits.extend(record.hits.into_iter().filter(|hit| hit.t <= end));
             all.transitions.extend(record.transitions.into_iter().filter(|change| change.t <= end));
-            let cut = |stay: Stay| Stay { until: stay.until.min(end), ..stay };
-            all.stays.extend(record.stays.into_iter().filter(|stay| stay.from < end).map(cut));
+            let cut = |interval: LastingInterval| LastingInterval { until: interval.until.min(end), ..interval };
+            all.lasting.extend(record.lasting.into_iter().filter(|interval| interval.from < end).map(cut));
         }
         all.hits.sort_by(|a, b| a.t.total_cmp(&b.t));
         all.transitions.sort_by(|a, b| a.t.total_cmp(&b.t));
-        all.stays.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all.lasting.sort_by(|a, b| a.from.total_cmp(&b.from));
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn change(t: f64, body: usize, to: State) -> Transition {
+        Transition { t, body, pair: None, from: State::Free, to, row: None, lost: 0.0 }
+    }
+
+    fn interval(from: f64, until: f64) -> LastingInterval {
+        LastingInterval { from, until, bodies: vec![0], modes: Vec::new() }
+    }
+
+    #[test]
+    fn the_state_is_that_of_the_last_change_of_the_girder() {
+        let transitions =
+            vec![change(0.0, 0, State::Free), change(1.0, 0, State::Resting), change(2.0, 1, State::Sliding)];
+        let record = Record { transitions, end: 3.0, ..Record::default() };
+        assert_eq!(record.state(0, 0.5), State::Free, "before the change");
+        assert_eq!(record.state(0, 1.0), State::Resting, "at the change");
+        assert_eq!(record.state(0, 2.5), State::Resting, "another girder's change");
+    }
+
+    #[test]
+    fn intervals_are_half_open_but_for_the_end_of_the_run() {
+        let record = Record { lasting: vec![interval(0.0, 1.0), interval(1.0, 2.0)], end: 2.0, ..Record::default() };
+        let count = |t: f64| record.lasting_at(t).count();
+        assert_eq!([count(0.5), count(1.0), count(2.0), count(-0.1)], [1, 1, 1, 0], "one at a time");
+    }
+
+    #[test]
+    fn logs_of_groups_are_merged_in_order_and_cut_at_the_end() {
+        let one = Record { lasting: vec![interval(0.5, 3.0), interval(2.5, 3.0)], ..Record::default() };
+        let other = Record {
+            transitions: vec![change(0.0, 1, State::Free), change(2.1, 1, State::Free)],
+            lasting: vec![interval(0.1, 0.2)],
+            ..Record::default()
+        };
+        let all = Record::together(vec![one, other], 2.0);
+        assert_eq!(all.transitions.len(), 1, "a change after the end");
+        let spans: Vec<_> = all.lasting.iter().map(|i| (i.from, i.until)).collect();
+        assert_eq!(spans, [(0.1, 0.2), (0.5, 2.0)], "sorted and cut");
     }
 }

@@ -1,81 +1,84 @@
-//! What the event loop knows of each body, pair and declared contact.
+//! Data of each body, pair and declared contact of a group during a run of the impact model.
 
 use crate::dynamics::free_flight::flight::{Flight, System};
 use crate::dynamics::impact2d::State;
-use crate::dynamics::impact2d::closing::gap_derivatives::Aim;
+use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::trajectory::segment::Segment;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
-/// What a body does now.
+/// The motion in force.
 #[derive(Clone, Debug)]
-pub(in crate::dynamics) enum Going {
-    /// It flies.
+pub(in crate::dynamics) enum Motion {
+    /// Free flight.
     Flight(Flight),
-    /// It is in lasting contact, at a place of that grip.
-    Grip(usize, usize),
+    /// Lasting contact: its number, and the place of the body in it.
+    Lasting(usize, usize),
 }
 
 /// A body of the group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct BodyTrack {
-    /// Its number in the model.
+    /// Number in the model.
     pub body: usize,
-    /// Its free motion.
+    /// Free motion.
     pub system: System,
-    /// What it does now.
-    pub now: Going,
-    /// What it did.
+    /// Motion in force.
+    pub motion: Motion,
+    /// Motion so far.
     pub segments: Vec<Segment>,
-    /// Where the segment in hand begins \[s\].
+    /// Start of the motion in force \[s\].
     pub since: f64,
-    /// Its state among a–f.
+    /// State among a–f.
     pub state: State,
-    /// The pairs it is in.
+    /// Pairs of the body.
     pub pairs: Vec<usize>,
 }
 
 /// A pair of the group.
 #[derive(Debug)]
-pub(in crate::dynamics) struct PairTrack {
-    /// Its number in the model.
+pub(in crate::dynamics::impact2d) struct PairTrack {
+    /// Number in the model.
     pub number: usize,
-    /// Slots of its bodies; nothing for an abutment.
+    /// Slots of its bodies; none for an abutment.
     pub slots: [Option<usize>; 2],
     /// Its declared contacts.
     pub sites: std::ops::Range<usize>,
-    /// Whether it is met when it is due, or searched on.
-    pub meets: bool,
+    /// Whether the event that is due is an impact; else the search goes on then.
+    pub impact_due: bool,
 }
 
 /// A declared contact of the group.
 #[derive(Debug)]
-#[expect(clippy::struct_excessive_bools, reason = "each says another thing about one point")]
-pub(in crate::dynamics) struct SiteTrack {
-    /// Its number in the model.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "independent conditions of one point, each set and cleared by another event"
+)]
+pub(in crate::dynamics::impact2d) struct SiteTrack {
+    /// Number in the model.
     pub number: usize,
-    /// Which side of the pair owns the node, and which the face; nothing for an abutment.
+    /// Which side of the pair owns the node, and which the face; none for an abutment.
     pub sides: [Option<usize>; 2],
-    /// Where its two sides stand as placed.
+    /// Lengths of the contact as placed.
     pub spot: SiteGeometry,
-    /// The same in plan.
-    pub aim: Aim,
+    /// Geometry of the contact as placed, in plan.
+    pub geometry: PlanarSite,
     /// Whether it is in lasting contact.
     pub kept: bool,
-    /// Whether its next crossing counts.
+    /// Whether its next crossing of the face is an impact.
     pub armed: bool,
-    /// Whether it has lifted off without speed.
+    /// Whether it has lifted off without normal speed.
     pub lifted: bool,
-    /// Whether it has gone over the edge of the face, and is not in front of it again.
-    pub left: bool,
-    /// When it comes out in front of the face on the trajectories in force \[s\].
-    pub out: Option<f64>,
-    /// How far behind the face a point that has lifted off is met again \[m\].
-    pub sink: f64,
+    /// Whether it is behind the plane of the face beside the face, and has not been in front since.
+    pub beside: bool,
+    /// When it is in front of the face again on the trajectories in force \[s\].
+    pub in_front_at: Option<f64>,
+    /// Depth behind the face at which a point that has lifted off hits again \[m\].
+    pub depth: f64,
 }
 
 impl SiteTrack {
-    /// It is in front of the face: its next crossing counts.
-    pub(in crate::dynamics) fn arm(&mut self) {
-        (self.armed, self.lifted, self.left) = (true, false, false);
+    /// Arms a point that is in front of its face: its next crossing is an impact.
+    pub(in crate::dynamics::impact2d) fn arm(&mut self) {
+        (self.armed, self.lifted, self.beside) = (true, false, false);
     }
 }

@@ -186,6 +186,29 @@ pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> b
     true
 }
 
+/// Solves `A x = b` for `A_rc = entry(r, c)`, `b_r = right(r)`; none where a number is not finite. Where `A` is singular,
+/// `compliance` times its largest entry is added to the diagonal: redundant rows share the load equally.
+pub(in crate::dynamics) fn solve_regularised(
+    size: usize,
+    entry: impl Fn(usize, usize) -> f64,
+    right: impl Fn(usize) -> f64,
+    compliance: f64,
+) -> Option<Vec<f64>> {
+    let b: Vec<f64> = (0..size).map(right).collect();
+    let mut x = vec![0.0; size];
+    let mut lu = Lu::default();
+    let largest = (0..size * size).map(|i| entry(i / size, i % size).abs()).fold(0.0, f64::max);
+    let added = compliance * largest;
+    if !lu.factor(size, &entry) || lu.least_pivot() <= added {
+        let regular = |r: usize, c: usize| entry(r, c) + if r == c { added } else { 0.0 };
+        if !lu.factor(size, regular) {
+            return None;
+        }
+    }
+    lu.solve(&b, &mut x);
+    x.iter().all(|v| v.is_finite()).then_some(x)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -227,5 +250,16 @@ mod tests {
     fn a_singular_matrix_is_refused() {
         assert!(!Lu::<f64>::default().factor(3, |i, _| i as f64), "equal columns");
         assert!(!Lu::<f64>::default().factor(2, |_, _| f64::NAN), "not numbers");
+    }
+
+    #[test]
+    fn a_singular_system_is_solved_with_shared_loads_and_a_regular_one_exactly() {
+        let regular = [[4.0, 1.0], [1.0, 3.0]];
+        let x = solve_regularised(2, |r, c| regular[r][c], |r| [1.0, 2.0][r], 1e-12).expect("finite");
+        assert!((x[0] - 1.0 / 11.0).abs() < 1e-15 && (x[1] - 7.0 / 11.0).abs() < 1e-15, "{x:?}");
+        let x = solve_regularised(2, |_, _| 2.0, |_| 6.0, 1e-12).expect("finite");
+        assert!((x[0] - 1.5).abs() < 1e-3 && (x[0] + x[1] - 3.0).abs() < 1e-11, "two equal rows share: {x:?}");
+        assert_eq!(solve_regularised(2, |_, _| 0.0, |_| 1.0, 1e-12), None, "nothing can move");
+        assert_eq!(solve_regularised(0, |_, _| 0.0, |_| 1.0, 1e-12), Some(Vec::new()), "no unknown");
     }
 }

@@ -55,14 +55,14 @@ fn examine(seeds: u64, most: f64) -> [usize; 3] {
         if ledger.residual.abs() > (1e-5 * scale).max(LITTLE) {
             unbalanced.push((seed, ledger.residual, scale));
         }
-        let made = record.hits.iter().map(|hit| -hit.lost).fold(0.0, f64::max);
+        let made = record.hits.iter().map(|hit| -hit.impulses.lost).fold(0.0, f64::max);
         assert!(made <= 1e-12 * scale, "seed {seed}: a hit made {made} J");
         let deep = driven_in(&history);
         assert!(deep <= DEEP, "seed {seed}: {deep:e} of a face deep");
         // Who starts inside another cannot be computed; everybody else comes to the end.
         let early = history.stop().filter(|stop| !stop.reason.contains("it starts"));
         assert!(early.is_none(), "seed {seed}: {early:?}");
-        for (count, more) in counts.iter_mut().zip([1, record.hits.len(), record.stays.len()]) {
+        for (count, more) in counts.iter_mut().zip([1, record.hits.len(), record.lasting.len()]) {
             *count += more;
         }
     }

@@ -36,7 +36,7 @@ fn hits(case: &Case, history: &History) {
     let record = history.impact().expect("the impact model computed it");
     let mass = case.scene.girders[0].mass;
     for (ours, theirs) in record.hits.iter().zip(&case.hits) {
-        let [normal, tangential] = ours.first.map(|p| p / mass);
+        let [normal, tangential] = ours.impulses.first.map(|p| p / mass);
         assert!(
             (ours.t - theirs.t).abs() < 2e-9
                 && ours.is_flush() == theirs.flush

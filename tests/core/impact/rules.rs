@@ -2,9 +2,9 @@
 
 use crate::support::within;
 use girderbench::dynamics::impact2d::State;
-use girderbench::dynamics::impact2d::delassus::{Cluster, Point};
-use girderbench::dynamics::impact2d::impulse::collision::{Edge, Rules, strike};
-use girderbench::dynamics::impact2d::impulse::corner::{Coefficients, first, second};
+use girderbench::dynamics::impact2d::delassus::{Cluster, ContactPoint};
+use girderbench::dynamics::impact2d::impulse::collision::{ContactManifold, ImpactLaw, collide};
+use girderbench::dynamics::impact2d::impulse::corner::{Coefficients, first_impulse, second_impulse};
 use girderbench::dynamics::impact2d::impulse::face::centroid;
 use girderbench::scene::{Flush, ImpactSettings};
 use glam::{DVec2, DVec3};
@@ -27,8 +27,8 @@ impl Dice {
 }
 
 /// A point on a wall with this normal, at this lever from the girder's G.
-fn at_wall(arm: DVec2, n: DVec2) -> Point {
-    Point {
+fn at_wall(arm: DVec2, n: DVec2) -> ContactPoint {
+    ContactPoint {
         bodies: [Some(0), None],
         n,
         s: n.perp(),
@@ -82,7 +82,7 @@ fn a_corner_hit_is_29_and_31_as_printed() {
         let (e_x, e_y) = (dice.next(), dice.between(-1.0, 1.0));
         let mut cluster = girder(g.i2, DVec3::new(x, y, w));
         let numbers = Coefficients { e_n: e_x, e_t: e_y, mu_s: 0.2, mu_k: 0.15 };
-        let ([p_n, p_s], _) = first(&mut cluster, &at_wall(g.arm(), DVec2::NEG_X), &numbers);
+        let ([p_n, p_s], _) = first_impulse(&mut cluster, &at_wall(g.arm(), DVec2::NEG_X), &numbers);
         let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
         let q_x = -(1.0 + e_x) * (x + g.sign * w * r * sin) / (1.0 + r * r * sin * sin / g.i2);
         let q_y = -(1.0 + e_y) * (y + w * r * cos + g.sign * r * r * cos * sin / g.i2 * q_x)
@@ -109,7 +109,7 @@ fn a_second_impulse_is_35_37_39_or_43_as_printed() {
         let v_s = cluster.speeds(&point)[1];
         let energy = |c: &Cluster| 0.5 * (c.velocity[0].truncate().length_squared() + g.i2 * c.velocity[0].z.powi(2));
         let before = energy(&cluster);
-        let again = second(&mut cluster, &point, &numbers);
+        let again = second_impulse(&mut cluster, &point, &numbers);
         assert!(energy(&cluster) <= before * (1.0 + 1e-14), "no energy is added");
         let (r, sin, cos) = (g.r, g.omega.sin(), g.omega.cos());
         let after = cluster.velocity[0];
@@ -187,26 +187,33 @@ fn no_hit_adds_energy_and_none_leaves_a_point_driven_in() {
             flush: if round % 2 == 0 { Flush::Paper } else { Flush::TwoCorner },
             ..ImpactSettings::default()
         };
-        let hush = cluster.rounding(&points);
-        let rules = Rules { numbers: &numbers, hush, dead: false };
-        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
+        let speed_noise = cluster.speed_round_off(&points);
+        let law = ImpactLaw { numbers: &numbers, speed_noise, inelastic: false };
+        let manifold =
+            ContactManifold { pair: 0, sites: (0..points.len()).collect(), points: points.iter().copied().collect() };
         let mut after = cluster.clone();
-        let blow = strike(&mut after, &edge, State::FreeTurning, &rules);
+        let collision = collide(&mut after, &manifold, State::FreeTurning, &law);
         // Held by more than friction.
         let beyond = |p: [f64; 2]| p[1].abs() > mu_s * p[0] * (1.0 + 1e-9);
-        let edge = blow.landing.flush && round % 2 == 1 && beyond(blow.first);
-        jammed += usize::from(edge || blow.second.is_some_and(|(_, again)| again.held && beyond(again.impulse)));
-        faces += usize::from(blow.landing.flush);
+        let edge = collision.conditions.flush && round % 2 == 1 && beyond(collision.impulses.first);
+        jammed += usize::from(
+            edge || collision.impulses.second.is_some_and(|(_, again)| again.held && beyond(again.impulse)),
+        );
+        faces += usize::from(collision.conditions.flush);
         let energy = |c: &Cluster| {
             let body = |(v, i): (&DVec3, &DVec3)| (0..3).map(|k| 0.5 * v[k] * v[k] / i[k]).sum::<f64>();
             c.velocity.iter().zip(&c.inverse).map(body).sum::<f64>()
         };
         let (start, end) = (energy(&cluster), energy(&after));
-        assert!(end <= start * (1.0 + 1e-12), "round {round}: {start} J became {end} J: {blow:?}");
-        assert!((start - end - blow.lost).abs() <= 1e-12 * start, "round {round}: {} J lost", blow.lost);
-        if blow.landing.flush || points.len() == 1 {
+        assert!(end <= start * (1.0 + 1e-12), "round {round}: {start} J became {end} J: {collision:?}");
+        assert!(
+            (start - end - collision.impulses.lost).abs() <= 1e-12 * start,
+            "round {round}: {} J lost",
+            collision.impulses.lost
+        );
+        if collision.conditions.flush || points.len() == 1 {
             let least = points.iter().map(|p| after.speed(p, p.n)).fold(f64::INFINITY, f64::min);
-            assert!(least >= -10.0 * hush, "round {round}: {least} m/s into the wall: {blow:?}");
+            assert!(least >= -10.0 * speed_noise, "round {round}: {least} m/s into the wall: {collision:?}");
         }
     }
     assert!(faces > 1000, "{faces} hits along a face");

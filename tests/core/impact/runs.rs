@@ -138,7 +138,10 @@ fn a_girder_that_bounces_under_a_constant_pull_comes_to_rest_as_the_closed_form_
         let (mut t, mut v) = ((2.0f64 * gap / pull).sqrt(), (2.0f64 * gap * pull).sqrt());
         let record = history.impact().expect("the impact model");
         for hit in &record.hits {
-            assert!((hit.t - t).abs() < 1e-12 && (hit.approach[0] + v).abs() < 1e-11, "e = {e}: {hit:?} at {t}");
+            assert!(
+                (hit.t - t).abs() < 1e-12 && (hit.impulses.approach[0] + v).abs() < 1e-11,
+                "e = {e}: {hit:?} at {t}"
+            );
             v *= e;
             t += 2.0 * v / pull;
         }
@@ -302,9 +305,9 @@ fn a_slow_face_is_met_smoothly_and_lasting_contact_reaches_the_end() {
     deck.push.force = [1.0, 0.0, 0.0];
     let history = run(&scene(deck, 1e-6, 0.5, ImpactSettings::default()));
     let record = history.impact().expect("the impact model");
-    let slow = record.hits.iter().find(|hit| hit.approach[0].abs() < 1e-4);
+    let slow = record.hits.iter().find(|hit| hit.impulses.approach[0].abs() < 1e-4);
     if let Some(hit) = slow {
-        assert_eq!((hit.first[1], hit.offset), (0.0, 0.0), "e_t = −1 and ζ = 0 below the stop speed");
+        assert_eq!((hit.impulses.first[1], hit.impulses.offset), (0.0, 0.0), "e_t = −1 and ζ = 0 below the stop speed");
     }
     let end = history.end();
     assert!(record.state(0, end).touches(), "still on the wall");

@@ -1,10 +1,11 @@
 //! Every row of the paper's Tables 4–10, each by a state that was made for it.
 
 use girderbench::dynamics::Model;
-use girderbench::dynamics::impact2d::delassus::{Cluster, Point};
-use girderbench::dynamics::impact2d::impulse::collision::{Edge, Rules, strike};
-use girderbench::dynamics::impact2d::lasting::constrained_motion::{Scenery, Seat};
-use girderbench::dynamics::impact2d::lasting::mode_selection::{Candidate, RuledOut, decide};
+use girderbench::dynamics::impact2d::delassus::{Cluster, ContactPoint};
+use girderbench::dynamics::impact2d::impulse::collision::{ContactManifold, ImpactLaw, collide};
+use girderbench::dynamics::impact2d::kinematics::Kinematics;
+use girderbench::dynamics::impact2d::lasting::constrained_motion::ContactMode;
+use girderbench::dynamics::impact2d::lasting::mode_selection::{Candidate, Excluded, select_modes};
 use girderbench::dynamics::impact2d::{Row, State};
 use girderbench::scene::{ImpactSettings, format};
 use glam::{DVec2, DVec3};
@@ -55,25 +56,25 @@ fn row_between(from: State, held: &Held) -> Option<Row> {
     // The corner stays at the wall.
     let x = A - r * (alpha - held.theta.abs()).cos();
     let state = [x, 0.0, held.theta, 0.0, held.v_y, 0.0];
-    let scenery = Scenery::new(&model, &[0], &[state], DVec3::ZERO);
-    let touching: Vec<(usize, Point)> =
-        (0..2).map(|site| (site, scenery.point(&model, site))).filter(|(_, p)| p.gap.abs() < 1e-12).collect();
+    let kinematics = Kinematics::new(&model, &[0], &[state], DVec3::ZERO);
+    let touching: Vec<(usize, ContactPoint)> =
+        (0..2).map(|site| (site, kinematics.point(&model, site))).filter(|(_, p)| p.gap.abs() < 1e-12).collect();
     let mut touching = touching;
     touching.sort_by(|a, b| a.1.along.total_cmp(&b.1.along));
-    let (sites, points): (Vec<usize>, Vec<Point>) = touching.into_iter().unzip();
-    let slides = scenery.cluster.speeds(&points[0])[1];
+    let (sites, points): (Vec<usize>, Vec<ContactPoint>) = touching.into_iter().unzip();
+    let slides = kinematics.cluster.speeds(&points[0])[1];
     let candidate = Candidate {
         pair: 0,
         sites,
         points,
-        slides: if slides == 0.0 { 0.0 } else { slides.signum() },
-        stays_or_leaves: false,
-        ruled_out: RuledOut { held: held.broke, site: None },
+        slip: if slides == 0.0 { 0.0 } else { slides.signum() },
+        stick_or_open: false,
+        excluded: Excluded { stick: held.broke, site: None },
     };
     let numbers = ImpactSettings { mu_static: held.mu[0], mu_kinetic: held.mu[1], ..ImpactSettings::default() };
-    let seats = decide(&model, &scenery, &[candidate], &numbers).expect("a consistent motion");
-    let to = seats.first().map_or(if held.theta == 0.0 { Free } else { FreeTurning }, Seat::state);
-    Row::between(from, to)
+    let modes = select_modes(&model, &kinematics, &[candidate], &numbers).expect("a consistent motion");
+    let to = modes.first().map_or(if held.theta == 0.0 { Free } else { FreeTurning }, ContactMode::state);
+    Row::without_hit(from, to)
 }
 
 fn expect(from: State, table: u8, cases: &[(u8, Held)]) {
@@ -170,12 +171,12 @@ impl Struck {
         }
     }
 
-    fn points(&self) -> Vec<Point> {
+    fn points(&self) -> Vec<ContactPoint> {
         let [a, b] = self.half;
         let corner = |y: f64| {
             let arm = DVec2::from_angle(self.theta).rotate(DVec2::new(a, y));
             let n = DVec2::NEG_X;
-            Point {
+            ContactPoint {
                 bodies: [Some(0), None],
                 n,
                 s: n.perp(),
@@ -202,10 +203,10 @@ impl Struck {
             ..ImpactSettings::default()
         };
         let (mut cluster, points) = (self.cluster(), self.points());
-        let rules = Rules { numbers: &numbers, hush: cluster.rounding(&points), dead: false };
-        let edge = Edge { pair: 0, sites: (0..points.len()).collect(), points: points.into() };
-        let blow = strike(&mut cluster, &edge, from, &rules);
-        Row::landing(&blow.landing)
+        let law = ImpactLaw { numbers: &numbers, speed_noise: cluster.speed_round_off(&points), inelastic: false };
+        let manifold = ContactManifold { pair: 0, sites: (0..points.len()).collect(), points: points.into() };
+        let collision = collide(&mut cluster, &manifold, from, &law);
+        Row::of_hit(&collision.conditions)
     }
 
     /// Lowest normal velocity of the face's ends after the first impulse, for a restitution and smooth tangents.

@@ -1,24 +1,21 @@
-//! Leaps that a gap cannot outrun, from its first two derivatives and a bound on the third.
+//! Conservative advancement of third order: a step that a gap cannot close within, from `g`, `ġ`, `g̈` and a bound on `g⃛`.
 //!
 //! In closed form the second derivative is known, so the gap stays above `g + ġτ + ½g̈τ² − ⅙Jτ³` where `|g⃛| ≤ J`. Its first
-//! root is approached from below and never passed: what is returned is safe however few rounds were taken. Leaps close in
-//! on a crossing with third order, and one of them goes over a whole hop.
+//! root is approached from below and never passed, so the step is safe after any number of iterations. Steps converge to a
+//! crossing with third order, and one of them spans a whole hop.
 
-/// Rounds of closing in on the cubic's root.
-const ROUNDS: usize = 6;
-/// How near is near enough, in parts of the leap.
-const CLOSE: f64 = 1e-2;
+use crate::dynamics::impact2d::constants::{CUBIC_CONVERGED, CUBIC_ITERATIONS, ROOT_EVALUATIONS};
 
-/// A gap `g`, its derivatives `ġ`, `g̈`, and a bound `J` on the third.
+/// Lower bound of a gap: `g` \[m\], `ġ`, `g̈`, and `J ≥ |g⃛|` \[m/s³\].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics::impact2d) struct Cubic {
+pub(in crate::dynamics::impact2d) struct CubicBound {
     pub gap: f64,
     pub rate: f64,
     pub bend: f64,
     pub jerk: f64,
 }
 
-impl Cubic {
+impl CubicBound {
     fn value(&self, t: f64) -> f64 {
         self.gap + t * (self.rate + t * (0.5 * self.bend - t * self.jerk / 6.0))
     }
@@ -27,25 +24,25 @@ impl Cubic {
         self.rate + t * (self.bend - 0.5 * t * self.jerk)
     }
 
-    /// A time before which the gap cannot close; infinite where it never can \[s\].
-    pub(in crate::dynamics::impact2d) fn leap(&self) -> f64 {
+    /// A time within which the gap cannot close; infinite where it never can \[s\].
+    pub(in crate::dynamics::impact2d) fn safe_step(&self) -> f64 {
         if self.gap < 0.0 || !self.jerk.is_finite() {
             return 0.0;
         }
         if self.jerk == 0.0 && self.rate >= 0.0 && self.bend >= 0.0 {
             return f64::INFINITY;
         }
-        // Convex up to the inflection, and where it rises, lowest before the peak at its ends.
+        // The cubic is convex up to its inflection and concave behind it; before its peak it is lowest at one end.
         let under = self.bend * self.bend + 2.0 * self.jerk * self.rate;
         let inflection = if self.bend > 0.0 { self.bend / self.jerk } else { 0.0 };
         let peak = match (under >= 0.0, self.bend > 0.0) {
             (false, _) => 0.0,
             (true, true) => (self.bend + under.sqrt()) / self.jerk,
-            // The same without a difference of like numbers.
+            // The same root, without cancellation.
             (true, false) => 2.0 * self.rate.max(0.0) / (under.sqrt() - self.bend).max(f64::MIN_POSITIVE),
         };
         if self.rate < 0.0 && self.bend > 0.0 {
-            // Newton's method from the left stays left where it is convex: to where it turns round or bends down.
+            // In the convex part Newton's method from the left stays left of the root; is there a root before the minimum?
             let lowest = if under >= 0.0 { -2.0 * self.rate / (self.bend + under.sqrt()) } else { inflection };
             if self.value(lowest) <= 0.0 {
                 return self.newton_from_left();
@@ -54,46 +51,47 @@ impl Cubic {
         self.concave(peak.max(inflection))
     }
 
-    /// Whether it stays above another for good, whatever their roots.
+    /// Whether this bound is above another at all later times.
     pub(in crate::dynamics::impact2d) fn is_above(&self, other: &Self) -> bool {
         self.gap >= other.gap && self.rate >= other.rate && self.bend >= other.bend && self.jerk <= other.jerk
     }
 
+    /// Newton's method in the convex part, from the left.
     fn newton_from_left(&self) -> f64 {
         let mut t = 0.0;
-        for _ in 0..ROUNDS {
+        for _ in 0..CUBIC_ITERATIONS {
             let (value, slope) = (self.value(t), self.slope(t));
             if value <= 0.0 || slope >= 0.0 {
                 break;
             }
             let step = -value / slope;
             t += step;
-            if step <= CLOSE * t {
+            if step <= CUBIC_CONVERGED * t {
                 break;
             }
         }
         t
     }
 
-    /// From `low`, where it is not below 0 and concave and falls from there on: Newton's method stays right of the root,
-    /// chords left.
+    /// Root from `low` on, where the cubic is not negative, concave and falling: Newton's method stays right of the root,
+    /// chords stay left of it.
     fn concave(&self, mut low: f64) -> f64 {
         if !low.is_finite() {
             return low;
         }
         let mut at_low = self.value(low).max(0.0);
         let (fall, bent) = (-self.slope(low).min(0.0), (low * self.jerk - self.bend).max(0.0));
-        // Each of what makes it fall alone would have brought it to 0 by then.
+        // Slope and curvature, each alone, reach 0 by then.
         let most = (at_low / fall).min((2.0 * at_low / bent).sqrt());
         let most = if most.is_finite() { most } else { (6.0 * at_low / self.jerk).cbrt() };
         let mut high = low + most;
-        for _ in 0..ROUNDS {
+        for _ in 0..CUBIC_ITERATIONS {
             let at_high = self.value(high);
             if at_high >= 0.0 || high <= low {
                 return high;
             }
             low += (high - low) * at_low / (at_low - at_high);
-            if high - low <= CLOSE * high {
+            if high - low <= CUBIC_CONVERGED * high {
                 break;
             }
             at_low = self.value(low).max(0.0);
@@ -103,12 +101,13 @@ impl Cubic {
     }
 }
 
-/// Where a gap, not below 0 at `a` and below at `b`, crosses 0: Newton's method kept in a bracket, to the clock's last bits.
-pub(in crate::dynamics::impact2d) fn crossing(mut ask: impl FnMut(f64) -> [f64; 2], a: f64, b: f64) -> f64 {
+/// Root of a gap that is not negative at `a` and negative at `b`, to round-off of time: Newton's method inside a bracket.
+/// `gap_at` gives `[g, ġ]`.
+pub(in crate::dynamics::impact2d) fn root_in_bracket(mut gap_at: impl FnMut(f64) -> [f64; 2], a: f64, b: f64) -> f64 {
     let (mut a, mut b, mut t) = (a, b, b);
-    let [mut gap, mut rate] = ask(t);
+    let [mut gap, mut rate] = gap_at(t);
     let mut before = b - a;
-    for _ in 0..200 {
+    for _ in 0..ROOT_EVALUATIONS {
         if gap == 0.0 {
             return t;
         }
@@ -122,7 +121,7 @@ pub(in crate::dynamics::impact2d) fn crossing(mut ask: impl FnMut(f64) -> [f64; 
             return b;
         }
         let step = -gap / rate;
-        // A step that is not half of the last one halves the bracket instead.
+        // Bisection where a Newton step is not half of the last one.
         let newton = rate < 0.0 && t + step > a && t + step < b && 2.0 * step.abs() <= before;
         let next = if newton { t + step } else { middle };
         before = (next - t).abs();
@@ -130,7 +129,7 @@ pub(in crate::dynamics::impact2d) fn crossing(mut ask: impl FnMut(f64) -> [f64; 
             return next;
         }
         t = next;
-        [gap, rate] = ask(t);
+        [gap, rate] = gap_at(t);
     }
     t
 }
@@ -140,7 +139,7 @@ mod tests {
     use super::*;
 
     /// The first root by small steps.
-    fn slowly(cubic: &Cubic) -> f64 {
+    fn slowly(cubic: &CubicBound) -> f64 {
         (1..4_000_000).map(|i| f64::from(i) * 1e-6).find(|&t| cubic.value(t) < 0.0).unwrap_or(f64::INFINITY)
     }
 
@@ -150,8 +149,8 @@ mod tests {
             for rate in [-1.0, -0.1, 0.0, 0.4] {
                 for bend in [-2.0, 0.0, 0.7, 12.0] {
                     for jerk in [0.5, 9.0] {
-                        let cubic = Cubic { gap, rate, bend, jerk };
-                        let (leap, root) = (cubic.leap(), slowly(&cubic));
+                        let cubic = CubicBound { gap, rate, bend, jerk };
+                        let (leap, root) = (cubic.safe_step(), slowly(&cubic));
                         assert!(leap <= root, "{cubic:?}: {leap} beyond {root}");
                         assert!(leap >= 0.9 * root - 2e-6 || root > 3.9, "{cubic:?}: {leap} of {root}");
                     }
@@ -163,7 +162,7 @@ mod tests {
     #[test]
     fn crossings_come_to_the_last_bits_in_a_few_looks() {
         let mut looks = 0;
-        let t = crossing(
+        let t = root_in_bracket(
             |t| {
                 looks += 1;
                 [2.0 - t * t, -2.0 * t]
@@ -173,7 +172,7 @@ mod tests {
         );
         assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON && looks < 9, "{t} after {looks}");
         // A flat place, where Newton's method alone would leave the bracket.
-        let t = crossing(|t| [1e-9 - t.powi(3), -3.0 * t * t], -1.0, 1.0);
+        let t = root_in_bracket(|t| [1e-9 - t.powi(3), -3.0 * t * t], -1.0, 1.0);
         assert!((t - 1e-3).abs() <= 1e-17, "{t}");
     }
 }

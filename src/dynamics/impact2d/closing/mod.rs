@@ -2,4 +2,6 @@
 
 pub(in crate::dynamics::impact2d) mod cubic_advancement;
 pub(in crate::dynamics::impact2d) mod gap_derivatives;
+pub(in crate::dynamics::impact2d) mod motion_limits;
 pub(in crate::dynamics::impact2d) mod next_impact;
+pub(in crate::dynamics::impact2d) mod planar_gap;

@@ -1,253 +1,247 @@
-//! When an open point of a pair next meets its face.
+//! Time of the next impact of a pair: the first zero of any of its open gaps.
 //!
-//! In flight by leaps that no gap can outrun, all points of the pair together; in planned steps of lasting contact by
-//! looks at gap and rate.
+//! In free flight by conservative advancement, all points of the pair together; where a side is in a planned step of lasting
+//! contact by samples of gap and rate.
 
 use smallvec::SmallVec;
 
-use crate::dynamics::impact2d::closing::cubic_advancement::{Cubic, crossing};
-use crate::dynamics::impact2d::closing::gap_derivatives::{View, gap, poses};
-use crate::dynamics::impact2d::engine::Engine;
-use crate::dynamics::impact2d::tracks::Going;
+use crate::dynamics::impact2d::closing::cubic_advancement::{CubicBound, root_in_bracket};
+use crate::dynamics::impact2d::closing::gap_derivatives::{PairMotion, poses};
+use crate::dynamics::impact2d::closing::planar_gap::gap;
+use crate::dynamics::impact2d::constants::{GAP_SAMPLES, POLISH_STEPS, SEARCHED_PERIODS, SEARCHED_SAMPLES};
+use crate::dynamics::impact2d::tracks::Motion;
+use crate::dynamics::impact2d::world::World;
 use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::in_front;
 use crate::dynamics::locate::root::root;
 use crate::motion::Ground;
 
-/// Periods of a sine that one search covers: girders in step with the ground hit once in a period.
-const PERIODS: f64 = 2.0;
-/// Samples of a record that one search covers.
-const SAMPLES: f64 = 64.0;
-/// Looks at a gap per planned step.
-const LOOKS: usize = 12;
-
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics::impact2d) struct Found {
-    /// When the pair is to be met, or searched on; infinite when neither is needed \[s\].
+pub(in crate::dynamics::impact2d) struct NextImpact {
+    /// Time of the impact, or from which to search on; infinite when neither is needed \[s\].
     pub due: f64,
-    /// Whether it is met then.
-    pub meets: bool,
+    /// Whether there is an impact then.
+    pub impact: bool,
+    /// Evaluations of the gaps.
+    pub looks: u64,
 }
 
 /// An open point under search.
-struct Quarry {
+struct OpenPoint {
     site: usize,
-    /// Depth that counts as the face: a point that has just lifted off is met where it has clearly come back in \[m\].
+    /// Added to the gap: a point that has lifted off without speed hits again this deep behind the face \[m\].
     depth: f64,
     resolution: f64,
     hunt: Hunt,
-    /// How it goes on at least from the last look, where its third derivative is bounded.
-    least: Option<Cubic>,
-    /// When a point that has lifted off was first seen in front \[s\].
-    out: Option<f64>,
+    /// Lower bound of the gap from the last evaluation on, where its third derivative is bounded.
+    bound: Option<CubicBound>,
+    /// When a point that has lifted off was first in front of the face \[s\].
+    in_front_at: Option<f64>,
 }
 
-fn outlook(engine: &Engine, site: usize, depth: f64, view: &View) -> (Outlook, Option<Cubic>) {
-    let track = &engine.sites[site];
-    view.outlook(&track.aim, &track.spot, track.sides, depth)
+fn outlook(world: &World, site: usize, depth: f64, motion: &PairMotion) -> (Outlook, Option<CubicBound>) {
+    let track = &world.sites[site];
+    motion.outlook(&track.geometry, &track.spot, track.sides, depth)
 }
 
-/// `[g, ġ]` of a site at `t`, with this depth.
-fn gap_at(engine: &Engine, pair: usize, site: usize, depth: f64, t: f64) -> [f64; 2] {
-    let track = &engine.sites[site];
-    let [gap, rate] = gap(&track.aim, track.sides, &poses(engine, engine.pairs[pair].slots, t));
+/// `[g + depth, ġ]` of a site at `t`.
+fn gap_at(world: &World, pair: usize, site: usize, depth: f64, t: f64) -> [f64; 2] {
+    let track = &world.sites[site];
+    let [gap, rate] = gap(&track.geometry, track.sides, &poses(world, world.pairs[pair].slots, t));
     [gap + depth, rate]
 }
 
 /// Searches a pair from `t` on.
-pub(in crate::dynamics::impact2d) fn pair(engine: &mut Engine, pair: usize, t: f64) -> Found {
-    let slots = engine.pairs[pair].slots;
-    let planned = slots.into_iter().flatten().filter_map(|slot| engine.planned(slot)).fold(f64::INFINITY, f64::min);
-    let mut until = horizon(&engine.model.ground, t, engine.model.duration).min(planned);
+pub(in crate::dynamics::impact2d) fn next_impact(world: &mut World, pair: usize, t: f64) -> NextImpact {
+    let slots = world.pairs[pair].slots;
+    let planned = slots.into_iter().flatten().filter_map(|slot| world.planned_end(slot)).fold(f64::INFINITY, f64::min);
+    let mut until = horizon(&world.model.ground, t, world.model.duration).min(planned);
     if planned.is_finite() {
-        // The step of a body at rest may span many swings of one that flies.
-        until = until.min(t + sight(engine, slots));
+        // The step of a body at rest may span many periods of one that flies.
+        until = until.min(t + half_period(world, slots));
     }
     for slot in slots.into_iter().flatten() {
-        engine.remember(slot, until);
+        world.remember(slot, until);
     }
-    engine.schedule.effort.searches += 1;
-    if planned.is_finite() { in_steps(engine, pair, t, until, planned) } else { in_flight(engine, pair, t, until) }
+    if planned.is_finite() { in_steps(world, pair, t, until, planned) } else { in_flight(world, pair, t, until) }
 }
 
-/// How far ahead the looks at a pair see all that moves: half of the shortest swing of who flies \[s\].
-fn sight(engine: &Engine, slots: [Option<usize>; 2]) -> f64 {
-    let ground = if let Ground::Sine { omega, .. } = engine.model.ground { omega } else { 0.0 };
-    let fastest = |slot: usize| match engine.bodies[slot].now {
-        Going::Flight(_) => {
-            let [omega, damping] = engine.bodies[slot].system.rates;
+/// Half of the shortest period of the flying sides \[s\]: samples within it see every turning point.
+fn half_period(world: &World, slots: [Option<usize>; 2]) -> f64 {
+    let ground = if let Ground::Sine { omega, .. } = world.model.ground { omega } else { 0.0 };
+    let shortest = |slot: usize| match world.bodies[slot].motion {
+        Motion::Flight(_) => {
+            let [omega, damping] = world.bodies[slot].system.rates;
             std::f64::consts::PI / omega.max(damping).max(ground)
         }
-        Going::Grip(..) => f64::INFINITY,
+        Motion::Lasting(..) => f64::INFINITY,
     };
-    slots.into_iter().flatten().map(fastest).fold(f64::INFINITY, f64::min)
+    slots.into_iter().flatten().map(shortest).fold(f64::INFINITY, f64::min)
 }
 
-/// How far one search goes \[s\].
+/// End of one search \[s\].
 fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
-        Ground::Sine { omega, .. } => PERIODS * std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => SAMPLES * dt,
+        Ground::Sine { omega, .. } => SEARCHED_PERIODS * std::f64::consts::TAU / omega,
+        Ground::Record { dt, .. } => SEARCHED_SAMPLES * dt,
     };
     (t + stretch).min(duration)
 }
 
-/// The open points of a pair; one that has come out in front counts again.
-fn open(engine: &mut Engine, pair: usize, t: f64, view: &View) -> SmallVec<[Quarry; 4]> {
-    let moved = view.moved();
+/// The open points of a pair; those in front of their face are armed.
+fn open_points(world: &mut World, pair: usize, t: f64, motion: &PairMotion) -> SmallVec<[OpenPoint; 4]> {
+    let moved = motion.displacement();
     let mut all = SmallVec::new();
-    for site in engine.pairs[pair].sites.clone() {
-        if engine.sites[site].kept {
+    for site in world.pairs[pair].sites.clone() {
+        if world.sites[site].kept {
             continue;
         }
-        let resolution = RESOLUTION * (engine.sites[site].spot.size + moved);
-        let (mut here, mut least) = outlook(engine, site, 0.0, view);
-        let track = &mut engine.sites[site];
+        let resolution = RESOLUTION * (world.sites[site].spot.size + moved);
+        let (mut here, mut bound) = outlook(world, site, 0.0, motion);
+        let track = &mut world.sites[site];
         if !track.armed && in_front(here.gap, here.rate, t, resolution) {
             track.arm();
         }
-        let (depth, armed) = (if track.lifted { track.sink } else { 0.0 }, track.armed || track.lifted);
+        let (depth, armed) = (if track.lifted { track.depth } else { 0.0 }, track.armed || track.lifted);
         if depth > 0.0 {
-            (here, least) = outlook(engine, site, depth, view);
+            (here, bound) = outlook(world, site, depth, motion);
         }
-        all.push(Quarry { site, depth, resolution, hunt: Hunt::begin(here, armed, resolution), least, out: None });
+        let hunt = Hunt::begin(here, armed, resolution);
+        all.push(OpenPoint { site, depth, resolution, hunt, bound, in_front_at: None });
     }
     all
 }
 
-fn in_flight(engine: &mut Engine, pair: usize, t: f64, until: f64) -> Found {
-    let (duration, slots) = (engine.model.duration, engine.pairs[pair].slots);
-    let mut view = View::of(engine, slots, t, duration);
-    let mut quarries = open(engine, pair, t, &view);
-    let reachable = |q: &Quarry| !(q.hunt.out_of_reach() && view.window >= duration - t);
-    if !quarries.iter().any(reachable) {
-        return Found { due: f64::INFINITY, meets: false };
+fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
+    let (duration, slots) = (world.model.duration, world.pairs[pair].slots);
+    let mut motion = PairMotion::of(world, slots, t, duration);
+    let mut points = open_points(world, pair, t, &motion);
+    let reachable = |p: &OpenPoint| !(p.hunt.out_of_reach() && motion.window >= duration - t);
+    if !points.iter().any(reachable) {
+        return NextImpact { due: f64::INFINITY, impact: false, looks: 0 };
     }
-    if view.is_straight() {
-        leave_to_the_nearest(engine, &mut quarries);
+    if motion.is_translation() {
+        keep_nearest(world, &mut points);
     }
     let (mut at, mut looks) = (t, 1);
-    let mut found = quarries.iter().any(|q| q.hunt.at_once()).then_some(t);
+    let mut found = points.iter().any(|p| p.hunt.at_once()).then_some(t);
     for _ in 0..MOST {
         if at >= until || found.is_some() {
             break;
         }
-        let leap = leap(&mut quarries);
-        let next = (at + leap).min(until);
+        let next = (at + safe_step(&mut points)).min(until);
         if next <= at {
             found = Some(at);
             break;
         }
-        let there = view.then(engine, slots, next, until);
+        let there = motion.next(world, slots, next, until);
         looks += 1;
-        for quarry in &mut quarries {
-            found = arrive(engine, pair, quarry, &there, [at, next], found).or(found);
+        for point in &mut points {
+            found = evaluate(world, pair, point, &there, [at, next], found).or(found);
         }
-        (at, view) = (next, there);
+        (at, motion) = (next, there);
     }
-    engine.schedule.effort.looks += looks;
-    for quarry in &quarries {
-        engine.sites[quarry.site].out = quarry.out.or(quarry.hunt.out());
+    for point in &points {
+        world.sites[point.site].in_front_at = point.in_front_at.or(point.hunt.out());
     }
     match found {
-        Some(due) => Found { due, meets: true },
-        None => Found { due: if at >= duration { f64::INFINITY } else { at }, meets: false },
+        Some(due) => NextImpact { due, impact: true, looks },
+        None => NextImpact { due: if at >= duration { f64::INFINITY } else { at }, impact: false, looks },
     }
 }
 
-/// Where nothing turns, points of one face keep their distances: the nearest comes first, and who comes with it is seen
-/// where it is met.
-fn leave_to_the_nearest(engine: &Engine, quarries: &mut SmallVec<[Quarry; 4]>) {
-    let waits = |far: &Quarry, near: &Quarry| {
-        let (a, b) = (&engine.sites[far.site], &engine.sites[near.site]);
+/// Drops points that are never nearer than another of the same face: without rotation their distances stay. Points that
+/// arrive together with the nearest are found at the impact.
+fn keep_nearest(world: &World, points: &mut SmallVec<[OpenPoint; 4]>) {
+    let is_behind = |far: &OpenPoint, near: &OpenPoint| {
+        let (a, b) = (&world.sites[far.site], &world.sites[near.site]);
         let alike = far.hunt.armed() && near.hunt.armed() && (far.depth > 0.0) == (near.depth > 0.0);
-        let clear = |quarry: &Quarry| quarry.hunt.gap() - quarry.depth;
-        alike && a.sides == b.sides && a.aim.shares_face(&b.aim) && clear(far) >= clear(near)
+        let clear = |point: &OpenPoint| point.hunt.gap() - point.depth;
+        alike && a.sides == b.sides && a.geometry.shares_face(&b.geometry) && clear(far) >= clear(near)
     };
     let mut i = 0;
-    while i < quarries.len() {
-        if (0..quarries.len()).any(|j| j != i && waits(&quarries[i], &quarries[j])) {
-            quarries.remove(i);
+    while i < points.len() {
+        if (0..points.len()).any(|j| j != i && is_behind(&points[i], &points[j])) {
+            points.remove(i);
         } else {
             i += 1;
         }
     }
 }
 
-/// How far the next look may be \[s\].
-fn leap(quarries: &mut [Quarry]) -> f64 {
+/// Time within which no gap can close \[s\].
+fn safe_step(points: &mut [OpenPoint]) -> f64 {
     let mut shortest = f64::INFINITY;
-    let mut worst: Option<(Cubic, f64)> = None;
-    for quarry in quarries {
-        let open = match (quarry.least.filter(|_| quarry.hunt.armed()), worst) {
+    let mut last: Option<(CubicBound, f64)> = None;
+    for point in points {
+        let open = match (point.bound.filter(|_| point.hunt.armed()), last) {
             (None, _) => 0.0,
-            (Some(cubic), Some((other, leap))) if cubic.is_above(&other) => leap,
-            (Some(cubic), _) => cubic.leap(),
+            (Some(bound), Some((other, step))) if bound.is_above(&other) => step,
+            (Some(bound), _) => bound.safe_step(),
         };
-        worst = quarry.least.map(|cubic| (cubic, open)).or(worst);
-        shortest = shortest.min(quarry.hunt.leap_past(open));
+        last = point.bound.map(|bound| (bound, open)).or(last);
+        shortest = shortest.min(point.hunt.leap_past(open));
     }
     shortest
 }
 
-/// When a point meets the face before `sooner`, if the look at `next` shows that it does.
-fn arrive(
-    engine: &Engine,
+/// Time at which a point hits before `sooner`, if its gap at `next` shows that it does.
+fn evaluate(
+    world: &World,
     pair: usize,
-    quarry: &mut Quarry,
-    there: &View,
+    point: &mut OpenPoint,
+    there: &PairMotion,
     [t, next]: [f64; 2],
     sooner: Option<f64>,
 ) -> Option<f64> {
-    let site = quarry.site;
+    let site = point.site;
     let mut from = t;
-    if quarry.depth > 0.0
-        && let Some(out) = comes_out(engine, pair, quarry, there, [t, next])
+    if point.depth > 0.0
+        && let Some(front) = front_time(world, pair, point, there, [t, next])
     {
-        // Out in front it is met at the face itself.
-        (quarry.depth, quarry.out, from) = (0.0, Some(out), out.min(next));
+        // In front of the face it hits at the face itself.
+        (point.depth, point.in_front_at, from) = (0.0, Some(front), front.min(next));
     }
-    let depth = quarry.depth;
-    let (here, least) = outlook(engine, site, depth, there);
-    quarry.least = least;
-    let mut ask = |at: f64| gap_at(engine, pair, site, depth, at);
-    match quarry.hunt.arrive(here, next) {
+    let depth = point.depth;
+    let (here, bound) = outlook(world, site, depth, there);
+    point.bound = bound;
+    let mut gap = |at: f64| gap_at(world, pair, site, depth, at);
+    match point.hunt.arrive(here, next) {
         Sight::Open => None,
-        Sight::Closed if sooner.is_some_and(|at| ask(at)[0] > -quarry.resolution) => None,
-        Sight::Closed => Some(crossing(&mut ask, from, next)),
+        Sight::Closed if sooner.is_some_and(|at| gap(at)[0] > -point.resolution) => None,
+        Sight::Closed => Some(root_in_bracket(&mut gap, from, next)),
         Sight::Closing => {
-            let at = polish(&mut ask, next, &here);
+            let at = polish(&mut gap, next, &here);
             sooner.is_none_or(|sooner| at < sooner).then_some(at)
         }
     }
 }
 
-/// When a point that has lifted off is in front of the face, by the look at `next` or, where one leap may have gone over
-/// the whole hop, one on the way.
-fn comes_out(engine: &Engine, pair: usize, quarry: &Quarry, there: &View, [t, next]: [f64; 2]) -> Option<f64> {
-    let track = &engine.sites[quarry.site];
-    let [clear, rate] = gap(&track.aim, track.sides, &there.poses);
-    if in_front(clear, rate, next, quarry.resolution) {
+/// When a point that has lifted off is in front of the face: at `next` or, where one step spans the whole hop, halfway.
+fn front_time(world: &World, pair: usize, point: &OpenPoint, there: &PairMotion, [t, next]: [f64; 2]) -> Option<f64> {
+    let track = &world.sites[point.site];
+    let [clear, rate] = gap(&track.geometry, track.sides, &there.poses);
+    if in_front(clear, rate, next, point.resolution) {
         return Some(next);
     }
     let middle = f64::midpoint(t, next);
-    let [clear, on_the_way] = gap_at(engine, pair, quarry.site, 0.0, middle);
-    (rate < 0.0 && in_front(clear, on_the_way, middle, quarry.resolution)).then_some(middle)
+    let [clear, middle_rate] = gap_at(world, pair, point.site, 0.0, middle);
+    (rate < 0.0 && in_front(clear, middle_rate, middle, point.resolution)).then_some(middle)
 }
 
-/// Newton's method from inside the resolution.
-fn polish(ask: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &Outlook) -> f64 {
+/// Newton's method from within the resolution of a crossing.
+fn polish(gap_at: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &Outlook) -> f64 {
     let (mut t, mut gap, mut rate) = (t, here.gap, here.rate);
-    for _ in 0..3 {
+    for _ in 0..POLISH_STEPS {
         let next = t - gap / rate;
         if next == t || !next.is_finite() {
             break;
         }
         t = next;
-        [gap, rate] = ask(t);
+        [gap, rate] = gap_at(t);
         if rate >= 0.0 {
             break;
         }
@@ -255,38 +249,106 @@ fn polish(ask: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &Outlook) -> f64 
     t
 }
 
-/// A side is in a planned step: looks at gap and rate, and where the gap turns round between two of them.
-fn in_steps(engine: &mut Engine, pair: usize, t: f64, until: f64, planned: f64) -> Found {
-    let first = View::of(engine, engine.pairs[pair].slots, t, until);
-    let quarries = open(engine, pair, t, &first);
-    let first = quarries.iter().filter_map(|quarry| in_step(engine, pair, quarry, t, until)).reduce(f64::min);
-    // The step's own end calls for the next search.
-    let next = if until < planned.min(engine.model.duration) { until } else { f64::INFINITY };
-    Found { due: first.unwrap_or(next), meets: first.is_some() }
+/// Search where a side is in a planned step, which ends at `planned`.
+fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) -> NextImpact {
+    let motion = PairMotion::of(world, world.pairs[pair].slots, t, until);
+    let points = open_points(world, pair, t, &motion);
+    let first = points.iter().filter_map(|point| in_step(world, pair, point, t, until)).reduce(f64::min);
+    // At the end of the step the pair is searched anew.
+    let next = if until < planned.min(world.model.duration) { until } else { f64::INFINITY };
+    NextImpact { due: first.unwrap_or(next), impact: first.is_some(), looks: 0 }
 }
 
-fn in_step(engine: &Engine, pair: usize, quarry: &Quarry, t: f64, until: f64) -> Option<f64> {
-    let ask = |at: f64| gap_at(engine, pair, quarry.site, quarry.depth, at);
-    let mut armed = quarry.hunt.armed();
-    let resolution = RESOLUTION * engine.sites[quarry.site].spot.size;
-    let (mut from, mut before) = (t, ask(t));
+/// First crossing of a point by samples of gap and rate, and by the gap's turning points between two samples.
+fn in_step(world: &World, pair: usize, point: &OpenPoint, t: f64, until: f64) -> Option<f64> {
+    let gap = |at: f64| gap_at(world, pair, point.site, point.depth, at);
+    let mut armed = point.hunt.armed();
+    let resolution = RESOLUTION * world.sites[point.site].spot.size;
+    let (mut from, mut before) = (t, gap(t));
     if armed && before[0] <= resolution && before[1] < 0.0 {
         return Some(t);
     }
-    for i in 1..=LOOKS {
-        let to = if i == LOOKS { until } else { t + (until - t) * i as f64 / LOOKS as f64 };
-        let here = ask(to);
+    for i in 1..=GAP_SAMPLES {
+        let to = if i == GAP_SAMPLES { until } else { t + (until - t) * i as f64 / GAP_SAMPLES as f64 };
+        let here = gap(to);
         let turns = before[1] * here[1] < 0.0;
-        let way = if before[1] < 0.0 { 1.0 } else { -1.0 };
-        let turn = turns.then(|| root(|at| way * ask(at)[1], from, to)).map(|at| (at, ask(at)));
-        for (at, [gap, rate]) in turn.into_iter().chain([(to, here)]) {
-            if armed && gap < 0.0 && (rate < 0.0 || gap < -resolution) {
-                return Some(crossing(ask, from, at));
+        let sign = if before[1] < 0.0 { 1.0 } else { -1.0 };
+        let turn = turns.then(|| root(|at| sign * gap(at)[1], from, to)).map(|at| (at, gap(at)));
+        for (at, [value, rate]) in turn.into_iter().chain([(to, here)]) {
+            if armed && value < 0.0 && (rate < 0.0 || value < -resolution) {
+                return Some(root_in_bracket(gap, from, at));
             }
-            armed = armed || in_front(gap, rate, at, resolution);
+            armed = armed || in_front(value, rate, at, resolution);
             from = at;
         }
         before = here;
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::scene::format;
+
+    /// A girder of 2 kg before a wall, free to slide along x, at `gap_m` with this initial velocity \[m/s\].
+    fn world(bearings: &str, gap: f64, speed: f64) -> World {
+        let text = format!(
+            r#"
+            name = "search"
+            duration_s = 2.0
+            [[girder]]
+            name = "deck"
+            length_m = 0.19
+            width_m = 0.07
+            thickness_m = 0.02
+            mass_kg = 2.0
+            initial = {{ velocity_m_s = [{speed:?}, 0.0] }}
+            {bearings}
+            [[abutment]]
+            name = "wall"
+            faces = "deck"
+            gap_m = {gap:?}
+            "#
+        );
+        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        World::new(&Arc::new(model), 0)
+    }
+
+    #[test]
+    fn a_free_girder_hits_after_gap_over_speed() {
+        let next = next_impact(&mut world("", 0.003, 0.25), 0, 0.0);
+        assert!(next.impact && (next.due - 0.012).abs() < 1e-15, "{next:?}");
+    }
+
+    #[test]
+    fn a_girder_that_goes_away_never_hits() {
+        let next = next_impact(&mut world("", 0.003, -0.25), 0, 0.0);
+        assert_eq!((next.due, next.impact), (f64::INFINITY, false), "no force brings it back");
+    }
+
+    #[test]
+    fn an_undamped_girder_hits_where_its_sine_reaches_the_gap() {
+        let legs = "[[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]";
+        let bearings = &format!("bearings = {{ frequency_hz = 2.0, damping_ratio = 0.0, at_m = {legs} }}");
+        let omega = 4.0 * std::f64::consts::PI;
+        let speed = 0.1;
+        // x = (v/ω) sin ωt, away from the wall first.
+        let next = next_impact(&mut world(bearings, 0.005, -speed), 0, 0.0);
+        let expected = (std::f64::consts::PI + (0.005 * omega / speed).asin()) / omega;
+        assert!(next.impact && (next.due - expected).abs() < 1e-14, "{next:?} against {expected}");
+        let far = next_impact(&mut world(bearings, 1.001 * speed / omega, speed), 0, 0.0);
+        assert_eq!((far.due, far.impact), (f64::INFINITY, false), "the amplitude is below the gap");
+    }
+
+    #[test]
+    fn the_horizon_is_two_periods_or_sixty_four_samples() {
+        let sine = Ground::Sine { amplitude: glam::DVec3::X, omega: std::f64::consts::TAU, phase: 0.0 };
+        assert_eq!(horizon(&sine, 1.0, 10.0), 3.0, "two periods of 1 s");
+        assert_eq!(horizon(&sine, 9.0, 10.0), 10.0, "the end of the run");
+        assert_eq!(horizon(&Ground::Still, 1.0, 10.0), 10.0, "nothing shakes");
+    }
 }

@@ -1,86 +1,172 @@
-//! Girders that are wedged between others, and slides that friction does not let go on, stopped together.
+//! Simultaneous plastic impact: least impulses after which no contact of an instant approaches.
 //!
-//! Hits one after another come to an end slowly, or never, where girders are driven in between others. After so many at
-//! one instant all points that still come in are stopped by one set of pushes without a bounce and without friction: the
-//! velocities nearest to those before, in the metric of the masses, that drive nothing in. Its pushes are the non-negative
-//! least-squares answer of Lawson and Hanson (1974, chapter 23), so no energy is added.
+//! Sequential impulses converge slowly, or never, where girders are wedged between others. All points that still approach are
+//! then stopped by one set of impulses without restitution and friction: the velocities nearest to those before, in the mass
+//! metric, with no normal velocity below 0. The impulses are the non-negative least-squares solution of Lawson and Hanson
+//! (1974, chapter 23), so no energy is added.
 //!
-//! Where no motion agrees with friction (Painlevé), points that slide are stopped along the face in the same way: the
-//! nearest velocities that drive nothing in and slide nowhere of these.
+//! Where no motion is consistent with friction (Painlevé), slipping points are stopped along the face in the same way, by
+//! additional impulses of either sign.
 
 use glam::DVec2;
 
-use crate::dynamics::impact2d::delassus::{Cluster, Point};
-use crate::dynamics::impact2d::dense;
-use crate::dynamics::impact2d::impulse::collision::Edge;
+use crate::dynamics::impact2d::constants::{ACTIVE_SET_CHANGES, ACTIVE_SET_RESIDUAL, REDUNDANCY_COMPLIANCE};
+use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
+use crate::dynamics::impact2d::impulse::collision::ContactManifold;
+use crate::dynamics::integrator::dense_lu::solve_regularised;
 
-/// Changes of who is pushed.
-const ROUNDS: usize = 500;
-
-/// Stops everybody who is driven in, and these points along the face.
-pub(in crate::dynamics::impact2d) fn stop(cluster: &mut Cluster, edges: &[Edge], slides: &[Point]) {
-    let normals = edges.iter().flat_map(|edge| edge.points.iter().map(|p| (*p, p.n)));
-    let rows: Vec<(Point, DVec2)> = slides.iter().map(|p| (*p, p.s)).chain(normals).collect();
+/// Stops all points of the manifolds that approach, and these points along the face.
+pub(in crate::dynamics::impact2d) fn stop(
+    cluster: &mut Cluster,
+    manifolds: &[ContactManifold],
+    slips: &[ContactPoint],
+) {
+    let normals = manifolds.iter().flat_map(|manifold| manifold.points.iter().map(|p| (*p, p.n)));
+    let rows: Vec<(ContactPoint, DVec2)> = slips.iter().map(|p| (*p, p.s)).chain(normals).collect();
     let speeds: Vec<f64> = rows.iter().map(|(p, direction)| cluster.speed(p, *direction)).collect();
-    let pushes = least(cluster, &rows, &speeds, slides.len());
-    for (i, ((point, _), push)) in rows.iter().zip(pushes).enumerate() {
-        cluster.push(point, if i < slides.len() { [0.0, push] } else { [push, 0.0] });
+    let impulses = non_negative_impulses(cluster, &rows, &speeds, slips.len());
+    for (i, ((point, _), impulse)) in rows.iter().zip(impulses).enumerate() {
+        cluster.push(point, if i < slips.len() { [0.0, impulse] } else { [impulse, 0.0] });
     }
 }
 
-/// The least pushes along these directions after which no rate is below 0; the first few may push either way and bring
-/// theirs to 0.
-pub(in crate::dynamics::impact2d) fn least(
+/// Least impulses along these directions after which no rate is below 0. The first `free` impulses may have either sign and
+/// bring their rates to 0.
+pub(in crate::dynamics::impact2d) fn non_negative_impulses(
     cluster: &Cluster,
-    rows: &[(Point, DVec2)],
+    rows: &[(ContactPoint, DVec2)],
     rates: &[f64],
-    either: usize,
+    free: usize,
 ) -> Vec<f64> {
-    let hush = 1e-13 * rates.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let give = |i: usize, j: usize| cluster.mobility(&rows[i].0, rows[i].1, &rows[j].0, rows[j].1);
-    let mut pushes = vec![0.0; rows.len()];
-    let mut pushed: Vec<usize> = (0..either).collect();
-    balance(&mut pushes, &mut pushed, &give, rates, either);
-    for _ in 0..ROUNDS {
-        let rate = |i: usize| rates[i] + (0..rows.len()).map(|j| give(i, j) * pushes[j]).sum::<f64>();
-        let worst = (0..rows.len()).filter(|i| !pushed.contains(i)).map(|i| (rate(i), i));
+    let residual = ACTIVE_SET_RESIDUAL * rates.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let mobility = |i: usize, j: usize| cluster.mobility(&rows[i].0, rows[i].1, &rows[j].0, rows[j].1);
+    let mut impulses = vec![0.0; rows.len()];
+    let mut active: Vec<usize> = (0..free).collect();
+    solve_active(&mut impulses, &mut active, &mobility, rates, free);
+    for _ in 0..ACTIVE_SET_CHANGES {
+        let rate = |i: usize| rates[i] + (0..rows.len()).map(|j| mobility(i, j) * impulses[j]).sum::<f64>();
+        let worst = (0..rows.len()).filter(|i| !active.contains(i)).map(|i| (rate(i), i));
         match worst.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((v, i)) if v < -hush => pushed.push(i),
+            Some((v, i)) if v < -residual => active.push(i),
             _ => break,
         }
-        balance(&mut pushes, &mut pushed, &give, rates, either);
+        solve_active(&mut impulses, &mut active, &mobility, rates, free);
     }
-    pushes
+    impulses
 }
 
-/// Solves for the pushes of a set, letting go whoever would have to pull; the first few may push either way.
-fn balance(
-    pushes: &mut [f64],
-    pushed: &mut Vec<usize>,
-    give: &impl Fn(usize, usize) -> f64,
+/// Impulses of the active set that bring its rates to 0.
+fn solve_active_set(active: &[usize], mobility: &impl Fn(usize, usize) -> f64, speeds: &[f64]) -> Option<Vec<f64>> {
+    let entry = |r: usize, c: usize| mobility(active[r], active[c]);
+    solve_regularised(active.len(), entry, |r| -speeds[active[r]], REDUNDANCY_COMPLIANCE)
+}
+
+/// Solves for the impulses of the active set and drops those that would have to pull.
+fn solve_active(
+    impulses: &mut [f64],
+    active: &mut Vec<usize>,
+    mobility: &impl Fn(usize, usize) -> f64,
     speeds: &[f64],
-    either: usize,
+    free: usize,
 ) {
-    while !pushed.is_empty() {
-        let Some(new) = dense::solve(pushed.len(), |r, c| give(pushed[r], pushed[c]), |r| -speeds[pushed[r]]) else {
+    while !active.is_empty() {
+        let Some(new) = solve_active_set(active, mobility, speeds) else {
             return;
         };
-        // As far towards the new answer as nobody pulls.
+        // The part of the way to the solution on which no impulse is negative.
         let limit = |(&i, &to): (&usize, &f64)| {
-            if i >= either && to < 0.0 { pushes[i] / (pushes[i] - to).max(f64::MIN_POSITIVE) } else { 1.0 }
+            if i >= free && to < 0.0 { impulses[i] / (impulses[i] - to).max(f64::MIN_POSITIVE) } else { 1.0 }
         };
-        let part = pushed.iter().zip(&new).map(limit).fold(1.0, f64::min);
-        for (&i, to) in pushed.iter().zip(&new) {
-            pushes[i] += part * (to - pushes[i]);
+        let part = active.iter().zip(&new).map(limit).fold(1.0, f64::min);
+        for (&i, to) in active.iter().zip(&new) {
+            impulses[i] += part * (to - impulses[i]);
         }
         if part >= 1.0 {
             return;
         }
-        let least = pushed.iter().zip(&new).filter(|(i, to)| **i >= either && **to < 0.0).map(|(&i, _)| i);
-        let gone = least.min_by(|a, b| pushes[*a].total_cmp(&pushes[*b]));
+        let least = active.iter().zip(&new).filter(|(i, to)| **i >= free && **to < 0.0).map(|(&i, _)| i);
+        let gone = least.min_by(|a, b| impulses[*a].total_cmp(&impulses[*b]));
         if let Some(gone) = gone {
-            pushes[gone] = 0.0;
-            pushed.retain(|i| *i != gone);
+            impulses[gone] = 0.0;
+            active.retain(|i| *i != gone);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    /// A point of girders that move along x only, the first of them (if any) on the side of the normal.
+    fn point(bodies: [Option<usize>; 2]) -> ContactPoint {
+        let (n, arms) = (DVec2::X, [DVec2::ZERO; 2]);
+        ContactPoint { bodies, n, s: n.perp(), arms, gap: 0.0, inset: 1.0, along: 0.0, bias: [0.0; 2] }
+    }
+
+    fn row(velocities: &[f64]) -> Cluster {
+        Cluster {
+            inverse: velocities.iter().map(|_| DVec3::new(1.0, 1.0, 0.0)).collect(),
+            velocity: velocities.iter().map(|&v| DVec3::new(v, 0.0, 0.0)).collect(),
+        }
+    }
+
+    #[test]
+    fn equal_girders_in_a_row_that_close_up_share_their_momentum() {
+        // Three girders at −1, 0, 2 m/s from right to left: all close up and go on at 1/3 m/s.
+        let mut cluster = row(&[-1.0, 0.0, 2.0]);
+        let points = [point([Some(0), Some(1)]), point([Some(1), Some(2)])];
+        let manifold = |p: ContactPoint| ContactManifold {
+            pair: 0,
+            sites: [0].into_iter().collect(),
+            points: [p].into_iter().collect(),
+        };
+        stop(&mut cluster, &points.map(manifold), &[]);
+        for v in &cluster.velocity {
+            assert!((v.x - 1.0 / 3.0).abs() < 1e-14, "{:?}", cluster.velocity);
+        }
+    }
+
+    #[test]
+    fn a_contact_that_opens_by_itself_takes_no_impulse() {
+        let cluster = row(&[3.0, 0.0, 2.0]);
+        let rows = [(point([Some(0), Some(1)]), DVec2::X), (point([Some(1), Some(2)]), DVec2::X)];
+        let rates: Vec<f64> = rows.iter().map(|(p, d)| cluster.speed(p, *d)).collect();
+        let impulses = non_negative_impulses(&cluster, &rows, &rates, 0);
+        // The second pair stops at 1 m/s: an impulse of 1 N·s; the first still separates at 2 m/s.
+        assert_eq!(impulses[0], 0.0, "it separates");
+        assert!((impulses[1] - 1.0).abs() < 1e-15, "{impulses:?}");
+    }
+
+    #[test]
+    fn an_impulse_that_would_pull_is_dropped_again() {
+        // The far point approaches faster and is loaded first; once the near one is loaded too, it would have to pull.
+        let at = |lever: f64| ContactPoint { arms: [DVec2::new(0.0, -lever), DVec2::ZERO], ..point([Some(0), None]) };
+        let cluster = Cluster {
+            inverse: [DVec3::new(1.0, 1.0, 10.0)].into_iter().collect(),
+            velocity: [DVec3::new(-0.875, 0.0, -0.25)].into_iter().collect(),
+        };
+        let rows = [(at(0.1), DVec2::X), (at(0.5), DVec2::X)];
+        let rates: Vec<f64> = rows.iter().map(|(p, d)| cluster.speed(p, *d)).collect();
+        let impulses = non_negative_impulses(&cluster, &rows, &rates, 0);
+        // Stationarity of the quadratic problem: P ≥ 0, rate ≥ 0, P · rate = 0.
+        let mut after = cluster.clone();
+        for ((p, _), impulse) in rows.iter().zip(&impulses) {
+            after.push(p, [*impulse, 0.0]);
+        }
+        for ((p, d), impulse) in rows.iter().zip(&impulses) {
+            let rate = after.speed(p, *d);
+            assert!(*impulse >= 0.0 && rate >= -1e-13 && (impulse * rate).abs() < 1e-13, "{impulse} N·s, {rate} m/s");
+        }
+        // Rates −0.9 and −1 m/s; 1.1 kg⁻¹ at the near point.
+        assert!(impulses[1] == 0.0 && (impulses[0] - 0.9 / 1.1).abs() < 1e-15, "{impulses:?}");
+    }
+
+    #[test]
+    fn a_free_impulse_may_pull() {
+        let cluster = row(&[3.0]);
+        let impulses = non_negative_impulses(&cluster, &[(point([Some(0), None]), DVec2::X)], &[3.0], 1);
+        assert!((impulses[0] + 3.0).abs() < 1e-15, "it stops a point that separates: {impulses:?}");
     }
 }

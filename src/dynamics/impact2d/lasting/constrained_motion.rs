@@ -1,67 +1,82 @@
-//! Reactions in lasting contact: one constrained solve for all states c–f, whatever touches what.
+//! Reactions and accelerations in lasting contact for given contact modes: states c–f, (7)–(25).
 //!
-//! Unknown are the pushes `N ≥ 0` of every point that is kept and the hold `T` of every seat that stays put; asked is
-//! that kept points have no acceleration along the normal, and those that stay put none along the tangent either. A
-//! seat that slides carries `T = −μ_k N sgn(v_s)`. All bearing forces are in it ((7)–(25),
-//! `docs/physics.md#lasting-contact`), so for a straight girder at a wall `N/m` is `R_x` of (15), (20), (23), (25),
-//! counted positive in compression.
+//! Unknown are the normal reaction `N ≥ 0` of every kept point and the tangential reaction `T` of every contact that sticks;
+//! kept points have no normal acceleration, sticking contacts no tangential one either. A slipping contact carries
+//! `T = −μ_k N sgn(v_s)`. All bearing forces are included, so for a straight girder at a wall `N/m` is `R_x` of (15), (20),
+//! (23), (25), positive in compression (`docs/physics.md#lasting-contact`). Signs and friction cones
+//! are checked by [`mode_selection`](super::mode_selection).
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::Frame;
-use crate::dynamics::free_flight::flight::Planar;
-use crate::dynamics::impact2d::delassus::{Cluster, Point, inverse_mass, rates};
-use crate::dynamics::impact2d::dense;
-use crate::dynamics::impact2d::{Few, State};
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::{Body, Model};
-use crate::motion::{Ground, LinearPiece};
+use crate::dynamics::Model;
+use crate::dynamics::impact2d::constants::REDUNDANCY_COMPLIANCE;
+use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
+use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::{InlineVec, State};
+use crate::dynamics::integrator::dense_lu::solve_regularised;
 use crate::scene::ImpactSettings;
 
-/// How a seat goes along the face.
+/// Motion of a lasting contact along the face.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
-    /// It stays put.
-    Held,
-    /// It slides along `s` with this sign; 0 is without friction, where none agrees with any motion.
-    Slides(f64),
+pub enum FrictionMode {
+    /// No relative motion.
+    Stick,
+    /// Slip along `s` with this sign of `v_s`, ±1.
+    Slip(f64),
+    /// Without friction, where no motion is consistent with it (Painlevé).
+    Frictionless,
 }
 
-/// A pair in lasting contact, at a corner or along a face.
+impl FrictionMode {
+    /// Sign of the slip, 0 without friction; none of a contact that sticks.
+    pub fn slip_sign(self) -> Option<f64> {
+        match self {
+            Self::Stick => None,
+            Self::Slip(sign) => Some(sign),
+            Self::Frictionless => Some(0.0),
+        }
+    }
+}
+
+/// A pair in lasting contact, at a corner or along a face, and its motion along the face.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Seat {
+pub struct ContactMode {
     /// The pair, its number in the model.
     pub pair: usize,
-    /// The declared contacts that are kept: one at a corner, the two outermost of a face, that further back along `s`
-    /// first.
+    /// The declared contacts that are kept: one at a corner, the two outermost of a face, the lesser along `s` first.
     pub sites: Vec<usize>,
-    /// How it goes along the face.
-    pub way: Way,
+    /// Motion along the face.
+    pub friction: FrictionMode,
 }
 
-impl Seat {
+impl ContactMode {
     /// Whether a whole face lies on the other.
     pub fn is_flush(&self) -> bool {
         self.sites.len() > 1
     }
 
-    /// The state c–f of a girder on this seat.
+    /// The state c–f of a girder in this contact.
     pub fn state(&self) -> State {
-        match (self.is_flush(), self.way) {
-            (true, Way::Held) => State::Resting,
-            (true, Way::Slides(_)) => State::Sliding,
-            (false, Way::Held) => State::Turning,
-            (false, Way::Slides(_)) => State::SlidingTurning,
+        match (self.is_flush(), self.friction) {
+            (true, FrictionMode::Stick) => State::Resting,
+            (true, _) => State::Sliding,
+            (false, FrictionMode::Stick) => State::Turning,
+            (false, _) => State::SlidingTurning,
         }
     }
 
     /// `[μ_s, μ_k]` of the face or, at one point, of a corner.
-    pub fn friction(&self, numbers: &ImpactSettings) -> [f64; 2] {
+    pub fn friction_coefficients(&self, numbers: &ImpactSettings) -> [f64; 2] {
         if self.is_flush() { [numbers.mu_static, numbers.mu_kinetic] } else { numbers.corner_friction() }
+    }
+
+    /// The kept points.
+    pub fn points(&self, model: &Model, kinematics: &Kinematics) -> Vec<ContactPoint> {
+        self.sites.iter().map(|&site| kinematics.point(model, site)).collect()
     }
 }
 
-/// Push and hold of a seat \[N\].
+/// Reactions of one contact \[N\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reaction {
     /// `N` at each point, on the first side along `n`.
@@ -71,197 +86,225 @@ pub struct Reaction {
 }
 
 impl Reaction {
-    /// `N` of the whole seat \[N\].
+    /// `N` of all points \[N\].
     pub fn total(&self) -> f64 {
         self.normal[0] + self.normal[1]
     }
 }
 
-/// Bodies at an instant, with what acts on them but the reactions.
+/// Reactions of all contacts, and the accelerations with them.
 #[derive(Clone, Debug)]
-pub struct Scenery {
-    /// Numbers in the model, rising.
-    pub bodies: Few<usize>,
-    /// Poses.
-    pub frames: Few<Frame>,
-    /// Inverse masses and velocities.
-    pub cluster: Cluster,
-    /// Accelerations without any reaction, rotation last.
-    pub free: Few<DVec3>,
-    /// Size of what they are the sum of, at the farthest corner: their rounding goes by it \[m/s²\].
-    pub sizes: Few<f64>,
-}
-
-impl Scenery {
-    /// Bodies in these states under this acceleration of the ground.
-    pub fn new(model: &Model, bodies: &[usize], states: &[Planar], ground: DVec3) -> Self {
-        let mut scenery = Self {
-            bodies: bodies.into(),
-            frames: Few::with_capacity(bodies.len()),
-            cluster: Cluster {
-                inverse: bodies.iter().map(|&b| inverse_mass(&model.bodies[b])).collect(),
-                velocity: Few::with_capacity(bodies.len()),
-            },
-            free: Few::with_capacity(bodies.len()),
-            sizes: Few::with_capacity(bodies.len()),
-        };
-        for (&number, state) in bodies.iter().zip(states) {
-            let body = &model.bodies[number];
-            let mut rate = [0.0; 6];
-            rigid_body::planar_slope(body, state, &rigid_body::Wrench::default(), ground, &mut rate);
-            scenery.frames.push(body.planar_frame(state));
-            scenery.cluster.velocity.push(rates(state));
-            scenery.free.push(DVec3::new(rate[3], rate[4], rate[5]));
-            scenery.sizes.push(size(body, state, ground));
-        }
-        scenery
-    }
-
-    /// Places of a pair's bodies among these; nothing for an abutment, and for a body that is not here.
-    pub fn places(&self, model: &Model, pair: usize) -> [Option<usize>; 2] {
-        model.pairs[pair].bodies.map(|body| body.and_then(|b| self.bodies.binary_search(&b).ok()))
-    }
-
-    /// Where a declared contact is.
-    pub fn point(&self, model: &Model, site: usize) -> Point {
-        let pair = model.contacts[site].pair;
-        let places = self.places(model, pair);
-        let still = Frame::fixed(DVec3::ZERO);
-        let frame = |side: usize| places[side].map_or(&still, |place| &self.frames[place]);
-        Point::of(model, site, places, [frame(0), frame(1)])
-    }
-
-    /// Size of the accelerations in play \[m/s²\].
-    pub fn scale(&self) -> f64 {
-        self.sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
-    }
-
-    /// A push or a hold at a point that is rounding \[N\].
-    pub fn rounding(&self, point: &Point) -> f64 {
-        let w_n = self.cluster.mobilities(point)[0];
-        if w_n > 0.0 { crate::dynamics::impact2d::lasting::mode_selection::ROUNDING * self.scale() / w_n } else { 0.0 }
-    }
-
-    /// The kept points of a seat.
-    pub fn points(&self, model: &Model, seat: &Seat) -> Vec<Point> {
-        seat.sites.iter().map(|&site| self.point(model, site)).collect()
-    }
-}
-
-/// Size of the accelerations that act on a body, before they cancel \[m/s²\].
-fn size(body: &Body, state: &Planar, ground: DVec3) -> f64 {
-    let (q, v) = (DVec3::new(state[0], state[1], state[2]), DVec3::new(state[3], state[4], state[5]));
-    let push = DVec3::new(body.push.x, body.push.y, body.moment);
-    let at_corner = |force: DVec3| {
-        let a = inverse_mass(body) * force;
-        a.truncate().length() + a.z.abs() * body.radius
-    };
-    at_corner(body.planar.stiffness * q) + at_corner(body.planar.damping * v) + at_corner(push) + ground.length()
-}
-
-/// Reactions of all seats, and the accelerations with them.
-#[derive(Clone, Debug)]
-pub struct Answer {
-    /// Seat by seat.
+pub struct ConstrainedMotion {
+    /// One for each contact mode.
     pub reactions: Vec<Reaction>,
-    /// Body by body.
-    pub accelerations: Few<DVec3>,
+    /// `(ẍ, ÿ, θ̈)` of each body \[m/s²\], \[rad/s²\].
+    pub accelerations: InlineVec<DVec3>,
 }
 
-impl Answer {
-    /// Acceleration along a direction at a point, turning included \[m/s²\].
-    pub fn along(&self, point: &Point, direction: DVec2, bias: f64) -> f64 {
+impl ConstrainedMotion {
+    /// Relative acceleration along a direction at a point, `bias` being its part from velocities alone \[m/s²\].
+    pub fn along(&self, point: &ContactPoint, direction: DVec2, bias: f64) -> f64 {
         let part = |(body, row): (Option<usize>, DVec3)| body.map_or(0.0, |b| row.dot(self.accelerations[b]));
         point.row(direction).into_iter().map(part).sum::<f64>() + bias
     }
 }
 
-/// An unknown: who pushes where and how, per unit of it, and the acceleration that it is to bring to 0.
+/// An unknown reaction: the force per unit of it, and the acceleration that it brings to 0.
 struct Unknown {
-    seat: usize,
-    /// Which point of the seat, or the hold of the whole.
+    mode: usize,
+    /// Which point of the contact for a normal reaction; none for the tangential one of stick.
     at: Option<usize>,
-    asked: Point,
+    point: ContactPoint,
     direction: DVec2,
     bias: f64,
     /// Force per unit.
     force: DVec2,
 }
 
-/// Solves for the reactions of all seats, `points` being theirs; nothing where the numbers are not finite.
-pub fn react(scenery: &Scenery, seats: &[Seat], points: &[Vec<Point>], numbers: &ImpactSettings) -> Option<Answer> {
-    let unknowns = unknowns(seats, points, numbers);
-    let mut accelerations = scenery.free.clone();
-    let without = Answer { reactions: Vec::new(), accelerations: scenery.free.clone() };
+/// Solves for the reactions of all contacts, `points` being theirs; none where a number is not finite.
+pub fn solve_reactions(
+    kinematics: &Kinematics,
+    modes: &[ContactMode],
+    points: &[Vec<ContactPoint>],
+    numbers: &ImpactSettings,
+) -> Option<ConstrainedMotion> {
+    let unknowns = unknowns(modes, points, numbers);
+    let mut accelerations = kinematics.free.clone();
+    let without = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
     let entry = |r: usize, c: usize| {
-        let (asked, push) = (&unknowns[r], &unknowns[c]);
-        scenery.cluster.mobility(&asked.asked, asked.direction, &push.asked, push.force)
+        let (row, column) = (&unknowns[r], &unknowns[c]);
+        kinematics.cluster.mobility(&row.point, row.direction, &column.point, column.force)
     };
-    let right = |r: usize| -without.along(&unknowns[r].asked, unknowns[r].direction, unknowns[r].bias);
-    let solution = dense::solve(unknowns.len(), entry, right)?;
-    let mut reactions = vec![Reaction::default(); seats.len()];
+    let right = |r: usize| -without.along(&unknowns[r].point, unknowns[r].direction, unknowns[r].bias);
+    let solution = solve_regularised(unknowns.len(), entry, right, REDUNDANCY_COMPLIANCE)?;
+    let mut reactions = vec![Reaction::default(); modes.len()];
     for (unknown, &size) in unknowns.iter().zip(&solution) {
-        for (body, row) in unknown.asked.row(unknown.force * size) {
+        for (body, row) in unknown.point.row(unknown.force * size) {
             if let Some(b) = body {
-                accelerations[b] += scenery.cluster.inverse[b] * row;
+                accelerations[b] += kinematics.cluster.inverse[b] * row;
             }
         }
-        let reaction = &mut reactions[unknown.seat];
+        let reaction = &mut reactions[unknown.mode];
         match unknown.at {
             Some(i) => {
                 reaction.normal[i] = size;
-                reaction.tangential += size * unknown.force.dot(unknown.asked.s);
+                reaction.tangential += size * unknown.force.dot(unknown.point.s);
             }
             None => reaction.tangential += size,
         }
     }
-    Some(Answer { reactions, accelerations })
+    Some(ConstrainedMotion { reactions, accelerations })
 }
 
-fn unknowns(seats: &[Seat], points: &[Vec<Point>], numbers: &ImpactSettings) -> Vec<Unknown> {
+fn unknowns(modes: &[ContactMode], points: &[Vec<ContactPoint>], numbers: &ImpactSettings) -> Vec<Unknown> {
     let mut all = Vec::new();
-    for (number, (seat, points)) in seats.iter().zip(points).enumerate() {
-        let drag = match seat.way {
-            Way::Held => 0.0,
-            Way::Slides(sign) => -seat.friction(numbers)[1] * sign,
+    for (number, (mode, points)) in modes.iter().zip(points).enumerate() {
+        let friction = match mode.friction.slip_sign() {
+            None => 0.0,
+            Some(sign) => -mode.friction_coefficients(numbers)[1] * sign,
         };
         for (i, point) in points.iter().enumerate() {
             all.push(Unknown {
-                seat: number,
+                mode: number,
                 at: Some(i),
-                asked: *point,
+                point: *point,
                 direction: point.n,
                 bias: point.bias[0],
-                force: point.n + point.s * drag,
+                force: point.n + point.s * friction,
             });
         }
-        if seat.way == Way::Held {
-            let middle = middle(points);
+        if mode.friction == FrictionMode::Stick {
+            let centre = centre(points);
             all.push(Unknown {
-                seat: number,
+                mode: number,
                 at: None,
-                asked: middle,
-                direction: middle.s,
-                bias: middle.bias[1],
-                force: middle.s,
+                point: centre,
+                direction: centre.s,
+                bias: centre.bias[1],
+                force: centre.s,
             });
         }
     }
     all
 }
 
-/// The corner, or the middle of the face.
-pub fn middle(points: &[Point]) -> Point {
-    match points {
-        [first, second] => first.towards(second, 0.5),
-        _ => points[0],
+/// Bodies joined by contact modes, by their places, each group with its modes, in order of the first place.
+pub(in crate::dynamics::impact2d) fn connected_groups(
+    model: &Model,
+    kinematics: &Kinematics,
+    modes: Vec<ContactMode>,
+) -> Vec<(Vec<usize>, Vec<ContactMode>)> {
+    let mut groups: Vec<(Vec<usize>, Vec<ContactMode>)> = Vec::new();
+    for mode in modes {
+        let places: Vec<usize> = kinematics.places(model, mode.pair).into_iter().flatten().collect();
+        let (joined, others): (Vec<_>, Vec<_>) =
+            groups.into_iter().partition(|(members, _)| places.iter().any(|place| members.contains(place)));
+        let mut members = places;
+        let mut all = Vec::new();
+        for (places, modes) in joined {
+            members.extend(places);
+            all.extend(modes);
+        }
+        all.push(mode);
+        members.sort_unstable();
+        members.dedup();
+        groups = others;
+        groups.push((members, all));
     }
+    groups.sort_by_key(|(members, _)| members.first().copied());
+    groups
 }
 
-/// The ground's acceleration within a stretch without a kink \[m/s²\].
-pub fn shaking(ground: &Ground, piece: &LinearPiece, t: f64) -> DVec3 {
-    match ground {
-        Ground::Record { direction, .. } => *direction * (piece.start + piece.slope * (t - piece.from)),
-        other => other.acceleration(t),
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::format;
+
+    /// A girder of 2 kg, 0.19 × 0.07 m, at a wall at +x under this push \[N\] and acceleration of the ground, at rest.
+    fn at_wall(force: [f64; 2]) -> (Model, Kinematics) {
+        let text = format!(
+            r#"
+            name = "pushed"
+            duration_s = 1.0
+            [[girder]]
+            name = "deck"
+            length_m = 0.19
+            width_m = 0.07
+            thickness_m = 0.02
+            mass_kg = 2.0
+            push = {{ force_n = {force:?} }}
+            [[abutment]]
+            name = "wall"
+            faces = "deck"
+            gap_m = 0.0
+            width_m = 2.0
+            "#
+        );
+        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        let kinematics = Kinematics::new(&model, &[0], &[[0.0; 6]], DVec3::new(0.0, 0.5, 0.0));
+        (model, kinematics)
+    }
+
+    fn touching(model: &Model, kinematics: &Kinematics) -> Vec<usize> {
+        let mut sites: Vec<usize> = (0..model.contacts.len()).collect();
+        sites.retain(|&site| kinematics.point(model, site).gap.abs() < 1e-12);
+        sites.sort_by(|a, b| kinematics.point(model, *a).along.total_cmp(&kinematics.point(model, *b).along));
+        sites
+    }
+
+    fn solved(force: [f64; 2], ends: usize, friction: FrictionMode) -> (ConstrainedMotion, ContactPoint) {
+        let (model, kinematics) = at_wall(force);
+        let sites = touching(&model, &kinematics)[..ends].to_vec();
+        let mode = ContactMode { pair: 0, sites, friction };
+        let points = vec![mode.points(&model, &kinematics)];
+        let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
+        let motion = solve_reactions(&kinematics, &[mode], &points, &numbers).expect("a solution");
+        (motion, centre(&points[0]))
+    }
+
+    #[test]
+    fn a_resting_face_carries_the_push_and_the_ground() {
+        // (25): R_x = F_x/m, R_y from F_y/m − a_g; the moment of T about G shifts N by T a/(2b).
+        let (motion, _) = solved([10.0, 3.0], 2, FrictionMode::Stick);
+        let reaction = motion.reactions[0];
+        assert!((reaction.total() - 10.0).abs() < 1e-12, "{reaction:?}");
+        // s = −y: T = F_y − m a_g = 3 − 1.
+        assert!((reaction.tangential - 2.0).abs() < 1e-12, "{reaction:?}");
+        let difference = (reaction.normal[0] - reaction.normal[1]).abs();
+        assert!((difference - 2.0 * 0.095 / 0.035).abs() < 1e-11, "moment equilibrium: {reaction:?}");
+        assert!(motion.accelerations[0].length() < 1e-12, "at rest");
+    }
+
+    #[test]
+    fn a_slipping_face_has_kinetic_friction_against_the_slip() {
+        // (20): N = F_x, ÿ = (F_y + T)/m − a_g with |T| = μ_k N.
+        let (motion, point) = solved([10.0, 3.0], 2, FrictionMode::Slip(1.0));
+        let reaction = motion.reactions[0];
+        assert!((reaction.total() - 10.0).abs() < 1e-12 && (reaction.tangential + 1.5).abs() < 1e-12, "{reaction:?}");
+        let expected = 3.0 / 2.0 - 0.5 - 1.5 * point.s.y / 2.0;
+        assert!((motion.accelerations[0].y - expected).abs() < 1e-12, "{:?}", motion.accelerations);
+    }
+
+    #[test]
+    fn a_turning_girder_keeps_its_corner() {
+        let (motion, point) = solved([10.0, 3.0], 1, FrictionMode::Stick);
+        assert!(motion.along(&point, point.n, point.bias[0]).abs() < 1e-12, "no normal acceleration");
+        assert!(motion.along(&point, point.s, point.bias[1]).abs() < 1e-12, "no tangential one");
+        assert!(motion.accelerations[0].z.abs() > 1.0, "it turns about the corner");
+    }
+
+    #[test]
+    fn without_friction_there_is_no_tangential_reaction() {
+        let (motion, _) = solved([10.0, 3.0], 2, FrictionMode::Frictionless);
+        assert_eq!(motion.reactions[0].tangential, 0.0, "normal reactions only");
+    }
+
+    #[test]
+    fn states_follow_from_points_and_friction() {
+        let state = |count: usize, friction| ContactMode { pair: 0, sites: vec![0; count], friction }.state();
+        assert_eq!(state(2, FrictionMode::Stick), State::Resting, "f");
+        assert_eq!(state(2, FrictionMode::Slip(1.0)), State::Sliding, "e");
+        assert_eq!(state(1, FrictionMode::Stick), State::Turning, "d");
+        assert_eq!(state(1, FrictionMode::Frictionless), State::SlidingTurning, "c");
     }
 }

@@ -1,113 +1,115 @@
-//! Bodies in lasting contact, integrated together between two changes.
+//! Motion of bodies in lasting contact between two changes of contact mode, and the event that ends it.
 //!
-//! Everything at rest on its faces stands still, and a face slides along a wall as an oscillator ([`Slide`]): closed forms.
-//! Else, where a girder turns about what holds it, or moves with another, Dormand–Prince 8(5,3) with the reactions solved
-//! for at every stage. What can end it is looked for in the continuous answer of each step: a push that falls to 0, a hold that
-//! friction cannot give, a slide that stops, a point that comes to the edge of the face.
+//! Bodies at rest on their faces stand still, and one face sliding along a wall is an oscillator ([`Slide`]): closed forms.
+//! Otherwise, where a girder turns about its contact or moves with another, Dormand–Prince 8(5,3) with the reactions solved
+//! at every stage. An interval ends where the first of these falls to 0 in the dense output: a normal reaction, the distance
+//! from a friction cone, a slip, the distance of a point from the border of the face.
 
 use glam::DVec3;
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::sliding_face::Slide;
-use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle, react, shaking};
+use crate::dynamics::impact2d::constants::{
+    DIP_DIFFERENCE, DIP_FRACTION, FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH,
+    SWITCHING_SAMPLES,
+};
+use crate::dynamics::impact2d::delassus::centre;
+use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
+use crate::dynamics::impact2d::lasting::constrained_motion::{
+    ConstrainedMotion, ContactMode, FrictionMode, Reaction, solve_reactions,
+};
+use crate::dynamics::impact2d::lasting::sliding_face::slide_on_wall;
 use crate::dynamics::integrator::dense_output::{DENSE, Dense};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
 use crate::dynamics::locate::root::root;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::trajectory::segment::Path;
 use crate::dynamics::trajectory::step_polynomial::Piece;
 use crate::motion::{Ground, LinearPiece};
-use crate::scene::ImpactSettings;
 
-/// Looks at what can end the contact, per step.
-const LOOKS: usize = 16;
-/// A gauge lower than this part of its largest may dip below 0 between two looks.
-const NEAR: f64 = 0.05;
-/// Steps refused one after another before it is given up.
-const REFUSED: usize = 60;
-/// Components of a planar body.
-const WIDTH: usize = rigid_body::PLANAR;
-
-/// What ends a stretch of lasting contact.
+/// Event that ends an interval of lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics::impact2d) enum Ending {
-    /// The declared contact is not pushed any more.
-    Lets(usize),
-    /// The declared contact comes to the edge of the face.
-    Leaves(usize),
-    /// Friction cannot hold the pair any more.
-    Breaks(usize),
-    /// The pair has stopped sliding.
-    Stops(usize),
+    /// The normal reaction of the declared contact falls to 0.
+    Opens(usize),
+    /// The declared contact reaches the border of the face.
+    LeavesFace(usize),
+    /// The tangential reaction of the pair reaches the friction cone.
+    BreaksAway(usize),
+    /// The slip of the pair reaches 0.
+    SlipStops(usize),
 }
 
-/// The answer of a step.
+/// Motion of a planned step.
 #[derive(Clone, Debug)]
-enum Course {
+enum PlannedMotion {
     Slide(Box<Slide>),
     Step(Dense),
 }
 
-/// Bodies in lasting contact, with the step that is planned but not yet committed.
+/// Bodies joined by lasting contact, with a planned step that is not committed yet.
 #[derive(Clone, Debug)]
-pub(in crate::dynamics::impact2d) struct Grip {
-    /// Their numbers in the model, rising.
+pub(in crate::dynamics::impact2d) struct LastingContact {
+    /// Numbers in the model, rising.
     pub bodies: Vec<usize>,
-    /// What touches, and how.
-    pub seats: Vec<Seat>,
-    /// Since when \[s\].
+    /// Contact modes.
+    pub modes: Vec<ContactMode>,
+    /// Start of the contact \[s\].
     pub since: f64,
-    /// Where the planned step begins \[s\].
+    /// Start of the planned step \[s\].
     pub from: f64,
-    /// Where it ends \[s\].
+    /// End of the planned step \[s\].
     pub until: f64,
     /// What ends the contact at `until`.
     pub ending: Option<Ending>,
-    course: Option<Course>,
+    planned: Option<PlannedMotion>,
     y: Vec<f64>,
     step: f64,
 }
 
-/// The right-hand side.
-struct Held<'a> {
+/// Right-hand side: states body by body, accelerations under the reactions of the contact modes.
+struct ConstrainedOde<'a> {
     model: &'a Model,
     bodies: &'a [usize],
-    seats: &'a [Seat],
+    modes: &'a [ContactMode],
     piece: LinearPiece,
-    numbers: &'a ImpactSettings,
-    /// What the tolerance allows of a place, and of a speed \[m\], \[m/s\].
+    /// Allowed error of a place and of a speed \[m\], \[m/s\].
     allowed: [f64; 2],
 }
 
-impl Held<'_> {
-    fn answer(&self, t: f64, y: &[f64]) -> (Scenery, Option<Answer>) {
-        let ground = shaking(&self.model.ground, &self.piece, t);
-        let scenery = Scenery::new(self.model, self.bodies, &states(y), ground);
-        let points: Vec<_> = self.seats.iter().map(|seat| scenery.points(self.model, seat)).collect();
-        let answer = react(&scenery, self.seats, &points, self.numbers);
-        (scenery, answer)
+impl ConstrainedOde<'_> {
+    fn kinematics(&self, t: f64, y: &[f64]) -> Kinematics {
+        let ground = ground_acceleration(&self.model.ground, &self.piece, t);
+        Kinematics::new(self.model, self.bodies, &states(y), ground)
+    }
+
+    fn motion(&self, t: f64, y: &[f64]) -> (Kinematics, Option<ConstrainedMotion>) {
+        let kinematics = self.kinematics(t, y);
+        let points: Vec<_> = self.modes.iter().map(|mode| mode.points(self.model, &kinematics)).collect();
+        let motion = solve_reactions(&kinematics, self.modes, &points, &self.model.impact);
+        (kinematics, motion)
     }
 }
 
-impl System for Held<'_> {
+impl System for ConstrainedOde<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        let (_, answer) = self.answer(t, y);
-        // Without an answer the step is refused.
+        let (_, motion) = self.motion(t, y);
+        // Without a solution the slope is not finite, and the step is rejected.
         for (i, &body) in self.bodies.iter().enumerate() {
-            let a = answer.as_ref().map_or(DVec3::NAN, |answer| answer.accelerations[i]);
+            let a = motion.as_ref().map_or(DVec3::NAN, |motion| motion.accelerations[i]);
             let free = self.model.bodies[body].free;
             for (j, direction) in [0, 1, 5].into_iter().enumerate() {
-                out[WIDTH * i + j] = if free[direction] { y[WIDTH * i + 3 + j] } else { 0.0 };
-                out[WIDTH * i + 3 + j] = a[j];
+                out[PLANAR * i + j] = if free[direction] { y[PLANAR * i + 3 + j] } else { 0.0 };
+                out[PLANAR * i + 3 + j] = a[j];
             }
         }
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
         let mut sum = 0.0;
-        for (d, &body) in d.chunks_exact(WIDTH).zip(self.bodies) {
+        for (d, &body) in d.chunks_exact(PLANAR).zip(self.bodies) {
             let i2 = self.model.bodies[body].gyration2;
             let square = |d: &[f64]| d[0] * d[0] + d[1] * d[1] + i2 * d[2] * d[2];
             sum += square(&d[..3]) / (self.allowed[0] * self.allowed[0])
@@ -117,126 +119,111 @@ impl System for Held<'_> {
     }
 }
 
-/// Body by body.
+/// States body by body.
 fn states(y: &[f64]) -> Vec<Planar> {
-    y.chunks_exact(WIDTH).map(|c| [c[0], c[1], c[2], c[3], c[4], c[5]]).collect()
+    y.chunks_exact(PLANAR).map(|c| [c[0], c[1], c[2], c[3], c[4], c[5]]).collect()
 }
 
-impl Grip {
+impl LastingContact {
     /// Bodies in lasting contact from `t` on.
-    pub(in crate::dynamics::impact2d) fn new(bodies: Vec<usize>, seats: Vec<Seat>, states: &[Planar], t: f64) -> Self {
+    pub(in crate::dynamics::impact2d) fn new(
+        bodies: Vec<usize>,
+        modes: Vec<ContactMode>,
+        states: &[Planar],
+        t: f64,
+    ) -> Self {
         let y = states.iter().flatten().copied().collect();
-        Self { bodies, seats, since: t, from: t, until: t, ending: None, course: None, y, step: 0.0 }
+        Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: 0.0 }
     }
 
-    /// Whether nobody moves: every seat is a face that stays put, and so are all bodies.
-    fn rests(&self) -> bool {
-        self.seats.iter().all(|seat| seat.is_flush() && seat.way == Way::Held)
-            && self.y.chunks_exact(WIDTH).all(|c| c[3..] == [0.0; 3])
+    /// Whether nothing moves: every contact is a face that sticks, and all bodies are at rest.
+    fn is_at_rest(&self) -> bool {
+        self.modes.iter().all(|mode| mode.is_flush() && mode.friction == FrictionMode::Stick)
+            && self.y.chunks_exact(PLANAR).all(|c| c[3..] == [0.0; 3])
     }
 
-    /// Whether friction is left out of it for want of a motion that agrees with it: it is decided anew at every step.
-    pub(in crate::dynamics::impact2d) fn is_makeshift(&self) -> bool {
-        self.seats.iter().any(|seat| seat.way == Way::Slides(0.0))
+    /// Whether any contact goes on without friction for want of a consistent mode: modes are then selected anew after every
+    /// step.
+    pub(in crate::dynamics::impact2d) fn is_frictionless(&self) -> bool {
+        self.modes.iter().any(|mode| mode.friction == FrictionMode::Frictionless)
     }
 
-    /// Plans the next step from `until`, at most to `cap`, that nothing ends within `least`; `allowed` is what the tolerance
-    /// allows of places and speeds.
+    /// Plans the next step from `until`, at most to `cap`; no event ends it within `least` \[s\]. `allowed` are the errors of a
+    /// place and of a speed that the tolerance allows \[m\], \[m/s\].
     ///
     /// # Errors
     /// When no step is short enough.
     pub(in crate::dynamics::impact2d) fn plan(
         &mut self,
         model: &Model,
-        numbers: &ImpactSettings,
         allowed: [f64; 2],
         [least, cap]: [f64; 2],
     ) -> Result<(), String> {
         let t = self.until;
         self.from = t;
         let piece = model.ground.piece(model.ground.piece_number(t));
-        let cap = cap.min(piece.until).min(t + quarter(&model.ground));
-        if let Some(slide) = self.slides(model, numbers, &piece, cap) {
+        let cap = cap.min(piece.until).min(t + quarter_period(&model.ground));
+        if let Some(slide) = self.slide(model, &piece, cap) {
             self.until = cap.min(t + slide.sight);
-            self.course = Some(Course::Slide(Box::new(slide)));
+            self.planned = Some(PlannedMotion::Slide(Box::new(slide)));
         } else {
-            let dense =
-                if self.rests() { self.rest(cap) } else { self.integrate(model, numbers, piece, allowed, cap)? };
+            let dense = if self.is_at_rest() { self.rest(cap) } else { self.integrate(model, piece, allowed, cap)? };
             self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
-            self.course = Some(Course::Step(dense));
+            self.planned = Some(PlannedMotion::Step(dense));
         }
-        self.look_for_an_end(model, numbers, piece, least);
+        self.find_ending(model, piece, least);
         Ok(())
     }
 
-    /// Everybody stays where they are.
+    /// All bodies at rest until `cap`.
     fn rest(&self, cap: f64) -> Dense {
         let constant = self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE]>>();
         Dense::new(self.from, cap - self.from, constant)
     }
 
-    /// A face alone on a wall, sliding.
-    fn slides(&self, model: &Model, numbers: &ImpactSettings, piece: &LinearPiece, cap: f64) -> Option<Slide> {
+    /// Closed form of one face sliding on a wall.
+    fn slide(&self, model: &Model, piece: &LinearPiece, cap: f64) -> Option<Slide> {
         let ([body], [state]) = (&self.bodies[..], &states(&self.y)[..]) else { return None };
-        let [seat] = &self.seats[..] else { return None };
-        let (Way::Slides(sign), true) = (seat.way, seat.is_flush()) else { return None };
-        let (sides, girder) = (model.pairs[seat.pair].bodies, &model.bodies[*body]);
-        if !(sides.contains(&None) && girder.free[0] && girder.free[1]) {
-            return None;
-        }
-        let scenery = Scenery::new(model, &[*body], std::slice::from_ref(state), DVec3::ZERO);
-        let touching = middle(&scenery.points(model, seat));
-        // The wall's normal towards the girder, whichever side of the pair it is.
-        let n = if sides[0].is_none() { -touching.n } else { touching.n };
-        let s = n.perp();
-        let d = s + n * (seat.friction(numbers)[1] * sign);
         let longest = (cap - self.from).min(model.duration);
-        Some(Slide::new((girder, &model.ground), [s, d], piece, (self.from, state), longest))
+        slide_on_wall(model, (*body, &self.modes), piece, (self.from, state), longest)
     }
 
-    fn integrate(
-        &mut self,
-        model: &Model,
-        numbers: &ImpactSettings,
-        piece: LinearPiece,
-        allowed: [f64; 2],
-        cap: f64,
-    ) -> Result<Dense, String> {
-        let mut system = Held { model, bodies: &self.bodies, seats: &self.seats, piece, numbers, allowed };
+    fn integrate(&mut self, model: &Model, piece: LinearPiece, allowed: [f64; 2], cap: f64) -> Result<Dense, String> {
+        let mut system = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed };
         let (t, mut y) = (self.from, self.y.clone());
         let mut method = Dop853::default();
         method.resize(y.len());
         method.start(&mut system, t, &y);
-        let mut h = if self.step > 0.0 { self.step } else { 1e-3 * (cap - t) };
-        for _ in 0..REFUSED {
-            h = if h >= 0.999 * (cap - t) { cap - t } else { h };
+        let mut h = if self.step > 0.0 { self.step } else { FIRST_STEP * (cap - t) };
+        for _ in 0..REJECTED_STEPS {
+            h = if h >= STRETCH * (cap - t) { cap - t } else { h };
             let error = method.attempt(&mut system, t, &y, h);
             if error <= 1.0 {
                 let dense = method.accept(&mut system, t, &mut y, h);
                 self.step = h * next_factor(error);
                 return Ok(dense);
             }
-            h *= if error.is_finite() { next_factor(error).min(0.5) } else { 0.1 };
+            h *= if error.is_finite() { next_factor(error).min(REJECTED_FACTOR) } else { NOT_FINITE_FACTOR };
         }
-        Err("no step is short enough to follow the contact: its reactions have no answer here".to_owned())
+        Err("no step is short enough to follow the contact: its reactions have no motion here".to_owned())
     }
 
-    /// State of a body, by its place here.
+    /// State of a body, by its place here, in the planned step.
     pub(in crate::dynamics::impact2d) fn state(&self, place: usize, t: f64) -> Planar {
-        let mut state = [0.0; WIDTH];
-        match &self.course {
-            Some(Course::Slide(slide)) => state = slide.state(t),
-            Some(Course::Step(dense)) => dense.read(place * WIDTH..(place + 1) * WIDTH, t, &mut state),
-            None => state.copy_from_slice(&self.y[place * WIDTH..(place + 1) * WIDTH]),
+        let mut state = [0.0; PLANAR];
+        match &self.planned {
+            Some(PlannedMotion::Slide(slide)) => state = slide.state(t),
+            Some(PlannedMotion::Step(dense)) => dense.read(place * PLANAR..(place + 1) * PLANAR, t, &mut state),
+            None => state.copy_from_slice(&self.y[place * PLANAR..(place + 1) * PLANAR]),
         }
         state
     }
 
-    /// What a history keeps of a body in the planned step.
+    /// Path of a body in the planned step.
     pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<Path> {
-        self.course.as_ref().map(|course| match course {
-            Course::Slide(slide) => Path::Slide(slide.clone()),
-            Course::Step(dense) => Path::Step(Piece::of(dense, place * WIDTH..(place + 1) * WIDTH, None)),
+        self.planned.as_ref().map(|planned| match planned {
+            PlannedMotion::Slide(slide) => Path::Slide(slide.clone()),
+            PlannedMotion::Step(dense) => Path::Step(Piece::of(dense, place * PLANAR..(place + 1) * PLANAR, None)),
         })
     }
 
@@ -244,55 +231,65 @@ impl Grip {
     pub(in crate::dynamics::impact2d) fn commit(&mut self) {
         let t = self.until;
         self.y = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
-        self.course = None;
+        self.planned = None;
     }
 
-    /// What can end the contact, as numbers that are positive while it lasts.
-    fn gauges(&self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece, t: f64) -> Vec<(f64, Ending)> {
-        let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
-        let allowed = [1.0; 2];
-        let held = Held { model, bodies: &self.bodies, seats: &self.seats, piece, numbers, allowed };
-        let (scenery, Some(answer)) = held.answer(t, &y) else { return Vec::new() };
+    /// Events that can end the contact.
+    fn endings(&self) -> Vec<Switch> {
         let mut all = Vec::new();
-        for (seat, reaction) in self.seats.iter().zip(&answer.reactions) {
-            let points = scenery.points(model, seat);
-            for ((&site, point), push) in seat.sites.iter().zip(&points).zip(reaction.normal) {
-                all.push((push, Ending::Lets(site)));
-                all.push((point.inset, Ending::Leaves(site)));
+        for (number, mode) in self.modes.iter().enumerate() {
+            for (end, &site) in mode.sites.iter().enumerate() {
+                all.push(Switch { mode: number, end, ending: Ending::Opens(site) });
+                all.push(Switch { mode: number, end, ending: Ending::LeavesFace(site) });
             }
-            match seat.way {
-                Way::Held => {
-                    let rounding = 2.0 * scenery.rounding(&middle(&points));
-                    let most = seat.friction(numbers)[0] * reaction.total() + rounding;
-                    all.push((most - reaction.tangential.abs(), Ending::Breaks(seat.pair)));
-                }
-                Way::Slides(sign) => {
-                    let middle = middle(&points);
-                    all.push((sign * scenery.cluster.speed(&middle, middle.s), Ending::Stops(seat.pair)));
-                }
-            }
+            let along = match mode.friction {
+                FrictionMode::Stick => Some(Ending::BreaksAway(mode.pair)),
+                FrictionMode::Slip(_) => Some(Ending::SlipStops(mode.pair)),
+                FrictionMode::Frictionless => None,
+            };
+            all.extend(along.map(|ending| Switch { mode: number, end: 0, ending }));
         }
         all
     }
 
-    /// Ends the planned step where the first gauge falls through 0.
-    fn look_for_an_end(&mut self, model: &Model, numbers: &ImpactSettings, piece: LinearPiece, least: f64) {
+    /// Switching functions at `t`: positive while their event has not happened; none without a solution.
+    fn switching_functions(&self, model: &Model, piece: LinearPiece, switches: &[Switch], t: f64) -> Option<Vec<f64>> {
+        let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
+        let ode = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed: [1.0; 2] };
+        let (kinematics, motion) = ode.motion(t, &y);
+        let reactions = motion?.reactions;
+        Some(switches.iter().map(|s| s.value(&self.modes[s.mode], model, &kinematics, &reactions[s.mode])).collect())
+    }
+
+    /// One switching function at `t`, 0 without a solution. Where it depends on no reaction, none is solved for.
+    fn switching_function(&self, model: &Model, piece: LinearPiece, switch: Switch, t: f64) -> f64 {
+        if matches!(switch.ending, Ending::Opens(_) | Ending::BreaksAway(_)) {
+            return self.switching_functions(model, piece, &[switch], t).map_or(0.0, |values| values[0]);
+        }
+        let y: Vec<f64> = (0..self.bodies.len()).flat_map(|place| self.state(place, t)).collect();
+        let ode = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed: [1.0; 2] };
+        switch.value(&self.modes[switch.mode], model, &ode.kinematics(t, &y), &Reaction::default())
+    }
+
+    /// Ends the planned step at the first zero of a switching function.
+    fn find_ending(&mut self, model: &Model, piece: LinearPiece, least: f64) {
         self.ending = None;
+        let switches = self.endings();
         let (from, until) = ((self.from + least).min(self.until), self.until);
-        let gauges = |t: f64| self.gauges(model, numbers, piece, t);
-        let times: Vec<f64> = (0..=LOOKS)
-            .map(|look| if look == LOOKS { until } else { from + (until - from) * look as f64 / LOOKS as f64 })
-            .collect();
-        let seen: Vec<Vec<(f64, Ending)>> = times.iter().map(|&t| gauges(t)).collect();
-        let count = seen.iter().map(Vec::len).min().unwrap_or(0);
+        let sample = |k: usize| from + (until - from) * k as f64 / SWITCHING_SAMPLES as f64;
+        let times: Vec<f64> =
+            (0..=SWITCHING_SAMPLES).map(|k| if k == SWITCHING_SAMPLES { until } else { sample(k) }).collect();
+        let samples: Option<Vec<Vec<f64>>> =
+            times.iter().map(|&t| self.switching_functions(model, piece, &switches, t)).collect();
+        let Some(samples) = samples else { return };
         let mut first: Option<(f64, Ending)> = None;
-        for i in 0..count {
-            let gauge = |t: f64| gauges(t).get(i).map_or(0.0, |g| g.0);
-            let values: Vec<f64> = seen.iter().map(|at| at[i].0).collect();
-            if let Some(t) = falls(&gauge, &times, &values)
+        for (i, &switch) in switches.iter().enumerate() {
+            let function = |t: f64| self.switching_function(model, piece, switch, t);
+            let values: Vec<f64> = samples.iter().map(|at| at[i]).collect();
+            if let Some(t) = first_zero(&function, &times, &values)
                 && first.is_none_or(|(earliest, _)| t < earliest)
             {
-                first = Some((t, seen[0][i].1));
+                first = Some((t, switch.ending));
             }
         }
         if let Some((t, ending)) = first {
@@ -301,36 +298,63 @@ impl Grip {
     }
 }
 
-/// Where a gauge, seen at some times, first falls through 0: between two looks, or in a dip between them that comes near 0.
-fn falls(gauge: &dyn Fn(f64) -> f64, times: &[f64], values: &[f64]) -> Option<f64> {
+/// A switching function: its event, the contact mode by its place in the list, and which of the kept points.
+#[derive(Clone, Copy, Debug)]
+struct Switch {
+    mode: usize,
+    end: usize,
+    ending: Ending,
+}
+
+impl Switch {
+    /// Normal reaction \[N\], distance from the border of the face \[m\], distance from the friction cone \[N\], or slip \[m/s\].
+    fn value(&self, mode: &ContactMode, model: &Model, kinematics: &Kinematics, reaction: &Reaction) -> f64 {
+        match self.ending {
+            Ending::Opens(_) => reaction.normal[self.end],
+            Ending::LeavesFace(site) => kinematics.point(model, site).inset,
+            Ending::BreaksAway(_) => {
+                let round_off = 2.0 * kinematics.force_round_off(&centre(&mode.points(model, kinematics)));
+                let most = mode.friction_coefficients(&model.impact)[0] * reaction.total() + round_off;
+                most - reaction.tangential.abs()
+            }
+            Ending::SlipStops(_) => {
+                let centre = centre(&mode.points(model, kinematics));
+                mode.friction.slip_sign().unwrap_or(0.0) * kinematics.cluster.speed(&centre, centre.s)
+            }
+        }
+    }
+}
+
+/// First time at which a function, sampled at some times, falls through 0: between two samples, or in a minimum between them.
+fn first_zero(function: &dyn Fn(f64) -> f64, times: &[f64], values: &[f64]) -> Option<f64> {
     let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     for (k, (t, v)) in times.windows(2).zip(values.windows(2)).enumerate() {
         if v[1] < 0.0 && (v[0] > 0.0 || k == 0) {
-            return Some(root(|t| -gauge(t), t[0], t[1]));
+            return Some(root(|t| -function(t), t[0], t[1]));
         }
         if v[0] > 0.0
-            && v[0].min(v[1]) < NEAR * largest
-            && let Some(low) = dip(gauge, [t[0], t[1]])
+            && v[0].min(v[1]) < DIP_FRACTION * largest
+            && let Some(low) = minimum_below_zero(function, [t[0], t[1]])
         {
-            return Some(root(|t| -gauge(t), t[0], low));
+            return Some(root(|t| -function(t), t[0], low));
         }
     }
     None
 }
 
-/// Where a gauge is below 0 between two looks that see it above; nothing where it turns round above, or not at all.
-fn dip(gauge: &dyn Fn(f64) -> f64, [a, b]: [f64; 2]) -> Option<f64> {
-    let hair = 1e-4 * (b - a);
-    let slope = |t: f64| gauge(t + hair) - gauge(t);
-    if slope(a) >= 0.0 || slope(b - hair) <= 0.0 {
+/// Where a function is below 0 between two samples that are above; none where its minimum is above, or where it has none.
+fn minimum_below_zero(function: &dyn Fn(f64) -> f64, [a, b]: [f64; 2]) -> Option<f64> {
+    let step = DIP_DIFFERENCE * (b - a);
+    let slope = |t: f64| function(t + step) - function(t);
+    if slope(a) >= 0.0 || slope(b - step) <= 0.0 {
         return None;
     }
-    let low = root(slope, a, b - hair) + 0.5 * hair;
-    (gauge(low) < 0.0).then_some(low)
+    let low = root(slope, a, b - step) + 0.5 * step;
+    (function(low) < 0.0).then_some(low)
 }
 
-/// A quarter of the period of the shaking \[s\].
-fn quarter(ground: &Ground) -> f64 {
+/// A quarter of the period of a sine of the ground \[s\]: a step over more of it could miss a turning point.
+fn quarter_period(ground: &Ground) -> f64 {
     match ground {
         Ground::Sine { omega, .. } if *omega > 0.0 => 0.25 * std::f64::consts::TAU / omega,
         _ => f64::INFINITY,

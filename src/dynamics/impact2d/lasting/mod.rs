@@ -1,6 +1,8 @@
-//! Lasting contact: its reactions, the choice of contact modes, and the motion between two changes.
+//! Lasting contact: candidates, contact modes, reactions, and the motion between two changes.
 
+pub(in crate::dynamics::impact2d) mod candidates;
 pub mod constrained_motion;
 pub(in crate::dynamics::impact2d) mod lasting_contact;
 pub mod mode_selection;
-mod painleve;
+pub(in crate::dynamics::impact2d) mod painleve;
+mod sliding_face;

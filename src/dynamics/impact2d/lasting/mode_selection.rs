@@ -1,20 +1,19 @@
-//! Who stays in contact and how, once no point is driven in any more (Tables 4–7).
+//! Contact modes after the impulses of an instant: which points stay in contact, and whether they stick or slip.
 //!
-//! A corner leaves when its normal acceleration without any reaction is ≥ 0; else it sticks if `N ≥ 0` and
-//! `|T| ≤ μ_s N`, else it slides the way whose own solution agrees. A face is kept while both of its ends are pushed, which
-//! is `|η| ≤ b_f`. Where stick and slide are both consistent (high μ, before the Painlevé bound), stick is taken.
+//! A point opens where its normal acceleration without any reaction is ≥ 0. Otherwise it sticks if `N ≥ 0` and `|T| ≤ μ_s N`,
+//! else it slips in the direction whose own solution agrees. A face is kept while both of its ends are under pressure, which
+//! is `|η| ≤ b_f`. Where stick and slip are both consistent (high μ, before the Painlevé bound), stick is taken
+//! (`docs/physics.md#change-of-state`). A linear complementarity problem, solved by enumeration; with
+//! many pairs by relaxation, pair after pair.
 
 use crate::dynamics::Model;
-use crate::dynamics::impact2d::delassus::Point;
-use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle, react};
+use crate::dynamics::impact2d::constants::{FORCE_ROUND_OFF, MODE_COMBINATIONS, MODE_SWEEPS};
+use crate::dynamics::impact2d::delassus::{ContactPoint, centre};
+use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::lasting::constrained_motion::{
+    ConstrainedMotion, ContactMode, FrictionMode, solve_reactions,
+};
 use crate::scene::ImpactSettings;
-
-/// Accelerations and forces that differ by less than this part of the largest are the same.
-pub(in crate::dynamics::impact2d) const ROUNDING: f64 = 1e-10;
-/// Guesses for all seats together; with more pairs than that, seat by seat.
-const MOST_GUESSES: usize = 4096;
-/// Rounds of going through the seats one by one.
-const ROUNDS: usize = 64;
 
 /// A pair that may stay in contact.
 #[derive(Clone, Debug)]
@@ -24,124 +23,128 @@ pub struct Candidate {
     /// Declared contacts with no gap and no speed along the normal: one or two.
     pub sites: Vec<usize>,
     /// Where they are.
-    pub points: Vec<Point>,
-    /// The way it slides; 0 where it is at rest along the face.
-    pub slides: f64,
-    /// Whether it is so slow that it stays put where it can, although it slides.
-    pub stays_or_leaves: bool,
-    /// What an event has just ruled out.
-    pub ruled_out: RuledOut,
+    pub points: Vec<ContactPoint>,
+    /// Sign of `v_s`; 0 at rest along the face.
+    pub slip: f64,
+    /// Whether only stick and opening are tried, for a slip below the stop speed that has no consistent mode.
+    pub stick_or_open: bool,
+    /// Modes that the event of this instant has ended.
+    pub excluded: Excluded,
 }
 
-/// What an event has ended.
+/// Modes that an event has ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RuledOut {
-    /// Staying put.
-    pub held: bool,
-    /// A contact, by its number in the model, that is not pushed any more.
+pub struct Excluded {
+    /// Stick.
+    pub stick: bool,
+    /// Contact at this declared contact, by its number in the model, whose reaction has fallen to 0.
     pub site: Option<usize>,
 }
 
 impl Candidate {
-    /// Everything that the pair may do, in the order in which it is tried; nothing is leaving.
-    fn options(&self) -> Vec<Option<Seat>> {
+    /// Modes of the pair in the order in which they are tried; none is opening.
+    fn options(&self) -> Vec<Option<ContactMode>> {
         let mut all = vec![None];
         let faces = (self.sites.len() > 1).then(|| self.sites.clone());
-        let kept = |sites: &Vec<usize>| self.ruled_out.site.is_none_or(|out| !sites.contains(&out));
+        let kept = |sites: &Vec<usize>| self.excluded.site.is_none_or(|out| !sites.contains(&out));
         for sites in faces.into_iter().chain(self.sites.iter().map(|&site| vec![site])).filter(kept) {
-            let ways: &[Way] = match self.slides {
-                _ if self.stays_or_leaves => &[Way::Held],
-                v if v > 0.0 => &[Way::Slides(1.0)],
-                v if v < 0.0 => &[Way::Slides(-1.0)],
-                _ if self.ruled_out.held => &[Way::Slides(1.0), Way::Slides(-1.0)],
-                _ => &[Way::Held, Way::Slides(1.0), Way::Slides(-1.0)],
+            let frictions: &[FrictionMode] = match self.slip {
+                _ if self.stick_or_open => &[FrictionMode::Stick],
+                v if v > 0.0 => &[FrictionMode::Slip(1.0)],
+                v if v < 0.0 => &[FrictionMode::Slip(-1.0)],
+                _ if self.excluded.stick => &[FrictionMode::Slip(1.0), FrictionMode::Slip(-1.0)],
+                _ => &[FrictionMode::Stick, FrictionMode::Slip(1.0), FrictionMode::Slip(-1.0)],
             };
-            all.extend(ways.iter().map(|&way| Some(Seat { pair: self.pair, sites: sites.clone(), way })));
+            all.extend(
+                frictions.iter().map(|&friction| Some(ContactMode { pair: self.pair, sites: sites.clone(), friction })),
+            );
         }
         all
     }
 }
 
-/// Seats of all candidates together; nothing where no choice is consistent (Painlevé).
-pub fn decide(
+/// Modes of all candidates together; none where no combination is consistent (Painlevé).
+pub fn select_modes(
     model: &Model,
-    scenery: &Scenery,
+    kinematics: &Kinematics,
     candidates: &[Candidate],
     numbers: &ImpactSettings,
-) -> Option<Vec<Seat>> {
-    let judge = Judge { model, scenery, candidates, numbers };
-    let options: Vec<Vec<Option<Seat>>> = candidates.iter().map(Candidate::options).collect();
-    let guesses = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul);
-    let choice = match guesses {
-        Some(guesses) if guesses <= MOST_GUESSES => (0..guesses).find_map(|guess| {
-            let choice = digits(guess, &options);
-            judge.agrees(&choice, None).then_some(choice)
+) -> Option<Vec<ContactMode>> {
+    let consistency = Consistency { model, kinematics, candidates, numbers };
+    let options: Vec<Vec<Option<ContactMode>>> = candidates.iter().map(Candidate::options).collect();
+    let combinations = options.iter().map(Vec::len).try_fold(1usize, usize::checked_mul);
+    let choice = match combinations {
+        Some(combinations) if combinations <= MODE_COMBINATIONS => (0..combinations).find_map(|number| {
+            let choice = combination(number, &options);
+            consistency.is_consistent(&choice, None).then_some(choice)
         }),
-        _ => one_by_one(&judge, &options),
+        _ => relax(&consistency, &options),
     };
     choice.map(|choice| choice.into_iter().flatten().collect())
 }
 
-/// The guess of that number, the first candidate's options first.
-fn digits(mut guess: usize, options: &[Vec<Option<Seat>>]) -> Vec<Option<Seat>> {
-    let digit = |of: &Vec<Option<Seat>>| {
-        let option = of[guess % of.len()].clone();
-        guess /= of.len();
+/// The combination of this number, the options of the first candidate changing fastest.
+fn combination(mut number: usize, options: &[Vec<Option<ContactMode>>]) -> Vec<Option<ContactMode>> {
+    let digit = |of: &Vec<Option<ContactMode>>| {
+        let option = of[number % of.len()].clone();
+        number /= of.len();
         option
     };
     options.iter().map(digit).collect()
 }
 
-/// Each takes its first option that agrees with what the others do, until nobody changes any more.
-fn one_by_one(judge: &Judge<'_>, options: &[Vec<Option<Seat>>]) -> Option<Vec<Option<Seat>>> {
-    let mut choice: Vec<Option<Seat>> = options.iter().map(|of| of.last().cloned().flatten()).collect();
-    for _ in 0..ROUNDS {
+/// Each candidate takes its first option consistent with the modes of the others, until none changes.
+fn relax(consistency: &Consistency<'_>, options: &[Vec<Option<ContactMode>>]) -> Option<Vec<Option<ContactMode>>> {
+    let mut choice: Vec<Option<ContactMode>> = options.iter().map(|of| of.last().cloned().flatten()).collect();
+    for _ in 0..MODE_SWEEPS {
         let before = choice.clone();
         for (i, of) in options.iter().enumerate() {
             for option in of {
                 choice[i].clone_from(option);
-                if judge.agrees(&choice, Some(i)) {
+                if consistency.is_consistent(&choice, Some(i)) {
                     break;
                 }
             }
         }
         if choice == before {
-            return judge.agrees(&choice, None).then_some(choice);
+            return consistency.is_consistent(&choice, None).then_some(choice);
         }
     }
     None
 }
 
-struct Judge<'a> {
+/// What a combination of modes is checked against.
+struct Consistency<'a> {
     model: &'a Model,
-    scenery: &'a Scenery,
+    kinematics: &'a Kinematics,
     candidates: &'a [Candidate],
     numbers: &'a ImpactSettings,
 }
 
-impl Judge<'_> {
-    /// Whether a choice contradicts nothing; of one candidate, or of all.
-    fn agrees(&self, choice: &[Option<Seat>], only: Option<usize>) -> bool {
-        let seats: Vec<Seat> = choice.iter().flatten().cloned().collect();
-        let points: Vec<Vec<Point>> = seats.iter().map(|seat| self.scenery.points(self.model, seat)).collect();
-        let Some(answer) = react(self.scenery, &seats, &points, self.numbers) else { return false };
+impl Consistency<'_> {
+    /// Whether a combination violates no condition of one candidate, or of any.
+    fn is_consistent(&self, choice: &[Option<ContactMode>], only: Option<usize>) -> bool {
+        let modes: Vec<ContactMode> = choice.iter().flatten().cloned().collect();
+        let points: Vec<Vec<ContactPoint>> =
+            modes.iter().map(|mode| mode.points(self.model, self.kinematics)).collect();
+        let Some(motion) = solve_reactions(self.kinematics, &modes, &points, self.numbers) else { return false };
         let scale = self.scale();
-        let mut seated = 0;
+        let mut before = 0;
         for (i, (option, candidate)) in choice.iter().zip(self.candidates).enumerate() {
-            let number = seated;
-            seated += usize::from(option.is_some());
+            let number = before;
+            before += usize::from(option.is_some());
             if only.is_some_and(|one| one != i) {
                 continue;
             }
-            let kept = option.as_ref().map_or(&[][..], |seat| &seat.sites[..]);
-            let leaves = |(site, point): (&usize, &Point)| {
-                kept.contains(site) || answer.along(point, point.n, point.bias[0]) >= -ROUNDING * scale
+            let kept = option.as_ref().map_or(&[][..], |mode| &mode.sites[..]);
+            let opens = |(site, point): (&usize, &ContactPoint)| {
+                kept.contains(site) || motion.along(point, point.n, point.bias[0]) >= -FORCE_ROUND_OFF * scale
             };
-            if !candidate.sites.iter().zip(&candidate.points).all(leaves) {
+            if !candidate.sites.iter().zip(&candidate.points).all(opens) {
                 return false;
             }
-            if let Some(seat) = option
-                && !self.holds(seat, &points[number], &answer, number, candidate)
+            if let Some(mode) = option
+                && !self.satisfies_friction(mode, &points[number], &motion, number, candidate)
             {
                 return false;
             }
@@ -149,30 +152,145 @@ impl Judge<'_> {
         true
     }
 
-    /// Whether a seat pushes, and its friction agrees with its way.
-    fn holds(&self, seat: &Seat, points: &[Point], answer: &Answer, number: usize, candidate: &Candidate) -> bool {
-        let reaction = &answer.reactions[number];
-        let [mu_s, mu_k] = seat.friction(self.numbers);
-        let middle = middle(points);
-        let [w_n, _, w_ns] = self.scenery.cluster.mobilities(&middle);
-        let force = self.scenery.rounding(&middle);
-        let n = seat.sites.len();
+    /// Whether reactions are compressive and the friction agrees with the motion along the face.
+    fn satisfies_friction(
+        &self,
+        mode: &ContactMode,
+        points: &[ContactPoint],
+        motion: &ConstrainedMotion,
+        number: usize,
+        candidate: &Candidate,
+    ) -> bool {
+        let reaction = &motion.reactions[number];
+        let [mu_s, mu_k] = mode.friction_coefficients(self.numbers);
+        let centre = centre(points);
+        let [w_n, _, w_ns] = self.kinematics.cluster.mobilities(&centre);
+        let force = self.kinematics.force_round_off(&centre);
+        let n = mode.sites.len();
         if reaction.normal[..n].iter().any(|push| *push < -force) {
             return false;
         }
-        match seat.way {
-            Way::Held => reaction.tangential.abs() <= mu_s * reaction.total() + force,
-            // Past the Painlevé bound a push would drive the point in.
-            Way::Slides(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
-            Way::Slides(sign) => {
-                candidate.slides != 0.0
-                    || sign * answer.along(&middle, middle.s, middle.bias[1]) >= -ROUNDING * self.scale()
+        match mode.friction {
+            FrictionMode::Stick => reaction.tangential.abs() <= mu_s * reaction.total() + force,
+            // Past the Painlevé bound a normal reaction would make the point approach.
+            FrictionMode::Slip(sign) if w_n - mu_k * sign * w_ns <= 0.0 => false,
+            FrictionMode::Frictionless => true,
+            FrictionMode::Slip(sign) => {
+                candidate.slip != 0.0
+                    || sign * motion.along(&centre, centre.s, centre.bias[1]) >= -FORCE_ROUND_OFF * self.scale()
             }
         }
     }
 
-    /// Size of the accelerations in play \[m/s²\].
+    /// Largest acceleration in play \[m/s²\].
     fn scale(&self) -> f64 {
-        self.scenery.scale()
+        self.kinematics.scale()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::format;
+
+    /// Half length and half width of the block \[m\].
+    const HALF: [f64; 2] = [0.095, 0.035];
+
+    /// A block of 2 kg flush at a wall at +x under this push \[N\], and its candidate.
+    fn block(force: [f64; 2], slip: f64) -> (Model, Kinematics, Candidate) {
+        let text = format!(
+            r#"
+            name = "block"
+            duration_s = 1.0
+            [[girder]]
+            name = "deck"
+            length_m = {:?}
+            width_m = {:?}
+            thickness_m = 0.02
+            mass_kg = 2.0
+            push = {{ force_n = {force:?} }}
+            [[abutment]]
+            name = "wall"
+            faces = "deck"
+            gap_m = 0.0
+            width_m = 2.0
+            "#,
+            2.0 * HALF[0],
+            2.0 * HALF[1]
+        );
+        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        let kinematics = Kinematics::new(&model, &[0], &[[0.0; 6]], DVec3::ZERO);
+        let mut touching: Vec<(usize, ContactPoint)> = (0..model.contacts.len())
+            .map(|site| (site, kinematics.point(&model, site)))
+            .filter(|(_, point)| point.gap.abs() < 1e-12)
+            .collect();
+        touching.sort_by(|a, b| a.1.along.total_cmp(&b.1.along));
+        let (sites, points) = touching.into_iter().unzip();
+        let excluded = Excluded::default();
+        let candidate = Candidate { pair: 0, sites, points, slip, stick_or_open: false, excluded };
+        (model, kinematics, candidate)
+    }
+
+    /// The mode of the block; its declared contacts are those at the wall.
+    fn mode(force: [f64; 2], slip: f64, mu: f64, change: impl FnOnce(&mut Candidate)) -> Option<ContactMode> {
+        let (model, kinematics, mut candidate) = block(force, slip);
+        change(&mut candidate);
+        let numbers = ImpactSettings { mu_static: mu, mu_kinetic: 0.75 * mu, ..ImpactSettings::default() };
+        select_modes(&model, &kinematics, &[candidate], &numbers).expect("a consistent mode").pop()
+    }
+
+    #[test]
+    fn a_block_under_tension_opens() {
+        assert_eq!(mode([-1.0, 0.0], 0.0, 0.2, |_| ()), None, "nothing holds it");
+    }
+
+    #[test]
+    fn a_block_sticks_inside_the_cone_and_slips_outside() {
+        let inside = mode([10.0, 1.99], 0.0, 0.2, |_| ()).expect("in contact");
+        assert!(inside.is_flush() && inside.friction == FrictionMode::Stick, "{inside:?}");
+        let outside = mode([10.0, 2.01], 0.0, 0.2, |_| ()).expect("in contact");
+        // s = −y and the push is along +y.
+        assert!(outside.is_flush() && outside.friction == FrictionMode::Slip(-1.0), "{outside:?}");
+    }
+
+    #[test]
+    fn the_direction_of_a_slip_is_kept_whatever_the_push() {
+        let slipping = mode([10.0, 1.0], 1.0, 0.2, |_| ()).expect("in contact");
+        assert_eq!(slipping.friction, FrictionMode::Slip(1.0), "it goes on");
+        let slow = mode([10.0, 1.0], 1.0, 0.2, |candidate| candidate.stick_or_open = true).expect("in contact");
+        assert_eq!(slow.friction, FrictionMode::Stick, "below the stop speed");
+    }
+
+    #[test]
+    fn a_face_turns_onto_one_corner_where_the_reaction_leaves_it() {
+        // |T| a > N b: a push of 10 N along x carries 10 b/a = 3.68 N along y.
+        let limit = 10.0 * HALF[1] / HALF[0];
+        let flush = mode([10.0, 0.99 * limit], 0.0, 2.0, |_| ()).expect("in contact");
+        assert!(flush.is_flush(), "{flush:?}");
+        let corner = mode([10.0, 1.01 * limit], 0.0, 2.0, |_| ()).expect("in contact");
+        assert!(!corner.is_flush() && corner.friction == FrictionMode::Stick, "{corner:?}");
+    }
+
+    #[test]
+    fn what_an_event_has_ended_is_not_selected_again() {
+        let broke = mode([10.0, 2.0], 0.0, 0.2, |candidate| candidate.excluded.stick = true).expect("in contact");
+        assert_eq!(broke.friction, FrictionMode::Slip(-1.0), "stick has ended");
+    }
+
+    #[test]
+    fn relaxation_finds_the_mode_of_enumeration() {
+        for force in [[10.0, 1.0], [10.0, 3.0], [-1.0, 0.0]] {
+            let (model, kinematics, candidate) = block(force, 0.0);
+            let numbers = ImpactSettings { mu_static: 0.2, mu_kinetic: 0.15, ..ImpactSettings::default() };
+            let candidates = [candidate];
+            let consistency =
+                Consistency { model: &model, kinematics: &kinematics, candidates: &candidates, numbers: &numbers };
+            let options: Vec<_> = candidates.iter().map(Candidate::options).collect();
+            let relaxed = relax(&consistency, &options).expect("a consistent mode");
+            let enumerated = select_modes(&model, &kinematics, &candidates, &numbers).expect("a consistent mode");
+            assert_eq!(relaxed.into_iter().flatten().collect::<Vec<_>>(), enumerated, "push {force:?} N");
+        }
     }
 }

@@ -1,101 +1,169 @@
-//! A way on where no motion agrees with friction.
+//! Contact modes where no motion is consistent with Coulomb friction (Painlevé).
 //!
-//! Past the Painlevé bound, and where several contacts with friction hang together, it can be that a slide neither goes on
-//! nor ends: whatever the face pushes, friction turns it against itself. Then, in this order,
+//! Past `W_nn − μ_k σ W_ns ≤ 0`, and where several contacts with friction are coupled, a slip may neither continue nor end.
+//! Then, in this order,
 //!
-//! 1. who slides slower than the stop speed stays put;
-//! 2. **impact without collision**: friction stops slides at once, the slowest first and as few as it takes, by the least
-//!    impulses that stop them and drive nothing in (an orthogonal projection in the metric of the masses: no energy is
-//!    added);
-//! 3. what is left goes along the faces without friction for a step of the integrator, which always has an answer, and is
-//!    decided anew.
+//! 1. slips below the stop speed become stick;
+//! 2. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
+//!    impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
+//! 3. otherwise the contacts go on without friction for one step of the integrator, which always has a solution, and are
+//!    selected anew.
 
 use glam::DVec3;
 
-use crate::dynamics::impact2d::after_impact::along;
-use crate::dynamics::impact2d::delassus::{Cluster, Point};
-use crate::dynamics::impact2d::engine::Engine;
+use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, centre};
 use crate::dynamics::impact2d::impulse::simultaneous;
-use crate::dynamics::impact2d::instant::Moment;
-use crate::dynamics::impact2d::lasting::constrained_motion::{Answer, Scenery, Seat, Way, middle};
+use crate::dynamics::impact2d::instant::ImpactInstant;
+use crate::dynamics::impact2d::kinematics::Kinematics;
+use crate::dynamics::impact2d::lasting::candidates::{candidates, tangential_speed};
+use crate::dynamics::impact2d::lasting::constrained_motion::{ConstrainedMotion, ContactMode, FrictionMode};
 use crate::dynamics::impact2d::lasting::lasting_contact::Ending;
-use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, decide};
+use crate::dynamics::impact2d::lasting::mode_selection::{Candidate, select_modes};
+use crate::dynamics::impact2d::world::World;
 
-impl Engine {
-    /// Who may stay in contact, and how they do; velocities change where friction has to stop a slide.
-    pub(in crate::dynamics::impact2d) fn agree(
-        &self,
-        moment: &mut Moment,
-        ending: Option<Ending>,
-        shaking: DVec3,
-    ) -> (Vec<Candidate>, Vec<Seat>) {
-        let mut candidates = self.candidates(moment, ending);
-        if let Some(seats) = self.consistent(moment, &mut candidates) {
-            return (candidates, seats);
-        }
-        let mut sliding: Vec<(f64, usize, Point)> = candidates
-            .iter()
-            .filter(|candidate| candidate.slides != 0.0)
-            .map(|candidate| (along(moment, candidate).abs(), candidate.pair, middle(&candidate.points)))
-            .collect();
-        sliding.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let before = moment.scenery.cluster.clone();
-        let stops = ending.filter(|ending| matches!(ending, Ending::Stops(_)));
-        for count in 1..=sliding.len() {
-            let stopped: Vec<Point> = sliding[..count].iter().map(|slide| slide.2).collect();
-            self.stop_at_once(moment, &before, &stopped, shaking);
-            candidates = self.candidates(moment, stops);
-            for candidate in &mut candidates {
-                if sliding[..count].iter().any(|slide| slide.1 == candidate.pair) {
-                    candidate.slides = 0.0;
-                }
-            }
-            if let Some(seats) = self.consistent(moment, &mut candidates) {
-                return (candidates, seats);
+/// Candidates and their contact modes; velocities of the instant change where friction has to stop a slip. `ground` is the
+/// acceleration of the ground \[m/s²\].
+pub(in crate::dynamics::impact2d) fn consistent_modes(
+    world: &World,
+    instant: &mut ImpactInstant,
+    ending: Option<Ending>,
+    ground: DVec3,
+) -> (Vec<Candidate>, Vec<ContactMode>) {
+    let mut all = candidates(world, instant, ending);
+    if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all) {
+        return (all, modes);
+    }
+    let mut slipping: Vec<(f64, usize, ContactPoint)> = all
+        .iter()
+        .filter(|candidate| candidate.slip != 0.0)
+        .map(|c| (tangential_speed(&instant.kinematics.cluster, &c.points).abs(), c.pair, centre(&c.points)))
+        .collect();
+    slipping.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let before = instant.kinematics.cluster.clone();
+    let stops = ending.filter(|ending| matches!(ending, Ending::SlipStops(_)));
+    for count in 1..=slipping.len() {
+        let stopped: Vec<ContactPoint> = slipping[..count].iter().map(|slip| slip.2).collect();
+        stop_slips(world, instant, &before, &stopped, ground);
+        all = candidates(world, instant, stops);
+        for candidate in &mut all {
+            if slipping[..count].iter().any(|slip| slip.1 == candidate.pair) {
+                candidate.slip = 0.0;
             }
         }
-        let seats = smooth(&moment.scenery, &candidates);
-        (candidates, seats)
-    }
-
-    /// What agrees with friction; who slides slower than the stop speed and cannot go on may stay put.
-    fn consistent(&self, moment: &Moment, candidates: &mut [Candidate]) -> Option<Vec<Seat>> {
-        let numbers = self.model.impact;
-        decide(&self.model, &moment.scenery, candidates, &numbers).or_else(|| {
-            let mut slow = false;
-            for candidate in candidates.iter_mut().filter(|c| along(moment, c).abs() <= numbers.stop_speed) {
-                (candidate.stays_or_leaves, slow) = (true, true);
-            }
-            slow.then(|| decide(&self.model, &moment.scenery, candidates, &numbers)).flatten()
-        })
-    }
-
-    /// Stops the slides at these points, from the velocities `before`.
-    fn stop_at_once(&self, moment: &mut Moment, before: &Cluster, slides: &[Point], shaking: DVec3) {
-        let mut cluster = before.clone();
-        simultaneous::stop(&mut cluster, &moment.edges, slides);
-        for (state, v) in moment.states.iter_mut().zip(&cluster.velocity) {
-            state[3..].copy_from_slice(&v.to_array());
+        if let Some(modes) = modes_or_slow_stick(world, &instant.kinematics, &mut all) {
+            return (all, modes);
         }
-        moment.scenery = Scenery::new(&self.model, &moment.scenery.bodies, &moment.states, shaking);
     }
+    let modes = frictionless_modes(&instant.kinematics, &all);
+    (all, modes)
 }
 
-/// Everybody who is pressed stays, without friction: the accelerations nearest to the free ones that drive nothing in.
-fn smooth(scenery: &Scenery, candidates: &[Candidate]) -> Vec<Seat> {
-    let free = Answer { reactions: Vec::new(), accelerations: scenery.free.clone() };
-    let points: Vec<Point> = candidates.iter().flat_map(|candidate| candidate.points.clone()).collect();
+/// Consistent modes, if need be with slips below the stop speed turned into stick.
+fn modes_or_slow_stick(world: &World, kinematics: &Kinematics, all: &mut [Candidate]) -> Option<Vec<ContactMode>> {
+    let numbers = world.model.impact;
+    select_modes(&world.model, kinematics, all, &numbers).or_else(|| {
+        let mut slow = false;
+        let is_slow = |c: &Candidate| tangential_speed(&kinematics.cluster, &c.points).abs() <= numbers.stop_speed;
+        for candidate in all.iter_mut().filter(|c| is_slow(c)) {
+            (candidate.stick_or_open, slow) = (true, true);
+        }
+        slow.then(|| select_modes(&world.model, kinematics, all, &numbers)).flatten()
+    })
+}
+
+/// Stops the slips at these points, from the velocities `before`.
+fn stop_slips(world: &World, instant: &mut ImpactInstant, before: &Cluster, slips: &[ContactPoint], ground: DVec3) {
+    let mut cluster = before.clone();
+    simultaneous::stop(&mut cluster, &instant.manifolds, slips);
+    instant.kinematics.cluster = cluster;
+    instant.take_velocities();
+    instant.kinematics = Kinematics::new(&world.model, &instant.kinematics.bodies, &instant.states, ground);
+}
+
+/// Contacts under pressure without friction: those of the accelerations nearest to the free ones that let no point approach.
+fn frictionless_modes(kinematics: &Kinematics, all: &[Candidate]) -> Vec<ContactMode> {
+    let free = ConstrainedMotion { reactions: Vec::new(), accelerations: kinematics.free.clone() };
+    let points: Vec<ContactPoint> = all.iter().flat_map(|candidate| candidate.points.clone()).collect();
     let rates: Vec<f64> = points.iter().map(|p| free.along(p, p.n, p.bias[0])).collect();
     let rows: Vec<_> = points.iter().map(|p| (*p, p.n)).collect();
-    let pushes = simultaneous::least(&scenery.cluster, &rows, &rates, 0);
-    let mut pushed = points.iter().zip(pushes).map(|(point, push)| push > scenery.rounding(point));
-    let mut seats = Vec::new();
-    for candidate in candidates {
-        let kept = pushed.by_ref().take(candidate.sites.len());
+    let forces = simultaneous::non_negative_impulses(&kinematics.cluster, &rows, &rates, 0);
+    let mut pressed = points.iter().zip(forces).map(|(point, force)| force > kinematics.force_round_off(point));
+    let mut modes = Vec::new();
+    for candidate in all {
+        let kept = pressed.by_ref().take(candidate.sites.len());
         let sites: Vec<usize> = candidate.sites.iter().zip(kept).filter(|(_, kept)| *kept).map(|(&s, _)| s).collect();
         if !sites.is_empty() {
-            seats.push(Seat { pair: candidate.pair, sites, way: Way::Slides(0.0) });
+            modes.push(ContactMode { pair: candidate.pair, sites, friction: FrictionMode::Frictionless });
         }
     }
-    seats
+    modes
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::scene::format;
+
+    /// A girder of 2 kg flush at a wall under this push \[N\], moving along it at 0.1 m/s.
+    fn pushed(force: [f64; 2]) -> (World, ImpactInstant) {
+        let text = format!(
+            r#"
+            name = "pushed"
+            duration_s = 1.0
+            [[girder]]
+            name = "deck"
+            length_m = 0.19
+            width_m = 0.07
+            thickness_m = 0.02
+            mass_kg = 2.0
+            push = {{ force_n = {force:?} }}
+            initial = {{ velocity_m_s = [0.0, 0.1] }}
+            [[abutment]]
+            name = "wall"
+            faces = "deck"
+            gap_m = 0.0
+            width_m = 2.0
+            "#
+        );
+        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        let world = World::new(&Arc::new(model), 0);
+        let instant = ImpactInstant::new(&world, 0.0, &[0]);
+        (world, instant)
+    }
+
+    #[test]
+    fn without_friction_the_pressed_face_is_kept_and_the_pulled_one_is_not() {
+        for (force, count) in [([10.0, 0.0], 1), ([-10.0, 0.0], 0)] {
+            let (world, instant) = pushed(force);
+            let all = candidates(&world, &instant, None);
+            let modes = frictionless_modes(&instant.kinematics, &all);
+            assert_eq!(modes.len(), count, "push {force:?} N");
+            assert!(modes.iter().all(|m| m.is_flush() && m.friction == FrictionMode::Frictionless), "{modes:?}");
+        }
+    }
+
+    #[test]
+    fn stopping_a_slip_takes_the_speed_along_the_face_and_no_more_energy_than_there_was() {
+        let (world, mut instant) = pushed([10.0, 0.0]);
+        let before = instant.kinematics.cluster.clone();
+        let point = centre(&instant.manifolds[0].points);
+        stop_slips(&world, &mut instant, &before, &[point], DVec3::ZERO);
+        let after = &instant.kinematics.cluster;
+        assert!(after.speed(&point, point.s).abs() < 1e-15, "the middle of the face is at rest along it");
+        assert!(after.kinetic_energy() <= before.kinetic_energy(), "a projection adds no energy");
+        assert_eq!(instant.states[0][3..], after.velocity[0].to_array(), "states have the velocities");
+    }
+
+    #[test]
+    fn a_consistent_slip_needs_no_resolution() {
+        let (world, mut instant) = pushed([10.0, 0.0]);
+        let before = instant.kinematics.cluster.clone();
+        let (all, modes) = consistent_modes(&world, &mut instant, None, DVec3::ZERO);
+        assert_eq!(instant.kinematics.cluster, before, "no impulse");
+        assert_eq!((all.len(), modes.len()), (1, 1), "one flush pair");
+        assert!(matches!(modes[0].friction, FrictionMode::Slip(_)), "{modes:?}");
+    }
 }

@@ -5,53 +5,53 @@ use glam::{DMat3, DVec2};
 use super::*;
 
 /// A preset's girder, its face on the wall and sliding.
-fn sliding(preset: &str, change: impl FnOnce(&mut Model), way: f64) -> (Model, Grip) {
+fn sliding(preset: &str, change: impl FnOnce(&mut Model), sign: f64) -> (Model, LastingContact) {
     let mut scene = crate::scene::presets::load(preset).expect("a preset");
     scene.abutments[0].gap = Some(0.0);
     scene.girders[0].push.force = [40.0, 3.0, 0.0];
     let mut model = Model::compile(&scene).expect("a sound scene");
     change(&mut model);
-    let home = Scenery::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
+    let home = Kinematics::new(&model, &[0], &[[0.0; PLANAR]], DVec3::ZERO);
     let gap = |site: &usize| home.point(&model, *site).gap.abs() < 1e-12;
     let mut sites: Vec<usize> = model.pairs[0].contacts.clone().filter(gap).collect();
     sites.sort_by(|a, b| home.point(&model, *a).along.total_cmp(&home.point(&model, *b).along));
     let sites = vec![sites[0], sites[sites.len() - 1]];
     let s: DVec2 = home.point(&model, sites[0]).s;
-    let v = s * (0.3 * way);
-    let seat = Seat { pair: 0, sites, way: Way::Slides(way) };
-    let grip = Grip::new(vec![0], vec![seat], &[[0.0, 0.0, 0.0, v.x, v.y, 0.0]], 0.0);
-    (model, grip)
+    let v = s * (0.3 * sign);
+    let mode = ContactMode { pair: 0, sites, friction: FrictionMode::Slip(sign) };
+    let contact = LastingContact::new(vec![0], vec![mode], &[[0.0, 0.0, 0.0, v.x, v.y, 0.0]], 0.0);
+    (model, contact)
 }
 
 /// The same by Dormand–Prince as finely as it goes, up to `end`.
-fn integrated(model: &Model, grip: &Grip, end: f64) -> Vec<f64> {
-    let mut grip = grip.clone();
-    while grip.from < end {
-        let piece = model.ground.piece(model.ground.piece_number(grip.from));
+fn integrated(model: &Model, contact: &LastingContact, end: f64) -> Vec<f64> {
+    let mut contact = contact.clone();
+    while contact.from < end {
+        let piece = model.ground.piece(model.ground.piece_number(contact.from));
         let cap = end.min(piece.until);
-        let dense = grip.integrate(model, &model.impact, piece, [1e-15; 2], cap).expect("a step");
+        let dense = contact.integrate(model, piece, [1e-15; 2], cap).expect("a step");
         let to = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
-        let mut y = vec![0.0; WIDTH];
-        dense.read(0..WIDTH, to, &mut y);
-        (grip.y, grip.from) = (y, to);
+        let mut y = vec![0.0; PLANAR];
+        dense.read(0..PLANAR, to, &mut y);
+        (contact.y, contact.from) = (y, to);
     }
-    grip.y
+    contact.y
 }
 
 /// In closed form, piece by piece.
-fn closed(model: &Model, grip: &Grip, end: f64) -> Vec<f64> {
-    let mut grip = grip.clone();
-    while grip.from < end {
-        let piece = model.ground.piece(model.ground.piece_number(grip.from));
+fn closed(model: &Model, contact: &LastingContact, end: f64) -> Vec<f64> {
+    let mut contact = contact.clone();
+    while contact.from < end {
+        let piece = model.ground.piece(model.ground.piece_number(contact.from));
         let to = end.min(piece.until);
-        let slide = grip.slides(model, &model.impact, &piece, to).expect("a face on a wall");
-        (grip.y, grip.from) = (slide.state(to).to_vec(), to);
+        let slide = contact.slide(model, &piece, to).expect("a face on a wall");
+        (contact.y, contact.from) = (slide.state(to).to_vec(), to);
     }
-    grip.y
+    contact.y
 }
 
-fn agree(name: &str, (model, grip): &(Model, Grip), end: f64) {
-    let (ours, theirs) = (closed(model, grip, end), integrated(model, grip, end));
+fn agree(name: &str, (model, contact): &(Model, LastingContact), end: f64) {
+    let (ours, theirs) = (closed(model, contact, end), integrated(model, contact, end));
     let moved = theirs[0].hypot(theirs[1]);
     assert!(moved > 1e-4, "{name}: it slides, by {moved}");
     for (i, (a, b)) in ours.iter().zip(&theirs).enumerate() {
@@ -74,11 +74,11 @@ fn a_sliding_face_goes_as_the_integrator_does() {
         bear(model, 12_000.0, 400.0);
         (model.ground, model.impact.mu_kinetic) = (Ground::Still, 0.9);
     };
-    for way in [1.0, -1.0] {
+    for sign in [1.0, -1.0] {
         for preset in ["straight-abutment", "skew60-abutment", "skew45-abutment"] {
-            agree(preset, &sliding(preset, |_| (), way), 0.2);
-            agree(&format!("{preset}, still"), &sliding(preset, still, way), 0.2);
-            agree(&format!("{preset}, stiff along x"), &sliding(preset, unlike, way), 0.1);
+            agree(preset, &sliding(preset, |_| (), sign), 0.2);
+            agree(&format!("{preset}, still"), &sliding(preset, still, sign), 0.2);
+            agree(&format!("{preset}, stiff along x"), &sliding(preset, unlike, sign), 0.1);
         }
     }
 }
@@ -95,4 +95,57 @@ fn a_sliding_face_follows_a_record_and_resonates_as_the_integrator_does() {
         model.ground = Ground::Sine { amplitude: DVec3::Y, omega: 200f64.sqrt(), phase: 0.3 };
     };
     agree("resonance", &sliding("straight-abutment", resonance, 1.0), 0.3);
+}
+
+#[test]
+fn the_first_zero_is_between_samples_or_in_a_dip() {
+    let times: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
+    let found = |function: &dyn Fn(f64) -> f64| {
+        let values: Vec<f64> = times.iter().map(|&t| function(t)).collect();
+        first_zero(function, &times, &values)
+    };
+    let crossing = found(&|t| 0.3 - t * t).expect("a crossing");
+    assert!((crossing - 0.3f64.sqrt()).abs() < 1e-15, "{crossing}");
+    // Below 0 between 0.43 and 0.44 only, and no sample there.
+    let dip = found(&|t| (t - 0.43) * (t - 0.44)).expect("a dip");
+    assert!((dip - 0.43).abs() < 1e-12, "{dip}");
+    assert_eq!(found(&|t| (t - 0.43) * (t - 0.44) + 1e-4), None, "the minimum is above 0");
+    assert_eq!(found(&|t| 1.0 + t), None, "it rises");
+    let at_once = found(&|t| -t).expect("falling from 0");
+    assert!(at_once <= 1e-15, "{at_once}");
+}
+
+#[test]
+fn one_switching_function_is_the_same_as_among_all() {
+    let (model, mut contact) = sliding("skew60-abutment", |_| (), 1.0);
+    let piece = model.ground.piece(model.ground.piece_number(0.0));
+    contact.plan(&model, [1e-12; 2], [0.0, 0.1]).expect("a step");
+    let switches = contact.endings();
+    assert_eq!(switches.len(), 5, "two for each end of the face, and the slip");
+    let t = 0.3 * contact.until;
+    let all = contact.switching_functions(&model, piece, &switches, t).expect("a solution");
+    for (&switch, value) in switches.iter().zip(all) {
+        assert_eq!(contact.switching_function(&model, piece, switch, t), value, "{:?}", switch.ending);
+    }
+}
+
+#[test]
+fn a_slip_ends_where_its_speed_does() {
+    let still = |model: &mut Model| {
+        model.ground = Ground::Still;
+        bear(model, 400.0, 400.0);
+        model.impact.mu_kinetic = 0.0;
+        (model.bodies[0].push.x, model.bodies[0].push.y) = (40.0, 0.0);
+    };
+    let (model, mut contact) = sliding("straight-abutment", still, 1.0);
+    while contact.ending.is_none() && contact.until < 1.0 {
+        contact.plan(&model, [1e-12; 2], [0.0, 1.0]).expect("a step");
+        if contact.ending.is_none() {
+            contact.commit();
+        }
+    }
+    assert_eq!(contact.ending, Some(Ending::SlipStops(0)), "nothing else ends it");
+    // An undamped oscillator from rest in the middle stops after a quarter period.
+    let quarter = std::f64::consts::FRAC_PI_2 / (400.0 / model.bodies[0].mass).sqrt();
+    assert!((contact.until - quarter).abs() < 1e-14, "{} against {quarter}", contact.until);
 }

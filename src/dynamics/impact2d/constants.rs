@@ -1,0 +1,141 @@
+//! Every tolerance and count of the impact model: unit, effect, and where the number comes from.
+//!
+//! *Tuned* means that no derivation is known; where a number was checked, it says against what. All of them are in force
+//! in the scenes of `tests/digests.rs`.
+
+// Round-off of velocities, accelerations and places.
+
+/// Speeds at a contact that differ by less than this part of the fastest in play are equal. A sum over two bodies of a few
+/// products of three terms rounds by some 10 ε = 2e-15; the rest is room for the solves of [`REDUNDANCY_COMPLIANCE`]. Tuned.
+pub(super) const SPEED_ROUND_OFF: f64 = 1e-12;
+/// Likewise, in parts of the largest speed since the start of the run: velocities of a flight come from places that round by
+/// ε of their size; 45 ε. Tuned.
+pub(super) const SPEED_ROUND_OFF_OF_RUN: f64 = 1e-14;
+/// Accelerations and forces that differ by less than this part of the sum of their terms are equal. Larger than
+/// [`SPEED_ROUND_OFF`] because reactions come from a solve over several contacts, which magnifies round-off. Tuned: every
+/// row of Tables 4–7 is met by states on the border between two rows (`tests/core/impact/tables.rs`).
+pub(super) const FORCE_ROUND_OFF: f64 = 1e-10;
+/// Normal speed that a kept point may gather from the error of the integrator, in parts of the largest speed of the run.
+/// The integrator is asked for the scene's tolerance per step, 1e-8 at the default.
+pub(super) const NORMAL_DRIFT: f64 = 1e-8;
+/// Normal speed of a point that is not kept and still counts as at rest, in units of the speed round-off. An impulse sums two
+/// terms for each of two sides: 4 roundings.
+pub(super) const REST_ROUND_OFFS: f64 = 4.0;
+/// Speed below which a body that rests on a wall is set to rest exactly, in units of the speed round-off. Tuned: it
+/// is above what the projection of redundant contacts leaves and far below the stop speed.
+pub(super) const REST_SNAP_ROUND_OFFS: f64 = 1e3;
+/// Penetration that is the round-off of the gap and no penetration, in parts of the girder's size. A gap is a sum of three
+/// rotated vectors, some 20 ε, and 64 ε covers it; to project round-off out would turn a girder that is hit square.
+pub(super) const PLACE_ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+/// Rotation \[rad\] and relative coupling of bearings below which a girder counts as not turning: the state is a or b by it,
+/// no motion depends on it. 4500 ε. Tuned.
+pub(super) const ROTATION_ROUND_OFF: f64 = 1e-12;
+
+// Touching.
+
+/// Distance within which a point touches its face and a face is flush, in parts of the smaller girder's radius. It covers the
+/// difference of the two corners of a face that arrives parallel after steps of an integrator at a fine tolerance, and its
+/// effect on levers is of the same relative size. Tuned.
+pub(super) const TOUCH: f64 = 1e-9;
+/// Factor on [`TOUCH`] for a point in lasting contact: the integrator lets it drift by its tolerance, not by
+/// round-off. Tuned.
+pub(super) const KEPT_TOUCH: f64 = 1e3;
+/// Depth at which a point that lifted off without speed is taken as hitting again, in parts of its size: above the round-off
+/// of the gap, some 20 ε, and a thousandth of [`TOUCH`].
+pub(super) const LIFTED_DEPTH: f64 = 1e-12;
+
+// Impulses.
+
+/// Bisections of a restitution that would add energy: the bits of a number in \[0, 1\].
+pub(super) const RESTITUTION_BISECTIONS: u32 = 52;
+/// Work of a flush impulse that is round-off, in parts of impulse times speed round-off. Tuned: 40,000 random hits
+/// with μ up to 3 add no energy beyond 1e-12 of the kinetic energy (`tests/core/impact/rules.rs`).
+pub(super) const WORK_ROUND_OFF: f64 = 1e-2;
+/// Relative excess of a friction impulse over the cone that is round-off: that of the solve, as [`SPEED_ROUND_OFF`].
+pub(super) const CONE_ROUND_OFF: f64 = 1e-12;
+/// Hits at one instant with restitution. A girder that bounces between two walls keeps `e_n^k` of its speed after k hits,
+/// 3e-26 of it after 64 at `e_n` = 0.4 and 1e-3 at 0.9.
+pub(super) const HITS_WITH_RESTITUTION: usize = 64;
+/// Hits at one instant after which all points that still approach are stopped by one set of impulses. Tuned: four times [`HITS_WITH_RESTITUTION`].
+pub(super) const SEQUENTIAL_HITS: usize = 256;
+/// Changes of the active set of a simultaneous impact before it is given up. The program of Lawson and Hanson allows three
+/// changes for each row; 500 are as many for 166 points at one instant.
+pub(super) const ACTIVE_SET_CHANGES: usize = 500;
+/// Approach speed left by a simultaneous impact, in parts of the largest before: the residual of a solve, 450 ε.
+pub(super) const ACTIVE_SET_RESIDUAL: f64 = 1e-13;
+/// Compliance on the diagonal of a system without a unique solution, in parts of its largest entry. Redundant points share
+/// the load as if each gave by this little; the
+/// shares then keep ε/1e-12, some four digits, and sums of them all.
+pub(super) const REDUNDANCY_COMPLIANCE: f64 = 1e-12;
+
+// Contact modes.
+
+/// Combinations of contact modes that are tried one by one. A flush pair at rest has ten options, so three such pairs are
+/// enumerated and more are relaxed pair by pair.
+pub(super) const MODE_COMBINATIONS: usize = 4096;
+/// Sweeps over the pairs when modes are relaxed pair by pair. Tuned.
+pub(super) const MODE_SWEEPS: usize = 64;
+
+// Integration of lasting contact.
+
+/// Samples of each switching function per step. A step spans a quarter of the ground's period at most, so sixteen samples
+/// are 5.6° of it apart; minima between two are searched for ([`DIP_FRACTION`]).
+pub(super) const SWITCHING_SAMPLES: usize = 16;
+/// A switching function below this part of its largest value is searched for a minimum between two samples: a parabola
+/// over the step dips by (1/16)² = 0.4 % of its height at most between two samples; tuned to twelve times as much.
+pub(super) const DIP_FRACTION: f64 = 0.05;
+/// Interval over which a switching function is differenced, in parts of the interval of two samples. Truncation 1e-4 against
+/// round-off ε/1e-4, both small for a sign.
+pub(super) const DIP_DIFFERENCE: f64 = 1e-4;
+/// First step of an integration, in parts of the longest allowed; error control corrects it. Tuned.
+pub(super) const FIRST_STEP: f64 = 1e-3;
+/// A step that reaches this part of the longest is stretched to it: what
+/// would be left is no step worth taking. Tuned.
+pub(super) const STRETCH: f64 = 0.999;
+/// Rejected steps in a row before the run stops. 60 halvings take a step of 1 s to 1e-18 s, below
+/// the round-off of time.
+pub(super) const REJECTED_STEPS: usize = 60;
+/// Factor on a step whose slope has no finite value. Tuned.
+pub(super) const NOT_FINITE_FACTOR: f64 = 0.1;
+/// Largest factor on a rejected step: every rejection halves it at least.
+pub(super) const REJECTED_FACTOR: f64 = 0.5;
+/// Place and speed that the error norm of lasting contact starts from, in parts of the girder's size (per second): a run that
+/// has not moved yet has no scale of its own. Tuned.
+pub(super) const LEAST_SCALE: f64 = 1e-6;
+
+// Search for the next impact.
+
+/// Periods of a sine that one search covers. Girders in step with the ground hit once a period, so a search of two
+/// mostly finds a hit. Tuned.
+pub(super) const SEARCHED_PERIODS: f64 = 2.0;
+/// Samples of a record that one search covers: bounds of a flight hold between two kinks only. Tuned, as in the contact model.
+pub(super) const SEARCHED_SAMPLES: f64 = 64.0;
+/// Samples of a gap per planned step. The step is cut to half of the shortest period of what flies, so twelve samples see
+/// every turning point of gap and rate.
+pub(super) const GAP_SAMPLES: usize = 12;
+/// Newton steps onto a crossing within the search's resolution: quadratic from 1e-9, two reach round-off, one to spare.
+pub(super) const POLISH_STEPS: usize = 3;
+/// Evaluations of a bracketed root: 52 halvings reach round-off; with
+/// Newton steps nine are enough for the square root of 2 (test beside it).
+pub(super) const ROOT_EVALUATIONS: usize = 200;
+/// Evaluations that share one set of motion bounds. The energies that bound a motion never grow, so older bounds stay valid;
+/// they only shorten an advancement. Tuned.
+pub(super) const SHARED_BOUNDS: u32 = 4;
+/// Iterations on the root of the cubic bound. Any number is safe, because every iterate stays before the root.
+pub(super) const CUBIC_ITERATIONS: usize = 6;
+/// Relative distance from the root of the cubic bound at which the iteration ends: the next advancement starts from a better
+/// bound anyway.
+pub(super) const CUBIC_CONVERGED: f64 = 1e-2;
+
+// Progress of a run.
+
+/// Hits, searches and steps per body after which a run stops: a bound on the time of a run, not on its
+/// motion. Tuned.
+pub(super) const WORK_PER_BODY: usize = 3_000_000;
+/// Events at one instant after which a run stops, besides four for each pair and two for each body that may all act in it.
+pub(super) const EVENTS_AT_ONE_INSTANT: usize = 200;
+/// Events at one instant after which a lasting contact is kept for [`LEAST_DURATION`]: reactions at round-off level may change
+/// sign for ever. Tuned: a quarter of [`EVENTS_AT_ONE_INSTANT`].
+pub(super) const EVENTS_BEFORE_LEAST_DURATION: usize = 50;
+/// Least duration of such a contact, in parts of the run. Tuned.
+pub(super) const LEAST_DURATION: f64 = 1e-3;
