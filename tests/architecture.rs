@@ -60,7 +60,6 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
 /// only shrinks: a place without a circle is struck.
 const KNOWN_CIRCLES: &[(&str, usize)] = &[
     ("src/cli/", 13),
-    ("src/contact/", 3),
     ("src/dynamics/", 30),
     ("src/render/pass/", 9),
     ("src/scene/", 13),

@@ -4,9 +4,38 @@
 //! Switching functions are lengths, not forces: `|F_t| − μ_s N` over `k_t` is `|s| − μ_s ℓ` with `ℓ = N(δ)/k_t`.
 
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
-use super::friction::{FrictionLaw, paper, return_mapping, stick};
 use super::{Local, Normal, NormalLaw};
+
+/// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FrictionLaw {
+    /// The paper's (54)–(59) in continuous time: the anchor is the projection in slip, the tangential force restarts at 0 on
+    /// re-stick.
+    Paper,
+    /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
+    #[default]
+    ReturnMapping,
+}
+
+impl FrictionLaw {
+    /// Every law, in the order of the documentation.
+    pub const ALL: &'static [Self] = &[Self::Paper, Self::ReturnMapping];
+    /// Their words in files.
+    pub const WORDS: &'static [&'static str] = &[Self::Paper.label(), Self::ReturnMapping.label()];
+    /// The law of a scene that names none.
+    pub const DEFAULT: Self = Self::ReturnMapping;
+
+    /// The word used in files and tables.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::ReturnMapping => "return-mapping",
+        }
+    }
+}
 
 /// The law of one contact, or of a whole pair before it is divided among its nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,16 +121,6 @@ impl Law {
         self.mu_s > 0.0
     }
 
-    /// Forces on the node; the caller asks only while the contact is closed.
-    #[inline]
-    pub fn forces(&self, mode: &Mode, here: &Local) -> Forces {
-        match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => stick(self, *anchor, here),
-            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::slip(self, *direction, here),
-            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::slip(self, *direction, here),
-        }
-    }
-
     /// Normal force as a length, `ℓ = N(δ)/k_t` \[m\].
     #[inline]
     pub fn length(&self, here: &Local) -> f64 {
@@ -137,16 +156,6 @@ impl Law {
         }
     }
 
-    /// Switching function: negative while the state holds, rises through 0 at breakaway in stick and at the stop in slip.
-    #[inline]
-    pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
-        match (mode, self.friction) {
-            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * self.length(here),
-            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::stopping(self, *direction, here),
-            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::stopping(self, *direction, here),
-        }
-    }
-
     /// Mode of a contact that closes (`docs/physics.md#closing`): stick if the tangential force grows more slowly than its limit,
     /// `k_t |V_t| < μ_s N′ |V_n|`, else slip along `V_t`. Where the normal velocity is 0, rates are accelerations.
     pub fn on_closing(&self, here: &Local, tangential: DVec2, normal: f64) -> Mode {
@@ -157,24 +166,6 @@ impl Law {
             Mode::Stick { anchor: here.way }
         } else {
             Mode::Slip { direction: tangential.try_normalize().unwrap_or(DVec2::X) }
-        }
-    }
-
-    /// What breakaway makes of a stick (`docs/physics.md#breakaway`).
-    pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
-        match self.friction {
-            FrictionLaw::Paper => paper::breakaway(self, anchor, here),
-            FrictionLaw::ReturnMapping => return_mapping::breakaway(self, anchor, here),
-        }
-    }
-
-    /// What stopping makes of a slip (`docs/physics.md#stop`).
-    pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
-        match self.friction {
-            FrictionLaw::Paper => Mode::Stick { anchor: here.way },
-            FrictionLaw::ReturnMapping => {
-                Mode::Stick { anchor: here.way - direction * (self.mu_k * self.length(here)) }
-            }
         }
     }
 

@@ -10,8 +10,7 @@ pub mod node_face;
 pub mod normal;
 pub mod parameters;
 
-pub use friction::FrictionLaw;
-pub use law::{Breakaway, Forces, Law, Mode};
+pub use law::{Breakaway, Forces, FrictionLaw, Law, Mode};
 pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
 pub use normal::{Normal, NormalLaw};
 pub use parameters::{Dashpots, PairNumbers, damping_ratio, dashpots, law_of_pair};

@@ -7,35 +7,46 @@ pub(super) mod paper;
 pub(super) mod return_mapping;
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
-use super::{Forces, Law, Local};
+use super::law::{Breakaway, Forces, FrictionLaw, Law, Mode};
+use super::node_face::Local;
 
-/// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum FrictionLaw {
-    /// The paper's (54)–(59) in continuous time: the anchor is the projection in slip, the tangential force restarts at 0 on
-    /// re-stick.
-    Paper,
-    /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
-    #[default]
-    ReturnMapping,
-}
+impl Law {
+    /// Forces on the node; the caller asks only while the contact is closed.
+    #[inline]
+    pub fn forces(&self, mode: &Mode, here: &Local) -> Forces {
+        match (mode, self.friction) {
+            (Mode::Stick { anchor }, _) => stick(self, *anchor, here),
+            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::slip(self, *direction, here),
+            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::slip(self, *direction, here),
+        }
+    }
 
-impl FrictionLaw {
-    /// Every law, in the order of the documentation.
-    pub const ALL: &'static [Self] = &[Self::Paper, Self::ReturnMapping];
-    /// Their words in files.
-    pub const WORDS: &'static [&'static str] = &[Self::Paper.label(), Self::ReturnMapping.label()];
-    /// The law of a scene that names none.
-    pub const DEFAULT: Self = Self::ReturnMapping;
+    /// Switching function: negative while the state holds, rises through 0 at breakaway in stick and at the stop in slip.
+    #[inline]
+    pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
+        match (mode, self.friction) {
+            (Mode::Stick { anchor }, _) => (here.way - *anchor).length() - self.mu_s * self.length(here),
+            (Mode::Slip { direction }, FrictionLaw::Paper) => paper::stopping(self, *direction, here),
+            (Mode::Slip { direction }, FrictionLaw::ReturnMapping) => return_mapping::stopping(self, *direction, here),
+        }
+    }
 
-    /// The word used in files and tables.
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Paper => "paper",
-            Self::ReturnMapping => "return-mapping",
+    /// What breakaway makes of a stick (`docs/physics.md#breakaway`).
+    pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
+        match self.friction {
+            FrictionLaw::Paper => paper::breakaway(self, anchor, here),
+            FrictionLaw::ReturnMapping => return_mapping::breakaway(self, anchor, here),
+        }
+    }
+
+    /// What stopping makes of a slip (`docs/physics.md#stop`).
+    pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
+        match self.friction {
+            FrictionLaw::Paper => Mode::Stick { anchor: here.way },
+            FrictionLaw::ReturnMapping => {
+                Mode::Stick { anchor: here.way - direction * (self.mu_k * self.length(here)) }
+            }
         }
     }
 }
@@ -51,9 +62,8 @@ pub(super) fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
 pub(in crate::contact) mod example {
     use glam::{DVec2, DVec3};
 
-    use super::FrictionLaw;
     use crate::contact::normal::Linear;
-    use crate::contact::{Law, Local, Normal};
+    use crate::contact::{FrictionLaw, Law, Local, Normal};
 
     /// A contact whose tangential spring is half as stiff as its normal one, so that ℓ = 2 δ.
     pub(in crate::contact) fn law(friction: FrictionLaw) -> Law {
@@ -79,7 +89,6 @@ mod tests {
 
     use super::example::{agree, law, node};
     use super::*;
-    use crate::contact::Mode;
 
     #[test]
     fn stick_is_a_spring_and_a_dashpot_to_the_anchor() {
