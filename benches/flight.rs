@@ -8,7 +8,7 @@ use girderbench::dynamics::free_flight::flight;
 use girderbench::dynamics::free_flight::flight::Flight;
 use girderbench::dynamics::integrator::dop853::{Dop853, next_factor};
 use girderbench::dynamics::integrator::system::System;
-use girderbench::dynamics::locate::advancement::{Found, Outlook, first_crossing};
+use girderbench::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing};
 use girderbench::dynamics::locate::root::root;
 use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
 use girderbench::scene::presets;
@@ -42,7 +42,7 @@ fn model() -> Model {
 #[divan::bench]
 fn in_closed_form(bencher: Bencher<'_, '_>) {
     let model = model();
-    let system = flight::System::new(&model.bodies[0], &model.ground, 10.0);
+    let system = flight::FreeMotion::new(&model.bodies[0], &model.ground, 10.0);
     let flight = system.fly(0.0, [0.0; 6]);
     bencher.bench(|| (0..1000).map(|i| black_box(system.state(&flight, f64::from(i) * 0.01))[0]).fold(0.0, f64::max));
 }
@@ -77,13 +77,13 @@ fn in_steps(bencher: Bencher<'_, '_>) {
 /// A flight of the skewed girder before its wall from rest, and the gap of its first contact.
 struct Case {
     model: Model,
-    system: flight::System,
+    system: flight::FreeMotion,
     flight: Flight,
 }
 
 impl Case {
     fn new(model: Model) -> Self {
-        let system = flight::System::new(&model.bodies[0], &model.ground, model.duration);
+        let system = flight::FreeMotion::new(&model.bodies[0], &model.ground, model.duration);
         let mut flight = system.fly(0.0, [0.0; 6]);
         system.remember(&mut flight, model.duration);
         Self { model, system, flight }
@@ -98,13 +98,13 @@ impl Case {
     }
 
     /// The gap and its rate, and what the motion can do from there.
-    fn look(&self, t: f64) -> Outlook {
-        let (state, bound) = self.system.prospect(&self.flight, t, 1.0);
+    fn look(&self, t: f64) -> BoundedGap {
+        let (state, bound) = self.system.state_and_bounds(&self.flight, t, 1.0);
         let (site, body) = (&self.model.contacts[0], &self.model.bodies[0]);
         let wall = girderbench::contact::Frame::fixed(site.fixed);
         let here = locate(&site.home, &body.planar_frame(&state), &wall);
         let curvature = bound.acceleration + (bound.spin_rate + bound.spin * bound.spin) * body.radius;
-        Outlook { gap: here.gap, rate: here.gap_rate, curvature, window: bound.window, out_of_reach: false }
+        BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window: bound.window, out_of_reach: false }
     }
 }
 
@@ -114,7 +114,7 @@ fn touch_by_leaps(bencher: Bencher<'_, '_>, ground: &str) {
     let case = if ground == "sine" { Case::sine() } else { Case::record() };
     bencher.bench(|| {
         let found = first_crossing(|t| case.look(t), 0.0, 20.0, true, 1e-16);
-        assert!(matches!(found, Found::Crossing(_)), "it touches: {found:?}");
+        assert!(matches!(found, FirstZero::Crossing(_)), "it touches: {found:?}");
         found
     });
 }

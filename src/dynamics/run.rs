@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::mechanics::{self, Mechanics};
-use crate::dynamics::free_flight::flight::System;
+use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::event::{Event, Stop};
 use crate::dynamics::record::recomputed_steps::Replay;
-use crate::dynamics::trajectory::stored_path::BodyPath;
+use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::{Model, impact2d};
 use crate::scene::ModelKind;
 
@@ -21,7 +21,7 @@ pub struct Finished {
     /// Why it stopped early.
     pub stop: Option<Stop>,
     /// Number, path and free motion of every body.
-    pub bodies: Vec<(usize, BodyPath, Option<System>)>,
+    pub bodies: Vec<(usize, StoredPath, Option<FreeMotion>)>,
     /// Steps that are kept by their starts.
     pub replay: Replay,
     /// Number and states of every contact (contact model).

@@ -5,11 +5,11 @@
 
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
-use crate::dynamics::model::reference_pose::{Base, seen_from};
+use crate::dynamics::model::reference_pose::{ReferencePose, seen_from};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::trajectory::stored_path::Kept;
+use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 /// A closed contact at one instant.
 struct Seen {
@@ -25,14 +25,14 @@ struct Seen {
 
 impl History {
     /// A body within a step, counted from its base; nothing where it is in no step.
-    fn since(&self, body: usize, t: f64) -> Option<(Base, Frame)> {
+    fn since(&self, body: usize, t: f64) -> Option<(ReferencePose, Frame)> {
         let (mut state, width) = ([0.0; rigid_body::SPATIAL], rigid_body::width(self.model().kind));
         let (state, own) = (&mut state[..width], &self.model().bodies[body]);
         let base = match self.paths[body].at(t)? {
-            (_, Kept::Step(piece)) => Base::by(self.model().kind, own, piece.read_since(t, state)),
-            (from, Kept::Again(number)) => {
-                self.stepped(body, (number, from), |piece| Base::by(self.model().kind, own, piece.read_since(t, state)))
-            }
+            (_, StoredMotion::Step(piece)) => ReferencePose::by(self.model().kind, own, piece.read_since(t, state)),
+            (from, StoredMotion::Again(number)) => self.stepped(body, (number, from), |piece| {
+                ReferencePose::by(self.model().kind, own, piece.read_since(t, state))
+            }),
             _ => return None,
         };
         Some((base, base.since(own, state)))

@@ -6,7 +6,7 @@ use super::History;
 use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
-use crate::dynamics::trajectory::stored_path::Kept;
+use crate::dynamics::trajectory::stored_path::StoredMotion;
 
 /// Hash of paths, contact states and events.
 pub(super) fn of(history: &History) -> u64 {
@@ -18,11 +18,11 @@ pub(super) fn of(history: &History) -> u64 {
             add(span.until);
             let (from, kept) = path.kept(number);
             match kept {
-                Kept::Start(state) => std::iter::once(from).chain(state).for_each(&mut add),
-                Kept::Flight(flight) => flight.numbers().for_each(&mut add),
-                Kept::Slide(slide) => slide.numbers().for_each(&mut add),
-                Kept::Step(piece) => piece.numbers().for_each(&mut add),
-                Kept::Again(step) => {
+                StoredMotion::Start(state) => std::iter::once(from).chain(state).for_each(&mut add),
+                StoredMotion::Flight(flight) => flight.numbers().for_each(&mut add),
+                StoredMotion::Slide(slide) => slide.numbers().for_each(&mut add),
+                StoredMotion::Step(piece) => piece.numbers().for_each(&mut add),
+                StoredMotion::Again(step) => {
                     history.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
                 }
             }

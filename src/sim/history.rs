@@ -8,14 +8,14 @@ use super::{Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
-use crate::dynamics::free_flight::flight::System;
+use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
-use crate::dynamics::trajectory::step_polynomial::Piece;
-use crate::dynamics::trajectory::stored_path::{BodyPath, Kept};
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
+use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 use crate::scene::{ModelKind, Scene, SceneErrors};
 
 /// Instants at which two runs are compared for the error estimate.
@@ -52,12 +52,12 @@ pub struct History {
     model: Arc<Model>,
     end: f64,
     stop: Option<Stop>,
-    pub(super) paths: Vec<BodyPath>,
+    pub(super) paths: Vec<StoredPath>,
     /// Steps kept by their starts, group by group.
     pub(super) replayed: Vec<Replayed>,
     /// The group of each body.
     group_of: Vec<usize>,
-    systems: Vec<Option<System>>,
+    systems: Vec<Option<FreeMotion>>,
     pub(super) logs: Vec<ContactLog>,
     events: Vec<Event>,
     record: Option<Record>,
@@ -81,8 +81,8 @@ impl History {
     pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
-        let mut paths = vec![BodyPath::default(); model.bodies.len()];
-        let mut systems: Vec<Option<System>> = model.bodies.iter().map(|_| None).collect();
+        let mut paths = vec![StoredPath::default(); model.bodies.len()];
+        let mut systems: Vec<Option<FreeMotion>> = model.bodies.iter().map(|_| None).collect();
         let mut logs = vec![ContactLog::default(); model.contacts.len()];
         let mut events = Vec::new();
         let mut effort = Effort::default();
@@ -192,16 +192,16 @@ impl History {
         let mut state = [0.0; rigid_body::SPATIAL];
         let width = rigid_body::width(self.model.kind);
         match (self.paths[body].at(t), &self.systems[body]) {
-            (Some((from, Kept::Start(start))), Some(system)) => {
+            (Some((from, StoredMotion::Start(start))), Some(system)) => {
                 state[..6].copy_from_slice(&system.state(&system.fly(from, start), t));
             }
-            (Some((_, Kept::Flight(flight))), Some(system)) => {
+            (Some((_, StoredMotion::Flight(flight))), Some(system)) => {
                 state[..6].copy_from_slice(&system.state(flight, t));
             }
-            (Some((_, Kept::Start(_) | Kept::Flight(_))), None) => {}
-            (Some((_, Kept::Slide(slide))), _) => state[..6].copy_from_slice(&slide.state(t)),
-            (Some((_, Kept::Step(piece))), _) => piece.read(t, &mut state[..width]),
-            (Some((from, Kept::Again(number))), _) => {
+            (Some((_, StoredMotion::Start(_) | StoredMotion::Flight(_))), None) => {}
+            (Some((_, StoredMotion::Slide(slide))), _) => state[..6].copy_from_slice(&slide.state(t)),
+            (Some((_, StoredMotion::Step(piece))), _) => piece.read(t, &mut state[..width]),
+            (Some((from, StoredMotion::Again(number))), _) => {
                 self.stepped(body, (number, from), |piece| piece.read(t, &mut state[..width]));
             }
             // Nothing was computed: the run gave up at its start.
@@ -214,14 +214,14 @@ impl History {
     }
 
     /// A step that is kept by its start, taken again: `read` gets the body's part.
-    pub(super) fn stepped<T>(&self, body: usize, step: (u32, f64), read: impl FnOnce(&Piece) -> T) -> T {
+    pub(super) fn stepped<T>(&self, body: usize, step: (u32, f64), read: impl FnOnce(&StepPolynomial) -> T) -> T {
         let past = Past { model: &self.model, paths: &self.paths, systems: &self.systems, logs: &self.logs };
         self.replayed[self.group_of[body]].with(step, body, &past, read)
     }
 
     /// What the answer takes, without the scene \[bytes\]: paths, contact states, events.
     pub fn bytes(&self) -> usize {
-        let paths: usize = self.paths.iter().map(BodyPath::bytes).sum();
+        let paths: usize = self.paths.iter().map(StoredPath::bytes).sum();
         let replayed: usize = self.replayed.iter().map(Replayed::bytes).sum();
         let logs: usize = self.logs.iter().map(ContactLog::bytes).sum();
         paths + replayed + logs + self.events.len() * size_of::<Event>()

@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use crate::dynamics::record::recomputed_steps::{Past, Replay};
-use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
 /// How many are kept: the two sides of a contact and their neighbours.
 const KEPT: usize = 4;
@@ -13,7 +13,7 @@ const KEPT: usize = 4;
 pub(super) struct Replayed {
     replay: Replay,
     /// The last used last.
-    recent: Mutex<Vec<(u32, Vec<Piece>)>>,
+    recent: Mutex<Vec<(u32, Vec<StepPolynomial>)>>,
 }
 
 impl Clone for Replayed {
@@ -33,7 +33,7 @@ impl Replayed {
         (number, from): (u32, f64),
         body: usize,
         past: &Past<'_>,
-        read: impl FnOnce(&Piece) -> T,
+        read: impl FnOnce(&StepPolynomial) -> T,
     ) -> T {
         let place = self.replay.bodies(number).position(|b| b == body).unwrap_or(0);
         // Whoever panicked meanwhile left whole steps.
@@ -138,10 +138,14 @@ mod tests {
         // Head-on a girder moves along one axis: two numbers of its state, sixteen of its polynomial.
         for (angle, most) in [(0.0, 72.0), (20.0, 110.0)] {
             let (whole, none) = (row(angle, usize::MAX), row(angle, 0));
-            let stretches: usize = none.paths.iter().map(crate::dynamics::trajectory::stored_path::BodyPath::len).sum();
+            let stretches: usize =
+                none.paths.iter().map(crate::dynamics::trajectory::stored_path::StoredPath::len).sum();
             let each = |history: &History| {
-                let kept =
-                    history.paths.iter().map(crate::dynamics::trajectory::stored_path::BodyPath::bytes).sum::<usize>();
+                let kept = history
+                    .paths
+                    .iter()
+                    .map(crate::dynamics::trajectory::stored_path::StoredPath::bytes)
+                    .sum::<usize>();
                 (kept + history.replayed.iter().map(Replayed::bytes).sum::<usize>()) as f64 / stretches as f64
             };
             assert!(each(&none) < most, "{} bytes a stretch at {angle}°", each(&none));

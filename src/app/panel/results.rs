@@ -6,7 +6,7 @@ use crate::app::bench::Workbench;
 use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
 use crate::app::{text, unit};
-use crate::dynamics::model::bearing::Quantities;
+use crate::dynamics::model::bearing::BearingQuantities;
 use crate::scene::Girder;
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
@@ -65,7 +65,7 @@ fn show_reading(ui: &mut Ui, reading: &Reading) {
 }
 
 /// (3), (4) in words.
-fn quantities(q: &Quantities) -> [(&'static str, String); 6] {
+fn quantities(q: &BearingQuantities) -> [(&'static str, String); 6] {
     let three = |v: [f64; 3]| v.map(text::short).join("  ");
     let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
     let hertz = q.omega.map(|w| w / std::f64::consts::TAU);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::cli::digits::{list, six};
 use crate::dynamics::Body;
-use crate::dynamics::model::bearing::Quantities;
+use crate::dynamics::model::bearing::BearingQuantities;
 use crate::scene::{Direction, Girder, Initial, Kind, Push, Seat};
 
 /// All of it, a fact a line.
@@ -79,7 +79,7 @@ fn seats(seat: Seat) -> String {
 }
 
 /// (3), (4): what the bearings make of the girder, in its own axes.
-fn bearings(q: &Quantities, count: usize) -> String {
+fn bearings(q: &BearingQuantities, count: usize) -> String {
     if count == 0 {
         return "  no bearings\n".to_owned();
     }

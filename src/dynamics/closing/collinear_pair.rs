@@ -2,17 +2,17 @@
 //! gap, the difference of two coordinates, and one search finds them all.
 //!
 //! `g = g₀ ± (q_a − q_b)`. What bounds it is what bounds the two coordinates; how it is searched is as for any gap
-//! ([`search`], [`prowl`](crate::dynamics::locate::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
+//! ([`search`], [`subdivision`](crate::dynamics::locate::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
 //! closed or behind the face, are for [`predict`](crate::dynamics::closing).
 
 use crate::dynamics::closing::in_flight;
 use crate::dynamics::closing::next_closing::NextClosing;
 use crate::dynamics::free_flight::relative_bounds;
-use crate::dynamics::free_flight::uncoupled_axis::Dof;
-use crate::dynamics::integrator::dense_output::Dense;
-use crate::dynamics::locate::advancement::{Found, Outlook, first_crossing_from};
+use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
+use crate::dynamics::integrator::dense_output::DenseOutput;
+use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
-use crate::dynamics::locate::subdivision::{Look, Prowl};
+use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::model::single_axis;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
@@ -24,9 +24,9 @@ enum Mover<'a> {
     /// An abutment.
     Stands,
     /// By one oscillator of its own; `part` is its free motion at `start`.
-    Flies { dof: &'a Dof, part: [f64; 2], start: f64, push: f64 },
+    Flies { dof: &'a UncoupledAxis, part: [f64; 2], start: f64, push: f64 },
     /// As two components of an island's planned step, from `from` to `until`, the place counted from `base`.
-    Steps { island: usize, dense: &'a Dense, at: usize, base: f64, from: f64, until: f64 },
+    Steps { island: usize, dense: &'a DenseOutput, at: usize, base: f64, from: f64, until: f64 },
 }
 
 /// Both sides of a pair.
@@ -108,7 +108,7 @@ impl<'a> Gauge<'a> {
         }
         let seen = |t: f64| {
             let [gap, rate] = self.gap(self.sides(t));
-            Look { t, gap, rate }
+            GapSample { t, gap, rate }
         };
         let before = seen(t);
         let far: f64 = self.movers.iter().map(|mover| mover.excursion(t, until, self)).sum();
@@ -121,7 +121,7 @@ impl<'a> Gauge<'a> {
         let bend = self.bend(t, until);
         let looks = [before, seen(until)];
         // What moves along one axis neither sticks nor slips: how it goes in makes no difference.
-        Prowl::new((seen, |_: &Look, _| bend, |_| 0.0), true, resolution, 0.0).closing(&looks)
+        Subdivision::new((seen, |_: &GapSample, _| bend, |_| 0.0), true, resolution, 0.0).first_closing(&looks)
     }
 
     /// Bound on `|g̈|` from `t` to `until`.
@@ -129,12 +129,12 @@ impl<'a> Gauge<'a> {
         if let [Mover::Steps { island: a, dense, at, .. }, Mover::Steps { island: b, at: other, .. }] = self.movers
             && a == b
         {
-            return dense.swing_apart(at..at + 1, other)[1];
+            return dense.difference_derivative_bounds(at..at + 1, other)[1];
         }
         let bend = |mover: &Mover<'_>| match mover {
             Mover::Stands => 0.0,
             Mover::Flies { .. } => mover.limits(t, until - t, self)[2],
-            Mover::Steps { dense, at, .. } => dense.swing(*at..at + 1)[1],
+            Mover::Steps { dense, at, .. } => dense.derivative_bounds(*at..at + 1)[1],
         };
         self.movers.iter().map(bend).sum()
     }
@@ -153,13 +153,13 @@ impl<'a> Gauge<'a> {
             self.outlook(at, until)
         };
         match first_crossing_from(here, ask, [t, until], true, resolution) {
-            Found::Crossing(at) => (at, Some(at), looks),
-            Found::NoneUntil(at) if at >= model.duration => (f64::INFINITY, None, looks),
-            Found::NoneUntil(at) => (at, None, looks),
+            FirstZero::Crossing(at) => (at, Some(at), looks),
+            FirstZero::NoneUntil(at) if at >= model.duration => (f64::INFINITY, None, looks),
+            FirstZero::NoneUntil(at) => (at, None, looks),
         }
     }
 
-    fn outlook(&self, t: f64, until: f64) -> Outlook {
+    fn outlook(&self, t: f64, until: f64) -> BoundedGap {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         let phase = self.world.model.ground.phase(t);
         let [a, b] = [&self.movers[0], &self.movers[1]].map(|mover| (mover.state(t, phase, self.drive), mover));
@@ -173,7 +173,7 @@ impl<'a> Gauge<'a> {
             (_, Mover::Flies { dof, push, .. }) => dof.limits(free(b), self.drive, *push, horizon),
             _ => [0.0; 3],
         };
-        Outlook { gap, rate, curvature, window: horizon, out_of_reach: self.pair.rest > reach }
+        BoundedGap { gap, rate, curvature, window: horizon, out_of_reach: self.pair.rest > reach }
     }
 }
 
@@ -184,7 +184,8 @@ impl<'a> Mover<'a> {
         let track = &world.bodies[slot];
         match (&track.now, &track.system) {
             (Trajectory::Flight(flight), Some(system)) => {
-                let straight = world.model.bodies[track.body].straight[axis] && single_axis::along(&flight.state, axis);
+                let straight =
+                    world.model.bodies[track.body].straight[axis] && single_axis::is_along(&flight.state, axis);
                 let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
                 Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
             }
@@ -229,7 +230,9 @@ impl<'a> Mover<'a> {
         match self {
             Self::Stands => 0.0,
             Self::Flies { .. } => self.limits(t, until - t, gauge)[1] * (until - t),
-            Self::Steps { dense, at, from, .. } => dense.span(*at..at + 1) * if t > *from { 2.0 } else { 1.0 },
+            Self::Steps { dense, at, from, .. } => {
+                dense.displacement_bound(*at..at + 1) * if t > *from { 2.0 } else { 1.0 }
+            }
         }
     }
 }

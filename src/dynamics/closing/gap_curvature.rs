@@ -3,7 +3,7 @@
 //! The other may fly in closed form or be in a step of its own; two bodies of one island share their step, so that what they
 //! do together cancels.
 
-use crate::dynamics::free_flight::motion_bounds::Bound;
+use crate::dynamics::free_flight::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
@@ -11,7 +11,7 @@ use crate::dynamics::world::tracks::Trajectory;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Swing {
     /// Each by itself.
-    sides: [Bound; 2],
+    sides: [MotionBounds; 2],
     /// Speed of one G against the other \[m/s\].
     speed: f64,
     /// Its change \[m/s²\].
@@ -21,7 +21,8 @@ pub(in crate::dynamics) struct Swing {
 impl Swing {
     /// Of the bodies in two slots from `from` to `to`; an abutment stands.
     pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], from: f64, to: f64) -> Self {
-        let sides = slots.map(|slot| slot.map_or(Bound::still(f64::INFINITY), |slot| bound(world, slot, from, to)));
+        let sides =
+            slots.map(|slot| slot.map_or(MotionBounds::still(f64::INFINITY), |slot| bound(world, slot, from, to)));
         let summed = [sides[0].speed + sides[1].speed, sides[0].acceleration + sides[1].acceleration];
         let [speed, acceleration] = together(world, slots).unwrap_or(summed);
         Self { sides, speed, acceleration }
@@ -56,12 +57,12 @@ fn together(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
 }
 
 /// What a body can do at most on its trajectory.
-fn bound(world: &World, slot: usize, from: f64, to: f64) -> Bound {
+fn bound(world: &World, slot: usize, from: f64, to: f64) -> MotionBounds {
     match (&world.bodies[slot].now, &world.bodies[slot].system) {
         (Trajectory::Island { island, index }, _) => world.islands[*island]
             .as_ref()
-            .map_or(Bound::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
-        (Trajectory::Flight(flight), Some(system)) => system.prospect(flight, from, to - from).1,
-        _ => Bound::still(f64::INFINITY),
+            .map_or(MotionBounds::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
+        (Trajectory::Flight(flight), Some(system)) => system.state_and_bounds(flight, from, to - from).1,
+        _ => MotionBounds::still(f64::INFINITY),
     }
 }

@@ -6,11 +6,12 @@
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::closing::next_closing::NextClosing;
-use crate::dynamics::free_flight::motion_bounds::Bound;
-use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
-use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight, polish};
+use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
+use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
+use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
-use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
@@ -27,8 +28,8 @@ const SAMPLES: f64 = 64.0;
 #[derive(Clone, Copy)]
 struct View {
     frames: [Frame; 2],
-    bounds: [Bound; 2],
-    between: Apart,
+    bounds: [MotionBounds; 2],
+    between: RelativeBounds,
 }
 
 impl View {
@@ -44,17 +45,17 @@ impl View {
             _ => Frame::fixed(glam::DVec3::ZERO),
         };
         let frames = [frame(0), frame(1)];
-        let bound = |side: usize| flyers[side].as_ref().map_or(Bound::still(horizon), |flyer| flyer.bound);
-        Self { frames, bounds: [bound(0), bound(1)], between: Apart::of(&flyers, horizon) }
+        let bound = |side: usize| flyers[side].as_ref().map_or(MotionBounds::still(horizon), |flyer| flyer.bound);
+        Self { frames, bounds: [bound(0), bound(1)], between: RelativeBounds::of(&flyers, horizon) }
     }
 }
 
-fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<Flyer<'_>> {
+fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<BodyInFlight<'_>> {
     let track = &world.bodies[slot];
     let (Trajectory::Flight(flight), Some(system)) = (&track.now, &track.system) else { return None };
     let (state, free) = system.parts_in(flight, t, phase);
     let bound = system.bound_from(t, &state, free.as_ref(), horizon);
-    Some(Flyer { system, state, free, bound })
+    Some(BodyInFlight { system, state, free, bound })
 }
 
 /// An open contact under search.
@@ -64,7 +65,7 @@ struct Quarry<'a> {
     spot: SiteGeometry,
     /// Which side of the pair owns the node, and which the face.
     sides: [Option<usize>; 2],
-    hunt: Hunt,
+    advancement: Advancement,
 }
 
 impl Quarry<'_> {
@@ -73,8 +74,8 @@ impl Quarry<'_> {
         locate(&self.site.home, frame(0), frame(1))
     }
 
-    fn outlook(&self, view: &View) -> Outlook {
-        let still = Bound::still(view.between.window);
+    fn outlook(&self, view: &View) -> BoundedGap {
+        let still = MotionBounds::still(view.between.window);
         let bound = |which: usize| self.sides[which].map_or(&still, |side| &view.bounds[side]);
         self.spot.outlook(&self.look(view), bound(0), bound(1), &view.between)
     }
@@ -91,12 +92,15 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     let first = View::of(here_now, pair, t, duration);
     let mut quarries = open(here_now, pair, t, &first);
     // Those that are in front now; a hunt may find others come out later.
-    let armed: Vec<usize> = quarries.iter().filter(|q| q.hunt.armed()).map(|q| q.contact).collect();
-    let out = !quarries.iter().any(|q| !(q.hunt.out_of_reach() && first.between.window >= duration - t));
-    let (due, closing) =
-        if out { (f64::INFINITY, Vec::new()) } else { hunt(here_now, pair, &mut quarries, [t, until], &mut looks) };
+    let armed: Vec<usize> = quarries.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
+    let out = !quarries.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
+    let (due, closing) = if out {
+        (f64::INFINITY, Vec::new())
+    } else {
+        advance_all(here_now, pair, &mut quarries, [t, until], &mut looks)
+    };
     let cut = closing.is_empty() && due < until;
-    let out: Vec<(usize, Option<f64>)> = quarries.iter().map(|q| (q.contact, q.hunt.out())).collect();
+    let out: Vec<(usize, Option<f64>)> = quarries.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
     for contact in world.pairs[pair].contacts.clone() {
         world.contacts[contact].closing = None;
     }
@@ -141,41 +145,42 @@ fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<Quarry<'a
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
         let (site, spot) = (&world.model.contacts[track.site], track.spot);
-        let unseen = Outlook { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
-        let hunt = Hunt::begin(unseen, false, 0.0);
-        let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), hunt };
+        let unseen = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
+        let advancement = Advancement::begin(unseen, false, 0.0);
+        let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), advancement };
         let (here, resolution) = (quarry.outlook(view), RESOLUTION * (spot.size + moved));
-        let armed = armed || in_front(here.gap, here.rate, t, resolution);
-        quarry.hunt = Hunt::begin(here, armed, resolution);
+        let armed = armed || is_positive_again(here.gap, here.rate, t, resolution);
+        quarry.advancement = Advancement::begin(here, armed, resolution);
         Some(quarry)
     };
     world.pairs[pair].contacts.clone().filter_map(quarry).collect()
 }
 
 /// Leaps until a contact closes or the search has come to its end: when the pair is due, and who closes then.
-fn hunt(
+fn advance_all(
     world: &World,
     pair: usize,
     quarries: &mut [Quarry<'_>],
     [mut t, until]: [f64; 2],
     looks: &mut u64,
 ) -> (f64, Vec<(usize, f64)>) {
-    let at_once: Vec<(usize, f64)> = quarries.iter().filter(|q| q.hunt.at_once()).map(|q| (q.contact, t)).collect();
+    let at_once: Vec<(usize, f64)> =
+        quarries.iter().filter(|q| q.advancement.crosses_now()).map(|q| (q.contact, t)).collect();
     if !at_once.is_empty() {
         return (t, at_once);
     }
     let mut views = Views { world, pair, until, seen: Vec::new() };
-    for _ in 0..MOST {
+    for _ in 0..MAX_ADVANCES {
         if t >= until {
             break;
         }
-        let leap = quarries.iter_mut().map(|q| q.hunt.leap()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let leap = quarries.iter_mut().map(|q| q.advancement.step()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((shortest, leap)) = leap else { break };
         let next = (t + leap).min(until);
         if next <= t {
             // Less than the clock can tell.
             let stuck = &quarries[shortest];
-            return (t, if stuck.hunt.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
+            return (t, if stuck.advancement.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
         }
         views.seen.clear();
         let there = views.at(next);
@@ -212,13 +217,13 @@ impl Views<'_> {
 /// When a contact closes, if the look at `next` shows that it does.
 fn arrive(quarry: &mut Quarry<'_>, there: &View, [t, next]: [f64; 2], views: &mut Views<'_>) -> Option<(usize, f64)> {
     let look = quarry.outlook(there);
-    let sight = quarry.hunt.arrive(look, next);
+    let sight = quarry.advancement.advance(look, next);
     let (quarry, until) = (&*quarry, views.until);
     let mut ask = |at: f64| quarry.outlook(&views.at(at));
     match sight {
-        Sight::Open => None,
-        Sight::Closed => Some((quarry.contact, root(|at| -ask(at).gap, t, next))),
-        Sight::Closing => Some((quarry.contact, polish(&mut ask, next, &look, until))),
+        AdvanceOutcome::Open => None,
+        AdvanceOutcome::Closed => Some((quarry.contact, root(|at| -ask(at).gap, t, next))),
+        AdvanceOutcome::Closing => Some((quarry.contact, polish(&mut ask, next, &look, until))),
     }
 }
 
@@ -233,7 +238,7 @@ fn with_those_who_follow(
     if closed.len() < quarries.len() {
         let at = first + world.pairs[pair].together;
         let view = View::of(world, pair, at, at);
-        for quarry in quarries.iter().filter(|q| q.hunt.armed()) {
+        for quarry in quarries.iter().filter(|q| q.advancement.armed()) {
             if closed.iter().all(|(contact, _)| *contact != quarry.contact) && quarry.look(&view).gap < 0.0 {
                 closed.push((quarry.contact, at));
             }

@@ -3,11 +3,10 @@
 use crate::dynamics::closing::{collinear_pair, in_flight};
 
 use crate::contact::{Frame, Local, gap, locate};
-use crate::dynamics::ContactSite;
 use crate::dynamics::closing::gap_curvature::Swing;
 use crate::dynamics::locate::constants::RESOLUTION;
-use crate::dynamics::locate::positive_again::in_front;
-use crate::dynamics::locate::subdivision::{Look, Prowl};
+use crate::dynamics::locate::positive_again::is_positive_again;
+use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
@@ -96,7 +95,7 @@ fn too_short(world: &World, pair: usize, views: &Views) -> bool {
         }
         let here = views.look(world, contact, 0);
         least = least.min(here.gap);
-        for (slot, arm) in track.slots.into_iter().zip(arms(&world.model.contacts[track.site], &here)) {
+        for (slot, arm) in track.slots.into_iter().zip(world.model.contacts[track.site].levers(&here)) {
             let side = usize::from(slot == slots[1]);
             longest[side] = longest[side].max(arm);
         }
@@ -113,7 +112,7 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
         return Some(true);
     }
     let here = look(world, contact, t);
-    let out = in_front(here.gap, here.gap_rate, t, resolution(world, contact, t));
+    let out = is_positive_again(here.gap, here.gap_rate, t, resolution(world, contact, t));
     if out {
         world.contacts[contact].state = Contact::Open { armed: true };
     }
@@ -183,10 +182,10 @@ impl Views {
     }
 
     /// The gap alone.
-    fn gap(&self, world: &World, contact: usize, i: usize) -> Look {
+    fn gap(&self, world: &World, contact: usize, i: usize) -> GapSample {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
         let [gap, rate] = gap(&site.home, node, face);
-        Look { t: self.times[i], gap, rate }
+        GapSample { t: self.times[i], gap, rate }
     }
 }
 
@@ -197,11 +196,6 @@ fn noise(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
     world.model.tolerance.max(SPEED) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
 }
 
-/// A contact's node as its own body carries it, and as the face's body would: distances from G \[m\].
-pub(in crate::dynamics) fn arms(site: &ContactSite, here: &Local) -> [f64; 2] {
-    [site.point.length(), site.face.corners[0].length() + here.gap.abs() + here.at.length()]
-}
-
 /// How far a point at `arm` from a body's G can go within its planned step, at most \[m\].
 fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
     match (&world.bodies[slot].now, &world.bodies[slot].system) {
@@ -209,7 +203,7 @@ fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64
             world.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&world.model, *index, arm, from))
         }
         (Trajectory::Flight(flight), Some(system)) => {
-            let (_, bound) = system.prospect(flight, from, until - from);
+            let (_, bound) = system.state_and_bounds(flight, from, until - from);
             if bound.window < until - from {
                 return f64::INFINITY;
             }
@@ -228,7 +222,7 @@ fn in_step(world: &World, contact: usize, views: &mut Views, armed: bool) -> (Op
     }
     let before = views.look(world, contact, 0);
     let track = &world.contacts[contact];
-    let arms = arms(&world.model.contacts[track.site], &before);
+    let arms = world.model.contacts[track.site].levers(&before);
     let far =
         track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until)));
     if armed && before.gap > far.sum::<f64>() {
@@ -249,24 +243,24 @@ fn in_step(world: &World, contact: usize, views: &mut Views, armed: bool) -> (Op
     {
         return (None, None);
     }
-    let bend = |from: &Look, to: f64| {
+    let bend = |from: &GapSample, to: f64| {
         if whole.holds(span) {
             return most;
         }
         let part = Swing::of(world, slots, from.t, to);
-        let arms = self::arms(&world.model.contacts[track.site], &look(world, contact, from.t));
+        let arms = world.model.contacts[track.site].levers(&look(world, contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };
     let site = &world.model.contacts[track.site];
     let ask = |at: f64| {
         let [gap, rate] = gap(&site.home, &world.side(contact, 0, at), &world.side(contact, 1, at));
-        Look { t: at, gap, rate }
+        GapSample { t: at, gap, rate }
     };
     let noise = |at: f64| noise(world, contact, [&world.side(contact, 0, at), &world.side(contact, 1, at)]);
     views.fill(world);
-    let looks: [Look; LOOKS] = std::array::from_fn(|i| views.gap(world, contact, i));
+    let looks: [GapSample; LOOKS] = std::array::from_fn(|i| views.gap(world, contact, i));
     let instant = INSTANT * world.pairs[track.pair].together;
-    let mut prowl = Prowl::new((ask, bend, noise), armed, resolution, instant);
-    let closing = prowl.closing(&looks);
-    (closing, prowl.out())
+    let mut subdivision = Subdivision::new((ask, bend, noise), armed, resolution, instant);
+    let closing = subdivision.first_closing(&looks);
+    (closing, subdivision.rearmed_at())
 }

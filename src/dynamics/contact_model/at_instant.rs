@@ -8,8 +8,8 @@ use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, loca
 use crate::dynamics::closing::next_closing::INSTANT;
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
-use crate::dynamics::integrator::step_control::Pace;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::{reference_pose, rigid_body};
 use crate::dynamics::penalty3d::constants::POSITION_ROUNDING;
 use crate::dynamics::penalty3d::contact_force;
@@ -32,7 +32,7 @@ pub(in crate::dynamics) struct EventInstant {
     /// Slots of the bodies, rising.
     pub slots: Vec<usize>,
     /// Reference poses that the states are counted from; of a body that was free, its present pose.
-    pub bases: Vec<Base>,
+    pub bases: Vec<ReferencePose>,
     /// States.
     pub states: Vec<Vec<f64>>,
     /// Poses in the world.
@@ -46,12 +46,12 @@ impl EventInstant {
     pub(in crate::dynamics) fn of(
         world: &World,
         slots: Vec<usize>,
-        bases: Vec<Base>,
+        bases: Vec<ReferencePose>,
         states: Vec<Vec<f64>>,
         t: f64,
     ) -> Self {
         let body = |slot: usize| &world.model.bodies[world.bodies[slot].body];
-        let since = |((&slot, base), state): ((&usize, &Base), &Vec<f64>)| base.since(body(slot), state);
+        let since = |((&slot, base), state): ((&usize, &ReferencePose), &Vec<f64>)| base.since(body(slot), state);
         let since: Vec<Frame> = slots.iter().zip(&bases).zip(&states).map(since).collect();
         let frames = bases.iter().zip(&since).map(|(base, since)| base.whole(since)).collect();
         Self { t, slots, bases, states, frames, since }
@@ -68,7 +68,7 @@ impl EventInstant {
     }
 
     /// Reference pose of a body; nothing for an abutment.
-    pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&Base> {
+    pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
         self.bases.get(self.place(slot?)?)
     }
 }
@@ -163,7 +163,7 @@ impl AtInstant<'_> {
             self.now.bases.clone(),
             self.now.states.concat(),
             self.now.t,
-            Pace::default(),
+            ControllerState::default(),
         );
         let (.., next) = self.since(contact, &frames_after(&together, &self.world.model, dt));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::transitions;
-use crate::dynamics::integrator::step_control::Pace;
+use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::event_location::Due;
 use crate::dynamics::penalty3d::island::{Distance, Island};
@@ -37,7 +37,7 @@ impl ContactRun {
         }
         self.islands.take_back(number, &mut island);
         // Where neither stick nor slip lasts over a long step, the step follows from the contact's own period.
-        self.form(now, if alternates { Pace::default() } else { island.pace() });
+        self.form(now, if alternates { ControllerState::default() } else { island.pace() });
     }
 
     /// Plans the next step of an island whose step ended without an event.
@@ -96,14 +96,14 @@ impl ContactRun {
         }
         // A blow is over within a radian of its contact. The error estimate of an implicit step does not see what decays
         // within the step: one as long as those of a lasting contact would end at rest behind the blow.
-        self.form(now, if pace.stiff { Pace { step: 0.0, ..pace } } else { pace });
+        self.form(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
     }
 
     /// Ends the trajectories of bodies, and of all in an island with them, at `t`: the bodies as they are then, and the step
     /// that their integrators would have taken.
-    fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, Pace) {
+    fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
         let mut all = BTreeSet::new();
-        let mut pace = Pace::default();
+        let mut pace = ControllerState::default();
         for &slot in slots {
             match self.world.bodies[slot].now {
                 Trajectory::Flight(_) => {

@@ -2,8 +2,8 @@
 
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::integrator::radau_iia::Radau;
-use crate::dynamics::integrator::step_control::Pace;
-use crate::dynamics::model::reference_pose::{self, Base};
+use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::penalty3d::island::Island;
@@ -24,7 +24,7 @@ pub(in crate::dynamics) struct Start<'a> {
     /// Slots of the bodies, rising.
     pub members: &'a [usize],
     /// Reference poses.
-    pub bases: Vec<Base>,
+    pub bases: Vec<ReferencePose>,
     /// States, one body after the other.
     pub y: Vec<f64>,
     /// Time \[s\].
@@ -44,7 +44,7 @@ impl IslandStock {
         world: &mut World,
         store: &StepStore,
         start: Start<'_>,
-        pace: Pace,
+        pace: ControllerState,
     ) -> usize {
         let Start { members, mut bases, y, t } = start;
         let number = self.vacant.pop().unwrap_or_else(|| {
@@ -71,10 +71,10 @@ impl IslandStock {
 pub(in crate::dynamics) fn assemble(
     world: &World,
     members: &[usize],
-    bases: Vec<Base>,
+    bases: Vec<ReferencePose>,
     y: Vec<f64>,
     t: f64,
-    pace: Pace,
+    pace: ControllerState,
 ) -> Island {
     let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
     let active: Vec<(usize, ActiveContact)> = world

@@ -16,13 +16,14 @@ use crate::dynamics::contact_model::transitions::Transitions;
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
-use crate::dynamics::integrator::step_control::{Pace, WORTHWHILE};
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::integrator::constants::WORTHWHILE_CUT;
+use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::event::Event;
-use crate::dynamics::trajectory::segment::{Path, Segment};
+use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
 
@@ -71,12 +72,12 @@ impl ContactRun {
         let start = |track: &BodyTrack| {
             let body = &model.bodies[track.body];
             let mut state = rigid_body::initial(model.kind, body);
-            (Base::of(model.kind, body, &mut state), state)
+            (ReferencePose::of(model.kind, body, &mut state), state)
         };
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
         self.transitions(&now).close_overlapping();
-        self.form(now, Pace::default());
+        self.form(now, ControllerState::default());
     }
 
     /// Ends all trajectories where the run has come to, and says where that is \[s\].
@@ -97,7 +98,7 @@ impl ContactRun {
 
     /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or are integrated
     /// alone.
-    pub(in crate::dynamics) fn form(&mut self, now: EventInstant, pace: Pace) {
+    pub(in crate::dynamics) fn form(&mut self, now: EventInstant, pace: ControllerState) {
         let EventInstant { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.touching(&slots) {
@@ -110,15 +111,17 @@ impl ContactRun {
                     self.fly(first, state, t);
                     continue;
                 }
-                let placed =
-                    Base::placed(self.world.model.kind, &self.world.model.bodies[self.world.bodies[first].body]);
+                let placed = ReferencePose::placed(
+                    self.world.model.kind,
+                    &self.world.model.bodies[self.world.bodies[first].body],
+                );
                 Start { members: &[first], bases: vec![placed], y: state.clone(), t }
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
                 let bases = members.iter().map(|&i| bases[i]).collect();
                 Start { members: &members.iter().map(|&i| slots[i]).collect::<Vec<_>>(), bases, y, t }
             };
-            let pace = if alone { Pace::default() } else { pace };
+            let pace = if alone { ControllerState::default() } else { pace };
             new_islands.push(self.islands.found(&mut self.world, &self.store, start, pace));
         }
         for island in new_islands {
@@ -151,7 +154,7 @@ impl ContactRun {
         self.schedule.effort.steps += 1;
         let pace = island.pace();
         let going_on = pace.stiff && pace.step > 0.0;
-        let soon = if going_on { soonest(&self.world, &island, WORTHWHILE * pace.step) } else { f64::INFINITY };
+        let soon = if going_on { soonest(&self.world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
         let mut due_at = None;
         match island.plan(&model, cap, soon) {
             Err(error) => {
@@ -226,14 +229,14 @@ impl ContactRun {
         let world = &mut self.world;
         if let Some(number) = self.store.keep_again(world, island) {
             for &slot in &island.slots {
-                world.bodies[slot].path.push(Segment { from: island.from, until, path: Path::Again(number) });
+                world.bodies[slot].path.push(Segment { from: island.from, until, path: SegmentMotion::Again(number) });
             }
             return;
         }
         for (index, &slot) in island.slots.iter().enumerate() {
             if let Some(piece) = island.path(&world.model, index) {
                 self.store.polynomials += piece.bytes();
-                let path = Path::Step(piece);
+                let path = SegmentMotion::Step(piece);
                 world.bodies[slot].path.push(Segment { from: island.from, until, path });
             }
         }

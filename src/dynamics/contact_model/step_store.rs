@@ -4,7 +4,7 @@
 //! microseconds to read. A run keeps polynomials up to the memory that the model allows, and starts from then on.
 
 use crate::contact::FrictionLaw;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{Member, Replay, Seat};
@@ -58,11 +58,17 @@ impl StepStore {
     }
 
     /// Number of the flight that ended at `t` in a base and a state counted from it, to the last bit.
-    pub(in crate::dynamics) fn landing(world: &World, slot: usize, base: &Base, state: &[f64], t: f64) -> Option<u32> {
+    pub(in crate::dynamics) fn landing(
+        world: &World,
+        slot: usize,
+        base: &ReferencePose,
+        state: &[f64],
+        t: f64,
+    ) -> Option<u32> {
         let track = &world.bodies[slot];
         let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
         let mut there = system.state(&system.fly(from, start), t);
-        let other = Base::of(world.model.kind, &world.model.bodies[track.body], &mut there);
+        let other = ReferencePose::of(world.model.kind, &world.model.bodies[track.body], &mut there);
         let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         (bits(&other.state()) == bits(&base.state()) && bits(&there) == bits(state)).then_some(number)
     }

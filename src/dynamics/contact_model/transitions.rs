@@ -7,7 +7,7 @@ use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
-use crate::dynamics::model::reference_pose::{self, Base};
+use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::FREE_RETRIES;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::event_location::Reason;
@@ -35,7 +35,13 @@ pub(in crate::dynamics) struct Transitions<'a> {
 }
 
 /// Enters a contact's state from `t` on, with where its anchor is counted from.
-pub(in crate::dynamics) fn enter(world: &mut World, contact: usize, state: Contact, bases: [Option<&Base>; 2], t: f64) {
+pub(in crate::dynamics) fn enter(
+    world: &mut World,
+    contact: usize,
+    state: Contact,
+    bases: [Option<&ReferencePose>; 2],
+    t: f64,
+) {
     let track = &mut world.contacts[contact];
     let way = match state {
         // Where it is counted from is the same as long as it is closed and not counted anew.

@@ -2,15 +2,16 @@
 //!
 //! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
 //! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go
-//! through [`Coupled`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
+//! through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
 //! crossings can leap without missing one.
 
 use glam::{DMat3, DVec3};
 
+use crate::dynamics::free_flight::constants::CACHED_SAMPLES;
 use crate::dynamics::free_flight::matrix_exponential;
-use crate::dynamics::free_flight::matrix_exponential::Coupled;
-use crate::dynamics::free_flight::oscillator::{Free, Oscillator};
-use crate::dynamics::free_flight::uncoupled_axis::{Dof, PieceStep};
+use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
+use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
+use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::model::bearing::is_diagonal;
 use crate::dynamics::model::body::Body;
 use crate::motion::{Ground, LinearPiece};
@@ -18,13 +19,10 @@ use crate::motion::{Ground, LinearPiece};
 /// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
 pub type Planar = [f64; 6];
 
-/// Every so many samples of a record a flight keeps its state; between them it is advanced again, exactly.
-const STRIDE: usize = 8;
-
 /// A planar girder's free equation of motion, prepared once.
 #[derive(Clone, Debug)]
-pub struct System {
-    pub(in crate::dynamics) form: SystemForm,
+pub struct FreeMotion {
+    pub(in crate::dynamics) form: FreeMotionForm,
     pub(in crate::dynamics) ground: Ground,
     /// `−direction` on x and y: what the ground's acceleration does to the girder.
     forced: DVec3,
@@ -35,13 +33,13 @@ pub struct System {
     /// Radius of gyration, which turns θ into a length \[m\].
     pub(in crate::dynamics) gyration: f64,
     /// Its three directions where nothing couples them, whether or not a sine resonates.
-    pub(in crate::dynamics) plain: Option<[Dof; 3]>,
+    pub(in crate::dynamics) plain: Option<[UncoupledAxis; 3]>,
 }
 
 #[derive(Clone, Debug)]
-pub(in crate::dynamics) enum SystemForm {
-    Split { dof: [Dof; 3], step: Option<Box<[PieceStep; 3]>> },
-    Coupled(Box<Coupled>),
+pub(in crate::dynamics) enum FreeMotionForm {
+    Split { dof: [UncoupledAxis; 3], step: Option<Box<[SampleStep; 3]>> },
+    Coupled(Box<CoupledPropagator>),
 }
 
 /// One stretch of free motion.
@@ -58,8 +56,8 @@ pub struct Flight {
 enum FlightForm {
     /// Free parts `(q, v)` at the start.
     Split([[f64; 2]; 3]),
-    Coupled(matrix_exponential::State),
-    /// States at every [`STRIDE`]-th kink after the start; `first` is the piece that holds the start.
+    Coupled(matrix_exponential::AugmentedState),
+    /// States at every [`CACHED_SAMPLES`]-th kink after the start; `first` is the piece that holds the start.
     Record {
         first: usize,
         anchors: Vec<Planar>,
@@ -89,7 +87,7 @@ impl Flight {
     }
 }
 
-impl System {
+impl FreeMotion {
     /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
     pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
         let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
@@ -106,7 +104,14 @@ impl System {
                 Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
                 _ => (0.0, 1.0),
             };
-            SystemForm::Coupled(Box::new(Coupled::new(k, c, push.into(), forced * amplitude, drive, duration)))
+            FreeMotionForm::Coupled(Box::new(CoupledPropagator::new(
+                k,
+                c,
+                push.into(),
+                forced * amplitude,
+                drive,
+                duration,
+            )))
         });
         // In lengths: θ counts by the radius of gyration.
         let length = DVec3::new(1.0, 1.0, body.gyration2.sqrt());
@@ -133,38 +138,38 @@ impl System {
             FlightForm::Record { first: self.ground.piece_number(start), anchors: Vec::new() }
         } else {
             match &self.form {
-                SystemForm::Split { dof, .. } => {
+                FreeMotionForm::Split { dof, .. } => {
                     let steady = self.steady(dof, start);
                     let part = |i: usize| [state[i] - steady[i], state[3 + i] - steady[3 + i]];
                     FlightForm::Split([part(0), part(1), part(2)])
                 }
-                SystemForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
+                FreeMotionForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
             }
         };
         Flight { start, state, form }
     }
 
     /// Steady response to the sine at `t`.
-    pub(in crate::dynamics) fn steady(&self, dof: &[Dof; 3], t: f64) -> Planar {
+    pub(in crate::dynamics) fn steady(&self, dof: &[UncoupledAxis; 3], t: f64) -> Planar {
         self.steady_in(dof, self.ground.phase(t))
     }
 
     /// The same by the ground's phase.
-    fn steady_in(&self, dof: &[Dof; 3], [s, c]: [f64; 2]) -> Planar {
+    fn steady_in(&self, dof: &[UncoupledAxis; 3], [s, c]: [f64; 2]) -> Planar {
         let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
         let [x, y, turn] = [0, 1, 2].map(|i| dof[i].steady([s, c], omega));
         [x[0], y[0], turn[0], x[1], y[1], turn[1]]
     }
 
     /// One direction of a flight whose free motion and steady response are parted, and its free part at the start.
-    pub(in crate::dynamics) fn along(&self, flight: &Flight, i: usize) -> Option<(&Dof, [f64; 2])> {
+    pub(in crate::dynamics) fn along(&self, flight: &Flight, i: usize) -> Option<(&UncoupledAxis, [f64; 2])> {
         match (&flight.form, &self.form) {
-            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => Some((&dof[i], parts[i])),
+            (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) => Some((&dof[i], parts[i])),
             _ => None,
         }
     }
 
-    fn augmented(&self, t: f64, state: &Planar) -> matrix_exponential::State {
+    fn augmented(&self, t: f64, state: &Planar) -> matrix_exponential::AugmentedState {
         let mut z = [0.0; matrix_exponential::SIZE];
         z[..6].copy_from_slice(state);
         z[matrix_exponential::ONE] = 1.0;
@@ -179,12 +184,12 @@ impl System {
     pub fn state(&self, flight: &Flight, t: f64) -> Planar {
         let tau = t - flight.start;
         match (&flight.form, &self.form) {
-            (FlightForm::Split(parts), SystemForm::Split { dof, .. }) => {
+            (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) => {
                 let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, tau));
                 (0..6).for_each(|i| out[i] += free[i]);
                 out
             }
-            (FlightForm::Coupled(z), SystemForm::Coupled(system)) => first_six(&system.advance(z, tau)),
+            (FlightForm::Coupled(z), FreeMotionForm::Coupled(system)) => first_six(&system.advance(z, tau)),
             (FlightForm::Record { first, anchors }, _) => self.record_state(flight, *first, anchors, t),
             // A flight is begun by its own system.
             _ => flight.state,
@@ -192,9 +197,9 @@ impl System {
     }
 
     /// The free parts after τ. Directions with the same oscillator share its factors.
-    fn free(&self, dof: &[Dof; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
+    fn free(&self, dof: &[UncoupledAxis; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
         let mut out = [0.0; 6];
-        let mut known: Option<(Oscillator, Free)> = None;
+        let mut known: Option<(Oscillator, FreeResponse)> = None;
         for (i, d) in dof.iter().enumerate() {
             let (part, force) = (parts[i], [self.push[i], 0.0]);
             [out[i], out[3 + i]] = if !d.free || (part == [0.0; 2] && force == [0.0; 2]) {
@@ -216,7 +221,7 @@ impl System {
 
     /// The same by the ground's phase at `t`.
     pub(in crate::dynamics) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> (Planar, Option<Planar>) {
-        if let (FlightForm::Split(parts), SystemForm::Split { dof, .. }) = (&flight.form, &self.form) {
+        if let (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) = (&flight.form, &self.form) {
             let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
             (0..6).for_each(|i| out[i] += free[i]);
             return (out, Some(free));
@@ -228,8 +233,8 @@ impl System {
         let target = self.ground.piece_number(t);
         let (mut state, mut number, mut at) = (flight.state, first, flight.start);
         if target > first && !anchors.is_empty() {
-            let k = ((target - first - 1) / STRIDE).min(anchors.len() - 1);
-            (state, number) = (anchors[k], first + 1 + k * STRIDE);
+            let k = ((target - first - 1) / CACHED_SAMPLES).min(anchors.len() - 1);
+            (state, number) = (anchors[k], first + 1 + k * CACHED_SAMPLES);
             at = self.ground.piece(number).from;
         }
         while number < target {
@@ -243,7 +248,7 @@ impl System {
     /// From `at` in a piece to its end.
     fn cross(&self, piece: &LinearPiece, state: &Planar, at: f64) -> Planar {
         match &self.form {
-            SystemForm::Split { dof, step: Some(steps) } if at == piece.from => {
+            FreeMotionForm::Split { dof, step: Some(steps) } if at == piece.from => {
                 let mut out = [0.0; 6];
                 for i in 0..3 {
                     let force = [self.forced[i] * piece.start + self.push[i], self.forced[i] * piece.slope];
@@ -259,7 +264,7 @@ impl System {
     fn within(&self, piece: &LinearPiece, state: &Planar, at: f64, tau: f64) -> Planar {
         let value = piece.start + piece.slope * (at - piece.from);
         match &self.form {
-            SystemForm::Split { dof, .. } => {
+            FreeMotionForm::Split { dof, .. } => {
                 let mut out = [0.0; 6];
                 for i in 0..3 {
                     let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
@@ -267,7 +272,7 @@ impl System {
                 }
                 out
             }
-            SystemForm::Coupled(system) => {
+            FreeMotionForm::Coupled(system) => {
                 let mut z = self.augmented(at, state);
                 (z[matrix_exponential::VALUE], z[matrix_exponential::VALUE + 1]) = (value, piece.slope);
                 first_six(&system.advance(&z, tau))
@@ -280,7 +285,7 @@ impl System {
         let FlightForm::Record { first, anchors } = &mut flight.form else { return };
         let first = *first;
         loop {
-            let next = first + 1 + anchors.len() * STRIDE;
+            let next = first + 1 + anchors.len() * CACHED_SAMPLES;
             let at = self.ground.piece(next).from;
             if at > t || !at.is_finite() || self.ground.piece(next - 1).until.is_infinite() {
                 return;
@@ -293,7 +298,7 @@ impl System {
     fn record_state_at_kink(&self, start: f64, from: &Planar, first: usize, anchors: &[Planar], next: usize) -> Planar {
         let (mut state, mut number, mut at) = match anchors.last() {
             Some(last) => {
-                let number = first + 1 + (anchors.len() - 1) * STRIDE;
+                let number = first + 1 + (anchors.len() - 1) * CACHED_SAMPLES;
                 (*last, number, self.ground.piece(number).from)
             }
             None => (*from, first, start),
@@ -307,7 +312,7 @@ impl System {
     }
 }
 
-fn first_six(z: &matrix_exponential::State) -> Planar {
+fn first_six(z: &matrix_exponential::AugmentedState) -> Planar {
     [z[0], z[1], z[2], z[3], z[4], z[5]]
 }
 
@@ -316,8 +321,8 @@ fn frobenius(m: DMat3) -> f64 {
 }
 
 /// Three oscillators without a steady response, when nothing couples them.
-fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]) -> Option<[Dof; 3]> {
-    let dof = |i: usize| Dof {
+fn plain(stiffness: &DMat3, damping: &DMat3, k: DMat3, c: DMat3, free: [bool; 3]) -> Option<[UncoupledAxis; 3]> {
+    let dof = |i: usize| UncoupledAxis {
         oscillator: Oscillator { gamma: c.col(i)[i] / 2.0, omega2: k.col(i)[i] },
         free: free[i],
         steady: (0.0, 0.0),
@@ -335,7 +340,7 @@ fn split(
     free: [bool; 3],
     ground: &Ground,
     forced: DVec3,
-) -> Option<SystemForm> {
+) -> Option<FreeMotionForm> {
     let mut dof = plain(stiffness, damping, k, c, free)?;
     let mut step = None;
     match ground {
@@ -350,8 +355,8 @@ fn split(
             }
         }
         Ground::Record { dt, .. } => {
-            step = Some(Box::new(dof.map(|d| PieceStep::of(&d.oscillator, *dt))));
+            step = Some(Box::new(dof.map(|d| SampleStep::of(&d.oscillator, *dt))));
         }
     }
-    Some(SystemForm::Split { dof, step })
+    Some(FreeMotionForm::Split { dof, step })
 }

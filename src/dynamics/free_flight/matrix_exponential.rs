@@ -8,10 +8,12 @@
 use glam::{DMat3, DVec3};
 use twofloat::TwoFloat;
 
+use crate::dynamics::free_flight::constants::TAYLOR_TERMS;
+
 /// Length of the augmented state.
 pub const SIZE: usize = 11;
 /// The augmented state.
-pub type State = [f64; SIZE];
+pub type AugmentedState = [f64; SIZE];
 type Matrix = [[f64; SIZE]; SIZE];
 /// With twice the digits: every squaring doubles what a power is off by, relative to its size, so a long flight would have
 /// thousands of roundings.
@@ -24,18 +26,15 @@ pub const VALUE: usize = 8;
 /// Where the constant 1 stands.
 pub const ONE: usize = 10;
 
-/// Terms of the Taylor series: at most 0.5 per factor, the last is 0.5^20/20! ≈ 4e-25, below ε after 1e8 cells.
-const TERMS: u32 = 20;
-
 /// A coupled linear system and the powers of its propagator.
 #[derive(Clone, Debug)]
-pub struct Coupled {
+pub struct CoupledPropagator {
     generator: Matrix,
     cell: f64,
     powers: Vec<Matrix>,
 }
 
-impl Coupled {
+impl CoupledPropagator {
     /// `q̈ = −k q − c v + push + forced (sine + record)`, per unit mass; `drive` is the sine's Ω, `longest` the longest
     /// time that will be asked for \[s\].
     pub fn new(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64, longest: f64) -> Self {
@@ -54,7 +53,7 @@ impl Coupled {
     }
 
     /// `e^{Gτ} z`.
-    pub fn advance(&self, z: &State, tau: f64) -> State {
+    pub fn advance(&self, z: &AugmentedState, tau: f64) -> AugmentedState {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "τ is in [0, longest]")]
         let mut cells = (tau / self.cell) as u64;
         let mut z = taylor(&self.generator, z, tau - cells as f64 * self.cell);
@@ -101,7 +100,7 @@ fn generator(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64) -> Matr
     g
 }
 
-fn times(m: &Matrix, z: &State) -> State {
+fn times(m: &Matrix, z: &AugmentedState) -> AugmentedState {
     std::array::from_fn(|i| m[i].iter().zip(z).map(|(a, b)| a * b).sum())
 }
 
@@ -121,9 +120,9 @@ fn rounded(m: &Doubled) -> Matrix {
     m.map(|row| row.map(|x| x.hi()))
 }
 
-fn taylor(g: &Matrix, z: &State, tau: f64) -> State {
+fn taylor(g: &Matrix, z: &AugmentedState, tau: f64) -> AugmentedState {
     let (mut sum, mut term) = (*z, *z);
-    for n in 1..=TERMS {
+    for n in 1..=TAYLOR_TERMS {
         let factor = tau / f64::from(n);
         term = times(g, &term).map(|x| x * factor);
         for (s, t) in sum.iter_mut().zip(term) {
@@ -138,7 +137,7 @@ fn exponential(g: &Matrix, tau: f64) -> Doubled {
     let mut term: Doubled =
         std::array::from_fn(|i| std::array::from_fn(|j| TwoFloat::from(if i == j { 1.0 } else { 0.0 })));
     let mut sum = term;
-    for n in 1..=TERMS {
+    for n in 1..=TAYLOR_TERMS {
         let factor = TwoFloat::from(tau) / f64::from(n);
         term = product(&g, &term).map(|row| row.map(|x| x * factor));
         for (s, t) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
@@ -157,7 +156,8 @@ mod tests {
     fn a_diagonal_system_answers_as_its_oscillators() {
         let (k, c) = (DVec3::new(266.9, 100.0, 0.0), DVec3::new(9.1, 0.0, 1.0));
         let push = DVec3::new(0.0, 2.0, 1.0);
-        let system = Coupled::new(DMat3::from_diagonal(k), DMat3::from_diagonal(c), push, DVec3::X, 0.0, 20.0);
+        let system =
+            CoupledPropagator::new(DMat3::from_diagonal(k), DMat3::from_diagonal(c), push, DVec3::X, 0.0, 20.0);
         let mut z = [0.0; SIZE];
         z[..6].copy_from_slice(&[0.01, 0.02, 0.03, 0.1, 0.2, 0.3]);
         (z[VALUE], z[VALUE + 1], z[ONE]) = (0.7, 0.3, 1.0);
@@ -175,8 +175,14 @@ mod tests {
     #[test]
     fn an_undamped_resonance_grows_as_the_textbook_says() {
         let w = 10.0;
-        let system =
-            Coupled::new(DMat3::from_diagonal(DVec3::splat(w * w)), DMat3::ZERO, DVec3::ZERO, DVec3::X, w, 5.0);
+        let system = CoupledPropagator::new(
+            DMat3::from_diagonal(DVec3::splat(w * w)),
+            DMat3::ZERO,
+            DVec3::ZERO,
+            DVec3::X,
+            w,
+            5.0,
+        );
         let mut z = [0.0; SIZE];
         z[SIN + 1] = 1.0;
         let t: f64 = 4.7;

@@ -1,5 +1,6 @@
 //! Free motion between contacts in closed form, and bounds on it.
 
+pub(in crate::dynamics) mod constants;
 pub mod flight;
 pub mod matrix_exponential;
 pub mod motion_bounds;
@@ -7,3 +8,6 @@ pub mod oscillator;
 pub(in crate::dynamics) mod relative_bounds;
 pub mod sliding_face;
 pub(in crate::dynamics) mod uncoupled_axis;
+
+#[cfg(test)]
+mod tests;

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use crate::dynamics::free_flight::flight::{Flight, Planar, System, SystemForm};
-use crate::dynamics::free_flight::uncoupled_axis::Dof;
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm, Planar};
+use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 
 /// Bounds on a motion over `[t, t + window]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
+pub struct MotionBounds {
     /// How long they hold \[s\].
     pub window: f64,
     /// Displacement of G \[m\].
@@ -24,16 +24,16 @@ pub struct Bound {
     pub spin_rate: f64,
 }
 
-impl Bound {
+impl MotionBounds {
     /// Of what does not move.
     pub fn still(window: f64) -> Self {
         Self { window, reach: 0.0, turn: 0.0, speed: 0.0, spin: 0.0, acceleration: 0.0, spin_rate: 0.0 }
     }
 }
 
-impl System {
+impl FreeMotion {
     /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
-    pub fn prospect(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, Bound) {
+    pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, MotionBounds) {
         let (state, free) = self.parts(flight, t);
         (state, self.bound_from(t, &state, free.as_ref(), horizon))
     }
@@ -42,15 +42,21 @@ impl System {
     ///
     /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,
     /// its work bounds it over a short window.
-    pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> Bound {
+    pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> MotionBounds {
         self.bound_from(t, state, None, horizon)
     }
 
     /// The same, where the free part may be known already.
-    pub(in crate::dynamics) fn bound_from(&self, t: f64, state: &Planar, free: Option<&Planar>, horizon: f64) -> Bound {
+    pub(in crate::dynamics) fn bound_from(
+        &self,
+        t: f64,
+        state: &Planar,
+        free: Option<&Planar>,
+        horizon: f64,
+    ) -> MotionBounds {
         match (&self.form, free) {
-            (SystemForm::Split { dof, .. }, Some(free)) => self.bound_split(dof, free, horizon),
-            (SystemForm::Split { dof, .. }, None) if !self.has_kinks() => {
+            (FreeMotionForm::Split { dof, .. }, Some(free)) => self.bound_split(dof, free, horizon),
+            (FreeMotionForm::Split { dof, .. }, None) if !self.has_kinks() => {
                 let steady = self.steady(dof, t);
                 self.bound_split(dof, &std::array::from_fn(|i| state[i] - steady[i]), horizon)
             }
@@ -59,18 +65,18 @@ impl System {
                 let Some(dof) = &self.plain else { return whole };
                 // The ground drives G, never the rotation.
                 let [turn, spin, spin_rate] = dof[2].limits([state[2], state[5]], 0.0, self.push[2], horizon);
-                Bound { turn, spin, spin_rate, ..whole }
+                MotionBounds { turn, spin, spin_rate, ..whole }
             }
         }
     }
 
     /// From the free parts, three displacements and their rates.
-    fn bound_split(&self, dof: &[Dof; 3], free: &Planar, horizon: f64) -> Bound {
+    fn bound_split(&self, dof: &[UncoupledAxis; 3], free: &Planar, horizon: f64) -> MotionBounds {
         let drive = self.ground.drive();
         let limits: [[f64; 3]; 3] =
             std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));
         let plan = |k: usize| length(limits[0][k], limits[1][k]);
-        Bound {
+        MotionBounds {
             window: horizon,
             reach: plan(0),
             turn: limits[2][0],
@@ -81,7 +87,7 @@ impl System {
         }
     }
 
-    fn bound_whole(&self, state: &Planar, horizon: f64) -> Bound {
+    fn bound_whole(&self, state: &Planar, horizon: f64) -> MotionBounds {
         let [omega, damping] = self.rates;
         let window = horizon.min(0.5 / omega.max(damping).max(1e-9));
         let i = self.gyration;
@@ -92,11 +98,19 @@ impl System {
         let speed = speed0.hypot(omega * place) + force * window;
         let acceleration = (damping + omega) * speed + force;
         let reach = place + speed * window;
-        Bound { window, reach, turn: reach / i, speed, spin: speed / i, acceleration, spin_rate: acceleration / i }
+        MotionBounds {
+            window,
+            reach,
+            turn: reach / i,
+            speed,
+            spin: speed / i,
+            acceleration,
+            spin_rate: acceleration / i,
+        }
     }
 }
 
-impl Dof {
+impl UncoupledAxis {
     /// `[displacement, speed, acceleration]` that free part, steady response and push never exceed.
     pub(in crate::dynamics) fn limits(&self, [q, v]: [f64; 2], drive: f64, push: f64, horizon: f64) -> [f64; 3] {
         if !self.free {

@@ -4,6 +4,8 @@
 //! force `f = c0 + c1 τ`, `q(τ) = q C + v S0 + c0 S1 + c1 S2` with `C = 1 − ω² S1`. No case is singular: without
 //! stiffness and damping the three are `τ, τ²/2, τ³/6`.
 
+use crate::dynamics::free_flight::constants::SERIES_LIMIT;
+
 /// An oscillator per unit mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillator {
@@ -13,13 +15,9 @@ pub struct Oscillator {
     pub omega2: f64,
 }
 
-/// Below this `max(γ, ω) τ` the integrals of the impulse response are summed as power series: their closed forms divide
-/// differences of nearly equal numbers by ω².
-const SERIES: f64 = 0.3;
-
 /// Free response factors over a time τ.
 #[derive(Clone, Copy, Debug)]
-pub struct Free {
+pub struct FreeResponse {
     /// Displacement per initial displacement.
     pub c: f64,
     /// Displacement per initial velocity \[s\].
@@ -36,7 +34,7 @@ impl Oscillator {
 
     /// Free response factors.
     #[inline]
-    pub fn free(&self, tau: f64) -> Free {
+    pub fn free(&self, tau: f64) -> FreeResponse {
         let d = self.gamma * self.gamma - self.omega2;
         let (s, mean) = if d.abs().sqrt() * tau < 1e-2 {
             near_critical(self.gamma, d, tau)
@@ -50,12 +48,12 @@ impl Oscillator {
             let fast = (-(self.gamma + root) * tau).exp();
             ((slow - fast) / (2.0 * root), f64::midpoint(slow, fast))
         };
-        Free { c: mean + self.gamma * s, s, s_rate: mean - self.gamma * s }
+        FreeResponse { c: mean + self.gamma * s, s, s_rate: mean - self.gamma * s }
     }
 
     /// `(S1, S2)`: displacement after τ under a unit force, and under a unit rate of force.
-    pub fn forced(&self, tau: f64, free: &Free) -> (f64, f64) {
-        if self.gamma.max(self.omega()) * tau < SERIES {
+    pub fn forced(&self, tau: f64, free: &FreeResponse) -> (f64, f64) {
+        if self.gamma.max(self.omega()) * tau < SERIES_LIMIT {
             return self.forced_series(tau);
         }
         if self.omega2 == 0.0 {
@@ -91,7 +89,13 @@ impl Oscillator {
 
     /// The same by the factors over τ.
     #[inline]
-    pub(in crate::dynamics) fn carry(&self, f: &Free, [q, v]: [f64; 2], [c0, c1]: [f64; 2], tau: f64) -> [f64; 2] {
+    pub(in crate::dynamics) fn carry(
+        &self,
+        f: &FreeResponse,
+        [q, v]: [f64; 2],
+        [c0, c1]: [f64; 2],
+        tau: f64,
+    ) -> [f64; 2] {
         let mut displacement = q * f.c + v * f.s;
         let mut velocity = -self.omega2 * f.s * q + f.s_rate * v;
         if c0 != 0.0 || c1 != 0.0 {

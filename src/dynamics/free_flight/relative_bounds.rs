@@ -4,25 +4,23 @@
 //! oscillators is a free motion itself, whose energy never grows. In a row that sways as one no gap can close, and no
 //! look at it is needed until somebody is hit.
 
-use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
-use crate::dynamics::free_flight::motion_bounds::Bound;
-use crate::dynamics::free_flight::uncoupled_axis::Dof;
-
-/// Oscillators that differ by no more than this part are one but for rounding.
-const ALIKE: f64 = 1e-12;
+use crate::dynamics::free_flight::constants::ALIKE;
+use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm, Planar};
+use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 
 /// A girder in flight: its system, its state, and the free part of it where that is split off.
-pub(in crate::dynamics) struct Flyer<'a> {
-    pub system: &'a System,
+pub(in crate::dynamics) struct BodyInFlight<'a> {
+    pub system: &'a FreeMotion,
     pub state: Planar,
     pub free: Option<Planar>,
-    pub bound: Bound,
+    pub bound: MotionBounds,
 }
 
 /// Bounds on the difference of two motions of G over `[t, t + window]`. Rotations have bounds of their own, which hold as
 /// long where nothing couples them.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Apart {
+pub(in crate::dynamics) struct RelativeBounds {
     /// Displacement \[m\].
     pub reach: f64,
     /// Speed \[m/s\].
@@ -33,17 +31,17 @@ pub(in crate::dynamics) struct Apart {
     pub window: f64,
 }
 
-impl Apart {
+impl RelativeBounds {
     /// Of two sides, one of which may stand.
-    pub(in crate::dynamics) fn of(sides: &[Option<Flyer<'_>>; 2], horizon: f64) -> Self {
+    pub(in crate::dynamics) fn of(sides: &[Option<BodyInFlight<'_>>; 2], horizon: f64) -> Self {
         match sides {
             [Some(a), Some(b)] => Self::between(a, b, horizon).unwrap_or_else(|| Self::sum(&a.bound, &b.bound)),
-            [Some(a), None] | [None, Some(a)] => Self::sum(&a.bound, &Bound::still(horizon)),
-            [None, None] => Self::sum(&Bound::still(horizon), &Bound::still(horizon)),
+            [Some(a), None] | [None, Some(a)] => Self::sum(&a.bound, &MotionBounds::still(horizon)),
+            [None, None] => Self::sum(&MotionBounds::still(horizon), &MotionBounds::still(horizon)),
         }
     }
 
-    fn sum(a: &Bound, b: &Bound) -> Self {
+    fn sum(a: &MotionBounds, b: &MotionBounds) -> Self {
         Self {
             reach: a.reach + b.reach,
             speed: a.speed + b.speed,
@@ -53,7 +51,7 @@ impl Apart {
     }
 
     /// Two girders in flight; nothing where more than a sum cannot be said.
-    fn between(a: &Flyer<'_>, b: &Flyer<'_>, horizon: f64) -> Option<Self> {
+    fn between(a: &BodyInFlight<'_>, b: &BodyInFlight<'_>, horizon: f64) -> Option<Self> {
         let (first, second) = (a.dofs()?, b.dofs()?);
         let (mut limits, mut window) = ([[0.0; 3]; 2], horizon);
         for (i, limit) in limits.iter_mut().enumerate() {
@@ -67,7 +65,10 @@ impl Apart {
                 }
                 // Under one ground motion its force itself cancels.
                 _ if like => {
-                    let plain = [&Dof { steady: (0.0, 0.0), ..*dofs[0] }, &Dof { steady: (0.0, 0.0), ..*dofs[1] }];
+                    let plain = [
+                        &UncoupledAxis { steady: (0.0, 0.0), ..*dofs[0] },
+                        &UncoupledAxis { steady: (0.0, 0.0), ..*dofs[1] },
+                    ];
                     difference(plain, [part(&a.state, i), part(&b.state, i)], pushes, 0.0, horizon)
                 }
                 _ if free && alike(dofs) => {
@@ -83,26 +84,33 @@ impl Apart {
     }
 }
 
-impl Flyer<'_> {
+impl BodyInFlight<'_> {
     /// Its directions, where nothing couples them.
-    fn dofs(&self) -> Option<&[Dof; 3]> {
+    fn dofs(&self) -> Option<&[UncoupledAxis; 3]> {
         match &self.system.form {
-            SystemForm::Split { dof, .. } => Some(dof),
-            SystemForm::Coupled(_) => self.system.plain.as_ref(),
+            FreeMotionForm::Split { dof, .. } => Some(dof),
+            FreeMotionForm::Coupled(_) => self.system.plain.as_ref(),
         }
     }
 }
 
 /// Whether two oscillators are the same but for rounding: girders of one frequency and other masses.
-pub(in crate::dynamics) fn alike([a, b]: [&Dof; 2]) -> bool {
+pub(in crate::dynamics) fn alike([a, b]: [&UncoupledAxis; 2]) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
     near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)
 }
 
 /// The difference of two motions of oscillators that are nearly one: the first's free motion, driven by what the second's
 /// differs from it. The root of its energy, `√(v² + ω²q²)`, grows by no more than that force.
-fn nearly(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], second: &Bound, horizon: f64) -> [f64; 3] {
-    let dof = Dof { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
+fn nearly(
+    dofs: [&UncoupledAxis; 2],
+    [p, q]: [&Planar; 2],
+    i: usize,
+    push: [f64; 2],
+    second: &MotionBounds,
+    horizon: f64,
+) -> [f64; 3] {
+    let dof = UncoupledAxis { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
     let [one, other] = dofs.map(|dof| dof.oscillator);
     let force = (one.omega2 - other.omega2).abs() * second.reach + 2.0 * (one.gamma - other.gamma).abs() * second.speed;
     let [reach, speed, acceleration] = dof.limits([p[i] - q[i], p[3 + i] - q[3 + i]], 0.0, push[0] - push[1], horizon);
@@ -111,12 +119,12 @@ fn nearly(dofs: [&Dof; 2], [p, q]: [&Planar; 2], i: usize, push: [f64; 2], secon
     [reach + further, speed + more, acceleration + (2.0 * one.gamma + omega) * more + force]
 }
 
-fn drive(system: &System) -> f64 {
+fn drive(system: &FreeMotion) -> f64 {
     system.ground.drive()
 }
 
 /// The phasors' difference as an amplitude \[m\].
-fn amplitude([a, b]: [&Dof; 2]) -> f64 {
+fn amplitude([a, b]: [&UncoupledAxis; 2]) -> f64 {
     (a.steady.0 - b.steady.0).hypot(a.steady.1 - b.steady.1)
 }
 
@@ -128,7 +136,7 @@ fn part(state: &Planar, i: usize) -> [f64; 2] {
 /// Bounds on the difference of two flights along one direction, from the free parts of both: displacement, speed,
 /// acceleration.
 pub(in crate::dynamics) fn limits(
-    dofs: [&Dof; 2],
+    dofs: [&UncoupledAxis; 2],
     free: [[f64; 2]; 2],
     push: [f64; 2],
     drive: f64,
@@ -138,16 +146,16 @@ pub(in crate::dynamics) fn limits(
     if like { difference(dofs, free, push, drive, horizon) } else { both(dofs, free, push, drive, horizon) }
 }
 
-fn difference(dofs: [&Dof; 2], [p, q]: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
-    let dof = Dof { amplitude: amplitude(dofs), ..*dofs[0] };
+fn difference(dofs: [&UncoupledAxis; 2], [p, q]: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+    let dof = UncoupledAxis { amplitude: amplitude(dofs), ..*dofs[0] };
     dof.limits([p[0] - q[0], p[1] - q[1]], drive, push[0] - push[1], horizon)
 }
 
-fn both(dofs: [&Dof; 2], free: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
+fn both(dofs: [&UncoupledAxis; 2], free: [[f64; 2]; 2], push: [f64; 2], drive: f64, horizon: f64) -> [f64; 3] {
     let steady = amplitude(dofs);
     let mut sum = [steady, drive * steady, drive * drive * steady];
     for ((dof, part), push) in dofs.into_iter().zip(free).zip(push) {
-        let free = Dof { amplitude: 0.0, ..*dof }.limits(part, drive, push, horizon);
+        let free = UncoupledAxis { amplitude: 0.0, ..*dof }.limits(part, drive, push, horizon);
         (0..3).for_each(|k| sum[k] += free[k]);
     }
     sum
@@ -162,12 +170,12 @@ mod tests {
     fn oscillators_that_differ_by_rounding_stay_together_as_long_as_said() {
         let dof = |omega2: f64| {
             let oscillator = Oscillator { gamma: 0.01, omega2 };
-            Dof { oscillator, free: true, steady: (0.0, 0.0), amplitude: 0.0 }
+            UncoupledAxis { oscillator, free: true, steady: (0.0, 0.0), amplitude: 0.0 }
         };
         let (a, b) = (dof(9.0), dof(9.0 * (1.0 + 5e-13)));
         assert!(alike([&a, &b]) && !alike([&a, &dof(9.001)]), "rounding, and more than it");
         let (start, horizon) = ([1.0, 0.0, 0.0, 0.5, 0.0, 0.0], 40.0);
-        let second = Bound { reach: 1.1, speed: 3.1, ..Bound::still(horizon) };
+        let second = MotionBounds { reach: 1.1, speed: 3.1, ..MotionBounds::still(horizon) };
         let [reach, speed, _] = nearly([&a, &b], [&start, &start], 0, [0.0; 2], &second, horizon);
         let mut worst = [0.0f64; 2];
         for k in 0..400 {

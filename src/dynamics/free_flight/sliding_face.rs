@@ -10,41 +10,41 @@ use glam::{DVec2, DVec3};
 
 use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::matrix_exponential;
-use crate::dynamics::free_flight::matrix_exponential::Coupled;
+use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::Oscillator;
 use crate::dynamics::model::body::Body;
 use crate::motion::{Ground, LinearPiece};
 
 /// One stretch of sliding, within one piece of a record.
 #[derive(Clone, Debug)]
-pub struct Slide {
+pub struct SlidingFace {
     /// When it begins \[s\].
     pub from: f64,
     /// Longest time over which looks at it see every turn \[s\].
     pub sight: f64,
     place: DVec3,
     along: DVec2,
-    law: Law,
+    law: SlidingForm,
 }
 
 #[derive(Clone, Debug)]
-enum Law {
+enum SlidingForm {
     /// Free part at the start, constant force and its rate, steady response to the sine.
-    Oscillator { oscillator: Oscillator, part: [f64; 2], force: [f64; 2], steady: Steady },
+    Oscillator { oscillator: Oscillator, part: [f64; 2], force: [f64; 2], steady: SteadyResponse },
     /// The same as a matrix; what it is made of is kept for hashing.
-    Matrix { system: Box<Coupled>, start: Box<matrix_exponential::State>, felt: Felt },
+    Matrix { system: Box<CoupledPropagator>, start: Box<matrix_exponential::AugmentedState>, felt: ProjectedForces },
 }
 
 /// `re sin(Ωt + φ) + im cos(Ωt + φ)`.
 #[derive(Clone, Copy, Debug, Default)]
-struct Steady {
+struct SteadyResponse {
     re: f64,
     im: f64,
     drive: f64,
     phase: f64,
 }
 
-impl Steady {
+impl SteadyResponse {
     fn at(&self, t: f64) -> [f64; 2] {
         if self.drive == 0.0 {
             return [0.0; 2];
@@ -56,7 +56,7 @@ impl Steady {
 
 /// What moves the face along: stiffness, damping and force per mass, as felt along `d`.
 #[derive(Clone, Copy, Debug)]
-struct Felt {
+struct ProjectedForces {
     omega2: f64,
     damping: f64,
     /// Constant part of the force at the start, without the ground's.
@@ -65,7 +65,7 @@ struct Felt {
     ground: f64,
 }
 
-impl Felt {
+impl ProjectedForces {
     fn of(body: &Body, q: DVec3, s: DVec2, d: DVec2, ground: &Ground) -> Self {
         let felt = |force: DVec3| d.dot(force.truncate()) / body.mass;
         let per_ground = match ground {
@@ -82,7 +82,7 @@ impl Felt {
     }
 }
 
-impl Slide {
+impl SlidingFace {
     /// The slide of `girder` along `s` from `state` at `t` on, within `piece` of the ground motion and for at most `longest` \[s\].
     /// `d = s + μ_k σ n` is the direction along which forces are felt.
     pub(in crate::dynamics) fn new(
@@ -93,10 +93,10 @@ impl Slide {
         longest: f64,
     ) -> Self {
         let place = DVec3::new(state[0], state[1], state[2]);
-        let felt = Felt::of(girder, place, s, d, ground);
+        let felt = ProjectedForces::of(girder, place, s, d, ground);
         let speed = DVec2::new(state[3], state[4]).dot(s);
         let fastest = felt.omega2.abs().sqrt().max(felt.damping.abs());
-        let law = Law::of(&felt, ground, piece, t, speed, longest);
+        let law = SlidingForm::of(&felt, ground, piece, t, speed, longest);
         Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law }
     }
 
@@ -110,11 +110,11 @@ impl Slide {
     /// Every number that the answer depends on, for hashing.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         let of_law = match &self.law {
-            Law::Oscillator { oscillator, part, force, steady } => {
+            SlidingForm::Oscillator { oscillator, part, force, steady } => {
                 let own = [oscillator.gamma, oscillator.omega2, steady.re, steady.im, steady.drive, steady.phase];
                 [&own[..], &part[..], &force[..]].concat()
             }
-            Law::Matrix { start, felt, .. } => {
+            SlidingForm::Matrix { start, felt, .. } => {
                 [&start[..], &[felt.omega2, felt.damping, felt.force, felt.ground]].concat()
             }
         };
@@ -122,8 +122,8 @@ impl Slide {
     }
 }
 
-impl Law {
-    fn of(felt: &Felt, ground: &Ground, piece: &LinearPiece, t: f64, speed: f64, longest: f64) -> Self {
+impl SlidingForm {
+    fn of(felt: &ProjectedForces, ground: &Ground, piece: &LinearPiece, t: f64, speed: f64, longest: f64) -> Self {
         let oscillator = Oscillator { gamma: felt.damping / 2.0, omega2: felt.omega2 };
         let (gain, drive, phase) = match ground {
             Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega), *omega, *phase),
@@ -132,7 +132,7 @@ impl Law {
         let value = piece.start + piece.slope * (t - piece.from);
         match gain {
             Some((re, im)) if felt.omega2 >= 0.0 && felt.damping >= 0.0 => {
-                let steady = Steady { re: felt.ground * re, im: felt.ground * im, drive, phase };
+                let steady = SteadyResponse { re: felt.ground * re, im: felt.ground * im, drive, phase };
                 let [q, v] = steady.at(t);
                 let force = [felt.force + felt.ground * value, felt.ground * piece.slope];
                 Self::Oscillator { oscillator, part: [-q, speed - v], force, steady }
@@ -141,7 +141,7 @@ impl Law {
                 let along = |x: f64| DVec3::new(x, 0.0, 0.0);
                 let (k, c) = (glam::DMat3::from_diagonal(along(felt.omega2)), along(felt.damping));
                 let c = glam::DMat3::from_diagonal(c);
-                let system = Coupled::new(k, c, along(felt.force), along(felt.ground), drive, longest);
+                let system = CoupledPropagator::new(k, c, along(felt.force), along(felt.ground), drive, longest);
                 let mut start = Box::new([0.0; matrix_exponential::SIZE]);
                 (start[3], start[matrix_exponential::ONE]) = (speed, 1.0);
                 (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, piece.slope);
@@ -203,7 +203,7 @@ mod tests {
             let s = normal.perp();
             let d = s + normal * friction;
             let start = [0.01, -0.02, 0.0, 0.3 * s.x, 0.3 * s.y, 0.0];
-            let slide = Slide::new((girder, &model.ground), [s, d], &piece, (0.0, &start), 0.2);
+            let slide = SlidingFace::new((girder, &model.ground), [s, d], &piece, (0.0, &start), 0.2);
             let q = DVec3::new(start[0], start[1], 0.0);
             let slope = |t: f64, [u, v]: [f64; 2]| {
                 let along = s.extend(0.0);

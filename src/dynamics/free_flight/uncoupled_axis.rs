@@ -1,10 +1,10 @@
 //! One direction of a girder that nothing couples to the others: an oscillator, and its steady response to a sine.
 
-use crate::dynamics::free_flight::oscillator::{Free, Oscillator};
+use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
 
 /// One direction of a girder without eccentricity.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Dof {
+pub(in crate::dynamics) struct UncoupledAxis {
     pub(in crate::dynamics) oscillator: Oscillator,
     pub(in crate::dynamics) free: bool,
     /// Steady response to the sine: displacement is `re sin(Ωt+φ) + im cos(Ωt+φ)`.
@@ -15,13 +15,13 @@ pub(in crate::dynamics) struct Dof {
 
 /// Factors that carry one direction across a whole interval of a record.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct PieceStep {
-    free: Free,
+pub(in crate::dynamics) struct SampleStep {
+    free: FreeResponse,
     s1: f64,
     s2: f64,
 }
 
-impl PieceStep {
+impl SampleStep {
     /// Of an oscillator, across `dt` \[s\].
     pub(in crate::dynamics) fn of(oscillator: &Oscillator, dt: f64) -> Self {
         let free = oscillator.free(dt);
@@ -30,7 +30,7 @@ impl PieceStep {
     }
 }
 
-impl Dof {
+impl UncoupledAxis {
     /// Steady response and its rate by sine and cosine of the ground's phase.
     #[inline]
     pub(in crate::dynamics) fn steady(&self, [s, c]: [f64; 2], drive: f64) -> [f64; 2] {
@@ -45,7 +45,7 @@ impl Dof {
     }
 
     /// Across the interval that `step` is of, under `c0 + c1 τ`.
-    pub(in crate::dynamics) fn step(&self, step: &PieceStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
+    pub(in crate::dynamics) fn step(&self, step: &SampleStep, [q, v]: [f64; 2], [c0, c1]: [f64; 2]) -> [f64; 2] {
         if !self.free {
             return [q, v];
         }

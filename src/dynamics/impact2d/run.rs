@@ -7,7 +7,7 @@ use crate::dynamics::impact2d::constants::{EVENTS_BEFORE_LEAST_DURATION, LEAST_D
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::trajectory::segment::{Path, Segment};
+use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 
 /// State, queue and log of a run.
 #[derive(Debug)]
@@ -98,7 +98,7 @@ impl Run {
         }
         self.world.remember(slot, t);
         let path = match &self.world.bodies[slot].motion {
-            Motion::Flight(flight) => Some(Path::Flight(Box::new(flight.clone()))),
+            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(flight.clone()))),
             Motion::Lasting(number, place) => {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }

@@ -1,6 +1,6 @@
 //! Data of each body, pair and declared contact of a group during a run of the impact model.
 
-use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::impact2d::State;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::trajectory::segment::Segment;
@@ -21,7 +21,7 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Number in the model.
     pub body: usize,
     /// Free motion.
-    pub system: System,
+    pub system: FreeMotion,
     /// Motion in force.
     pub motion: Motion,
     /// Motion so far.

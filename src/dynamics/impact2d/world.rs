@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{Planar, System};
+use crate::dynamics::free_flight::flight::{FreeMotion, Planar};
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
@@ -178,7 +178,7 @@ impl World {
 }
 
 fn body_track(model: &Model, body: usize) -> BodyTrack {
-    let system = System::new(&model.bodies[body], &model.ground, model.duration);
+    let system = FreeMotion::new(&model.bodies[body], &model.ground, model.duration);
     let initial = rigid_body::initial(model.kind, &model.bodies[body]);
     let state: Planar = std::array::from_fn(|i| initial[i]);
     let motion = Motion::Flight(system.fly(0.0, state));

@@ -1,24 +1,74 @@
-//! Tuning factors of the integrators: value, unit, effect and reason.
+//! Constants of the integrators: value, unit, effect and reason.
 
-/// Newton iterations before the step is shortened.
-pub(super) const PATIENCE: usize = 12;
-/// What may be left of the stages' equations, in parts of the tolerance.
-pub(super) const LEFT: f64 = 5e-2;
-/// Corrections that no longer shrink are rounding; it is let pass up to this part of the tolerance.
-pub(super) const STALLED: f64 = 0.2;
-/// Newton's method that converges better than this keeps its Jacobian.
-pub(super) const GOOD: f64 = 0.1;
-/// Steps that differ by less are one.
-pub(super) const SAME: f64 = 1e-6;
-/// Rounds of the power method for the fastest rate.
-pub(super) const ROUNDS: usize = 12;
-/// A polynomial begins no step that is so many times longer than its own.
-pub(super) const FARTHEST: f64 = 10.0;
-/// From this tolerance on fewer stages are cheaper.
-pub(super) const COARSE: f64 = 1e-6;
-/// What an error of five stages counts for: counted once a sliding deck is 1.7e-6 m off at 1e-4, four times 1.7e-7 m.
-pub(super) const CAUTION: f64 = 4.0;
-/// Steps shorter than this part of the fastest time constant, and than the next by the fourth root of the tolerance, take
-/// three stages and no Jacobian.
-pub(super) const QUIET: f64 = 0.3;
-pub(super) const SHORT: f64 = 3.5;
+// Radau IIA: Newton iteration.
+
+/// Most Newton iterations per attempt; then the step is shortened. Tuned.
+pub(super) const NEWTON_ITERATIONS: usize = 12;
+/// Newton's iteration ends when the remaining error of the stages is below this part of the tolerance (κ of Hairer and Wanner,
+/// section IV.8, there 0.01 to 0.1).
+pub(super) const NEWTON_RESIDUAL: f64 = 5e-2;
+/// An iteration whose corrections no longer shrink has reached rounding; it is accepted up to this part of the tolerance. Tuned.
+pub(super) const NEWTON_STALLED: f64 = 0.2;
+/// Convergence rate up to which the Jacobian is kept for the next step: every iteration then gives a
+/// digit.
+pub(super) const NEWTON_GOOD_RATE: f64 = 0.1;
+/// Relative difference of step lengths up to which the factored matrices are reused: far below the effect of the approximate
+/// Jacobian on the rate of convergence.
+pub(super) const SAME_STEP: f64 = 1e-6;
+/// Rounds of the power method for the spectral radius of the Jacobian; the second half is read. Tuned: the estimate is compared
+/// with a bound that is good to a factor.
+pub(super) const POWER_ROUNDS: usize = 12;
+/// Ratio of step lengths up to which the last collocation polynomial is extrapolated for the start of the iteration: beyond, a
+/// polynomial of degree 7 is worse than no change.
+pub(super) const EXTRAPOLATED_STEPS: f64 = 10.0;
+
+// Radau IIA: choice of the number of stages.
+
+/// Relative tolerance from which five stages are used instead of seven: with coarser tolerances fewer stages cost less. See
+/// docs/cost.md.
+pub(super) const FIVE_STAGE_TOLERANCE: f64 = 1e-6;
+/// Factor on the error estimate of five stages. Measured: a sliding deck is 1.7e-6 m off at a tolerance of 1e-4 with factor 1, and
+/// 1.7e-7 m with factor 4.
+pub(super) const FIVE_STAGE_FACTOR: f64 = 4.0;
+/// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without a Jacobian:
+/// the simplified iteration contracts by about this factor per round.
+pub(super) const QUIET_STEP: f64 = 0.3;
+/// The same per fourth root of the relative tolerance: the error estimate of three stages is of fourth order. Tuned.
+pub(super) const QUIET_STEP_PER_ROOT: f64 = 3.5;
+
+// Dormand–Prince 8(5,3).
+
+/// Time constants of a decay that an explicit step may span for its error estimate to exceed its error: at 5.65 of them, inside
+/// the region of stability, the fifth-order estimate crosses 0 while a quarter of the decaying part is left.
+pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
+
+// Step control.
+
+/// Explicit steps that span more time constants of the fastest motion than this, though their error is below [`LIMITED_ERROR`], are
+/// limited by stability. Tuned.
+pub(super) const STABILITY_LIMITED: f64 = 0.7;
+/// Error, in parts of the tolerance, below which a step is not limited by accuracy: 0.02^(−1/8) = 1.6 times the step would do.
+pub(super) const LIMITED_ERROR: f64 = 0.02;
+/// Factor to the next attempt from the second rejection on, where the error is above [`NEARLY_ACCEPTED`]. Tuned.
+pub(super) const REPEATED_REJECTION: f64 = 0.2;
+/// Error of a rejected step up to which the estimate's own factor is used: 3^(1/8) shortens it by an eighth.
+pub(super) const NEARLY_ACCEPTED: f64 = 3.0;
+/// Successive steps limited by stability after which the method changes. Tuned (DOP853 waits for 15).
+pub(super) const METHOD_CHANGE_STEPS: u32 = 4;
+/// Explicit steps between two events after which the implicit method is tried, doubled after each trial: noise in the right-hand side
+/// can limit explicit steps as well. Tuned.
+pub(super) const TRIAL_STEPS: u32 = 64;
+/// Time constants of the fastest motion that explicit steps span at the cost of one implicit step. Tuned.
+pub(super) const IMPLICIT_STEP_WORTH: f64 = 12.0;
+/// Error, in parts of the tolerance, below which the next implicit step will be longer: the method is not given up then. Tuned.
+pub(super) const GROWING_ERROR: f64 = 0.2;
+/// A step ends this many times the expected interval after its start when an event is likely: a little beyond the event. Tuned.
+pub(super) const BEYOND_EVENT: f64 = 1.5;
+/// Part of the proposed step below which it is worth being cut short for a likely event. Tuned.
+pub(in crate::dynamics) const WORTHWHILE_CUT: f64 = 0.3;
+/// Shortest interval to a likely event for which a step is cut short, relative to the time: shorter, the step would be lost in
+/// the rounding of its ends.
+pub(super) const SHORTEST_CUT: f64 = 64.0 * f64::EPSILON;
+/// Components beyond which the elimination of an implicit step, which grows with their cube, costs more than short explicit steps.
+/// Tuned.
+pub(super) const LARGEST_IMPLICIT: usize = 160;

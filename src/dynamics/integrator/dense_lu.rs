@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 /// A number that can be eliminated with.
-pub(in crate::dynamics) trait Entry:
+pub(in crate::dynamics) trait Scalar:
     Copy
     + std::ops::Sub<Output = Self>
     + std::ops::Mul<Output = Self>
@@ -26,7 +26,7 @@ pub(in crate::dynamics) trait Entry:
     fn over(self, divisor: Self) -> Self;
 }
 
-impl Entry for f64 {
+impl Scalar for f64 {
     const ZERO: Self = 0.0;
 
     fn size(self) -> f64 {
@@ -50,7 +50,7 @@ impl Entry for f64 {
     }
 }
 
-impl Entry for Complex64 {
+impl Scalar for Complex64 {
     const ZERO: Self = Self::new(0.0, 0.0);
 
     fn size(self) -> f64 {
@@ -88,7 +88,7 @@ impl<T> Default for Lu<T> {
     }
 }
 
-impl<T: Entry> Lu<T> {
+impl<T: Scalar> Lu<T> {
     /// Factors the matrix of `n` rows that `entry(row, column)` describes; `false` when it is singular or not finite.
     pub(in crate::dynamics) fn factor(&mut self, n: usize, entry: impl Fn(usize, usize) -> T) -> bool {
         self.entries.clear();
@@ -213,7 +213,11 @@ pub(in crate::dynamics) fn solve_regularised(
 mod tests {
     use super::*;
 
-    fn residual<T: Entry + std::ops::Neg<Output = T>>(n: usize, entry: impl Fn(usize, usize) -> T, right: &[T]) -> f64 {
+    fn residual<T: Scalar + std::ops::Neg<Output = T>>(
+        n: usize,
+        entry: impl Fn(usize, usize) -> T,
+        right: &[T],
+    ) -> f64 {
         let (mut lu, mut x) = (Lu::default(), vec![T::ZERO; n]);
         assert!(lu.factor(n, &entry), "regular");
         lu.solve(right, &mut x);
@@ -261,5 +265,22 @@ mod tests {
         assert!((x[0] - 1.5).abs() < 1e-3 && (x[0] + x[1] - 3.0).abs() < 1e-11, "two equal rows share: {x:?}");
         assert_eq!(solve_regularised(2, |_, _| 0.0, |_| 1.0, 1e-12), None, "nothing can move");
         assert_eq!(solve_regularised(0, |_, _| 0.0, |_| 1.0, 1e-12), Some(Vec::new()), "no unknown");
+    }
+
+    #[test]
+    fn a_known_system_is_solved() {
+        let rows = [[0.0, 2.0, 1.0], [3.0, 1.0, -1.0], [1.0, -2.0, 4.0]];
+        let (mut lu, mut x) = (Lu::default(), [0.0; 3]);
+        assert!(lu.factor(3, |i, j| rows[i][j]), "regular");
+        lu.solve(&[-1.0, -2.0, 17.0], &mut x);
+        (0..3).for_each(|i| assert!((x[i] - [1.0, -2.0, 3.0][i]).abs() < 1e-14, "{x:?}"));
+        // Pivots 3, −2 − 1/3 and 1 + (6/7)(4 + 1/3).
+        assert!((lu.least_pivot() - 7.0 / 3.0).abs() < 1e-14, "{}", lu.least_pivot());
+        let i = Complex64::I;
+        let complex = [[i, Complex64::ONE], [Complex64::ONE, Complex64::ZERO]];
+        let (mut lu, mut z) = (Lu::default(), [Complex64::ZERO; 2]);
+        assert!(lu.factor(2, |row, column| complex[row][column]), "regular");
+        lu.solve(&[Complex64::new(0.0, 3.0), Complex64::new(2.0, 0.0)], &mut z);
+        assert!((z[0] - 2.0).norm() < 1e-15 && (z[1] - i).norm() < 1e-15, "{z:?}");
     }
 }

@@ -2,26 +2,26 @@
 //! `x = (t − t₀)/h`, `y = 1 − x` (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I", section II.6).
 
 /// Coefficients of the interpolant per component.
-pub const DENSE: usize = 8;
+pub const DENSE_TERMS: usize = 8;
 
 /// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
 /// \[0, 1\], rounded up.
-const STEEPEST: [[f64; DENSE - 1]; 2] =
+const STEEPEST: [[f64; DENSE_TERMS - 1]; 2] =
     [[1.0, 1.0, 1.0, 0.193, 0.136, 0.0537, 0.0336], [0.0, 2.0, 4.0, 2.0, 2.0, 0.375, 0.243]];
 
 /// A continuous answer over one step: `[component][coefficient]`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Dense {
+pub struct DenseOutput {
     /// Where the step begins \[s\].
     pub from: f64,
     /// Its length \[s\].
     pub step: f64,
-    coefficients: Vec<[f64; DENSE]>,
+    coefficients: Vec<[f64; DENSE_TERMS]>,
 }
 
-impl Dense {
+impl DenseOutput {
     /// A continuous answer from its coefficients.
-    pub(in crate::dynamics) fn new(from: f64, step: f64, coefficients: Vec<[f64; DENSE]>) -> Self {
+    pub(in crate::dynamics) fn new(from: f64, step: f64, coefficients: Vec<[f64; DENSE_TERMS]>) -> Self {
         Self { from, step, coefficients }
     }
 
@@ -42,30 +42,34 @@ impl Dense {
 
     /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
     #[inline]
-    pub(in crate::dynamics) fn value(c: &[f64; DENSE], x: f64) -> f64 {
+    pub(in crate::dynamics) fn value(c: &[f64; DENSE_TERMS], x: f64) -> f64 {
         let y = 1.0 - x;
         c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))))
     }
 
     /// How far components `range` together are from their start at most, anywhere in the step.
-    pub(in crate::dynamics) fn span(&self, range: std::ops::Range<usize>) -> f64 {
+    pub(in crate::dynamics) fn displacement_bound(&self, range: std::ops::Range<usize>) -> f64 {
         // Every coefficient stands before a product of factors from 0 to 1.
-        let far = |c: &[f64; DENSE]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
+        let far = |c: &[f64; DENSE_TERMS]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
         self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
     }
 
     /// Bounds on `|ẏ|` and `|ÿ|` of components `range` together, anywhere in the step.
-    pub(in crate::dynamics) fn swing(&self, range: std::ops::Range<usize>) -> [f64; 2] {
-        self.swing_of(self.coefficients[range].iter().copied())
+    pub(in crate::dynamics) fn derivative_bounds(&self, range: std::ops::Range<usize>) -> [f64; 2] {
+        self.bounds_of(self.coefficients[range].iter().copied())
     }
 
     /// The same of the difference to as many components from `other` on.
-    pub(in crate::dynamics) fn swing_apart(&self, range: std::ops::Range<usize>, other: usize) -> [f64; 2] {
+    pub(in crate::dynamics) fn difference_derivative_bounds(
+        &self,
+        range: std::ops::Range<usize>,
+        other: usize,
+    ) -> [f64; 2] {
         let pairs = self.coefficients[range].iter().zip(&self.coefficients[other..]);
-        self.swing_of(pairs.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k])))
+        self.bounds_of(pairs.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k])))
     }
 
-    fn swing_of(&self, components: impl Iterator<Item = [f64; DENSE]>) -> [f64; 2] {
+    fn bounds_of(&self, components: impl Iterator<Item = [f64; DENSE_TERMS]>) -> [f64; 2] {
         let mut squares = [0.0; 2];
         for c in components {
             for (square, most) in squares.iter_mut().zip(&STEEPEST) {
@@ -78,12 +82,12 @@ impl Dense {
 
     /// The same answer for some components only.
     #[must_use]
-    pub fn part(&self, range: std::ops::Range<usize>) -> Self {
+    pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
         Self { from: self.from, step: self.step, coefficients: self.coefficients[range].to_vec() }
     }
 
     /// Every coefficient, for hashing.
-    pub fn coefficients(&self) -> &[[f64; DENSE]] {
+    pub fn coefficients(&self) -> &[[f64; DENSE_TERMS]] {
         &self.coefficients
     }
 }
@@ -95,9 +99,11 @@ mod tests {
     #[test]
     fn nothing_in_a_step_is_faster_or_bends_more_than_its_bounds() {
         let wild = |seed: f64| std::array::from_fn(|k| (seed + 1.7 * k as f64).sin() * 3.0);
-        let dense = Dense::new(2.0, 0.3, vec![wild(0.4), wild(2.9), wild(5.1)]);
-        let at = |i: usize, x: f64| Dense::value(&dense.coefficients[i], x) - Dense::value(&dense.coefficients[2], x);
-        let [speed, bend] = dense.swing_apart(0..1, 2);
+        let dense = DenseOutput::new(2.0, 0.3, vec![wild(0.4), wild(2.9), wild(5.1)]);
+        let at = |i: usize, x: f64| {
+            DenseOutput::value(&dense.coefficients[i], x) - DenseOutput::value(&dense.coefficients[2], x)
+        };
+        let [speed, bend] = dense.difference_derivative_bounds(0..1, 2);
         let (h, mut worst) = (1e-4, [0.0f64; 2]);
         for k in 1..9999 {
             let x = f64::from(k) * h;

@@ -1,16 +1,12 @@
 //! Dormand–Prince 8(5,3): explicit Runge–Kutta of order 8 with a seventh-order continuous answer
 //! (Hairer, Nørsett and Wanner, section II.5). Knows no physics; all buffers are kept from step to step.
 
-use crate::dynamics::integrator::dense_output::Dense;
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853_tableau::{A, C, D, E3, E5};
 use crate::dynamics::integrator::system::System;
 
 /// Slopes of a step with those that its continuous answer needs.
-const STAGES: usize = 16;
-
-/// Time constants of a decay that a step may span for its error to be seen: at 5.65 of them, inside the region of stability, the
-/// estimate of fifth order crosses 0 while a quarter of what should have decayed is left.
-pub(in crate::dynamics) const SEEN: f64 = 5.0;
+const DOP_STAGES: usize = 16;
 
 /// The integrator's memory for systems of one size.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +23,7 @@ impl Dop853 {
     pub fn resize(&mut self, size: usize) {
         self.size = size;
         self.slopes.clear();
-        self.slopes.resize((STAGES + D.len()) * size, 0.0);
+        self.slopes.resize((DOP_STAGES + D.len()) * size, 0.0);
         self.stage.resize(size, 0.0);
         self.end.resize(size, 0.0);
     }
@@ -78,13 +74,13 @@ impl Dop853 {
     }
 
     /// Accepts the step just tried: its continuous answer. The slope at its end becomes the next start.
-    pub fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> Dense {
+    pub fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> DenseOutput {
         let n = self.size;
         system.slope(t + h, &self.end, &mut self.slopes[12 * n..13 * n]);
         for stage in 13..16 {
             self.evaluate(system, stage, t, y, h);
         }
-        let (slopes, upper) = self.slopes.split_at_mut(STAGES * n);
+        let (slopes, upper) = self.slopes.split_at_mut(DOP_STAGES * n);
         for (row, upper) in D.iter().zip(upper.chunks_exact_mut(n.max(1))) {
             difference(upper, row, slopes, n);
         }
@@ -98,12 +94,12 @@ impl Dop853 {
             .collect();
         y.copy_from_slice(&self.end);
         self.slopes.copy_within(12 * n..13 * n, 0);
-        Dense::new(t, h, coefficients)
+        DenseOutput::new(t, h, coefficients)
     }
 
     /// How many time constants of the fastest motion the step just accepted spans, from its last two stages, which are
     /// for the same time (Hairer and Wanner, section IV.2).
-    pub fn stiffness(&mut self, system: &impl System, accepted: &Dense) -> f64 {
+    pub fn stiffness(&mut self, system: &impl System, accepted: &DenseOutput) -> f64 {
         let n = self.size;
         for (i, c) in accepted.coefficients().iter().enumerate() {
             // The first slope has made room for the next step's; the answer still knows it.
@@ -150,6 +146,7 @@ pub fn next_factor(error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 
     struct Circle;
 
@@ -185,7 +182,7 @@ mod tests {
             rk.accept(&mut Decay, 0.0, &mut y, h);
             estimate / (y[0] - (-h).exp()).abs()
         };
-        let worst = (1..=50).map(|i| seen(SEEN * f64::from(i) / 50.0)).fold(f64::INFINITY, f64::min);
+        let worst = (1..=50).map(|i| seen(RESOLVED_DECAY * f64::from(i) / 50.0)).fold(f64::INFINITY, f64::min);
         assert!(worst > 1.0, "of the error, at least: {worst}");
         assert!(seen(5.6543) < 1e-3, "of the error: {}", seen(5.6543));
     }

@@ -11,17 +11,17 @@ use num_complex::Complex64;
 
 use crate::dynamics::integrator::dense_lu;
 use crate::dynamics::integrator::dense_lu::Lu;
-use crate::dynamics::integrator::newton_matrix::{Linear, Shifted, Systems};
-use crate::dynamics::integrator::radau_tableaus::Table;
+use crate::dynamics::integrator::newton_matrix::{Jacobian, NewtonMatrix, StageSystems};
+use crate::dynamics::integrator::radau_tableaus::RadauTableau;
 use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm};
 
 /// Most stages of a method.
-const STAGES: usize = 7;
+const RADAU_STAGES: usize = 7;
 
 /// Sliders of a system with their responses, and the channels of all stages. A slider's force acts on speeds, and its
-/// velocity shows in them: of the state, all here concerns the unknowns of [`Linear`] alone.
+/// velocity shows in them: of the state, all here concerns the unknowns of [`Jacobian`] alone.
 #[derive(Debug, Default)]
-pub(in crate::dynamics) struct Slides {
+pub(in crate::dynamics) struct LowRankCorrection {
     sliders: usize,
     size: usize,
     /// Whether what follows is solved together with the rest: where it turns slowly against it, each by itself will do.
@@ -38,7 +38,7 @@ pub(in crate::dynamics) struct Slides {
     /// Velocities per unit of force in the real system and as rates: `[row][column]`.
     within: Vec<f64>,
     at_once: Vec<f64>,
-    channels: [Vec<RankOneTerm>; STAGES],
+    channels: [Vec<RankOneTerm>; RADAU_STAGES],
     /// Channels that do anything, and the same stage after stage, as `(stage, which of them, channel)`.
     live: Vec<usize>,
     unknowns: Vec<(usize, usize, RankOneTerm)>,
@@ -50,9 +50,9 @@ pub(in crate::dynamics) struct Slides {
     seen_complex: [Vec<Complex64>; 3],
 }
 
-impl Slides {
+impl LowRankCorrection {
     /// Looks at the sliders of a system of `n` leading components whose state is `y`.
-    pub(in crate::dynamics) fn gather(&mut self, system: &impl ImplicitSystem, linear: &Linear, y: &[f64], n: usize) {
+    pub(in crate::dynamics) fn gather(&mut self, system: &impl ImplicitSystem, linear: &Jacobian, y: &[f64], n: usize) {
         (self.sliders, self.size) = (system.port_count(), linear.size());
         self.push.clear();
         self.view.clear();
@@ -87,7 +87,7 @@ impl Slides {
     }
 
     /// Responses of the factored systems to forces on the sliders.
-    pub(in crate::dynamics) fn factor(&mut self, table: &Table, systems: &Systems) {
+    pub(in crate::dynamics) fn factor(&mut self, table: &RadauTableau, systems: &StageSystems) {
         let (real, complex) = (&systems.real, &systems.complex[..table.complex.len()]);
         let (n, columns, stages) = (self.size, 2 * self.sliders, table.stages());
         if columns == 0 || !self.together {
@@ -134,8 +134,8 @@ impl Slides {
     /// `rate(stage, follower)` is theirs.
     pub(in crate::dynamics) fn complete(
         &mut self,
-        table: &Table,
-        systems: &mut Systems,
+        table: &RadauTableau,
+        systems: &mut StageSystems,
         follow: &mut [f64],
         h: f64,
         rate: impl Fn(usize, usize) -> f64,
@@ -199,10 +199,16 @@ impl Slides {
     }
 
     /// A component that follows by itself, all of its stages at once.
-    fn alone(table: &Table, follow: &mut [f64], follower: usize, h: f64, rate: impl Fn(usize, usize) -> f64) -> bool {
+    fn alone(
+        table: &RadauTableau,
+        follow: &mut [f64],
+        follower: usize,
+        h: f64,
+        rate: impl Fn(usize, usize) -> f64,
+    ) -> bool {
         let stages = table.stages();
         let width = follow.len() / stages;
-        let mut rows = [[0.0; STAGES + 1]; STAGES];
+        let mut rows = [[0.0; RADAU_STAGES + 1]; RADAU_STAGES];
         for (k, row) in rows[..stages].iter_mut().enumerate() {
             row.iter_mut().zip(table.inverse[k]).for_each(|(entry, a)| *entry = a / h);
             row[k] -= rate(k, follower);
@@ -214,10 +220,10 @@ impl Slides {
     }
 
     /// Adds the response to the forces that the channels just found carry at all stages.
-    fn respond(&self, table: &Table, Systems { real, complex, .. }: &mut Systems) {
+    fn respond(&self, table: &RadauTableau, StageSystems { real, complex, .. }: &mut StageSystems) {
         let (n, count) = (self.size, self.live.len());
         for column in 0..2 * self.sliders {
-            let mut forces = [0.0; STAGES];
+            let mut forces = [0.0; RADAU_STAGES];
             for (k, force) in forces[..table.stages()].iter_mut().enumerate() {
                 for (c, &number) in self.live.iter().enumerate() {
                     let channel = &self.channels[k][number];
@@ -241,7 +247,7 @@ impl Slides {
     pub(in crate::dynamics) fn filter(
         &mut self,
         shift: f64,
-        real: &mut Shifted<f64>,
+        real: &mut NewtonMatrix<f64>,
         follow: &mut [f64],
         rate: impl Fn(usize) -> f64,
     ) -> bool {

@@ -1,6 +1,6 @@
 //! Integrators of ordinary differential equations: explicit, implicit, and step-size control. No physics.
 
-mod constants;
+pub(in crate::dynamics) mod constants;
 pub(in crate::dynamics) mod dense_lu;
 pub mod dense_output;
 pub mod dop853;

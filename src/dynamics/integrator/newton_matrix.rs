@@ -8,13 +8,13 @@ use std::ops::Range;
 
 use num_complex::Complex64;
 
-use crate::dynamics::integrator::dense_lu::{Entry, Lu};
-use crate::dynamics::integrator::radau_tableaus::Table;
+use crate::dynamics::integrator::dense_lu::{Lu, Scalar};
+use crate::dynamics::integrator::radau_tableaus::RadauTableau;
 use crate::dynamics::integrator::system::ImplicitSystem;
 
 /// A component of a place that a speed carries: `B` by its entries.
 #[derive(Clone, Copy, Debug)]
-struct Carry {
+struct PositionRate {
     /// Component of the state.
     place: usize,
     /// Number among the speeds.
@@ -24,19 +24,19 @@ struct Carry {
 
 /// A Jacobian, by what is left when the places are eliminated.
 #[derive(Debug, Default)]
-pub(in crate::dynamics) struct Linear {
+pub(in crate::dynamics) struct Jacobian {
     /// Components of the state that are unknowns.
     speeds: Vec<usize>,
     /// The others.
     places: Vec<usize>,
-    carry: Vec<Carry>,
+    carry: Vec<PositionRate>,
     /// `|B_j|⁻²`, speed by speed; 0 where nothing is carried.
     inverse: Vec<f64>,
     damping: Vec<f64>,
     stiffness: Vec<f64>,
 }
 
-impl Linear {
+impl Jacobian {
     /// Unknowns.
     pub(in crate::dynamics) fn size(&self) -> usize {
         self.speeds.len()
@@ -83,7 +83,7 @@ impl Linear {
                 self.damping[i * m + j] = change(to);
             }
             let first = at - at % width;
-            let carried = (first..first + places).map(|place| Carry { place, speed: j, value: change(place) });
+            let carried = (first..first + places).map(|place| PositionRate { place, speed: j, value: change(place) });
             self.carry.extend(carried.filter(|c| c.value != 0.0));
             state[at] = y[at];
         }
@@ -149,7 +149,7 @@ impl Linear {
 
 /// One of the systems, factored.
 #[derive(Debug, Default)]
-pub(in crate::dynamics) struct Shifted<T> {
+pub(in crate::dynamics) struct NewtonMatrix<T> {
     lu: Lu<T>,
     /// `1/s`.
     inverse: T,
@@ -158,9 +158,9 @@ pub(in crate::dynamics) struct Shifted<T> {
     pub found: Vec<T>,
 }
 
-impl<T: Entry> Shifted<T> {
+impl<T: Scalar> NewtonMatrix<T> {
     /// For the shift `s`; `false` when the system is singular.
-    pub(in crate::dynamics) fn factor(&mut self, linear: &Linear, s: T) -> bool {
+    pub(in crate::dynamics) fn factor(&mut self, linear: &Jacobian, s: T) -> bool {
         let (m, inverse) = (linear.size(), s.recip());
         self.inverse = inverse;
         self.found.resize(m, T::ZERO);
@@ -173,7 +173,7 @@ impl<T: Entry> Shifted<T> {
     }
 
     /// Finds the speeds for the right-hand side `r`.
-    pub(in crate::dynamics) fn solve(&mut self, linear: &Linear, r: &[T]) {
+    pub(in crate::dynamics) fn solve(&mut self, linear: &Jacobian, r: &[T]) {
         let m = linear.size();
         self.right.clear();
         self.right.resize(2 * m, T::ZERO);
@@ -194,7 +194,7 @@ impl<T: Entry> Shifted<T> {
     }
 
     /// Completes `r` to the whole answer from the speeds.
-    pub(in crate::dynamics) fn complete(&self, linear: &Linear, r: &mut [T]) {
+    pub(in crate::dynamics) fn complete(&self, linear: &Jacobian, r: &mut [T]) {
         for (speed, &at) in self.found.iter().zip(&linear.speeds) {
             r[at] = *speed;
         }
@@ -216,20 +216,20 @@ impl<T: Entry> Shifted<T> {
 /// The systems of a step, in the eigenvectors of the method's matrix: one real and a complex one for every two further
 /// stages.
 #[derive(Debug, Default)]
-pub(in crate::dynamics) struct Systems {
+pub(in crate::dynamics) struct StageSystems {
     /// The Jacobian.
-    pub linear: Linear,
+    pub linear: Jacobian,
     /// Of the real eigenvalue.
-    pub real: Shifted<f64>,
+    pub real: NewtonMatrix<f64>,
     /// Of the complex ones, as many as the method has.
-    pub complex: [Shifted<Complex64>; 3],
+    pub complex: [NewtonMatrix<Complex64>; 3],
     right: Vec<f64>,
     rights: [Vec<Complex64>; 3],
 }
 
-impl Systems {
+impl StageSystems {
     /// For a step of length `h`; `false` when one is singular.
-    pub(in crate::dynamics) fn factor(&mut self, table: &Table, h: f64) -> bool {
+    pub(in crate::dynamics) fn factor(&mut self, table: &RadauTableau, h: f64) -> bool {
         let mut done = self.real.factor(&self.linear, table.real / h);
         for (system, &(re, im)) in self.complex.iter_mut().zip(table.complex) {
             done &= system.factor(&self.linear, Complex64::new(re, im) * h.recip());
@@ -241,7 +241,7 @@ impl Systems {
     /// increments.
     pub(in crate::dynamics) fn project(
         &mut self,
-        table: &Table,
+        table: &RadauTableau,
         h: f64,
         [slopes, stages]: [&[f64]; 2],
         [width, leading]: [usize; 2],
@@ -270,7 +270,7 @@ impl Systems {
     }
 
     /// The correction of the stages, `width` wide, from the speeds found.
-    pub(in crate::dynamics) fn expand(&mut self, table: &Table, correction: &mut [f64], width: usize) {
+    pub(in crate::dynamics) fn expand(&mut self, table: &RadauTableau, correction: &mut [f64], width: usize) {
         self.real.complete(&self.linear, &mut self.right);
         for (right, system) in self.rights.iter_mut().zip(&self.complex[..table.complex.len()]) {
             system.complete(&self.linear, right);
@@ -283,6 +283,85 @@ impl Systems {
                 let (a, b) = (2.0 * right[k].0, 2.0 * right[k].1);
                 row.iter_mut().zip(found).for_each(|(d, w)| *d += a * w.re - b * w.im);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::integrator::system::System;
+
+    /// Two positions with linear springs and dashpots: blocks of one position and one velocity.
+    struct Springs;
+
+    const K: [[f64; 2]; 2] = [[30.0, -8.0], [-8.0, 20.0]];
+    const C: [[f64; 2]; 2] = [[0.5, -0.2], [-0.1, 0.9]];
+    /// Positions move by these multiples of the velocities.
+    const B: [f64; 2] = [1.0, 2.0];
+
+    impl System for Springs {
+        fn slope(&mut self, _: f64, y: &[f64], out: &mut [f64]) {
+            for i in 0..2 {
+                out[2 * i] = B[i] * y[2 * i + 1];
+                out[2 * i + 1] = (0..2).map(|j| -K[i][j] * y[2 * j] - C[i][j] * y[2 * j + 1]).sum();
+            }
+        }
+
+        fn size2(&self, d: &[f64]) -> f64 {
+            d.iter().map(|x| x * x).sum()
+        }
+    }
+
+    impl ImplicitSystem for Springs {
+        fn position_blocks(&self) -> Option<(usize, usize)> {
+            Some((2, 1))
+        }
+    }
+
+    fn jacobian() -> Jacobian {
+        let (mut linear, y) = (Jacobian::default(), [0.3, -0.2, 0.1, 0.4]);
+        let (mut slope, mut state, mut moved) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        Springs.slope(0.0, &y, &mut slope);
+        linear.differentiate(&mut Springs, 0.0, [&y, &slope], [&mut state, &mut moved], 4);
+        linear
+    }
+
+    #[test]
+    fn the_jacobian_multiplies_as_the_equations_say() {
+        let (linear, x) = (jacobian(), [0.7, -0.5, -0.3, 0.9]);
+        let (mut product, mut wanted) = ([0.0; 4], [0.0; 4]);
+        linear.times(&x, &mut product);
+        Springs.slope(0.0, &x, &mut wanted);
+        assert_eq!(linear.size(), 2, "velocities are the unknowns");
+        // Difference quotients of a linear function: rounding over the root of a rounding.
+        (0..4).for_each(|i| assert!((product[i] - wanted[i]).abs() < 1e-6, "{product:?} against {wanted:?}"));
+    }
+
+    #[test]
+    fn the_eliminated_system_solves_the_whole_one() {
+        let (linear, r) = (jacobian(), [0.4, -1.0, 0.2, 0.6]);
+        let (mut real, mut x) = (NewtonMatrix::<f64>::default(), r);
+        assert!(real.factor(&linear, 3.0), "regular");
+        real.solve(&linear, &x);
+        real.complete(&linear, &mut x);
+        let mut product = [0.0; 4];
+        linear.times(&x, &mut product);
+        (0..4).for_each(|i| assert!((3.0 * x[i] - product[i] - r[i]).abs() < 1e-14, "(s − J) x = r, component {i}"));
+        let shift = Complex64::new(2.0, 5.0);
+        let (mut complex, mut z) = (NewtonMatrix::<Complex64>::default(), r.map(|x| Complex64::new(x, -0.5 * x)));
+        let right = z;
+        assert!(complex.factor(&linear, shift), "regular");
+        complex.solve(&linear, &right);
+        complex.complete(&linear, &mut z);
+        let parts = [z.map(|z| z.re), z.map(|z| z.im)].map(|part| {
+            let mut product = [0.0; 4];
+            linear.times(&part, &mut product);
+            product
+        });
+        for i in 0..4 {
+            let left = shift * z[i] - Complex64::new(parts[0][i], parts[1][i]) - right[i];
+            assert!(left.norm() < 1e-14, "complex, component {i}: {left}");
         }
     }
 }

@@ -4,29 +4,30 @@
 //!
 //! The stages are found by Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
 //! method's matrix: one real and a complex system for every two further stages. What turns too much within a step for one
-//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`Slides`]. The continuous
+//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`LowRankCorrection`]. The continuous
 //! answer is the collocation polynomial itself.
 
 use crate::dynamics::integrator::constants::{
-    CAUTION, COARSE, FARTHEST, GOOD, LEFT, PATIENCE, QUIET, ROUNDS, SAME, SHORT, STALLED,
+    EXTRAPOLATED_STEPS, FIVE_STAGE_FACTOR, FIVE_STAGE_TOLERANCE, NEWTON_GOOD_RATE, NEWTON_ITERATIONS, NEWTON_RESIDUAL,
+    NEWTON_STALLED, POWER_ROUNDS, QUIET_STEP, QUIET_STEP_PER_ROOT, SAME_STEP,
 };
-use crate::dynamics::integrator::dense_output::{DENSE, Dense};
-use crate::dynamics::integrator::low_rank_correction::Slides;
-use crate::dynamics::integrator::newton_matrix::Systems;
-use crate::dynamics::integrator::radau_tableaus::{FIVE, SEVEN, THREE, Table};
+use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
+use crate::dynamics::integrator::low_rank_correction::LowRankCorrection;
+use crate::dynamics::integrator::newton_matrix::StageSystems;
+use crate::dynamics::integrator::radau_tableaus::{RADAU5, RADAU9, RADAU13, RadauTableau};
 use crate::dynamics::integrator::system::ImplicitSystem;
 
-/// Most stages, and as many coefficients of the continuous answer beyond its start.
-const STAGES: usize = DENSE - 1;
+/// Coefficients of the collocation polynomial beyond its start, as many as the largest number of stages.
+const COLLOCATION_TERMS: usize = DENSE_TERMS - 1;
 /// The integrator's memory for systems of one size.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Radau {
-    table: &'static Table,
+    table: &'static RadauTableau,
     size: usize,
     /// Components before those that follow.
     leading: usize,
-    systems: Systems,
-    slides: Slides,
+    systems: StageSystems,
+    slides: LowRankCorrection,
     /// Step and stages for which the matrices are factored; 0 when they are not.
     factored: (f64, usize),
     /// Whether the Jacobian is of the state at hand, and whether there is one.
@@ -43,7 +44,7 @@ pub(in crate::dynamics) struct Radau {
     follow: Vec<f64>,
     scratch: Scratch,
     /// Length of the last accepted step, and its polynomial in increments.
-    last: Option<(f64, Vec<[f64; STAGES]>)>,
+    last: Option<(f64, Vec<[f64; COLLOCATION_TERMS]>)>,
 }
 
 #[derive(Debug, Default)]
@@ -79,7 +80,7 @@ impl Radau {
     ) -> f64 {
         self.leading = self.size - system.auxiliary_count();
         self.choose(system, h);
-        if !self.known || !self.fresh && self.rate > GOOD {
+        if !self.known || !self.fresh && self.rate > NEWTON_GOOD_RATE {
             self.differentiate(system, t, y, slope);
         }
         if !self.factor(h) {
@@ -94,7 +95,7 @@ impl Radau {
             return f64::INFINITY;
         }
         let error = self.error(system, t, y, slope, h);
-        if self.rate > GOOD && self.slides.unite(system) {
+        if self.rate > NEWTON_GOOD_RATE && self.slides.unite(system) {
             self.known = false;
         }
         error
@@ -103,12 +104,12 @@ impl Radau {
     /// With how many stages a step of length `h` is taken.
     fn choose(&mut self, system: &impl ImplicitSystem, h: f64) {
         let tolerance = system.relative_tolerance();
-        let short = QUIET.min(SHORT * tolerance.sqrt().sqrt());
+        let short = QUIET_STEP.min(QUIET_STEP_PER_ROOT * tolerance.sqrt().sqrt());
         self.quiet = h * system.rate_bound() < short;
         self.table = match self.quiet {
-            true => &THREE,
-            false if tolerance >= COARSE => &FIVE,
-            false => &SEVEN,
+            true => &RADAU5,
+            false if tolerance >= FIVE_STAGE_TOLERANCE => &RADAU9,
+            false => &RADAU13,
         };
         let length = self.table.stages() * self.size;
         for stages in [&mut self.stages, &mut self.slopes, &mut self.scratch.correction] {
@@ -136,7 +137,7 @@ impl Radau {
     /// Factors the systems for a step of length `h`, if they are not.
     fn factor(&mut self, h: f64) -> bool {
         let (table, stages) = (self.table, self.table.stages());
-        if self.factored.1 == stages && (self.factored.0 - h).abs() <= SAME * h {
+        if self.factored.1 == stages && (self.factored.0 - h).abs() <= SAME_STEP * h {
             return true;
         }
         let done = self.systems.factor(table, h);
@@ -149,7 +150,8 @@ impl Radau {
 
     /// Increments of the stages to begin with: the last step's polynomial, continued.
     fn guess(&mut self, h: f64) {
-        let Some((before, polynomial)) = self.last.as_ref().filter(|(before, _)| h < FARTHEST * before) else {
+        let Some((before, polynomial)) = self.last.as_ref().filter(|(before, _)| h < EXTRAPOLATED_STEPS * before)
+        else {
             return self.stages.fill(0.0);
         };
         for (stage, c) in self.stages.chunks_exact_mut(self.size).zip(self.table.c) {
@@ -167,7 +169,7 @@ impl Radau {
         let (followers, stages) = (n - self.leading, self.table.stages());
         self.rates.resize(stages * followers, 0.0);
         self.follow.resize(stages * followers, 0.0);
-        for round in 0..PATIENCE {
+        for round in 0..NEWTON_ITERATIONS {
             for (stage, c) in self.table.c.iter().enumerate() {
                 let range = stage * n..(stage + 1) * n;
                 let state = &mut self.scratch.state;
@@ -196,16 +198,18 @@ impl Radau {
             // What is left is what a geometric series of corrections would still add; where something turns, two corrections
             // tell half of the digits of its ratio.
             let ratio = if round == 1 && followers > 0 { rate.sqrt() } else { rate };
-            if size == 0.0 || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= LEFT) || size <= 2e-3 * LEFT
+            if size == 0.0
+                || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= NEWTON_RESIDUAL)
+                || size <= 2e-3 * NEWTON_RESIDUAL
             {
                 return true;
             }
             if round > 1 && rate >= 1.0 {
-                return size <= STALLED;
+                return size <= NEWTON_STALLED;
             }
             before = size;
         }
-        before <= STALLED
+        before <= NEWTON_STALLED
     }
 
     /// One Newton correction from the stages and their slopes, eigenvector by eigenvector, and of what follows.
@@ -261,7 +265,7 @@ impl Radau {
             return f64::INFINITY;
         }
         self.systems.real.complete(&self.systems.linear, first);
-        let error = system.size2(found).sqrt() * if self.table.stages() == 5 { CAUTION } else { 1.0 };
+        let error = system.size2(found).sqrt() * if self.table.stages() == 5 { FIVE_STAGE_FACTOR } else { 1.0 };
         if error.is_nan() { f64::INFINITY } else { error }
     }
 
@@ -273,9 +277,9 @@ impl Radau {
     }
 
     /// Accepts the step just tried: its continuous answer; `y` becomes the state at its end.
-    pub(in crate::dynamics) fn accept(&mut self, t: f64, y: &mut [f64], h: f64) -> Dense {
+    pub(in crate::dynamics) fn accept(&mut self, t: f64, y: &mut [f64], h: f64) -> DenseOutput {
         let n = self.size;
-        let mut polynomial = vec![[0.0; STAGES]; n];
+        let mut polynomial = vec![[0.0; COLLOCATION_TERMS]; n];
         for (k, stage) in self.stages.chunks_exact(n).enumerate() {
             for (p, z) in polynomial.iter_mut().zip(stage) {
                 p.iter_mut().zip(self.table.dense).for_each(|(p, row)| *p += row[k] * z);
@@ -286,7 +290,7 @@ impl Radau {
         let last = self.stages.len() - n;
         y.iter_mut().zip(&self.stages[last..]).for_each(|(y, z)| *y += z);
         (self.last, self.fresh) = (Some((h, polynomial)), false);
-        Dense::new(t, h, coefficients)
+        DenseOutput::new(t, h, coefficients)
     }
 
     /// The fastest rate in the Jacobian at hand, by the power method in the system's own measure; 0 without one \[1/s\].
@@ -297,14 +301,14 @@ impl Radau {
         state.fill(0.0);
         slope.fill(0.0);
         state[..n].fill(1.0);
-        for round in 0..ROUNDS {
+        for round in 0..POWER_ROUNDS {
             self.systems.linear.times(&state[..n], &mut slope[..n]);
             let (before, after) = (system.size2(state).sqrt(), system.size2(slope).sqrt());
             if !(before > 0.0 && after > 0.0 && after.is_finite()) {
                 return rate;
             }
             // An oscillation grows by turns: the last rounds tell.
-            if round >= ROUNDS / 2 {
+            if round >= POWER_ROUNDS / 2 {
                 rate = rate.max(after / before);
             }
             state.iter_mut().zip(slope.iter()).for_each(|(x, y)| *x = y / after);
@@ -318,8 +322,8 @@ impl Radau {
     }
 }
 
-/// Factors of the collocation polynomial's coefficients in its increment at `x`, nested as in [`Dense`].
-fn increments(x: f64) -> [f64; STAGES] {
+/// Factors of the collocation polynomial's coefficients in its increment at `x`, nested as in [`DenseOutput`].
+fn increments(x: f64) -> [f64; COLLOCATION_TERMS] {
     let (mut factor, y) = (1.0, 1.0 - x);
     std::array::from_fn(|k| {
         factor *= if k % 2 == 0 { x } else { y };

@@ -5,7 +5,7 @@
 
 /// A method.
 #[derive(Debug)]
-pub(in crate::dynamics) struct Table {
+pub(in crate::dynamics) struct RadauTableau {
     /// Nodes: zeros of `dˢ⁻¹/dxˢ⁻¹ xˢ⁻¹ (x − 1)ˢ`.
     pub c: &'static [f64],
     /// The real eigenvalue of `A⁻¹`.
@@ -28,13 +28,13 @@ pub(in crate::dynamics) struct Table {
     pub inverse: &'static [&'static [f64]],
 }
 
-impl Default for &Table {
+impl Default for &RadauTableau {
     fn default() -> Self {
-        &SEVEN
+        &RADAU13
     }
 }
 
-impl Table {
+impl RadauTableau {
     /// Stages.
     pub(in crate::dynamics) fn stages(&self) -> usize {
         self.c.len()
@@ -42,7 +42,7 @@ impl Table {
 }
 
 /// Three stages, order 5.
-pub(in crate::dynamics) static THREE: Table = Table {
+pub(in crate::dynamics) static RADAU5: RadauTableau = RadauTableau {
     c: &[0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0],
     real: 3.637_834_252_744_496,
     real_right: &[0.094_438_762_488_975_24, 0.250_213_122_965_333_3, 1.0],
@@ -72,7 +72,7 @@ pub(in crate::dynamics) static THREE: Table = Table {
 };
 
 /// Five stages, order 9.
-pub(in crate::dynamics) static FIVE: Table = Table {
+pub(in crate::dynamics) static RADAU9: RadauTableau = RadauTableau {
     c: &[0.057_104_196_114_517_68, 0.276_843_013_638_123_8, 0.583_590_432_368_916_8, 0.860_240_135_656_219_5, 1.0],
     real: 6.286_704_751_729_276_5,
     real_right: &[
@@ -170,7 +170,7 @@ pub(in crate::dynamics) static FIVE: Table = Table {
 };
 
 /// Seven stages, order 13.
-pub(in crate::dynamics) static SEVEN: Table = Table {
+pub(in crate::dynamics) static RADAU13: RadauTableau = RadauTableau {
     c: &[
         0.029_316_427_159_784_893,
         0.148_078_599_668_484_3,

@@ -4,15 +4,13 @@
 //! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
 //! everything else.
 
-use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::constants::{COARSENING, FLOORED_ADVANCES, MAX_ADVANCES};
+use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
-
-/// Leaps before a search reports how far it has come.
-pub(in crate::dynamics) const MOST: u32 = 100_000;
 
 /// A gap at one instant, with a promise about its future.
 #[derive(Clone, Copy, Debug)]
-pub struct Outlook {
+pub struct BoundedGap {
     /// `g` \[m\].
     pub gap: f64,
     /// `ġ` \[m/s\].
@@ -27,20 +25,16 @@ pub struct Outlook {
 
 /// What a search found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Found {
+pub enum FirstZero {
     /// The gap crosses 0 inwards \[s\].
     Crossing(f64),
     /// It does not, up to this time \[s\].
     NoneUntil(f64),
 }
 
-/// Leaps at one resolution before it is doubled: a gap that stays at rounding level for long (two faces at rest on each
-/// other) ends in a defined way.
-const PATIENCE: u32 = 512;
-
 /// What a look shows of a gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics) enum Sight {
+pub(in crate::dynamics) enum AdvanceOutcome {
     /// It is open, or was not armed.
     Open,
     /// It has closed since the last look.
@@ -51,8 +45,8 @@ pub(in crate::dynamics) enum Sight {
 
 /// One gap under search: how it stands, and how finely it is looked at.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Hunt {
-    here: Outlook,
+pub(in crate::dynamics) struct Advancement {
+    here: BoundedGap,
     armed: bool,
     /// When a look found it in front \[s\].
     out: Option<f64>,
@@ -61,9 +55,9 @@ pub(in crate::dynamics) struct Hunt {
     floored: u32,
 }
 
-impl Hunt {
+impl Advancement {
     /// Begins where the gap is `here`.
-    pub(in crate::dynamics) fn begin(here: Outlook, armed: bool, resolution: f64) -> Self {
+    pub(in crate::dynamics) fn begin(here: BoundedGap, armed: bool, resolution: f64) -> Self {
         Self { here, armed, out: None, resolution, finest: resolution, floored: 0 }
     }
 
@@ -78,7 +72,7 @@ impl Hunt {
     }
 
     /// When a look found the node in front, that was not when the search began \[s\].
-    pub(in crate::dynamics) fn out(&self) -> Option<f64> {
+    pub(in crate::dynamics) fn rearmed_at(&self) -> Option<f64> {
         self.out
     }
 
@@ -88,23 +82,23 @@ impl Hunt {
     }
 
     /// Whether it closes where the search begins.
-    pub(in crate::dynamics) fn at_once(&self) -> bool {
+    pub(in crate::dynamics) fn crosses_now(&self) -> bool {
         self.armed && self.closing(&self.here)
     }
 
-    fn closing(&self, look: &Outlook) -> bool {
+    fn closing(&self, look: &BoundedGap) -> bool {
         look.gap <= self.resolution && look.rate < 0.0 && closes_at_once(look, self.resolution)
     }
 
     /// How far the next look may be \[s\].
-    pub(in crate::dynamics) fn leap(&mut self) -> f64 {
-        self.leap_past(0.0)
+    pub(in crate::dynamics) fn step(&mut self) -> f64 {
+        self.step_past(0.0)
     }
 
     /// The same, where the gap is known to stay open for `open` \[s\].
-    pub(in crate::dynamics) fn leap_past(&mut self, open: f64) -> f64 {
+    pub(in crate::dynamics) fn step_past(&mut self, open: f64) -> f64 {
         let here = &self.here;
-        let leap = if self.out_of_reach() { here.window } else { leap(here, self.armed, self.finest) };
+        let leap = if self.out_of_reach() { here.window } else { safe_step(here, self.armed, self.finest) };
         let leap = if self.armed { leap.max(open) } else { leap };
         // Only leaps at the finest count: those that get on need no help.
         self.floored = if leap <= floor_of(here, self.finest) { self.floored + 1 } else { 0 };
@@ -112,23 +106,23 @@ impl Hunt {
     }
 
     /// The next look, at `t`.
-    pub(in crate::dynamics) fn arrive(&mut self, there: Outlook, t: f64) -> Sight {
+    pub(in crate::dynamics) fn advance(&mut self, there: BoundedGap, t: f64) -> AdvanceOutcome {
         if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
-            return Sight::Closed;
+            return AdvanceOutcome::Closed;
         }
         if self.armed && self.closing(&there) {
-            return Sight::Closing;
+            return AdvanceOutcome::Closing;
         }
-        if !self.armed && in_front(there.gap, there.rate, t, self.resolution) {
+        if !self.armed && is_positive_again(there.gap, there.rate, t, self.resolution) {
             (self.armed, self.out) = (true, Some(t));
         }
         self.here = there;
         self.finest = match self.floored {
             0 => self.resolution,
-            n if n % PATIENCE == 0 => 16.0 * self.finest,
+            n if n % FLOORED_ADVANCES == 0 => COARSENING * self.finest,
             _ => self.finest,
         };
-        Sight::Open
+        AdvanceOutcome::Open
     }
 }
 
@@ -136,44 +130,50 @@ impl Hunt {
 ///
 /// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
 /// is above 0 again.
-pub fn first_crossing(mut ask: impl FnMut(f64) -> Outlook, from: f64, to: f64, armed: bool, resolution: f64) -> Found {
-    let here = ask(from);
-    first_crossing_from(here, ask, [from, to], armed, resolution)
+pub fn first_crossing(
+    mut sample: impl FnMut(f64) -> BoundedGap,
+    from: f64,
+    to: f64,
+    armed: bool,
+    resolution: f64,
+) -> FirstZero {
+    let here = sample(from);
+    first_crossing_from(here, sample, [from, to], armed, resolution)
 }
 
 /// The same where the first look is known.
 pub(in crate::dynamics) fn first_crossing_from(
-    here: Outlook,
-    mut ask: impl FnMut(f64) -> Outlook,
+    here: BoundedGap,
+    mut sample: impl FnMut(f64) -> BoundedGap,
     [from, to]: [f64; 2],
     armed: bool,
     resolution: f64,
-) -> Found {
-    let (mut t, mut hunt) = (from, Hunt::begin(here, armed, resolution));
-    if hunt.at_once() {
-        return Found::Crossing(t);
+) -> FirstZero {
+    let (mut t, mut advancement) = (from, Advancement::begin(here, armed, resolution));
+    if advancement.crosses_now() {
+        return FirstZero::Crossing(t);
     }
-    for _ in 0..MOST {
+    for _ in 0..MAX_ADVANCES {
         if t >= to {
             break;
         }
-        let next = (t + hunt.leap()).min(to);
+        let next = (t + advancement.step()).min(to);
         if next <= t {
             // Less than the clock can tell.
-            return if hunt.armed { Found::Crossing(t) } else { Found::NoneUntil(next) };
+            return if advancement.armed { FirstZero::Crossing(t) } else { FirstZero::NoneUntil(next) };
         }
-        let there = ask(next);
-        match hunt.arrive(there, next) {
-            Sight::Open => t = next,
-            Sight::Closed => return Found::Crossing(root(|at| -ask(at).gap, t, next)),
-            Sight::Closing => return Found::Crossing(polish(&mut ask, next, &there, to)),
+        let there = sample(next);
+        match advancement.advance(there, next) {
+            AdvanceOutcome::Open => t = next,
+            AdvanceOutcome::Closed => return FirstZero::Crossing(root(|at| -sample(at).gap, t, next)),
+            AdvanceOutcome::Closing => return FirstZero::Crossing(polish(&mut sample, next, &there, to)),
         }
     }
-    Found::NoneUntil(t.min(to))
+    FirstZero::NoneUntil(t.min(to))
 }
 
 /// The safe leap: root of the parabola that bounds the gap from below (armed) or above (waiting to be armed).
-fn leap(here: &Outlook, armed: bool, finest: f64) -> f64 {
+fn safe_step(here: &BoundedGap, armed: bool, finest: f64) -> f64 {
     let (gap, rate) = if armed { (here.gap.max(0.0), here.rate) } else { (-here.gap, -here.rate) };
     let m = here.curvature;
     let root = (rate * rate + 2.0 * m * gap).sqrt();
@@ -188,7 +188,7 @@ fn leap(here: &Outlook, armed: bool, finest: f64) -> f64 {
 }
 
 /// The shortest leap worth taking: within it no dip is deeper than `finest`.
-fn floor_of(here: &Outlook, finest: f64) -> f64 {
+fn floor_of(here: &BoundedGap, finest: f64) -> f64 {
     let floor = curved_floor(here.curvature, finest);
     // Where the speed is real, rounding of the gap is a time, not a curvature.
     if here.rate < 0.0 { floor.min(finest / -here.rate) } else { floor }
@@ -199,12 +199,17 @@ fn curved_floor(curvature: f64, finest: f64) -> f64 {
 }
 
 /// Within the resolution and going in faster than the bound can turn it round.
-fn closes_at_once(here: &Outlook, resolution: f64) -> bool {
+fn closes_at_once(here: &BoundedGap, resolution: f64) -> bool {
     here.rate * here.rate > 2.0 * here.curvature * (here.gap.max(0.0) + resolution)
 }
 
 /// Newton's method from inside the resolution.
-pub(in crate::dynamics) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, here: &Outlook, to: f64) -> f64 {
+pub(in crate::dynamics) fn polish(
+    sample: &mut impl FnMut(f64) -> BoundedGap,
+    t: f64,
+    here: &BoundedGap,
+    to: f64,
+) -> f64 {
     let (mut t, mut here) = (t, *here);
     for _ in 0..3 {
         let next = (t - here.gap / here.rate).min(to);
@@ -212,7 +217,7 @@ pub(in crate::dynamics) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, 
             break;
         }
         t = next;
-        here = ask(t);
+        here = sample(t);
         if here.rate >= 0.0 {
             break;
         }
@@ -224,10 +229,10 @@ pub(in crate::dynamics) fn polish(ask: &mut impl FnMut(f64) -> Outlook, t: f64, 
 mod tests {
     use super::*;
 
-    fn wave(offset: f64, ask_count: &mut u32) -> impl FnMut(f64) -> Outlook {
+    fn wave(offset: f64, count: &mut u32) -> impl FnMut(f64) -> BoundedGap {
         move |t| {
-            *ask_count += 1;
-            Outlook {
+            *count += 1;
+            BoundedGap {
                 gap: offset + t.cos(),
                 rate: -t.sin(),
                 curvature: 1.0,
@@ -243,7 +248,7 @@ mod tests {
         let depth: f64 = 1e-9;
         let found = first_crossing(wave(1.0 - depth, &mut count), 0.0, 100.0, true, 1e-15);
         let exact = std::f64::consts::PI - (2.0 * depth).sqrt();
-        let Found::Crossing(t) = found else { panic!("missed: {found:?}") };
+        let FirstZero::Crossing(t) = found else { panic!("missed: {found:?}") };
         // Near the tip rounding of the gap, 1e-16, moves the crossing by 1e-16/√(2e-9).
         assert!((t - exact).abs() < 1e-11, "{t} against {exact}");
         assert!(count < 200, "{count} looks");
@@ -253,14 +258,14 @@ mod tests {
     fn a_graze_above_the_face_is_no_crossing_and_costs_little() {
         let mut count = 0;
         let found = first_crossing(wave(1.0 + 1e-12, &mut count), 0.0, 20.0, true, 1e-15);
-        assert_eq!(found, Found::NoneUntil(20.0), "never touches");
+        assert_eq!(found, FirstZero::NoneUntil(20.0), "never touches");
         assert!(count < 400, "{count} looks");
     }
 
     #[test]
     fn faces_at_rest_on_each_other_end_the_search() {
         let mut count = 0u32;
-        let rest = |_t: f64| Outlook { gap: 0.0, rate: 0.0, curvature: 10.0, window: 1.0, out_of_reach: false };
+        let rest = |_t: f64| BoundedGap { gap: 0.0, rate: 0.0, curvature: 10.0, window: 1.0, out_of_reach: false };
         let found = first_crossing(
             |t| {
                 count += 1;
@@ -271,7 +276,7 @@ mod tests {
             true,
             1e-15,
         );
-        assert_eq!(found, Found::NoneUntil(10.0), "no motion, no touch");
+        assert_eq!(found, FirstZero::NoneUntil(10.0), "no motion, no touch");
         assert!(count < 20_000, "{count} looks");
     }
 }

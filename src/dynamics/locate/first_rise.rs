@@ -12,7 +12,7 @@ pub(in crate::dynamics) fn first_rise(
     [times, values]: [&[f64]; 2],
     zero: f64,
     passing: bool,
-    first: First,
+    first: EarliestEvent,
     mut ask: impl FnMut(f64) -> f64,
 ) -> Option<f64> {
     if values[0] > zero && !passing {
@@ -44,14 +44,14 @@ pub(in crate::dynamics) fn first_rise(
 
 /// The first event known so far.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct First {
+pub(in crate::dynamics) struct EarliestEvent {
     /// When \[s\].
     pub at: f64,
     /// What comes less than this later comes with it \[s\].
     pub together: f64,
 }
 
-impl First {
+impl EarliestEvent {
     pub(in crate::dynamics) const UNKNOWN: Self = Self { at: f64::INFINITY, together: 0.0 };
 
     /// Where a function rises through 0 between `left` and `right`, exactly where that is before the first event; else
@@ -117,4 +117,64 @@ fn bump(times: &[f64], values: &[f64], ask: &mut impl FnMut(f64) -> f64) -> Opti
         if fu < fv { (left, start) = (u, fu) } else { (right, end) = (v, fv) }
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first rise of `f` by its values at these times, none at once.
+    fn rise(times: &[f64], passing: bool, f: impl Fn(f64) -> f64) -> Option<f64> {
+        let values: Vec<f64> = times.iter().map(|t| f(*t)).collect();
+        first_rise([times, &values], 1e-12, passing, EarliestEvent::UNKNOWN, f)
+    }
+
+    const TIMES: [f64; 3] = [0.0, 1.0, 2.0];
+
+    #[test]
+    fn a_start_above_zero_is_due_at_once_unless_passing() {
+        assert_eq!(rise(&TIMES, false, |_| 1.0), Some(0.0), "at once");
+        assert_eq!(rise(&TIMES, true, |_| 1.0), None, "passing, and never below 0");
+        let again = rise(&TIMES, true, |t| (t - 0.5) * (t - 1.5)).expect("falls below 0 and rises");
+        assert!((again - 1.5).abs() < 1e-15, "{again}");
+    }
+
+    #[test]
+    fn a_change_of_sign_between_samples_is_bracketed() {
+        let at = rise(&TIMES, false, |t| t * t - 2.0).expect("rises");
+        assert!((at - std::f64::consts::SQRT_2).abs() < 1e-15, "{at}");
+        assert_eq!(rise(&TIMES, false, |_| -1.0), None, "below 0 throughout");
+    }
+
+    #[test]
+    fn a_start_at_zero_rises_after_its_dip_or_at_once() {
+        let dips = rise(&TIMES, false, |t| t * (t - 0.2)).expect("dips and rises");
+        assert!((dips - 0.2).abs() < 1e-15, "{dips}");
+        assert_eq!(rise(&TIMES, false, |t| t), Some(0.0), "never below 0: where it starts");
+    }
+
+    #[test]
+    fn an_excursion_between_negative_samples_is_seen_by_its_parabola() {
+        let above = rise(&TIMES, false, |t| 0.01 - 4.0 * (t - 0.8).powi(2)).expect("above 0 from 0.75 to 0.85");
+        assert!((above - 0.75).abs() < 1e-14, "{above}");
+        assert_eq!(rise(&TIMES, false, |t| -0.01 - 4.0 * (t - 0.8).powi(2)), None, "its vertex is below 0");
+    }
+
+    #[test]
+    fn beside_an_earlier_event_only_the_order_is_decided() {
+        let f = |t: f64| t - 0.75;
+        let values: Vec<f64> = TIMES.iter().map(|t| f(*t)).collect();
+        let beside = |at: f64, together: f64| {
+            let mut count = 0;
+            let found = first_rise([&TIMES, &values], 1e-12, false, EarliestEvent { at, together }, |t| {
+                count += 1;
+                f(t)
+            });
+            (found.expect("rises"), count)
+        };
+        assert_eq!(beside(0.745, 0.01).0, 0.745, "within the interval: together with it");
+        let (later, count) = beside(0.3, 0.01);
+        assert!(later > 0.31 && count <= 2, "later, by {count} evaluations: {later}");
+        assert!((beside(0.9, 0.01).0 - 0.75).abs() < 1e-15, "before it: exactly");
+    }
 }

@@ -9,7 +9,7 @@ use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
 use crate::dynamics::model::contact_sites;
 use crate::dynamics::model::pair::{ContactSite, Pair};
-use crate::dynamics::model::rate_bounds::Quickness;
+use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::single_axis;
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
@@ -34,7 +34,7 @@ impl Model {
     pub fn of(scene: &Scene, facings: Vec<Facing>) -> Result<Self, SceneErrors> {
         let ground = ground(&scene.motion);
         let straight = |mut body: Body| {
-            body.straight = [0, 1].map(|axis| single_axis::keeps(&body, &ground, axis));
+            body.straight = [0, 1].map(|axis| single_axis::is_decoupled(&body, &ground, axis));
             body
         };
         let bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
@@ -110,7 +110,7 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
     let rate = |direction: usize, v: f64| if free[direction] { v } else { 0.0 };
     let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
     Body {
-        quickness: Quickness::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
+        rate_bounds: RateBounds::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
         name: girder.name.clone(),
         home: girder.position.into(),
         mass: girder.mass,

@@ -63,7 +63,7 @@ fn element(lever: DVec3, axes: DMat3, diagonal: DVec3) -> DMat3 {
 
 /// What (3), (4) call a planar girder by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quantities {
+pub struct BearingQuantities {
     /// `ω_x, ω_y, ω_θ` \[rad/s\].
     pub omega: [f64; 3],
     /// `h_x, h_y, h_θ`, of critical; 0 where there is no stiffness.
@@ -76,7 +76,7 @@ pub struct Quantities {
     pub gyration: f64,
 }
 
-impl Quantities {
+impl BearingQuantities {
     /// From a girder's bearings, mass and `i²`, in its own axes.
     pub fn of(bearings: &[Bearing], mass: f64, gyration2: f64) -> Self {
         let PlanarBearings { stiffness: k, damping: c } = PlanarBearings::gather(bearings, DMat3::IDENTITY);
@@ -180,5 +180,27 @@ mod tests {
         let away = (first_moment - DVec3::new(10.0, 0.0, -5.0)).length();
         assert!(away < 1e-9 && left.abs() < 1e-9, "{first_moment}, {left} left");
         assert_eq!(carry(50.0, &mut [], DMat3::IDENTITY).left, -50.0, "none carries nothing");
+    }
+
+    #[test]
+    fn stiffness_and_damping_are_those_assembled_by_hand_in_turned_axes() {
+        let axes = DMat3::from_rotation_z(0.4);
+        let m = PlanarBearings::gather(&legs(0.01), axes);
+        let q = DVec3::new(0.3, -0.2, 0.1);
+        // Energy and power of every leg by the linear motion of its own place.
+        let by_hand = |of: fn(&Bearing) -> DVec3| -> f64 {
+            let leg = |b: &Bearing| {
+                let lever = axes * b.place;
+                let moved = axes.transpose() * DVec3::new(q.x - q.z * lever.y, q.y + q.z * lever.x, 0.0);
+                (of(b) * moved).dot(moved)
+            };
+            legs(0.01).iter().map(leg).sum()
+        };
+        for (matrix, wanted) in [(m.stiffness, by_hand(|b| b.stiffness)), (m.damping, by_hand(|b| b.damping))] {
+            assert!((q.dot(matrix * q) - wanted).abs() < 1e-13 * wanted, "{} against {wanted}", q.dot(matrix * q));
+            assert!(matrix.transpose().abs_diff_eq(matrix, 1e-13 * matrix.x_axis.x), "symmetric: {matrix}");
+        }
+        assert!(is_diagonal(&PlanarBearings::gather(&legs(0.0), DMat3::IDENTITY).stiffness), "legs about G");
+        assert!(!is_diagonal(&m.stiffness), "an eccentricity couples");
     }
 }

@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Quantities, Standing};
-use crate::dynamics::model::rate_bounds::Quickness;
+use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
+use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
 
 /// A girder, compiled.
@@ -27,7 +27,7 @@ pub struct Body {
     /// Largest distance of a corner from G \[m\].
     pub radius: f64,
     /// How fast it can answer.
-    pub quickness: Quickness,
+    pub rate_bounds: RateBounds,
     /// What it stands on.
     pub bearings: Vec<Bearing>,
     /// Its weight on them; nothing in a planar scene.
@@ -50,8 +50,8 @@ pub struct Body {
 
 impl Body {
     /// (3), (4) of the girder in its own axes.
-    pub fn quantities(&self) -> Quantities {
-        Quantities::of(&self.bearings, self.mass, self.gyration2)
+    pub fn quantities(&self) -> BearingQuantities {
+        BearingQuantities::of(&self.bearings, self.mass, self.gyration2)
     }
 
     /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.

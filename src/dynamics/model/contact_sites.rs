@@ -18,7 +18,7 @@ const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 const OVERHANG: f64 = 0.75;
 
 /// One side of a pair as the other sees it: nodes, and the face they may enter.
-struct Facade {
+struct PairSide {
     name: Arc<str>,
     body: Option<usize>,
     /// Node names and places, in the frame of the body (about `fixed`, for an abutment).
@@ -65,7 +65,7 @@ pub(in crate::dynamics) fn contacts(
 }
 
 /// Where the body of a facade was placed, and its axes there.
-fn placed_at(bodies: &[Body], facade: &Facade) -> (DVec3, DMat3) {
+fn placed_at(bodies: &[Body], facade: &PairSide) -> (DVec3, DMat3) {
     facade.body.map_or((facade.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
 }
 
@@ -74,14 +74,14 @@ fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
     face.inset(local) > -OVERHANG * body.prism.end_length()
 }
 
-fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<Facade, SceneErrors> {
+fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
     match side {
         Side::Girder(girder, end) => Ok(girder_facade(scene.kind, &bodies[girder], girder, end)),
         Side::Abutment(number) => abutment_facade(scene, number),
     }
 }
 
-fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> Facade {
+fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
     let corners = body.prism.corners();
     let plan = Prism::end_corners(end);
     let nodes = match kind {
@@ -106,10 +106,10 @@ fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> Facade {
         bitangent,
         depth: body.prism.depth_behind_end(),
     };
-    Facade { name: [&body.name, end.label()].concat().into(), body: Some(number), nodes, face, fixed: DVec3::ZERO }
+    PairSide { name: [&body.name, end.label()].concat().into(), body: Some(number), nodes, face, fixed: DVec3::ZERO }
 }
 
-fn abutment_facade(scene: &Scene, number: usize) -> Result<Facade, SceneErrors> {
+fn abutment_facade(scene: &Scene, number: usize) -> Result<PairSide, SceneErrors> {
     let abutment = &scene.abutments[number];
     let complaint = |value: String, remedy: String| {
         SceneErrors(vec![SceneError {
@@ -134,5 +134,37 @@ fn abutment_facade(scene: &Scene, number: usize) -> Result<Facade, SceneErrors> 
         ],
         Kind::Spatial => (0..4).map(|i| (format!("{}.corner{i}", abutment.name), corners[i])).collect(),
     };
-    Ok(Facade { name: abutment.name.as_str().into(), body: None, nodes, face, fixed })
+    Ok(PairSide { name: abutment.name.as_str().into(), body: None, nodes, face, fixed })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::scene::presets;
+
+    #[test]
+    fn the_nodes_of_a_skewed_pair_stand_off_by_the_gap_along_the_normal() {
+        let scene = presets::load("skew45-abutment").expect("a preset");
+        let model = Model::compile(&scene).expect("a scene");
+        let world = |body: Option<usize>, stand: DVec3, point: DVec3| {
+            body.map_or(stand + point, |b| model.bodies[b].home + model.bodies[b].axes * point)
+        };
+        assert!(model.pairs.len() == 1 && model.contacts.len() >= 2, "{} contacts", model.contacts.len());
+        for site in &model.contacts {
+            let node = world(site.node_body, site.fixed, site.point);
+            let corner = world(site.face_body, site.fixed, site.face.corners[0]);
+            let normal = site.face_body.map_or(site.face.normal, |b| model.bodies[b].axes * site.face.normal);
+            let gap = normal.dot(node - corner);
+            assert!((site.home.gap() - gap).abs() < 1e-14 && gap > 0.0, "{}: {} for {gap}", site.node, site.home.gap());
+            assert!((normal.x.abs() - normal.y.abs()).abs() < 1e-12, "{}: 45°, not {normal}", site.node);
+            assert_eq!(site.pair, 0, "{}", site.node);
+            assert!(site.node_body.is_some() != site.face_body.is_some(), "{}: girder against abutment", site.node);
+        }
+        let of_deck = model.contacts.iter().filter(|site| site.node_body == Some(0)).count();
+        assert_eq!(of_deck, 2, "both corners of the end that faces the wall");
+        let [shortest, longest] = [f64::min, f64::max]
+            .map(|pick| model.contacts.iter().map(|site| site.home.gap()).reduce(pick).unwrap_or(f64::NAN));
+        assert!(longest - shortest < 1e-12, "parallel faces: {shortest} to {longest}");
+    }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::contact::{Frame, Home, Law};
+use crate::contact::{Frame, Home, Law, Local};
 use crate::geometry::Face;
 use crate::scene::facing::{PairContact, Side};
 
@@ -60,5 +60,9 @@ impl ContactSite {
     /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].
     pub fn reach(&self) -> f64 {
         self.face.size().max(self.point.length()).max(self.face.corners[0].length())
+    }
+    /// Distances of the node from G of its own body, and of the same point from G of the face's body, as an upper bound \[m\].
+    pub(in crate::dynamics) fn levers(&self, here: &Local) -> [f64; 2] {
+        [self.point.length(), self.face.corners[0].length() + here.gap.abs() + here.at.length()]
     }
 }

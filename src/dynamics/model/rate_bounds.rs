@@ -5,14 +5,14 @@ use crate::geometry::Prism;
 
 /// How fast a body can answer, from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quickness {
+pub struct RateBounds {
     /// Acceleration at a corner per unit force \[1/kg\].
     pub(in crate::dynamics) mobility: f64,
     /// Largest stiffness per inertia on its bearings \[1/s²\].
     pub(in crate::dynamics) stiffest: f64,
 }
 
-impl Quickness {
+impl RateBounds {
     /// Of a body of that shape and mass, free in these directions, on these bearings.
     pub(in crate::dynamics) fn of(
         prism: &Prism,
@@ -29,5 +29,54 @@ impl Quickness {
         let damping = bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / mass;
         let swing = if tilts { sum / mass * (1.0 + arm2 / smallest) } else { 3.0 * sum / mass };
         Self { mobility, stiffest: swing.max(damping * damping) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use crate::dynamics::Model;
+    use crate::dynamics::model::body::Body;
+    use crate::dynamics::model::rigid_body::response;
+    use crate::scene::presets;
+
+    /// Spectral radius of `M⁻¹ K` by the power method, `M = diag(m, m, m i²)`.
+    fn spectral_radius(body: &Body) -> f64 {
+        let inverse = DVec3::new(1.0, 1.0, 1.0 / body.gyration2) / body.mass;
+        let (mut q, mut radius) = (DVec3::new(0.3, 0.5, 0.7), 0.0);
+        for _ in 0..200 {
+            let next = inverse * (body.planar.stiffness * q);
+            (radius, q) = (next.length() / q.length(), next.normalize_or_zero());
+        }
+        radius
+    }
+
+    #[test]
+    fn bounds_are_above_the_spectral_radius_and_not_far_above() {
+        for name in ["straight-abutment", "skew45-abutment", "skew60-abutment", "row-of-5"] {
+            let model = Model::compile(&presets::load(name).expect("a preset")).expect("a scene");
+            for body in &model.bodies {
+                let (radius, bound) = (spectral_radius(body), body.rate_bounds.stiffest);
+                assert!(radius <= bound && bound < 4.0 * radius, "{name}: {bound} against {radius}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_corner_is_more_mobile_than_the_bound() {
+        for name in ["skew45-abutment", "deck-30m"] {
+            let model = Model::compile(&presets::load(name).expect("a preset")).expect("a scene");
+            let body = &model.bodies[0];
+            for corner in body.prism.corners() {
+                let arm = body.axes * corner;
+                for along in [DVec3::X, DVec3::Y, (DVec3::X + DVec3::Y).normalize_or_zero()] {
+                    let (linear, turning) = response(body, &body.axes, along, arm);
+                    let mobility = (linear + turning.cross(arm)).dot(along);
+                    let bound = body.rate_bounds.mobility;
+                    assert!(mobility <= bound * (1.0 + 1e-12), "{name}: {mobility} above {bound}");
+                }
+            }
+        }
     }
 }

@@ -15,7 +15,7 @@ use crate::scene::Kind;
 
 /// A place and attitude, and what is counted from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Base {
+pub(crate) struct ReferencePose {
     kind: Kind,
     /// Displacement of G since it was placed \[m\].
     shift: DVec3,
@@ -31,7 +31,7 @@ pub(crate) struct Base {
     pub(in crate::dynamics) kept: Option<u32>,
 }
 
-impl Base {
+impl ReferencePose {
     /// Where the body was placed.
     pub(in crate::dynamics) fn placed(kind: Kind, body: &Body) -> Self {
         // A planar body keeps the height that it started at.
@@ -161,18 +161,18 @@ fn product(a: DQuat, b: DQuat) -> DQuat {
 
 /// Node and face of a contact as if they had been placed where the bases of their bodies are; an abutment stands. `at`, if
 /// it is known better than by these.
-pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&Base>; 2], at: Option<DVec3>) -> Home {
+pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2], at: Option<DVec3>) -> Home {
     let home = site.home.seen_from(&pose(site, node), &pose(site, face));
     at.map_or(home, |at| home.with_node(at))
 }
 
 /// How far the node was there from where it was as placed, along the face \[m\].
-pub(in crate::dynamics) fn way_to(site: &ContactSite, [node, face]: [Option<&Base>; 2]) -> DVec2 {
+pub(in crate::dynamics) fn way_to(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2]) -> DVec2 {
     locate(&site.home, &pose(site, node), &pose(site, face)).way
 }
 
-fn pose(site: &ContactSite, base: Option<&Base>) -> Frame {
-    base.map_or(site.stand, Base::pose)
+fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
+    base.map_or(site.stand, ReferencePose::pose)
 }
 
 #[cfg(test)]
@@ -213,7 +213,7 @@ mod tests {
             let model = model(name);
             let (body, whole) = (&model.bodies[0], away(model.kind));
             let mut since = whole.clone();
-            let base = Base::of(model.kind, body, &mut since);
+            let base = ReferencePose::of(model.kind, body, &mut since);
             let mut again = since.clone();
             base.add(&mut again);
             let apart = again.iter().zip(&whole).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -224,7 +224,7 @@ mod tests {
             let [one, other] = [base.whole(&base.since(body, &since)), rigid_body::frame(model.kind, body, &whole)];
             assert!((one.shift - other.shift).length() < 1e-15, "{name}: {one:?} against {other:?}");
             assert!((one.turned - other.turned).abs_diff_eq(DMat3::ZERO, 1e-15), "{name}: {one:?} against {other:?}");
-            assert_eq!(Base::by(model.kind, body, &base.numbers()), base, "{name}: by its numbers");
+            assert_eq!(ReferencePose::by(model.kind, body, &base.numbers()), base, "{name}: by its numbers");
         }
     }
 
@@ -234,7 +234,7 @@ mod tests {
             let model = model(name);
             let (body, site) = (&model.bodies[0], &model.contacts[0]);
             let mut since = away(model.kind);
-            let base = Base::of(model.kind, body, &mut since);
+            let base = ReferencePose::of(model.kind, body, &mut since);
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));
             let home = seen_from(site, bases, None);
             let look = |state: &[f64]| {

@@ -239,3 +239,91 @@ fn free_inverse(body: &Body, rotation: &DMat3, moment: DVec3) -> DVec3 {
 pub fn world_inertia(body: &Body, rotation: &DMat3) -> DMat3 {
     *rotation * body.inertia[0] * rotation.transpose()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::dynamics::model::bearing::Standing;
+    use crate::scene::presets;
+
+    /// A deck of three different inertias that nothing acts on.
+    fn free_top() -> Body {
+        let model = Model::compile(&presets::load("deck-30m").expect("a preset")).expect("a scene");
+        let mut body = model.bodies[0].clone();
+        body.bearings.clear();
+        (body.standing, body.push, body.moment) = (Standing::default(), DVec3::ZERO, 0.0);
+        body.free = [true; 6];
+        body
+    }
+
+    #[test]
+    fn a_free_top_keeps_energy_momentum_and_the_length_of_its_quaternion() {
+        let body = free_top();
+        let q = DQuat::from_scaled_axis(DVec3::new(0.3, -0.8, 0.5));
+        let state = [1.0, 2.0, 3.0, q.x, q.y, q.z, q.w, 0.4, -0.1, 0.2, 0.7, -1.1, 0.4];
+        let mut rate = [0.0; SPATIAL];
+        let here = frame(Kind::Spatial, &body, &state);
+        spatial_slope(&body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut rate);
+        let inertia = world_inertia(&body, &here.rotation(&body.axes));
+        let (spin, spin_rate) = (here.spin, DVec3::from_slice(&rate[10..]));
+        let momentum = inertia * spin;
+        let size = momentum.length() * spin.length();
+        assert!(spin_rate.length() > 1e-2, "it does tumble: {spin_rate}");
+        // d(Iω)/dt = I ω̇ + ω × Iω, and the rate of the energy is ω · I ω̇.
+        let lost = inertia * spin_rate + spin.cross(momentum);
+        assert!(lost.length() < 1e-13 * size, "angular momentum: {lost}");
+        assert!((spin.dot(inertia * spin_rate)).abs() < 1e-13 * size * spin.length(), "energy");
+        assert_eq!(rate[7..10], [0.0; 3], "momentum");
+        assert_eq!(rate[..3], state[7..10], "velocity");
+        let along: f64 = (3..7).map(|i| state[i] * rate[i]).sum();
+        assert!(along.abs() < 1e-16, "the quaternion turns without growing: {along}");
+        // q̇ is what turning by ω dt does.
+        let dt = 1e-6;
+        let turned = DQuat::from_scaled_axis(spin * dt) * q;
+        let by_rate = DQuat::from_xyzw(rate[3], rate[4], rate[5], rate[6]) * dt + q;
+        assert!((turned - by_rate).length() < 1e-11, "{turned} against {by_rate}");
+    }
+
+    #[test]
+    fn a_response_is_what_the_slope_gives_per_force_and_its_point_moves_by_the_mobility() {
+        let body = free_top();
+        let mut state = [0.0; SPATIAL];
+        state[6] = 1.0;
+        let (force, arm) = (DVec3::new(3.0, -1.0, 2.0), DVec3::new(4.0, 1.0, -0.5));
+        let (mut wrench, mut rate) = (Wrench::default(), [0.0; SPATIAL]);
+        wrench.push(force, arm);
+        let here = frame(Kind::Spatial, &body, &state);
+        spatial_slope(&body, &here, &state, &wrench, DVec3::ZERO, &mut rate);
+        let (linear, turning) = response(&body, &body.axes, force, arm);
+        assert!((linear - DVec3::from_slice(&rate[7..])).length() < 1e-15 * force.length(), "linear");
+        assert!((turning - DVec3::from_slice(&rate[10..])).length() < 1e-14 * turning.length(), "angular");
+        let there = linear + turning.cross(arm);
+        let axes = [DVec3::X, DVec3::Y];
+        let m = mobility(&body, &body.axes, arm, axes);
+        let third = response(&body, &body.axes, DVec3::Z * force.z, arm);
+        let rest = third.0 + third.1.cross(arm);
+        let seen = m * DVec2::new(force.x, force.y) + DVec2::new(rest.x, rest.y);
+        assert!((seen - there.truncate()).length() < 1e-14 * there.length(), "{seen} against {there}");
+    }
+
+    #[test]
+    fn a_planar_slope_is_newtons_law_in_the_free_directions() {
+        let model = Model::compile(&presets::load("skew45-abutment").expect("a preset")).expect("a scene");
+        let mut body = model.bodies[0].clone();
+        let state = [0.01, -0.02, 0.03, 0.4, 0.5, -0.6];
+        let contact = Wrench { force: DVec3::new(7.0, -3.0, 0.0), moment: DVec3::Z * 0.2 };
+        let ground = DVec3::new(1.5, -0.5, 0.0);
+        let mut rate = [0.0; PLANAR];
+        body.free[5] = false;
+        planar_slope(&body, &state, &contact, ground, &mut rate);
+        assert_eq!([rate[0], rate[1]], [0.4, 0.5], "velocities");
+        assert_eq!([rate[2], rate[5]], [0.0; 2], "a held direction stands still");
+        let (k, c) = (&body.planar.stiffness, &body.planar.damping);
+        let row = |m: &DMat3, i: usize, from: usize| (0..3).map(|j| m.col(j)[i] * state[from + j]).sum::<f64>();
+        for i in 0..2 {
+            let wanted = (contact.force[i] + body.push[i] - row(k, i, 0) - row(c, i, 3)) / body.mass - ground[i];
+            assert!((rate[3 + i] - wanted).abs() < 1e-12 * wanted.abs().max(1.0), "{} against {wanted}", rate[3 + i]);
+        }
+    }
+}

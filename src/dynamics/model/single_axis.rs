@@ -6,7 +6,7 @@ use crate::dynamics::model::body::Body;
 use crate::motion::Ground;
 
 /// Whether ground, bearings and pushes never drive a body off a world axis, 0 or 1, that it moves along.
-pub(in crate::dynamics) fn keeps(body: &Body, ground: &Ground, axis: usize) -> bool {
+pub(in crate::dynamics) fn is_decoupled(body: &Body, ground: &Ground, axis: usize) -> bool {
     let across = 1 - axis;
     let held = [!body.free[across], !body.free[5]];
     let straight = |m: &DMat3| (held[0] || m.col(axis)[across] == 0.0) && (held[1] || m.col(axis)[2] == 0.0);
@@ -16,7 +16,38 @@ pub(in crate::dynamics) fn keeps(body: &Body, ground: &Ground, axis: usize) -> b
 
 /// Whether a planar state is in line with an axis.
 #[inline]
-pub(in crate::dynamics) fn along(state: &[f64], axis: usize) -> bool {
+pub(in crate::dynamics) fn is_along(state: &[f64], axis: usize) -> bool {
     let across = 1 - axis;
     state[across] == 0.0 && state[2] == 0.0 && state[3 + across] == 0.0 && state[5] == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    use crate::dynamics::Model;
+    use crate::scene::presets;
+
+    #[test]
+    fn a_girder_keeps_to_an_axis_unless_ground_push_or_bearings_lead_off_it() {
+        let model = Model::compile(&presets::load("straight-abutment").expect("a preset")).expect("a scene");
+        let (body, along_x) = (&model.bodies[0], Ground::Sine { amplitude: DVec3::X, omega: 9.0, phase: 0.0 });
+        assert!(is_decoupled(body, &along_x, 0), "straight bearings, shaken along x");
+        assert!(!is_decoupled(body, &along_x, 1), "the ground drives it off y");
+        let mut pushed = body.clone();
+        pushed.push.y = 1.0;
+        assert!(!is_decoupled(&pushed, &along_x, 0), "a push across");
+        pushed.free[1] = false;
+        assert!(is_decoupled(&pushed, &along_x, 0), "held across");
+        let mut eccentric = body.clone();
+        eccentric.planar.damping.x_axis.z = 1e-3;
+        assert!(!is_decoupled(&eccentric, &along_x, 0), "a dashpot that turns it");
+        assert!(is_along(&[0.1, 0.0, 0.0, 2.0, 0.0, 0.0], 0), "on the axis");
+        assert!((0..6).filter(|i| i % 3 > 0).all(|i| {
+            let mut state = [0.0; 6];
+            state[i] = 1e-300;
+            !is_along(&state, 0)
+        }));
+    }
 }

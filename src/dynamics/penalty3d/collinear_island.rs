@@ -10,9 +10,9 @@ use glam::DVec3;
 
 use crate::contact::{Frame, FrictionLaw, Measured, Mode, Normal, NormalLaw, measure};
 use crate::dynamics::Model;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body::PLANAR;
-use crate::dynamics::model::single_axis::along;
+use crate::dynamics::model::single_axis::is_along;
 use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::scene::Kind;
@@ -55,7 +55,7 @@ impl CollinearIsland {
     pub(in crate::dynamics) fn of(
         model: &Model,
         bodies: &[usize],
-        bases: &[Base],
+        bases: &[ReferencePose],
         active: &[ActiveContact],
     ) -> Option<Self> {
         if model.kind != Kind::Planar || active.is_empty() {
@@ -63,7 +63,7 @@ impl CollinearIsland {
         }
         let straight = |axis: usize| {
             let mut both = bodies.iter().zip(bases);
-            both.all(|(&b, base)| model.bodies[b].straight[axis] && along(&base.state(), axis))
+            both.all(|(&b, base)| model.bodies[b].straight[axis] && is_along(&base.state(), axis))
         };
         (0..2).filter(|&axis| straight(axis)).find_map(|axis| Self::across(model, bodies, active, axis))
     }
@@ -84,7 +84,7 @@ impl CollinearIsland {
     /// Whether states in a row are in line.
     #[inline]
     pub(in crate::dynamics) fn holds(&self, y: &[f64]) -> bool {
-        y.chunks_exact(PLANAR).all(|state| along(state, self.axis))
+        y.chunks_exact(PLANAR).all(|state| is_along(state, self.axis))
     }
 
     /// The axis: 0 is x, 1 is y.
@@ -103,7 +103,7 @@ impl CollinearIsland {
         &self,
         model: &Model,
         bodies: &[usize],
-        bases: &[Base],
+        bases: &[ReferencePose],
         ground: DVec3,
         y: &[f64],
         out: &mut [f64],
@@ -232,8 +232,8 @@ mod tests {
         sine.angle_deg = degrees;
     }
 
-    fn bases(model: &Model) -> Vec<Base> {
-        model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect()
+    fn bases(model: &Model) -> Vec<ReferencePose> {
+        model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect()
     }
 
     fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {

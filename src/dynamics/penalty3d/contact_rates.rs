@@ -14,9 +14,9 @@ pub(in crate::dynamics) fn fastest(model: &Model, bodies: &[usize], active: &[Ac
         let pair = &model.pairs[model.contacts[a.site].pair];
         let law = &a.closed.law;
         law.normal.stiffness_bound(a.depth).max(law.k_t)
-            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
+            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
     });
-    let bearings = bodies.iter().map(|&b| model.bodies[b].quickness.stiffest);
+    let bearings = bodies.iter().map(|&b| model.bodies[b].rate_bounds.stiffest);
     contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
 }
 
@@ -25,7 +25,7 @@ pub(in crate::dynamics) fn quickest(model: &Model, active: &[ActiveContact]) -> 
     let contacts = active.iter().map(|a| {
         let (pair, law) = (&model.pairs[model.contacts[a.site].pair], &a.closed.law);
         law.normal.damping_bound(a.depth).max(law.c_t)
-            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].quickness.mobility).sum::<f64>()
+            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
     });
     contacts.fold(0.0, f64::max)
 }

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use crate::contact::{Forces, Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm, System};
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
@@ -96,7 +96,7 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     /// Its bodies, numbers in the model.
     pub bodies: &'a [usize],
     /// What their states are counted from.
-    pub bases: &'a [Base],
+    pub bases: &'a [ReferencePose],
     /// Its closed contacts.
     pub active: &'a [ActiveContact],
     /// The stretch of ground motion that the step stays in.

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::dop853::SEEN;
+use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::constants::{
     EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
@@ -76,7 +76,7 @@ impl Island {
         let speed = speed2.sqrt().max(REST_SPEED * floor).max(REVERSAL_SPEED * gained / omega);
         // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
         // frequency, and that of its speed.
-        let pace = self.stepper.pace();
+        let pace = self.stepper.state();
         let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
         let (long, finest) = if self.active.is_empty() {
             (LONG_RUN_FREE, FINEST_TOLERANCE_FREE)
@@ -123,7 +123,7 @@ impl Island {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.active.is_empty() {
             cap.min(self.until + GROUND_PHASE_FREE / omega)
-        } else if self.stepper.pace().stiff {
+        } else if self.stepper.state().stiff {
             cap.min(self.until + GROUND_PHASE_CONTACT / omega)
         } else {
             cap
@@ -132,14 +132,14 @@ impl Island {
 
     /// How long the next step may be at most: an explicit one must see the error of what decays.
     pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
-        let pace = self.stepper.pace();
+        let pace = self.stepper.state();
         // Seldom near: first by what no contact alone exceeds.
         let crude = self.quickest * self.active.len() as f64;
-        if pace.stiff || pace.step > 0.0 && pace.step * crude < SEEN {
+        if pace.stiff || pace.step > 0.0 && pace.step * crude < RESOLVED_DECAY {
             return f64::INFINITY;
         }
         let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active));
-        if decay > 0.0 { SEEN / decay } else { f64::INFINITY }
+        if decay > 0.0 { RESOLVED_DECAY / decay } else { f64::INFINITY }
     }
 
     /// What the places of a contact's two sides round with: how far both have come since they were placed, or a little of

@@ -5,8 +5,7 @@
 
 use crate::contact::parameters::outside;
 use crate::contact::{Local, Mode, NormalLaw, locate};
-use crate::dynamics::closing::next_closing::arms;
-use crate::dynamics::locate::first_rise::{First, first_rise};
+use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::constants::{
     CLOCK_ROUNDING, ENTRY_ROUNDING, FREE_RETRIES, PARTING_BAND, POSITION_ROUNDING, RETRY_DOUBLINGS, SAMPLES_EXPLICIT,
@@ -109,7 +108,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
             if reason == Reason::Edge && is_inside(model, island, number, &looks[0]) {
                 continue;
             }
-            let first = First { at: earliest, together };
+            let first = EarliestEvent { at: earliest, together };
             let hair = hair(model, island, number, reason, &looks[0]) + reluctance(island, number, reason, &looks);
             let values: [f64; N] =
                 std::array::from_fn(|i| function(model, island, number, reason, &looks[i], times[i]) - hair);
@@ -124,7 +123,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
                 }
                 _ => ZERO_BAND * scale(island, number, reason, &looks),
             };
-            let first = if entering { First::UNKNOWN } else { first };
+            let first = if entering { EarliestEvent::UNKNOWN } else { first };
             if let Some(t) = first_rise([&times, &values], zero, passing, first, ask) {
                 let t = if entering && reason == Reason::Opening { turned(model, island, number, t) } else { t };
                 found.push((t, Due { number, reason }));
@@ -150,7 +149,7 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
 /// Whether a node stays on its face for the whole step, however it moves.
 fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     let active = &island.active[number];
-    let arms = arms(&model.contacts[active.site], here);
+    let arms = model.contacts[active.site].levers(here);
     let far = [active.node, active.face].into_iter().zip(arms);
     let far = far.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.from)));
     function(model, island, number, Reason::Edge, here, island.from) < -far.sum::<f64>()

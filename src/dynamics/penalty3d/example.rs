@@ -2,8 +2,8 @@
 
 use crate::contact::parameters::{is_over, sharers};
 use crate::contact::{Local, Mode, locate};
-use crate::dynamics::integrator::step_control::Pace;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
@@ -67,10 +67,10 @@ pub(super) fn stick(here: &Local) -> Mode {
 /// All bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
 pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-    let bases = model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect();
+    let bases = model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect();
     let y = states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect();
     let contacts = active.into_iter().enumerate().collect();
-    Island::new(model, bodies.clone(), (bodies, bases), contacts, y, 0.0, Pace::default())
+    Island::new(model, bodies.clone(), (bodies, bases), contacts, y, 0.0, ControllerState::default())
 }
 
 /// Steps until the first event and all within 1 ps of it, their time \[s\], and what they are.

@@ -2,10 +2,10 @@
 
 use crate::contact::{Frame, Mode};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::dense_output::Dense;
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::radau_iia::Radau;
-use crate::dynamics::integrator::step_control::{Limits, Pace, Stepper};
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::integrator::step_control::{ControllerState, StepController, StepLimits};
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::Wrench;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
@@ -18,7 +18,7 @@ use crate::dynamics::penalty3d::equations_of_motion::{
     ActiveContact, EquationsOfMotion, ErrorScale, Sliding, direction,
 };
 use crate::dynamics::penalty3d::event_location::{Due, Reason};
-use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 use crate::scene::Kind;
 
@@ -30,7 +30,7 @@ pub(in crate::dynamics) struct Island {
     /// Their numbers in the model.
     pub(in crate::dynamics) bodies: Vec<usize>,
     /// What their states in `y` are counted from.
-    pub(in crate::dynamics) bases: Vec<Base>,
+    pub(in crate::dynamics) bases: Vec<ReferencePose>,
     /// Closed contacts between them.
     pub active: Vec<ActiveContact>,
     /// Numbers of those contacts in the engine.
@@ -51,14 +51,14 @@ pub(in crate::dynamics) struct Island {
     next_raw: Vec<f64>,
     /// What is due at `until`, if anything but the next step.
     pub due: Vec<Due>,
-    pub(in crate::dynamics) dense: Option<Dense>,
+    pub(in crate::dynamics) dense: Option<DenseOutput>,
     pub(in crate::dynamics) y: Vec<f64>,
     /// Stretches in the longest of its bodies' paths, with the planned step.
     pub taken: usize,
     explicit: bool,
     /// What the error of the planned step was measured against.
     measure: ErrorScale,
-    pub(in crate::dynamics) stepper: Stepper,
+    pub(in crate::dynamics) stepper: StepController,
     pub(in crate::dynamics) omega: f64,
     /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
     pub(in crate::dynamics) quickest: f64,
@@ -101,11 +101,11 @@ impl Island {
     pub(in crate::dynamics) fn new(
         model: &Model,
         slots: Vec<usize>,
-        (bodies, bases): (Vec<usize>, Vec<Base>),
+        (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
         contacts: Vec<(usize, ActiveContact)>,
         mut y: Vec<f64>,
         t: f64,
-        pace: Pace,
+        pace: ControllerState,
     ) -> Self {
         let mut active: Vec<ActiveContact> = contacts.iter().map(|(_, a)| *a).collect();
         for a in &mut active {
@@ -122,7 +122,7 @@ impl Island {
         }
         // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
         let turns = active.iter().any(|a| a.angle.is_some());
-        let pace = Pace { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
+        let pace = ControllerState { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
             omega: fastest(model, &bodies, &active),
@@ -147,7 +147,7 @@ impl Island {
             taken: 0,
             explicit: false,
             measure: ErrorScale::default(),
-            stepper: Stepper::new(y.len(), pace),
+            stepper: StepController::new(y.len(), pace),
             y,
             distance: Distance::Near,
             frames: Vec::new(),
@@ -159,7 +159,7 @@ impl Island {
             in_line: false,
         };
         if island.active.is_empty() {
-            island.stepper.trust();
+            island.stepper.expect_no_noise();
         }
         island.sliding = Sliding::of(&island.active);
         island.line = CollinearIsland::of(model, &island.bodies, &island.bases, &island.active);
@@ -220,16 +220,16 @@ impl Island {
         let piece = model.ground.piece(number);
         let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
         let loose = self.active.iter().any(|active| active.closed.solver.at_face);
-        self.explicit = !self.stepper.pace().stiff;
+        self.explicit = !self.stepper.state().stiff;
         self.again = known && !loose && self.explicit;
         // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
         // estimate to be judged by, which tells little far beyond stability.
         let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
-        let quickest = if self.stepper.pace().step > 0.0 { 0.0 } else { self.quickest };
+        let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
         let cap = self.drive_cap(model, cap);
-        let limits = Limits { cap, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
+        let limits = StepLimits { cap, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
@@ -266,7 +266,7 @@ impl Island {
         let mut stepper = std::mem::take(&mut self.stepper);
         self.note_raw(model, &y);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
-        let dense = stepper.again(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
+        let dense = stepper.repeat_explicit(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
         self.note_raw(model, &y);
         normalise(model, &self.bodies, &mut y);
         self.sloped = (from + dense.step, number);
@@ -282,7 +282,7 @@ impl Island {
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
         let measure = self.measure;
-        let dense = stepper.again_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
+        let dense = stepper.repeat_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
         let ended = dense.is_some();
         if let Some(dense) = dense {
             normalise(model, &self.bodies, &mut y);
@@ -314,7 +314,7 @@ impl Island {
 
     /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it
     /// stands in it, and from where that is counted \[m\].
-    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&Dense, usize, f64)> {
+    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, usize, f64)> {
         let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
         let base = self.bases[index].planar()[axis];
         self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * rigid_body::PLANAR + axis, base))
@@ -335,13 +335,13 @@ impl Island {
     }
 
     /// The planned step's continuous answer for one body.
-    pub(in crate::dynamics) fn path(&self, model: &Model, index: usize) -> Option<Piece> {
-        let width = rigid_body::width(model.kind);
-        self.dense.as_ref().map(|dense| Piece::of(dense, index * width..(index + 1) * width, Some(&self.bases[index])))
+    pub(in crate::dynamics) fn path(&self, model: &Model, index: usize) -> Option<StepPolynomial> {
+        let part = |width: usize| index * width..(index + 1) * width;
+        let (part, base) = (part(rigid_body::width(model.kind)), Some(&self.bases[index]));
+        self.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
     }
 
-    /// Length of the planned step and its bodies' states at the start, counted from their bases, where it may be kept by
-    /// these alone.
+    /// Length of the planned step and its bodies' initial states from their bases, where these alone may be kept.
     pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
         let mut start = dense.coefficients().iter().map(|c| c[0]);
@@ -356,14 +356,14 @@ impl Island {
     }
 
     /// The planned step's continuous answer for the slip angle of one of its contacts.
-    pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<Dense> {
+    pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<DenseOutput> {
         let at = self.active[number].angle?;
-        self.dense.as_ref().map(|dense| dense.part(at..at + 1))
+        self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
     /// How its integrator would go on.
-    pub(in crate::dynamics) fn pace(&self) -> Pace {
-        self.stepper.pace()
+    pub(in crate::dynamics) fn pace(&self) -> ControllerState {
+        self.stepper.state()
     }
 
     /// Takes over the memory of an integrator that is no longer in use.

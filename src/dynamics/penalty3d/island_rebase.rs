@@ -2,7 +2,7 @@
 
 use crate::contact::Mode;
 use crate::dynamics::Model;
-use crate::dynamics::model::reference_pose::{Base, seen_from};
+use crate::dynamics::model::reference_pose::{ReferencePose, seen_from};
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::island::Island;
 
@@ -23,7 +23,7 @@ impl Island {
         }
         for ((base, body), state) in self.bases.iter_mut().zip(bodies).zip(self.y.chunks_exact_mut(width)) {
             base.add(state);
-            *base = Base::of(model.kind, body, state);
+            *base = ReferencePose::of(model.kind, body, state);
         }
         for active in &mut self.active {
             let bases = [active.node, active.face].map(|side| self.bases.get(side?));

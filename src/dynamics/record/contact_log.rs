@@ -5,7 +5,7 @@ use std::num::NonZeroU32;
 use glam::{DVec2, DVec3};
 
 use crate::contact::{FrictionLaw, Law, Mode};
-use crate::dynamics::integrator::dense_output::Dense;
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
 /// A state, in twelve bytes.
@@ -47,7 +47,7 @@ pub struct ContactLog {
     /// Places of the node, in the face's axes, that were carried on \[m\].
     carried: Vec<DVec3>,
     /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
-    pub angles: Vec<(f64, Dense)>,
+    pub angles: Vec<(f64, DenseOutput)>,
 }
 
 impl ContactLog {
@@ -123,7 +123,7 @@ impl ContactLog {
             + self.laws.len() * size_of::<(Law, f64)>()
             + self.touches.len() * size_of::<Touch>()
             + self.carried.len() * size_of::<DVec3>()
-            + self.angles.len() * size_of::<(f64, Dense)>()
+            + self.angles.len() * size_of::<(f64, DenseOutput)>()
             + angles
     }
 

@@ -6,19 +6,19 @@
 //! step is that of its start before quaternions were given their length, which is what is kept.
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{Planar, System};
-use crate::dynamics::integrator::dense_output::Dense;
+use crate::dynamics::free_flight::flight::{FreeMotion, Planar};
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853::Dop853;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body::PLANAR;
 use crate::dynamics::model::{reference_pose, rigid_body};
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::equations_of_motion::{ActiveContact, EquationsOfMotion, ErrorScale, Sliding};
 use crate::dynamics::penalty3d::island::normalise;
 use crate::dynamics::record::contact_log::ContactLog;
-use crate::dynamics::trajectory::packed_states::Packed;
-use crate::dynamics::trajectory::step_polynomial::Piece;
-use crate::dynamics::trajectory::stored_path::{BodyPath, Kept};
+use crate::dynamics::trajectory::packed_states::PackedStates;
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
+use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 use crate::scene::Kind;
 
 /// No start is kept: the members' flights end in it.
@@ -35,7 +35,7 @@ pub struct Replay {
     members: Vec<Member>,
     seats: Vec<Seat>,
     steps: Vec<Step>,
-    starts: Packed,
+    starts: PackedStates,
 }
 
 /// Bodies that go on with the same contacts for some steps: where its members and contacts begin.
@@ -88,9 +88,9 @@ pub struct Past<'a> {
     /// The scene.
     pub model: &'a Model,
     /// Paths of all bodies.
-    pub paths: &'a [BodyPath],
+    pub paths: &'a [StoredPath],
     /// Their free motions.
-    pub systems: &'a [Option<System>],
+    pub systems: &'a [Option<FreeMotion>],
     /// States of all contacts.
     pub logs: &'a [ContactLog],
 }
@@ -111,7 +111,7 @@ impl Replay {
     }
 
     /// Keeps what states of a body are counted from; its number.
-    pub(in crate::dynamics) fn keep(&mut self, base: &Base) -> Option<u32> {
+    pub(in crate::dynamics) fn keep(&mut self, base: &ReferencePose) -> Option<u32> {
         self.starts.push(&base.numbers()).filter(|number| number & KEPT == 0)
     }
 
@@ -161,14 +161,14 @@ impl Replay {
     }
 
     /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
-    pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<Piece> {
+    pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<StepPolynomial> {
         let (dense, bases) = self.dense(number, from, past);
         let width = rigid_body::width(past.model.kind);
-        let piece = |(place, base)| Piece::of(&dense, place * width..(place + 1) * width, Some(base));
+        let piece = |(place, base)| StepPolynomial::of(&dense, place * width..(place + 1) * width, Some(base));
         bases.iter().enumerate().map(piece).collect()
     }
 
-    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (Dense, Vec<Base>) {
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, Vec<ReferencePose>) {
         let Step { length, stretch, start } = self.steps[number as usize];
         let (members, seats) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
@@ -178,14 +178,14 @@ impl Replay {
             let body = &past.model.bodies[member.body as usize];
             if member.base & KEPT == 0 {
                 let mut state = landed(*member, past);
-                return (Base::of(kind, body, &mut state), state);
+                return (ReferencePose::of(kind, body, &mut state), state);
             }
             let mut numbers = [0.0; NUMBERS];
             let numbers = &mut numbers[..if kind == Kind::Planar { PLANAR / 2 } else { NUMBERS }];
             self.starts.read(member.base & !KEPT, numbers);
-            (Base::from_kept(kind, body, numbers), [0.0; PLANAR])
+            (ReferencePose::from_kept(kind, body, numbers), [0.0; PLANAR])
         };
-        let (bases, landed): (Vec<Base>, Vec<Planar>) = members.iter().map(caught).unzip();
+        let (bases, landed): (Vec<ReferencePose>, Vec<Planar>) = members.iter().map(caught).unzip();
         let active: Vec<ActiveContact> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
         let mut y = vec![0.0; bodies.len() * width];
         for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
@@ -235,7 +235,7 @@ impl Replay {
 }
 
 /// The explicit step of this length.
-fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> Dense {
+fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> DenseOutput {
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
@@ -249,14 +249,16 @@ fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f6
 fn landed(member: Member, past: &Past<'_>) -> Planar {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
-        ((from, Kept::Start(state)), Some(until), Some(system)) => system.state(&system.fly(from, state), until),
+        ((from, StoredMotion::Start(state)), Some(until), Some(system)) => {
+            system.state(&system.fly(from, state), until)
+        }
         // Only flights kept as their start are left out, and only once something followed.
         _ => [0.0; PLANAR],
     }
 }
 
 /// A closed contact as the island had it.
-fn active(seat: Seat, bodies: &[usize], bases: &[Base], past: &Past<'_>) -> Option<ActiveContact> {
+fn active(seat: Seat, bodies: &[usize], bases: &[ReferencePose], past: &Past<'_>) -> Option<ActiveContact> {
     let site = &past.model.contacts[seat.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);

@@ -2,35 +2,36 @@
 
 /// States in the order they were put in, bit for bit.
 #[derive(Clone, Debug, Default)]
-pub struct Packed {
+pub struct PackedStates {
     /// Which components of a state are kept, lowest bit first.
     masks: Vec<u16>,
-    /// Where the numbers of every [`STRIDE`]-th state begin; the masks between tell the others.
+    /// Where the numbers of every [`MASKS_PER_OFFSET`]-th state begin; the masks between tell the others.
     places: Vec<u32>,
     numbers: Vec<f64>,
 }
 
-const STRIDE: usize = 8;
+/// States between two stored offsets; the masks between them are counted. Tuned: half a byte of offset per state.
+const MASKS_PER_OFFSET: usize = 8;
 /// Most components of a state.
-const WIDTH: usize = 16;
+const MOST_COMPONENTS: usize = 16;
 /// What is left out: a body where it was placed, at rest. Whatever has a seventh component has turned by a quaternion, whose
 /// w stands there.
-const REST: [f64; WIDTH] = {
-    let mut rest = [0.0; WIDTH];
+const REST_STATE: [f64; MOST_COMPONENTS] = {
+    let mut rest = [0.0; MOST_COMPONENTS];
     rest[6] = 1.0;
     rest
 };
 
-impl Packed {
+impl PackedStates {
     /// Puts a state of at most 16 components in; its number. Nothing where more numbers are kept than can be counted.
     pub fn push(&mut self, state: &[f64]) -> Option<u32> {
         let number = u32::try_from(self.masks.len()).ok()?;
         let at = u32::try_from(self.numbers.len()).ok()?;
         // By its bits: −0 is kept.
-        let moved = state.iter().zip(REST).enumerate().filter(|(_, (x, rest))| x.to_bits() != rest.to_bits());
+        let moved = state.iter().zip(REST_STATE).enumerate().filter(|(_, (x, rest))| x.to_bits() != rest.to_bits());
         let mask = moved.clone().fold(0, |mask, (i, _)| mask | 1 << i);
         self.numbers.extend(moved.map(|(_, (x, _))| x));
-        if self.masks.len().is_multiple_of(STRIDE) {
+        if self.masks.len().is_multiple_of(MASKS_PER_OFFSET) {
             self.places.push(at);
         }
         self.masks.push(mask);
@@ -56,10 +57,11 @@ impl Packed {
     /// A state, written to `out`.
     pub fn read(&self, number: u32, out: &mut [f64]) {
         let number = number as usize;
-        let (mask, first) = (self.masks[number], number / STRIDE);
-        let before = self.masks[first * STRIDE..number].iter().map(|mask| mask.count_ones() as usize).sum::<usize>();
+        let (mask, first) = (self.masks[number], number / MASKS_PER_OFFSET);
+        let before =
+            self.masks[first * MASKS_PER_OFFSET..number].iter().map(|mask| mask.count_ones() as usize).sum::<usize>();
         let mut numbers = self.numbers[self.places[first] as usize + before..].iter();
-        for ((i, x), rest) in out.iter_mut().enumerate().zip(REST) {
+        for ((i, x), rest) in out.iter_mut().enumerate().zip(REST_STATE) {
             *x = if mask & 1 << i == 0 { rest } else { numbers.next().copied().unwrap_or(rest) };
         }
     }
@@ -94,14 +96,14 @@ mod tests {
     fn states_come_back_bit_for_bit_and_rest_takes_nothing() {
         let few = [[0.0; 6], [1.0, 0.0, -0.0, 2.0, 0.0, 0.0], [1.0, 2.0, 3.0, 4.0, 5.0, f64::MIN_POSITIVE]];
         let states = [few, few, few, few, few, few].concat();
-        let mut packed = Packed::default();
+        let mut packed = PackedStates::default();
         let numbers: Vec<u32> = states.iter().map(|state| packed.push(state).expect("few")).collect();
         for (state, number) in states.iter().zip(numbers) {
             assert_eq!(state.map(f64::to_bits), packed.get::<6>(number).map(f64::to_bits), "state {number}");
         }
         assert_eq!(packed.bytes(), 18 * 2 + 3 * 4 + 6 * 9 * 8, "nine numbers of three states are not 0");
-        let mut turned = Packed::default();
-        let states = [REST[..7].to_vec(), vec![0.0; 7], [&REST[..7], &[0.5; 6]].concat()];
+        let mut turned = PackedStates::default();
+        let states = [REST_STATE[..7].to_vec(), vec![0.0; 7], [&REST_STATE[..7], &[0.5; 6]].concat()];
         for (number, state) in (0..).zip(&states) {
             assert_eq!(turned.push(state), Some(number));
         }

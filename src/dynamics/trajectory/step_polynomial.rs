@@ -2,33 +2,37 @@
 //!
 //! A girder that is hit head-on moves along one axis and never turns: a third of its state is all there is to keep.
 
-use crate::dynamics::integrator::dense_output::{DENSE, Dense};
+use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::model::reference_pose;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 
 /// A body's continuous answer over one step.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
+pub struct StepPolynomial {
     /// Where the step begins \[s\].
     from: f64,
     /// Its length \[s\].
     step: f64,
     /// Which components are kept, lowest bit first; the others stay 0.
     kept: u16,
-    coefficients: Box<[[f64; DENSE]]>,
+    coefficients: Box<[[f64; DENSE_TERMS]]>,
     /// What they are counted from, if not from where the body was placed.
     base: Box<[f64]>,
 }
 
-impl Piece {
+impl StepPolynomial {
     /// Components `range`, at most 16, of a continuous answer that is counted from a base.
-    pub(in crate::dynamics) fn of(dense: &Dense, range: std::ops::Range<usize>, base: Option<&Base>) -> Self {
+    pub(in crate::dynamics) fn of(
+        dense: &DenseOutput,
+        range: std::ops::Range<usize>,
+        base: Option<&ReferencePose>,
+    ) -> Self {
         let all = &dense.coefficients()[range];
-        let moves = |c: &&[f64; DENSE]| c.iter().any(|x| *x != 0.0);
-        let bit = |(i, c): (usize, &[f64; DENSE])| u16::from(moves(&c)) << i;
+        let moves = |c: &&[f64; DENSE_TERMS]| c.iter().any(|x| *x != 0.0);
+        let bit = |(i, c): (usize, &[f64; DENSE_TERMS])| u16::from(moves(&c)) << i;
         let kept = all.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
         let coefficients = all.iter().filter(moves).copied().collect();
-        let base = base.map(Base::numbers).unwrap_or_default();
+        let base = base.map(ReferencePose::numbers).unwrap_or_default();
         Self { from: dense.from, step: dense.step, kept, coefficients, base }
     }
 
@@ -45,7 +49,7 @@ impl Piece {
         let mut kept = self.coefficients.iter();
         for (i, value) in out.iter_mut().enumerate() {
             let moving = self.kept & (1 << i) != 0;
-            *value = if moving { kept.next().map_or(0.0, |c| Dense::value(c, x)) } else { 0.0 };
+            *value = if moving { kept.next().map_or(0.0, |c| DenseOutput::value(c, x)) } else { 0.0 };
         }
         &self.base
     }
@@ -69,8 +73,9 @@ mod tests {
     #[test]
     fn a_piece_answers_as_the_step_did_and_keeps_what_moves() {
         let line = |start: f64, rise: f64| [start, rise, 0.1 * rise, -0.2, 0.0, 0.3, 0.0, 1e-3];
-        let dense = Dense::new(1.0, 0.5, vec![line(2.0, 3.0), [0.0; DENSE], line(-1.0, 0.0), [0.0; DENSE]]);
-        let piece = Piece::of(&dense, 0..4, None);
+        let dense =
+            DenseOutput::new(1.0, 0.5, vec![line(2.0, 3.0), [0.0; DENSE_TERMS], line(-1.0, 0.0), [0.0; DENSE_TERMS]]);
+        let piece = StepPolynomial::of(&dense, 0..4, None);
         for t in [1.0, 1.1, 1.37, 1.5] {
             let (mut whole, mut part) = ([0.0; 4], [9.0; 4]);
             dense.read(0..4, t, &mut whole);

@@ -4,34 +4,34 @@
 //! ([`crate::dynamics::record::recomputed_steps`]). One stretch begins where the last one ended, so only the exceptions keep an end.
 
 use crate::dynamics::free_flight::flight::{Flight, Planar};
-use crate::dynamics::free_flight::sliding_face::Slide;
-use crate::dynamics::trajectory::packed_states::Packed;
-use crate::dynamics::trajectory::segment::{Path, Segment};
-use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::free_flight::sliding_face::SlidingFace;
+use crate::dynamics::trajectory::packed_states::PackedStates;
+use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
 /// Bits of a code that say which of a kind; the three above them say the kind.
-const BITS: u32 = 29;
-const WHICH: u32 = (1 << BITS) - 1;
+const CODE_BITS: u32 = 29;
+const CODE_MASK: u32 = (1 << CODE_BITS) - 1;
 
 /// A body's stretches in order of time.
 #[derive(Clone, Debug, Default)]
-pub struct BodyPath {
+pub struct StoredPath {
     from: Vec<f64>,
     codes: Vec<u32>,
     /// Where the last stretch ends \[s\].
     until: f64,
     /// Ends of stretches after which another does not begin at once, by their numbers.
     breaks: Vec<(usize, f64)>,
-    starts: Packed,
+    starts: PackedStates,
     /// Flights that keep more than their start.
     flights: Vec<Flight>,
-    slides: Vec<Slide>,
-    pieces: Vec<Piece>,
+    slides: Vec<SlidingFace>,
+    pieces: Vec<StepPolynomial>,
 }
 
 /// One stretch, without its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct TimeSpan {
     /// From \[s\].
     pub from: f64,
     /// Until \[s\].
@@ -42,25 +42,25 @@ pub struct Span {
 
 /// What a stretch's motion is given back from.
 #[derive(Clone, Copy, Debug)]
-pub enum Kept<'a> {
+pub enum StoredMotion<'a> {
     /// A flight from this state on.
     Start(Planar),
     /// A flight.
     Flight(&'a Flight),
     /// A face that slides along a wall.
-    Slide(&'a Slide),
+    Slide(&'a SlidingFace),
     /// A step's polynomial.
-    Step(&'a Piece),
+    Step(&'a StepPolynomial),
     /// A step to be taken again, by its number.
     Again(u32),
 }
 
-impl BodyPath {
+impl StoredPath {
     /// Adds a stretch.
     pub fn push(&mut self, segment: Segment) {
         let Segment { from, until, path } = segment;
         let (kind, which) = match path {
-            Path::Flight(flight) => {
+            SegmentMotion::Flight(flight) => {
                 if let Some(number) = self.start(&flight, from) {
                     (0, number as usize)
                 } else {
@@ -68,12 +68,12 @@ impl BodyPath {
                     (1, self.flights.len() - 1)
                 }
             }
-            Path::Step(piece) => {
+            SegmentMotion::Step(piece) => {
                 self.pieces.push(piece);
                 (2, self.pieces.len() - 1)
             }
-            Path::Again(number) => (3, number as usize),
-            Path::Slide(slide) => {
+            SegmentMotion::Again(number) => (3, number as usize),
+            SegmentMotion::Slide(slide) => {
                 self.slides.push(*slide);
                 (4, self.slides.len() - 1)
             }
@@ -83,7 +83,7 @@ impl BodyPath {
         }
         self.from.push(from);
         // More stretches of one body than 29 bits count would not fit into memory.
-        self.codes.push(kind << BITS | u32::try_from(which).unwrap_or(WHICH) & WHICH);
+        self.codes.push(kind << CODE_BITS | u32::try_from(which).unwrap_or(CODE_MASK) & CODE_MASK);
         self.until = until;
     }
 
@@ -106,19 +106,20 @@ impl BodyPath {
     /// Number and state of the flight kept as its start, with when it began, where that is how the path ends at `t`.
     pub fn flown_until(&self, t: f64) -> Option<(u32, f64, Planar)> {
         let (code, from) = (*self.codes.last()?, *self.from.last()?);
-        let flown = code >> BITS == 0 && self.until == t;
-        flown.then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code & WHICH)))
+        let flown = code >> CODE_BITS == 0 && self.until == t;
+        flown
+            .then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code & CODE_MASK)))
     }
 
     /// Start of stretch `number` and what it is given back from.
-    pub fn kept(&self, number: usize) -> (f64, Kept<'_>) {
-        let which = (self.codes[number] & WHICH) as usize;
-        let kept = match self.codes[number] >> BITS {
-            0 => Kept::Start(self.starts.get(self.codes[number] & WHICH)),
-            1 => Kept::Flight(&self.flights[which]),
-            2 => Kept::Step(&self.pieces[which]),
-            3 => Kept::Again(self.codes[number] & WHICH),
-            _ => Kept::Slide(&self.slides[which]),
+    pub fn kept(&self, number: usize) -> (f64, StoredMotion<'_>) {
+        let which = (self.codes[number] & CODE_MASK) as usize;
+        let kept = match self.codes[number] >> CODE_BITS {
+            0 => StoredMotion::Start(self.starts.get(self.codes[number] & CODE_MASK)),
+            1 => StoredMotion::Flight(&self.flights[which]),
+            2 => StoredMotion::Step(&self.pieces[which]),
+            3 => StoredMotion::Again(self.codes[number] & CODE_MASK),
+            _ => StoredMotion::Slide(&self.slides[which]),
         };
         (self.from[number], kept)
     }
@@ -129,7 +130,7 @@ impl BodyPath {
     }
 
     /// The stretch that holds at `t`; nothing where there is none.
-    pub fn at(&self, t: f64) -> Option<(f64, Kept<'_>)> {
+    pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
         let number = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         (number < self.from.len()).then(|| self.kept(number))
     }
@@ -152,31 +153,31 @@ impl BodyPath {
     }
 
     /// Its stretches.
-    pub fn spans(&self) -> impl Iterator<Item = Span> + '_ {
+    pub fn spans(&self) -> impl Iterator<Item = TimeSpan> + '_ {
         self.spans_from(0)
     }
 
     /// Its stretches that end after `t`.
-    pub fn spans_after(&self, t: f64) -> impl Iterator<Item = Span> + '_ {
+    pub fn spans_after(&self, t: f64) -> impl Iterator<Item = TimeSpan> + '_ {
         let begun = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         let first = (begun..self.len()).find(|&number| self.until(number) > t).unwrap_or(self.len());
         self.spans_from(first)
     }
 
-    fn spans_from(&self, first: usize) -> impl Iterator<Item = Span> + '_ {
-        let span = |number: usize| Span {
+    fn spans_from(&self, first: usize) -> impl Iterator<Item = TimeSpan> + '_ {
+        let span = |number: usize| TimeSpan {
             from: self.from[number],
             until: self.until(number),
-            flies: !matches!(self.codes[number] >> BITS, 2 | 3),
+            flies: !matches!(self.codes[number] >> CODE_BITS, 2 | 3),
         };
         (first..self.len()).map(span)
     }
 
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
-        let pieces: usize = self.pieces.iter().map(Piece::bytes).sum();
+        let pieces: usize = self.pieces.iter().map(StepPolynomial::bytes).sum();
         let flights: usize = self.flights.iter().map(Flight::bytes).sum();
-        let slides = self.slides.len() * size_of::<Slide>();
+        let slides = self.slides.len() * size_of::<SlidingFace>();
         let stretches = self.len() * (size_of::<f64>() + size_of::<u32>());
         stretches + self.breaks.len() * size_of::<(usize, f64)>() + self.starts.bytes() + flights + slides + pieces
     }
@@ -192,7 +193,7 @@ impl BodyPath {
     }
 }
 
-impl FromIterator<Segment> for BodyPath {
+impl FromIterator<Segment> for StoredPath {
     fn from_iter<I: IntoIterator<Item = Segment>>(segments: I) -> Self {
         let mut path = Self::default();
         segments.into_iter().for_each(|segment| path.push(segment));
@@ -204,17 +205,55 @@ impl FromIterator<Segment> for BodyPath {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec2;
+
+    use crate::dynamics::Model;
+    use crate::dynamics::free_flight::flight::FreeMotion;
+    use crate::dynamics::integrator::dense_output::DenseOutput;
+    use crate::motion::Ground;
+    use crate::scene::presets;
 
     #[test]
     fn stretches_end_where_the_next_begins_or_where_they_were_left() {
-        let again = |from, until, number| Segment { from, until, path: Path::Again(number) };
-        let path: BodyPath = [again(0.0, 1.0, 7), again(1.0, 2.0, 8), again(2.5, 3.0, 9)].into_iter().collect();
+        let again = |from, until, number| Segment { from, until, path: SegmentMotion::Again(number) };
+        let path: StoredPath = [again(0.0, 1.0, 7), again(1.0, 2.0, 8), again(2.5, 3.0, 9)].into_iter().collect();
         let spans: Vec<(f64, f64)> = path.spans().map(|span| (span.from, span.until)).collect();
         assert_eq!(spans, [(0.0, 1.0), (1.0, 2.0), (2.5, 3.0)], "with a gap after the second");
         let after = |t| path.spans_after(t).map(|span| span.from).collect::<Vec<_>>();
         assert_eq!(after(1.0), [1.0, 2.5], "what ends at t is over");
         assert_eq!(after(2.2), [2.5], "in the gap");
         assert_eq!(after(3.0), [0.0; 0], "after the end");
-        assert!(matches!(path.at(1.5), Some((1.0, Kept::Again(8)))), "{:?}", path.at(1.5));
+        assert!(matches!(path.at(1.5), Some((1.0, StoredMotion::Again(8)))), "{:?}", path.at(1.5));
+    }
+
+    #[test]
+    fn every_representation_comes_back_by_its_code() {
+        let model = Model::compile(&presets::load("straight-abutment").expect("a preset")).expect("a scene");
+        let (body, ground) = (&model.bodies[0], Ground::Still);
+        let state = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
+        let motion = FreeMotion::new(body, &ground, 9.0);
+        let flight = |start: f64| SegmentMotion::Flight(Box::new(motion.fly(start, state)));
+        let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 6]);
+        let slide = SlidingFace::new((body, &ground), [DVec2::X; 2], &ground.piece(0), (4.0, &state), 1.0);
+        let motions = [
+            flight(0.0),
+            flight(0.5),
+            SegmentMotion::Step(StepPolynomial::of(&dense, 0..6, None)),
+            SegmentMotion::Again(17),
+            SegmentMotion::Slide(Box::new(slide)),
+        ];
+        let segment = |(i, path): (u32, SegmentMotion)| Segment { from: f64::from(i), until: f64::from(i + 1), path };
+        let path: StoredPath = (0..).zip(motions).map(segment).collect();
+        assert!(matches!(path.kept(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
+        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start == 0.5), "begun before the stretch");
+        let mut place = [0.0; 6];
+        let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
+        piece.read(2.5, &mut place);
+        assert_eq!(place, [7.5; 6], "half way");
+        assert!(matches!(path.kept(3), (3.0, StoredMotion::Again(17))), "by its number");
+        assert!(matches!(path.kept(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
+        let closed: Vec<bool> = path.spans().map(|span| span.flies).collect();
+        assert_eq!(closed, [true, true, false, false, true], "closed forms");
+        assert_eq!(path.flown_until(5.0), None, "the last one is no flight");
     }
 }

@@ -1,7 +1,7 @@
 //! Where the bodies of a group are on the trajectories that they are on.
 
 use crate::contact::Frame;
-use crate::dynamics::model::reference_pose::Base;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
@@ -25,7 +25,7 @@ impl World {
     }
 
     /// State of a body that is about to touch, and what it is counted from: where it is, unless it touches already.
-    pub(in crate::dynamics) fn caught(&self, slot: usize, t: f64) -> (Base, Vec<f64>) {
+    pub(in crate::dynamics) fn caught(&self, slot: usize, t: f64) -> (ReferencePose, Vec<f64>) {
         let track = &self.bodies[slot];
         if let Trajectory::Island { island, index } = track.now
             && let Some(island) = &self.islands[island]
@@ -34,7 +34,7 @@ impl World {
             return (island.bases[index], island.state_at(&self.model, index, t));
         }
         let mut state = self.state(slot, t);
-        (Base::of(self.model.kind, &self.model.bodies[track.body], &mut state), state)
+        (ReferencePose::of(self.model.kind, &self.model.bodies[track.body], &mut state), state)
     }
 
     /// Pose of a body on its trajectory.

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use crate::contact::NormalLaw;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
-use crate::dynamics::trajectory::stored_path::BodyPath;
+use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
@@ -43,10 +43,10 @@ impl World {
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             let planar = model.kind == Kind::Planar;
-            let system = planar.then(|| System::new(&model.bodies[body], &model.ground, model.duration));
+            let system = planar.then(|| FreeMotion::new(&model.bodies[body], &model.ground, model.duration));
             let rest = Flight::at_rest();
             let now = Trajectory::Flight(rest);
-            self.bodies.push(BodyTrack { body, system, now, path: BodyPath::default(), pairs: Vec::new() });
+            self.bodies.push(BodyTrack { body, system, now, path: StoredPath::default(), pairs: Vec::new() });
         }
         for &number in pairs {
             let pair = &model.pairs[number];

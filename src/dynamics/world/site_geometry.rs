@@ -2,9 +2,9 @@
 
 use crate::contact::Local;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::motion_bounds::Bound;
-use crate::dynamics::free_flight::relative_bounds::Apart;
-use crate::dynamics::locate::advancement::Outlook;
+use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::relative_bounds::RelativeBounds;
+use crate::dynamics::locate::advancement::BoundedGap;
 
 /// Where the two sides of a contact stand as placed.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,13 @@ impl SiteGeometry {
     }
 
     /// What the gap can do at most.
-    pub(in crate::dynamics) fn outlook(&self, here: &Local, node: &Bound, face: &Bound, between: &Apart) -> Outlook {
+    pub(in crate::dynamics) fn outlook(
+        &self,
+        here: &Local,
+        node: &MotionBounds,
+        face: &MotionBounds,
+        between: &RelativeBounds,
+    ) -> BoundedGap {
         let apart = self.apart + between.reach + node.turn * self.arm;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
         // g = n·r, r from the face's G to the node: n turns with the face.
@@ -37,6 +43,6 @@ impl SiteGeometry {
             + 2.0 * face.spin * (between.speed + node.spin * self.arm);
         let moved = between.reach + node.turn * self.arm + face.turn * apart;
         let window = between.window;
-        Outlook { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach: self.home_gap > moved }
+        BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach: self.home_gap > moved }
     }
 }

@@ -1,11 +1,11 @@
 //! What one group of bodies is made of while it is computed: bodies, facing pairs, contacts, with their states and the
 //! predictions in force.
 
-use crate::dynamics::free_flight::flight::{Flight, System};
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
-use crate::dynamics::trajectory::segment::{Path, Segment};
-use crate::dynamics::trajectory::stored_path::BodyPath;
+use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
+use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
@@ -24,11 +24,11 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Its number in the model.
     pub body: usize,
     /// Its free motion, where that has a closed form.
-    pub system: Option<System>,
+    pub system: Option<FreeMotion>,
     /// What it does now.
     pub now: Trajectory,
     /// What it did.
-    pub path: BodyPath,
+    pub path: StoredPath,
     /// The pairs it is in.
     pub pairs: Vec<usize>,
 }
@@ -40,7 +40,7 @@ impl BodyTrack {
         if let Some(system) = &self.system {
             system.remember(&mut flight, t);
         }
-        Segment { from: flight.start, until: t, path: Path::Flight(Box::new(flight)) }
+        Segment { from: flight.start, until: t, path: SegmentMotion::Flight(Box::new(flight)) }
     }
 }
 

@@ -4,13 +4,13 @@
 //! record, and where bearings couple the directions, the bounds of the contact model hold for a while, and the third
 //! derivative has none.
 
-use crate::dynamics::free_flight::relative_bounds::{Apart, Flyer};
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
 use crate::dynamics::impact2d::closing::cubic_advancement::CubicBound;
 use crate::dynamics::impact2d::closing::motion_limits::{FlyingBody, MotionLimits, relative_limits};
 use crate::dynamics::impact2d::closing::planar_gap::{PlanarPose, PlanarSite, RelativeNode};
 use crate::dynamics::impact2d::constants::SHARED_BOUNDS;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::locate::advancement::Outlook;
+use crate::dynamics::locate::advancement::BoundedGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// Poses of the sides of a pair at `t`.
@@ -90,10 +90,10 @@ impl PairMotion {
         let bound = |side: &Option<FlyingBody<'_>>| side.as_ref().map(|s| s.bound(t));
         let bounds = [bound(&flying[0]), bound(&flying[1])];
         let flyers = [0, 1].map(|i| match (&flying[i], bounds[i]) {
-            (Some(s), Some(bound)) => Some(Flyer { system: s.system, state: s.state, free: s.free, bound }),
+            (Some(s), Some(bound)) => Some(BodyInFlight { system: s.system, state: s.state, free: s.free, bound }),
             _ => None,
         });
-        let apart = Apart::of(&flyers, horizon);
+        let apart = RelativeBounds::of(&flyers, horizon);
         let sides = bounds.map(|bound| bound.map_or(MotionLimits::default(), |bound| MotionLimits::of(&bound)));
         let relative = [apart.reach, apart.speed, apart.acceleration, f64::INFINITY];
         Self { poses, limits: PairLimits { sides, relative, uses: 0 }, accelerations: None, window: apart.window }
@@ -119,7 +119,7 @@ impl PairMotion {
         spot: &SiteGeometry,
         sides: [Option<usize>; 2],
         depth: f64,
-    ) -> (Outlook, Option<CubicBound>) {
+    ) -> (BoundedGap, Option<CubicBound>) {
         let node_now = RelativeNode::of(site, sides, &self.poses);
         let [gap, rate] = node_now.gap(site);
         let rotation = |which: usize| sides[which].map_or([0.0; 4], |side| self.limits.sides[side].rotation);
@@ -133,7 +133,7 @@ impl PairMotion {
         let curvature = r2 + bend2 * r + 2.0 * face[1] * r1;
         let moved = relative[0] + node[0] * spot.arm + face[0] * r;
         let outlook =
-            Outlook { gap: gap + depth, rate, curvature, window: self.window, out_of_reach: spot.home_gap > moved };
+            BoundedGap { gap: gap + depth, rate, curvature, window: self.window, out_of_reach: spot.home_gap > moved };
         let Some(accelerations) = self.accelerations else { return (outlook, None) };
         let third = |turn: [f64; 4]| turn[3] + turn[1] * (3.0 * turn[2] + turn[1] * turn[1]);
         let jerk = relative[3] + third(node) * spot.arm + third(face) * r + 3.0 * (bend2 * r1 + face[1] * r2);

@@ -4,9 +4,9 @@
 //! homogeneous equation, so `½(ẇ² + ω²w²)` never grows and bounds that derivative for ever after; the steady response to a
 //! sine has the amplitudes `A, ΩA, Ω²A, Ω³A`.
 
-use crate::dynamics::free_flight::flight::{Planar, System, SystemForm};
-use crate::dynamics::free_flight::motion_bounds::Bound;
-use crate::dynamics::free_flight::uncoupled_axis::Dof;
+use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm, Planar};
+use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
 use crate::motion::Ground;
@@ -22,7 +22,7 @@ pub(in crate::dynamics::impact2d) struct MotionLimits {
 
 impl MotionLimits {
     /// Of a motion whose jerk has no bound.
-    pub(in crate::dynamics::impact2d) fn of(bound: &Bound) -> Self {
+    pub(in crate::dynamics::impact2d) fn of(bound: &MotionBounds) -> Self {
         Self {
             translation: [bound.reach, bound.speed, bound.acceleration, f64::INFINITY],
             rotation: [bound.turn, bound.spin, bound.spin_rate, f64::INFINITY],
@@ -32,7 +32,7 @@ impl MotionLimits {
 
 /// A side in free flight at an instant.
 pub(in crate::dynamics::impact2d) struct FlyingBody<'a> {
-    pub system: &'a System,
+    pub system: &'a FreeMotion,
     pub state: Planar,
     /// State less the steady response to a sine; none where the directions are coupled.
     pub free: Option<Planar>,
@@ -49,9 +49,9 @@ impl<'a> FlyingBody<'a> {
     }
 
     /// Oscillators and free part, where the directions are uncoupled.
-    pub(in crate::dynamics::impact2d) fn uncoupled(&self) -> Option<(&'a [Dof; 3], &Planar)> {
+    pub(in crate::dynamics::impact2d) fn uncoupled(&self) -> Option<(&'a [UncoupledAxis; 3], &Planar)> {
         match (&self.system.form, &self.free) {
-            (SystemForm::Split { dof, .. }, Some(free)) => Some((dof, free)),
+            (FreeMotionForm::Split { dof, .. }, Some(free)) => Some((dof, free)),
             _ => None,
         }
     }
@@ -81,7 +81,7 @@ impl<'a> FlyingBody<'a> {
     }
 
     /// Bounds that hold for a while, whatever the directions.
-    pub(in crate::dynamics::impact2d) fn bound(&self, t: f64) -> Bound {
+    pub(in crate::dynamics::impact2d) fn bound(&self, t: f64) -> MotionBounds {
         self.system.bound_from(t, &self.state, self.free.as_ref(), self.horizon)
     }
 
@@ -99,7 +99,7 @@ impl<'a> FlyingBody<'a> {
 
 /// Bounds `[displacement, speed, acceleration, jerk]` of one direction: free part `(q, v)`, steady response of this amplitude
 /// to a sine of frequency `drive` \[rad/s\], constant push \[m/s²\]. Over `horizon` \[s\] where no bearing acts.
-fn limits(dof: &Dof, amplitude: f64, [q, v]: [f64; 2], drive: f64, push: f64, horizon: f64) -> [f64; 4] {
+fn limits(dof: &UncoupledAxis, amplitude: f64, [q, v]: [f64; 2], drive: f64, push: f64, horizon: f64) -> [f64; 4] {
     if !dof.free {
         return [q.abs(), 0.0, 0.0, 0.0];
     }
@@ -200,7 +200,7 @@ mod tests {
         let world = world("straight-abutment");
         let flying = FlyingBody::of(&world, 0, 0.0, 1.0).expect("in flight");
         let (dof, _) = flying.uncoupled().expect("uncoupled");
-        let held = Dof { free: false, ..dof[0] };
+        let held = UncoupledAxis { free: false, ..dof[0] };
         assert_eq!(limits(&held, 1.0, [-0.3, 2.0], 5.0, 1.0, 1.0), [0.3, 0.0, 0.0, 0.0], "whatever acts");
     }
 }

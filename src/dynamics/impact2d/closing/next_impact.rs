@@ -11,9 +11,10 @@ use crate::dynamics::impact2d::closing::planar_gap::gap;
 use crate::dynamics::impact2d::constants::{GAP_SAMPLES, POLISH_STEPS, SEARCHED_PERIODS, SEARCHED_SAMPLES};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::locate::advancement::{Hunt, MOST, Outlook, Sight};
+use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap};
+use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
-use crate::dynamics::locate::positive_again::in_front;
+use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
 use crate::motion::Ground;
 
@@ -34,14 +35,14 @@ struct OpenPoint {
     /// Added to the gap: a point that has lifted off without speed hits again this deep behind the face \[m\].
     depth: f64,
     resolution: f64,
-    hunt: Hunt,
+    advancement: Advancement,
     /// Lower bound of the gap from the last evaluation on, where its third derivative is bounded.
     bound: Option<CubicBound>,
     /// When a point that has lifted off was first in front of the face \[s\].
     in_front_at: Option<f64>,
 }
 
-fn outlook(world: &World, site: usize, depth: f64, motion: &PairMotion) -> (Outlook, Option<CubicBound>) {
+fn outlook(world: &World, site: usize, depth: f64, motion: &PairMotion) -> (BoundedGap, Option<CubicBound>) {
     let track = &world.sites[site];
     motion.outlook(&track.geometry, &track.spot, track.sides, depth)
 }
@@ -102,15 +103,15 @@ fn open_points(world: &mut World, pair: usize, t: f64, motion: &PairMotion) -> S
         let resolution = RESOLUTION * (world.sites[site].spot.size + moved);
         let (mut here, mut bound) = outlook(world, site, 0.0, motion);
         let track = &mut world.sites[site];
-        if !track.armed && in_front(here.gap, here.rate, t, resolution) {
+        if !track.armed && is_positive_again(here.gap, here.rate, t, resolution) {
             track.arm();
         }
         let (depth, armed) = (if track.lifted { track.depth } else { 0.0 }, track.armed || track.lifted);
         if depth > 0.0 {
             (here, bound) = outlook(world, site, depth, motion);
         }
-        let hunt = Hunt::begin(here, armed, resolution);
-        all.push(OpenPoint { site, depth, resolution, hunt, bound, in_front_at: None });
+        let advancement = Advancement::begin(here, armed, resolution);
+        all.push(OpenPoint { site, depth, resolution, advancement, bound, in_front_at: None });
     }
     all
 }
@@ -119,7 +120,7 @@ fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
     let (duration, slots) = (world.model.duration, world.pairs[pair].slots);
     let mut motion = PairMotion::of(world, slots, t, duration);
     let mut points = open_points(world, pair, t, &motion);
-    let reachable = |p: &OpenPoint| !(p.hunt.out_of_reach() && motion.window >= duration - t);
+    let reachable = |p: &OpenPoint| !(p.advancement.out_of_reach() && motion.window >= duration - t);
     if !points.iter().any(reachable) {
         return NextImpact { due: f64::INFINITY, impact: false, looks: 0 };
     }
@@ -127,8 +128,8 @@ fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
         keep_nearest(world, &mut points);
     }
     let (mut at, mut looks) = (t, 1);
-    let mut found = points.iter().any(|p| p.hunt.at_once()).then_some(t);
-    for _ in 0..MOST {
+    let mut found = points.iter().any(|p| p.advancement.crosses_now()).then_some(t);
+    for _ in 0..MAX_ADVANCES {
         if at >= until || found.is_some() {
             break;
         }
@@ -145,7 +146,7 @@ fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
         (at, motion) = (next, there);
     }
     for point in &points {
-        world.sites[point.site].in_front_at = point.in_front_at.or(point.hunt.out());
+        world.sites[point.site].in_front_at = point.in_front_at.or(point.advancement.rearmed_at());
     }
     match found {
         Some(due) => NextImpact { due, impact: true, looks },
@@ -158,8 +159,8 @@ fn in_flight(world: &mut World, pair: usize, t: f64, until: f64) -> NextImpact {
 fn keep_nearest(world: &World, points: &mut SmallVec<[OpenPoint; 4]>) {
     let is_behind = |far: &OpenPoint, near: &OpenPoint| {
         let (a, b) = (&world.sites[far.site], &world.sites[near.site]);
-        let alike = far.hunt.armed() && near.hunt.armed() && (far.depth > 0.0) == (near.depth > 0.0);
-        let clear = |point: &OpenPoint| point.hunt.gap() - point.depth;
+        let alike = far.advancement.armed() && near.advancement.armed() && (far.depth > 0.0) == (near.depth > 0.0);
+        let clear = |point: &OpenPoint| point.advancement.gap() - point.depth;
         alike && a.sides == b.sides && a.geometry.shares_face(&b.geometry) && clear(far) >= clear(near)
     };
     let mut i = 0;
@@ -177,13 +178,13 @@ fn safe_step(points: &mut [OpenPoint]) -> f64 {
     let mut shortest = f64::INFINITY;
     let mut last: Option<(CubicBound, f64)> = None;
     for point in points {
-        let open = match (point.bound.filter(|_| point.hunt.armed()), last) {
+        let open = match (point.bound.filter(|_| point.advancement.armed()), last) {
             (None, _) => 0.0,
             (Some(bound), Some((other, step))) if bound.is_above(&other) => step,
             (Some(bound), _) => bound.safe_step(),
         };
         last = point.bound.map(|bound| (bound, open)).or(last);
-        shortest = shortest.min(point.hunt.leap_past(open));
+        shortest = shortest.min(point.advancement.step_past(open));
     }
     shortest
 }
@@ -209,11 +210,11 @@ fn evaluate(
     let (here, bound) = outlook(world, site, depth, there);
     point.bound = bound;
     let mut gap = |at: f64| gap_at(world, pair, site, depth, at);
-    match point.hunt.arrive(here, next) {
-        Sight::Open => None,
-        Sight::Closed if sooner.is_some_and(|at| gap(at)[0] > -point.resolution) => None,
-        Sight::Closed => Some(root_in_bracket(&mut gap, from, next)),
-        Sight::Closing => {
+    match point.advancement.advance(here, next) {
+        AdvanceOutcome::Open => None,
+        AdvanceOutcome::Closed if sooner.is_some_and(|at| gap(at)[0] > -point.resolution) => None,
+        AdvanceOutcome::Closed => Some(root_in_bracket(&mut gap, from, next)),
+        AdvanceOutcome::Closing => {
             let at = polish(&mut gap, next, &here);
             sooner.is_none_or(|sooner| at < sooner).then_some(at)
         }
@@ -224,16 +225,16 @@ fn evaluate(
 fn front_time(world: &World, pair: usize, point: &OpenPoint, there: &PairMotion, [t, next]: [f64; 2]) -> Option<f64> {
     let track = &world.sites[point.site];
     let [clear, rate] = gap(&track.geometry, track.sides, &there.poses);
-    if in_front(clear, rate, next, point.resolution) {
+    if is_positive_again(clear, rate, next, point.resolution) {
         return Some(next);
     }
     let middle = f64::midpoint(t, next);
     let [clear, middle_rate] = gap_at(world, pair, point.site, 0.0, middle);
-    (rate < 0.0 && in_front(clear, middle_rate, middle, point.resolution)).then_some(middle)
+    (rate < 0.0 && is_positive_again(clear, middle_rate, middle, point.resolution)).then_some(middle)
 }
 
 /// Newton's method from within the resolution of a crossing.
-fn polish(gap_at: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &Outlook) -> f64 {
+fn polish(gap_at: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &BoundedGap) -> f64 {
     let (mut t, mut gap, mut rate) = (t, here.gap, here.rate);
     for _ in 0..POLISH_STEPS {
         let next = t - gap / rate;
@@ -262,7 +263,7 @@ fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) ->
 /// First crossing of a point by samples of gap and rate, and by the gap's turning points between two samples.
 fn in_step(world: &World, pair: usize, point: &OpenPoint, t: f64, until: f64) -> Option<f64> {
     let gap = |at: f64| gap_at(world, pair, point.site, point.depth, at);
-    let mut armed = point.hunt.armed();
+    let mut armed = point.advancement.armed();
     let resolution = RESOLUTION * world.sites[point.site].spot.size;
     let (mut from, mut before) = (t, gap(t));
     if armed && before[0] <= resolution && before[1] < 0.0 {
@@ -278,7 +279,7 @@ fn in_step(world: &World, pair: usize, point: &OpenPoint, t: f64, until: f64) ->
             if armed && value < 0.0 && (rate < 0.0 || value < -resolution) {
                 return Some(root_in_bracket(gap, from, at));
             }
-            armed = armed || in_front(value, rate, at, resolution);
+            armed = armed || is_positive_again(value, rate, at, resolution);
             from = at;
         }
         before = here;

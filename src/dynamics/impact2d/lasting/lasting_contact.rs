@@ -1,6 +1,6 @@
 //! Motion of bodies in lasting contact between two changes of contact mode, and the event that ends it.
 //!
-//! Bodies at rest on their faces stand still, and one face sliding along a wall is an oscillator ([`Slide`]): closed forms.
+//! Bodies at rest on their faces stand still, and one face sliding along a wall is an oscillator ([`SlidingFace`]): closed forms.
 //! Otherwise, where a girder turns about its contact or moves with another, Dormand–Prince 8(5,3) with the reactions solved
 //! at every stage. An interval ends where the first of these falls to 0 in the dense output: a normal reaction, the distance
 //! from a friction cone, a slip, the distance of a point from the border of the face.
@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
-use crate::dynamics::free_flight::sliding_face::Slide;
+use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::constants::{
     DIP_DIFFERENCE, DIP_FRACTION, FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH,
     SWITCHING_SAMPLES,
@@ -20,13 +20,13 @@ use crate::dynamics::impact2d::lasting::constrained_motion::{
     ConstrainedMotion, ContactMode, FrictionMode, Reaction, solve_reactions,
 };
 use crate::dynamics::impact2d::lasting::sliding_face::slide_on_wall;
-use crate::dynamics::integrator::dense_output::{DENSE, Dense};
+use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
 use crate::dynamics::locate::root::root;
 use crate::dynamics::model::rigid_body::PLANAR;
-use crate::dynamics::trajectory::segment::Path;
-use crate::dynamics::trajectory::step_polynomial::Piece;
+use crate::dynamics::trajectory::segment::SegmentMotion;
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::{Ground, LinearPiece};
 
 /// Event that ends an interval of lasting contact.
@@ -45,8 +45,8 @@ pub(in crate::dynamics::impact2d) enum Ending {
 /// Motion of a planned step.
 #[derive(Clone, Debug)]
 enum PlannedMotion {
-    Slide(Box<Slide>),
-    Step(Dense),
+    Slide(Box<SlidingFace>),
+    Step(DenseOutput),
 }
 
 /// Bodies joined by lasting contact, with a planned step that is not committed yet.
@@ -176,19 +176,26 @@ impl LastingContact {
     }
 
     /// All bodies at rest until `cap`.
-    fn rest(&self, cap: f64) -> Dense {
-        let constant = self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE]>>();
-        Dense::new(self.from, cap - self.from, constant)
+    fn rest(&self, cap: f64) -> DenseOutput {
+        let constant =
+            self.y.iter().map(|y| [*y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect::<Vec<[f64; DENSE_TERMS]>>();
+        DenseOutput::new(self.from, cap - self.from, constant)
     }
 
     /// Closed form of one face sliding on a wall.
-    fn slide(&self, model: &Model, piece: &LinearPiece, cap: f64) -> Option<Slide> {
+    fn slide(&self, model: &Model, piece: &LinearPiece, cap: f64) -> Option<SlidingFace> {
         let ([body], [state]) = (&self.bodies[..], &states(&self.y)[..]) else { return None };
         let longest = (cap - self.from).min(model.duration);
         slide_on_wall(model, (*body, &self.modes), piece, (self.from, state), longest)
     }
 
-    fn integrate(&mut self, model: &Model, piece: LinearPiece, allowed: [f64; 2], cap: f64) -> Result<Dense, String> {
+    fn integrate(
+        &mut self,
+        model: &Model,
+        piece: LinearPiece,
+        allowed: [f64; 2],
+        cap: f64,
+    ) -> Result<DenseOutput, String> {
         let mut system = ConstrainedOde { model, bodies: &self.bodies, modes: &self.modes, piece, allowed };
         let (t, mut y) = (self.from, self.y.clone());
         let mut method = Dop853::default();
@@ -220,10 +227,12 @@ impl LastingContact {
     }
 
     /// Path of a body in the planned step.
-    pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<Path> {
+    pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<SegmentMotion> {
         self.planned.as_ref().map(|planned| match planned {
-            PlannedMotion::Slide(slide) => Path::Slide(slide.clone()),
-            PlannedMotion::Step(dense) => Path::Step(Piece::of(dense, place * PLANAR..(place + 1) * PLANAR, None)),
+            PlannedMotion::Slide(slide) => SegmentMotion::Slide(slide.clone()),
+            PlannedMotion::Step(dense) => {
+                SegmentMotion::Step(StepPolynomial::of(dense, place * PLANAR..(place + 1) * PLANAR, None))
+            }
         })
     }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::Planar;
-use crate::dynamics::free_flight::sliding_face::Slide;
+use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
@@ -18,7 +18,7 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
     piece: &LinearPiece,
     (t, state): (f64, &Planar),
     longest: f64,
-) -> Option<Slide> {
+) -> Option<SlidingFace> {
     let [mode] = modes else { return None };
     let (Some(sign), true) = (mode.friction.slip_sign(), mode.is_flush()) else { return None };
     let (sides, girder) = (model.pairs[mode.pair].bodies, &model.bodies[body]);
@@ -31,7 +31,7 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
     let normal = if sides[0].is_none() { -touching.n } else { touching.n };
     let s = normal.perp();
     let felt = s + normal * (mode.friction_coefficients(&model.impact)[1] * sign);
-    Some(Slide::new((girder, &model.ground), [s, felt], piece, (t, state), longest))
+    Some(SlidingFace::new((girder, &model.ground), [s, felt], piece, (t, state), longest))
 }
 
 #[cfg(test)]
@@ -41,7 +41,7 @@ mod tests {
     use crate::scene::presets;
 
     /// Whether a straight girder at its wall, with this number of kept points, has a closed form.
-    fn closed_form(points: usize, friction: FrictionMode, change: impl FnOnce(&mut Model)) -> Option<Slide> {
+    fn closed_form(points: usize, friction: FrictionMode, change: impl FnOnce(&mut Model)) -> Option<SlidingFace> {
         let mut scene = presets::load("straight-abutment").expect("a preset");
         scene.abutments[0].gap = Some(0.0);
         let mut model = Model::compile(&scene).expect("a sound scene");

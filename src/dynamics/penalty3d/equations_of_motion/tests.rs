@@ -11,7 +11,7 @@ use crate::dynamics::penalty3d::example::{MASS, closed, row, stick, wall};
 /// Rates of states counted from the placed poses, and of an error of such size its squared norm.
 fn rates(model: &Model, active: &[ActiveContact], y: &[f64], scale: ErrorScale) -> (Vec<f64>, f64) {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-    let bases: Vec<Base> = model.bodies.iter().map(|body| Base::placed(Kind::Planar, body)).collect();
+    let bases: Vec<ReferencePose> = model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect();
     let mut equations = EquationsOfMotion {
         model,
         bodies: &bodies,

@@ -1,0 +1,13 @@
+//! Constants of closed-form free motion: value, unit, effect and reason.
+
+/// Samples of a record between two stored states of a flight: a look-up advances over at most this many, exactly. Tuned: memory
+/// against time.
+pub(super) const CACHED_SAMPLES: usize = 8;
+/// Terms of the Taylor series of the matrix exponential: at most 0.5 per factor, the last is 0.5^20/20! ≈ 4e-25, below ε after 1e8
+/// cells.
+pub(super) const TAYLOR_TERMS: u32 = 20;
+/// `max(γ, ω) τ` below which the integrals of the impulse response are summed as power series: their closed forms divide differences
+/// of nearly equal numbers by ω². 19 terms then leave less than 0.3^20/20!.
+pub(super) const SERIES_LIMIT: f64 = 0.3;
+/// Relative difference below which two oscillators are one but for rounding.
+pub(super) const ALIKE: f64 = 1e-12;
