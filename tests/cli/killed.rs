@@ -47,7 +47,7 @@ fn write_for_ever() {
 fn start(folder: &Path) -> Child {
     let this = std::env::current_exe().expect("this test");
     let mut child = Command::new(this);
-    child.args(["--exact", "write_for_ever", "--ignored"]).env(FOLDER, folder).stdout(Stdio::null());
+    child.args(["--exact", "killed::write_for_ever", "--ignored"]).env(FOLDER, folder).stdout(Stdio::null());
     child.stderr(Stdio::null()).spawn().expect("started")
 }
 
@@ -59,6 +59,7 @@ fn a_killed_process_leaves_whole_scenes() {
         let file = folder.path().join("mine.toml");
         let mut child = start(folder.path());
         while !file.is_file() {
+            assert!(child.try_wait().expect("its state").is_none(), "the child writes until it is killed");
             std::thread::sleep(Duration::from_millis(1));
         }
         assert!(find_beside(&file).is_empty(), "a living process's work is its own");
