@@ -152,7 +152,7 @@ ended "Ctrl+Q does not close the window"
 [ "$status" = 0 ] || fail "closed with status $status: $(cat "$seen/output.txt")"
 
 # A test that takes the window's device away, in a window on this display.
-name=app::shell::tests::a_real_window_goes_on_when_its_device_is_lost
+name=app::shell::window::tests::a_real_window_goes_on_when_its_device_is_lost
 cargo test --quiet --locked --all-features --lib -- --ignored --exact "$name" >"$seen/lost.txt" 2>&1 ||
   fail "a lost device: $(cat "$seen/lost.txt")"
 grep -q '1 passed' "$seen/lost.txt" || fail "no test is called $name"
