@@ -1,4 +1,22 @@
-//! Bodies, bearings, free flight, integrators and the event loop.
+//! How bodies move: free flight in closed form, contact by integration or by impulses, one event loop.
+//!
+//! `docs/solver.md` draws how a run is computed. Rooms, each using only rooms above it (held by `tests/architecture.rs`):
+//!
+//! | room | what is in it |
+//! |---|---|
+//! | [`integrator`] | explicit and implicit methods, dense output, step control; no physics |
+//! | [`locate`] | the first zero of a function of time: conservative advancement, subdivision, bracketed root |
+//! | [`model`] | a scene compiled to constant data: bodies, bearings, facing pairs, contact sites, rate bounds |
+//! | [`free_flight`] | closed-form free motion and bounds on it |
+//! | [`trajectory`] | trajectories as stored |
+//! | [`penalty3d`] | closed contacts, equations of motion of bodies that touch, error scale, event location |
+//! | [`record`] | events, contact states over time, steps to be computed again |
+//! | [`event_loop`] | queue, progress of a run, the loop over a model of contact |
+//! | `world` | bodies, pairs, contacts and islands of a group at the present time |
+//! | [`closing`] | when an open gap closes next |
+//! | [`contact_model`] | what an event does under the contact model |
+//! | [`impact2d`] | the impact model |
+//! | [`run`] | a run of a group under either model |
 
 pub mod closing;
 pub mod contact_model;
