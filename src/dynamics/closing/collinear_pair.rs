@@ -143,14 +143,14 @@ impl<'a> Gauge<'a> {
     fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
         let model = &self.world.model;
         let until = in_flight::horizon(&model.ground, t, model.duration);
-        let here = self.outlook(t, model.duration);
+        let here = self.bounded_gap(t, model.duration);
         if here.out_of_reach {
             return (f64::INFINITY, None, 1);
         }
         let mut looks = 1;
         let ask = |at: f64| {
             looks += 1;
-            self.outlook(at, until)
+            self.bounded_gap(at, until)
         };
         match first_crossing_from(here, ask, [t, until], true, resolution) {
             FirstZero::Crossing(at) => (at, Some(at), looks),
@@ -159,7 +159,7 @@ impl<'a> Gauge<'a> {
         }
     }
 
-    fn outlook(&self, t: f64, until: f64) -> BoundedGap {
+    fn bounded_gap(&self, t: f64, until: f64) -> BoundedGap {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         let phase = self.world.model.ground.phase(t);
         let [a, b] = [&self.movers[0], &self.movers[1]].map(|mover| (mover.state(t, phase, self.drive), mover));

@@ -9,7 +9,7 @@ use crate::dynamics::world::tracks::Trajectory;
 
 /// What two bodies can do against each other over a stretch of time.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Swing {
+pub(in crate::dynamics) struct GapCurvature {
     /// Each by itself.
     sides: [MotionBounds; 2],
     /// Speed of one G against the other \[m/s\].
@@ -18,7 +18,7 @@ pub(in crate::dynamics) struct Swing {
     acceleration: f64,
 }
 
-impl Swing {
+impl GapCurvature {
     /// Of the bodies in two slots from `from` to `to`; an abutment stands.
     pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], from: f64, to: f64) -> Self {
         let sides =

@@ -59,7 +59,7 @@ fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> O
 }
 
 /// An open contact under search.
-struct Quarry<'a> {
+struct OpenContact<'a> {
     contact: usize,
     site: &'a ContactSite,
     spot: SiteGeometry,
@@ -68,16 +68,16 @@ struct Quarry<'a> {
     advancement: Advancement,
 }
 
-impl Quarry<'_> {
+impl OpenContact<'_> {
     fn look(&self, view: &View) -> Local {
         let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &view.frames[side]);
         locate(&self.site.home, frame(0), frame(1))
     }
 
-    fn outlook(&self, view: &View) -> BoundedGap {
+    fn bounded_gap(&self, view: &View) -> BoundedGap {
         let still = MotionBounds::still(view.between.window);
         let bound = |which: usize| self.sides[which].map_or(&still, |side| &view.bounds[side]);
-        self.spot.outlook(&self.look(view), bound(0), bound(1), &view.between)
+        self.spot.bounded_gap(&self.look(view), bound(0), bound(1), &view.between)
     }
 }
 
@@ -87,20 +87,21 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     let duration = world.model.duration;
     let until = horizon(&world.model.ground, t, duration);
     remember(world, pair, until);
-    let here_now = &*world;
+    let present = &*world;
     let mut looks = 1;
-    let first = View::of(here_now, pair, t, duration);
-    let mut quarries = open(here_now, pair, t, &first);
+    let first = View::of(present, pair, t, duration);
+    let mut open_contacts = open(present, pair, t, &first);
     // Those that are in front now; a hunt may find others come out later.
-    let armed: Vec<usize> = quarries.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
-    let out = !quarries.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
+    let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
+    let out = !open_contacts.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
     let (due, closing) = if out {
         (f64::INFINITY, Vec::new())
     } else {
-        advance_all(here_now, pair, &mut quarries, [t, until], &mut looks)
+        advance_all(present, pair, &mut open_contacts, [t, until], &mut looks)
     };
     let cut = closing.is_empty() && due < until;
-    let out: Vec<(usize, Option<f64>)> = quarries.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
+    let out: Vec<(usize, Option<f64>)> =
+        open_contacts.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
     for contact in world.pairs[pair].contacts.clone() {
         world.contacts[contact].closing = None;
     }
@@ -137,35 +138,35 @@ fn remember(world: &mut World, pair: usize, until: f64) {
 }
 
 /// The open contacts of a pair; a node that has come out in front is armed again.
-fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<Quarry<'a>> {
+fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<OpenContact<'a>> {
     let slots = world.pairs[pair].slots;
     let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
-    let quarry = |contact: usize| {
+    let open_contact = |contact: usize| {
         let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
         let (site, spot) = (&world.model.contacts[track.site], track.spot);
         let unseen = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
         let advancement = Advancement::begin(unseen, false, 0.0);
-        let mut quarry = Quarry { contact, site, spot, sides: track.slots.map(side), advancement };
-        let (here, resolution) = (quarry.outlook(view), RESOLUTION * (spot.size + moved));
+        let mut open_contact = OpenContact { contact, site, spot, sides: track.slots.map(side), advancement };
+        let (here, resolution) = (open_contact.bounded_gap(view), RESOLUTION * (spot.size + moved));
         let armed = armed || is_positive_again(here.gap, here.rate, t, resolution);
-        quarry.advancement = Advancement::begin(here, armed, resolution);
-        Some(quarry)
+        open_contact.advancement = Advancement::begin(here, armed, resolution);
+        Some(open_contact)
     };
-    world.pairs[pair].contacts.clone().filter_map(quarry).collect()
+    world.pairs[pair].contacts.clone().filter_map(open_contact).collect()
 }
 
 /// Leaps until a contact closes or the search has come to its end: when the pair is due, and who closes then.
 fn advance_all(
     world: &World,
     pair: usize,
-    quarries: &mut [Quarry<'_>],
+    open_contacts: &mut [OpenContact<'_>],
     [mut t, until]: [f64; 2],
     looks: &mut u64,
 ) -> (f64, Vec<(usize, f64)>) {
     let at_once: Vec<(usize, f64)> =
-        quarries.iter().filter(|q| q.advancement.crosses_now()).map(|q| (q.contact, t)).collect();
+        open_contacts.iter().filter(|q| q.advancement.crosses_now()).map(|q| (q.contact, t)).collect();
     if !at_once.is_empty() {
         return (t, at_once);
     }
@@ -174,21 +175,22 @@ fn advance_all(
         if t >= until {
             break;
         }
-        let leap = quarries.iter_mut().map(|q| q.advancement.step()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let leap =
+            open_contacts.iter_mut().map(|q| q.advancement.step()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((shortest, leap)) = leap else { break };
         let next = (t + leap).min(until);
         if next <= t {
             // Less than the clock can tell.
-            let stuck = &quarries[shortest];
+            let stuck = &open_contacts[shortest];
             return (t, if stuck.advancement.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
         }
         views.seen.clear();
         let there = views.at(next);
         let closed: Vec<(usize, f64)> =
-            quarries.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();
+            open_contacts.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();
         *looks += views.seen.len() as u64;
         if let Some(first) = closed.iter().map(|(_, at)| *at).min_by(f64::total_cmp) {
-            return (first, with_those_who_follow(world, pair, quarries, closed, first));
+            return (first, with_simultaneous(world, pair, open_contacts, closed, first));
         }
         t = next;
     }
@@ -215,32 +217,38 @@ impl Views<'_> {
 }
 
 /// When a contact closes, if the look at `next` shows that it does.
-fn arrive(quarry: &mut Quarry<'_>, there: &View, [t, next]: [f64; 2], views: &mut Views<'_>) -> Option<(usize, f64)> {
-    let look = quarry.outlook(there);
-    let sight = quarry.advancement.advance(look, next);
-    let (quarry, until) = (&*quarry, views.until);
-    let mut ask = |at: f64| quarry.outlook(&views.at(at));
+fn arrive(
+    open_contact: &mut OpenContact<'_>,
+    there: &View,
+    [t, next]: [f64; 2],
+    views: &mut Views<'_>,
+) -> Option<(usize, f64)> {
+    let look = open_contact.bounded_gap(there);
+    let sight = open_contact.advancement.advance(look, next);
+    let (open_contact, until) = (&*open_contact, views.until);
+    let mut ask = |at: f64| open_contact.bounded_gap(&views.at(at));
     match sight {
         AdvanceOutcome::Open => None,
-        AdvanceOutcome::Closed => Some((quarry.contact, root(|at| -ask(at).gap, t, next))),
-        AdvanceOutcome::Closing => Some((quarry.contact, polish(&mut ask, next, &look, until))),
+        AdvanceOutcome::Closed => Some((open_contact.contact, root(|at| -ask(at).gap, t, next))),
+        AdvanceOutcome::Closing => Some((open_contact.contact, polish(&mut ask, next, &look, until))),
     }
 }
 
 /// Contacts that close within rounding of the first close with it.
-fn with_those_who_follow(
+fn with_simultaneous(
     world: &World,
     pair: usize,
-    quarries: &[Quarry<'_>],
+    open_contacts: &[OpenContact<'_>],
     mut closed: Vec<(usize, f64)>,
     first: f64,
 ) -> Vec<(usize, f64)> {
-    if closed.len() < quarries.len() {
+    if closed.len() < open_contacts.len() {
         let at = first + world.pairs[pair].together;
         let view = View::of(world, pair, at, at);
-        for quarry in quarries.iter().filter(|q| q.advancement.armed()) {
-            if closed.iter().all(|(contact, _)| *contact != quarry.contact) && quarry.look(&view).gap < 0.0 {
-                closed.push((quarry.contact, at));
+        for open_contact in open_contacts.iter().filter(|q| q.advancement.armed()) {
+            if closed.iter().all(|(contact, _)| *contact != open_contact.contact) && open_contact.look(&view).gap < 0.0
+            {
+                closed.push((open_contact.contact, at));
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::dynamics::closing::{collinear_pair, in_flight};
 
 use crate::contact::{Frame, Local, gap, locate};
-use crate::dynamics::closing::gap_curvature::Swing;
+use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -235,7 +235,7 @@ fn in_step(world: &World, contact: usize, views: &mut Views, armed: bool) -> (Op
     }
     let node = usize::from(track.slots[0] == views.slots[1]);
     let slots = views.slots;
-    let whole = Swing::of(world, slots, t, until);
+    let whole = GapCurvature::of(world, slots, t, until);
     let span = until - t;
     // Over the whole step a node is no further from its face's G than that and all its way.
     let most = whole.curvature(node, arms, span);
@@ -247,7 +247,7 @@ fn in_step(world: &World, contact: usize, views: &mut Views, armed: bool) -> (Op
         if whole.holds(span) {
             return most;
         }
-        let part = Swing::of(world, slots, from.t, to);
+        let part = GapCurvature::of(world, slots, from.t, to);
         let arms = world.model.contacts[track.site].levers(&look(world, contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };

@@ -7,7 +7,7 @@ use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::record::recomputed_steps::{Member, Replay, Seat};
+use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
 use crate::dynamics::world::World;
 
 /// Steps of a run that are kept by their starts, and what the polynomials of the others take.
@@ -34,9 +34,9 @@ impl StepStore {
         let (stretch, flown) = if let Some(stretch) = island.stretch {
             (stretch, false)
         } else {
-            let (seats, members) = (seats(world, island)?, self.members(world, island)?);
+            let (logged_states, members) = (logged_states(world, island)?, self.members(world, island)?);
             let flown = landed_at(world, island, &states);
-            (self.replay.open(members, seats)?, flown)
+            (self.replay.open(members, logged_states)?, flown)
         };
         island.stretch = Some(stretch);
         let width = rigid_body::width(world.model.kind);
@@ -75,16 +75,16 @@ impl StepStore {
 }
 
 /// An island's contacts by what their logs say; nothing where these do not say all.
-fn seats(world: &World, island: &Island) -> Option<Vec<Seat>> {
-    let seat = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::ActiveContact, &usize)| {
+fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
+    let logged = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::ActiveContact, &usize)| {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;
         (logged.solver.retries, logged.solver.at_face) = (0, logged.law.friction == FrictionLaw::Paper);
         let same = track.log.closed(entry) == Some(logged);
-        same.then_some(Seat { site: u32::try_from(track.site).ok()?, entry })
+        same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };
-    island.active.iter().zip(&island.contacts).map(seat).collect()
+    island.active.iter().zip(&island.contacts).map(logged).collect()
 }
 
 /// Whether all of an island's bodies flew to where its planned step begins.

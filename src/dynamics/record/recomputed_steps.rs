@@ -33,7 +33,7 @@ const KEPT: u32 = 1 << 31;
 pub struct Replay {
     stretches: Vec<Stretch>,
     members: Vec<Member>,
-    seats: Vec<Seat>,
+    logged_states: Vec<LoggedState>,
     steps: Vec<Step>,
     starts: PackedStates,
 }
@@ -42,7 +42,7 @@ pub struct Replay {
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     members: u32,
-    seats: u32,
+    logged_states: u32,
 }
 
 /// A body, and what its states are counted from.
@@ -68,7 +68,7 @@ impl Member {
 
 /// A closed contact, and its state's number in the contact's log.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct Seat {
+pub(in crate::dynamics) struct LoggedState {
     /// Its number in the model.
     pub site: u32,
     /// The entry.
@@ -101,11 +101,11 @@ fn count(n: usize) -> Option<u32> {
 
 impl Replay {
     /// Opens a stretch; its number.
-    pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, seats: Vec<Seat>) -> Option<u32> {
-        let stretch = Stretch { members: count(self.members.len())?, seats: count(self.seats.len())? };
+    pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, logged_states: Vec<LoggedState>) -> Option<u32> {
+        let stretch = Stretch { members: count(self.members.len())?, logged_states: count(self.logged_states.len())? };
         let number = count(self.stretches.len())?;
         self.members.extend(members);
-        self.seats.extend(seats);
+        self.logged_states.extend(logged_states);
         self.stretches.push(stretch);
         Some(number)
     }
@@ -148,11 +148,12 @@ impl Replay {
         self.steps.is_empty()
     }
 
-    fn of(&self, stretch: usize) -> (&[Member], &[Seat]) {
-        let Stretch { members, seats } = self.stretches[stretch];
+    fn of(&self, stretch: usize) -> (&[Member], &[LoggedState]) {
+        let Stretch { members, logged_states } = self.stretches[stretch];
         let next = self.stretches.get(stretch + 1);
-        let (to, end) = next.map_or((self.members.len(), self.seats.len()), |n| (n.members as usize, n.seats as usize));
-        (&self.members[members as usize..to], &self.seats[seats as usize..end])
+        let (to, end) = next
+            .map_or((self.members.len(), self.logged_states.len()), |n| (n.members as usize, n.logged_states as usize));
+        (&self.members[members as usize..to], &self.logged_states[logged_states as usize..end])
     }
 
     /// The bodies that take a step together.
@@ -170,7 +171,7 @@ impl Replay {
 
     fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, Vec<ReferencePose>) {
         let Step { length, stretch, start } = self.steps[number as usize];
-        let (members, seats) = self.of(stretch as usize);
+        let (members, logged_states) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         let (kind, width) = (past.model.kind, rigid_body::width(past.model.kind));
         // Where it was caught, and the speed that it had there where it flew.
@@ -186,7 +187,8 @@ impl Replay {
             (ReferencePose::from_kept(kind, body, numbers), [0.0; PLANAR])
         };
         let (bases, landed): (Vec<ReferencePose>, Vec<Planar>) = members.iter().map(caught).unzip();
-        let active: Vec<ActiveContact> = seats.iter().filter_map(|seat| active(*seat, &bodies, &bases, past)).collect();
+        let active: Vec<ActiveContact> =
+            logged_states.iter().filter_map(|logged| active(*logged, &bodies, &bases, past)).collect();
         let mut y = vec![0.0; bodies.len() * width];
         for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
             if start == FLOWN {
@@ -219,7 +221,7 @@ impl Replay {
     pub fn bytes(&self) -> usize {
         self.stretches.len() * size_of::<Stretch>()
             + self.members.len() * size_of::<Member>()
-            + self.seats.len() * size_of::<Seat>()
+            + self.logged_states.len() * size_of::<LoggedState>()
             + self.steps.len() * size_of::<Step>()
             + self.starts.bytes()
     }
@@ -228,7 +230,7 @@ impl Replay {
     pub fn shrink(&mut self) {
         self.stretches.shrink_to_fit();
         self.members.shrink_to_fit();
-        self.seats.shrink_to_fit();
+        self.logged_states.shrink_to_fit();
         self.steps.shrink_to_fit();
         self.starts.shrink();
     }
@@ -258,16 +260,16 @@ fn landed(member: Member, past: &Past<'_>) -> Planar {
 }
 
 /// A closed contact as the island had it.
-fn active(seat: Seat, bodies: &[usize], bases: &[ReferencePose], past: &Past<'_>) -> Option<ActiveContact> {
-    let site = &past.model.contacts[seat.site as usize];
+fn active(logged: LoggedState, bodies: &[usize], bases: &[ReferencePose], past: &Past<'_>) -> Option<ActiveContact> {
+    let site = &past.model.contacts[logged.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);
     let sides = [node, face].map(|i| bases.get(i?));
     // Steps that begin at a face are kept as they were.
-    let mut closed = past.logs[seat.site as usize].closed(seat.entry)?;
+    let mut closed = past.logs[logged.site as usize].closed(logged.entry)?;
     closed.solver.at_face = false;
     Some(ActiveContact {
-        site: seat.site as usize,
+        site: logged.site as usize,
         node,
         face,
         closed,

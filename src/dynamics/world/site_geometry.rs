@@ -27,7 +27,7 @@ impl SiteGeometry {
     }
 
     /// What the gap can do at most.
-    pub(in crate::dynamics) fn outlook(
+    pub(in crate::dynamics) fn bounded_gap(
         &self,
         here: &Local,
         node: &MotionBounds,

@@ -113,7 +113,7 @@ impl PairMotion {
     }
 
     /// Gap of a contact plus `depth` \[m\], its rate and the bound on `g̈`; with a known `g̈` also the bound by `|g⃛|`.
-    pub(in crate::dynamics::impact2d) fn outlook(
+    pub(in crate::dynamics::impact2d) fn bounded_gap(
         &self,
         site: &PlanarSite,
         spot: &SiteGeometry,
@@ -132,14 +132,14 @@ impl PairMotion {
         let bend2 = face[2] + face[1] * face[1];
         let curvature = r2 + bend2 * r + 2.0 * face[1] * r1;
         let moved = relative[0] + node[0] * spot.arm + face[0] * r;
-        let outlook =
+        let bounded_gap =
             BoundedGap { gap: gap + depth, rate, curvature, window: self.window, out_of_reach: spot.home_gap > moved };
-        let Some(accelerations) = self.accelerations else { return (outlook, None) };
+        let Some(accelerations) = self.accelerations else { return (bounded_gap, None) };
         let third = |turn: [f64; 4]| turn[3] + turn[1] * (3.0 * turn[2] + turn[1] * turn[1]);
         let jerk = relative[3] + third(node) * spot.arm + third(face) * r + 3.0 * (bend2 * r1 + face[1] * r2);
         let of = |which: usize| sides[which].map_or([0.0; 3], |side| accelerations[side]);
         let bend = node_now.second_derivative([of(0), of(1)]);
-        (outlook, Some(CubicBound { gap: gap + depth, rate, bend, jerk }))
+        (bounded_gap, Some(CubicBound { gap: gap + depth, rate, bend, jerk }))
     }
 }
 
@@ -167,12 +167,12 @@ mod tests {
             for start in [0.0, 0.05, 0.21] {
                 let motion = PairMotion::of(&world, slots, start, start + 1.0);
                 for site in &world.sites {
-                    let (outlook, cubic) = motion.outlook(&site.geometry, &site.spot, site.sides, 0.0);
+                    let (bounded_gap, cubic) = motion.bounded_gap(&site.geometry, &site.spot, site.sides, 0.0);
                     let cubic = cubic.expect("uncoupled bearings");
                     for k in 1..200 {
                         let tau = 2e-3 * f64::from(k);
                         let [now, _] = gap(&site.geometry, site.sides, &poses(&world, slots, start + tau));
-                        let parabola = outlook.gap + tau * (outlook.rate - 0.5 * tau * outlook.curvature);
+                        let parabola = bounded_gap.gap + tau * (bounded_gap.rate - 0.5 * tau * bounded_gap.curvature);
                         let third = cubic.gap + tau * (cubic.rate + tau * (0.5 * cubic.bend - tau * cubic.jerk / 6.0));
                         assert!(now >= parabola - 1e-14, "{preset}: {now} below {parabola} after {tau} s");
                         assert!(now >= third - 1e-14, "{preset}: {now} below {third} after {tau} s");

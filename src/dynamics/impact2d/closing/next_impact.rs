@@ -42,9 +42,9 @@ struct OpenPoint {
     in_front_at: Option<f64>,
 }
 
-fn outlook(world: &World, site: usize, depth: f64, motion: &PairMotion) -> (BoundedGap, Option<CubicBound>) {
+fn bounded_gap(world: &World, site: usize, depth: f64, motion: &PairMotion) -> (BoundedGap, Option<CubicBound>) {
     let track = &world.sites[site];
-    motion.outlook(&track.geometry, &track.spot, track.sides, depth)
+    motion.bounded_gap(&track.geometry, &track.spot, track.sides, depth)
 }
 
 /// `[g + depth, ġ]` of a site at `t`.
@@ -101,14 +101,14 @@ fn open_points(world: &mut World, pair: usize, t: f64, motion: &PairMotion) -> S
             continue;
         }
         let resolution = RESOLUTION * (world.sites[site].spot.size + moved);
-        let (mut here, mut bound) = outlook(world, site, 0.0, motion);
+        let (mut here, mut bound) = bounded_gap(world, site, 0.0, motion);
         let track = &mut world.sites[site];
         if !track.armed && is_positive_again(here.gap, here.rate, t, resolution) {
             track.arm();
         }
         let (depth, armed) = (if track.lifted { track.depth } else { 0.0 }, track.armed || track.lifted);
         if depth > 0.0 {
-            (here, bound) = outlook(world, site, depth, motion);
+            (here, bound) = bounded_gap(world, site, depth, motion);
         }
         let advancement = Advancement::begin(here, armed, resolution);
         all.push(OpenPoint { site, depth, resolution, advancement, bound, in_front_at: None });
@@ -207,7 +207,7 @@ fn evaluate(
         (point.depth, point.in_front_at, from) = (0.0, Some(front), front.min(next));
     }
     let depth = point.depth;
-    let (here, bound) = outlook(world, site, depth, there);
+    let (here, bound) = bounded_gap(world, site, depth, there);
     point.bound = bound;
     let mut gap = |at: f64| gap_at(world, pair, site, depth, at);
     match point.advancement.advance(here, next) {
