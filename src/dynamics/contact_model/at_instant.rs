@@ -17,11 +17,9 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::world::World;
 use crate::scene::Kind;
 
-/// Regularisation length of a turning slip direction, in parts of the depth of the entry (tuned: 1e-2 shows in the answer of a
-/// sliding deck, 1e-4 doubles its steps).
+/// Regularisation length of a turning slip direction, in parts of the depth of the entry (tuned; no derivation known).
 const EASE: f64 = 1e-3;
-/// Friction coefficient below which the regularisation length falls no further: a smaller force changes the motion by less than
-/// following its direction costs (tuned).
+/// Friction coefficient below which the regularisation length falls no further (tuned; no derivation known).
 const LEAST_EASED: f64 = 0.05;
 
 /// Bodies at the instant of an event.
