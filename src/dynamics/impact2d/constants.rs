@@ -1,7 +1,6 @@
 //! Every tolerance and count of the impact model: unit, effect, and where the number comes from.
 //!
-//! *Tuned* means that no derivation is known; where a number was checked, it says against what. All of them are in force
-//! in the scenes of `tests/digests.rs`.
+//! *Tuned* means that no derivation is known; where a number was checked, it says against what.
 
 // Round-off of velocities, accelerations and places.
 

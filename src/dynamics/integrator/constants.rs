@@ -30,8 +30,8 @@ pub(super) const FIVE_STAGE_TOLERANCE: f64 = 1e-6;
 /// Factor on the error estimate of five stages. Measured: a sliding deck is 1.7e-6 m off at a tolerance of 1e-4 with factor 1, and
 /// 1.7e-7 m with factor 4.
 pub(super) const FIVE_STAGE_FACTOR: f64 = 4.0;
-/// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without a Jacobian:
-/// the simplified iteration contracts by about this factor per round.
+/// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without a Jacobian.
+/// Tuned.
 pub(super) const QUIET_STEP: f64 = 0.3;
 /// The same per fourth root of the relative tolerance: the error estimate of three stages is of fourth order. Tuned.
 pub(super) const QUIET_STEP_PER_ROOT: f64 = 3.5;
@@ -51,7 +51,7 @@ pub(super) const STABILITY_LIMITED: f64 = 0.7;
 pub(super) const LIMITED_ERROR: f64 = 0.02;
 /// Factor to the next attempt from the second rejection on, where the error is above [`NEARLY_ACCEPTED`]. Tuned.
 pub(super) const REPEATED_REJECTION: f64 = 0.2;
-/// Error of a rejected step up to which the estimate's own factor is used: 3^(1/8) shortens it by an eighth.
+/// Error of a rejected step up to which the estimate's own factor is used: 3^(1/8) shortens it by an eighth. Tuned.
 pub(super) const NEARLY_ACCEPTED: f64 = 3.0;
 /// Successive steps limited by stability after which the method changes. Tuned (DOP853 waits for 15).
 pub(super) const METHOD_CHANGE_STEPS: u32 = 4;
