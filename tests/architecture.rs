@@ -81,7 +81,6 @@ const KNOWN_CIRCLES: &[(&str, usize)] = &[
     ("src/render/pass/", 9),
     ("src/scene/", 13),
     ("src/sim/", 6),
-    ("src/study/", 7),
     ("src/view/", 11),
 ];
 

@@ -5,8 +5,8 @@
 //! Coefficients and continuous extension after Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I,
 //! II.5 and II.6.
 
+use super::interface::{Job, Knob, Method, Work};
 use super::world::World;
-use super::{Job, Knob, Method, Work};
 use crate::study::accuracy::Answer;
 use crate::study::accuracy::answer::INTERVALS;
 

@@ -1,7 +1,7 @@
 //! The event-driven solver, as the product runs it: closed-form flight, Dormand–Prince 8(5,3) in contact, every change of
 //! state a root. Asked by its continuous answer, so the instants of comparison cost it nothing on the way.
 
-use super::{Job, Knob, Method, Work};
+use super::interface::{Job, Knob, Method, Work};
 use crate::scene::ModelKind;
 use crate::sim::History;
 

@@ -1,7 +1,7 @@
 //! The loop of every method that takes equal steps.
 
+use super::interface::{Job, Work};
 use super::world::World;
-use super::{Job, Work};
 use crate::study::accuracy::Answer;
 use crate::study::accuracy::answer::INTERVALS;
 

@@ -3,10 +3,10 @@
 //!
 //! The iteration is Newton's with a tangent by differences, kept while it still converges quickly (modified Newton).
 
+use super::interface::{Job, Knob, Method, Work};
 use super::march::{Scheme, march};
 use super::solve::{inverse, subtract_product};
 use super::world::World;
-use super::{Job, Knob, Method, Work};
 
 /// Iterations before a step is taken as it is, and counted.
 const MOST: usize = 30;

@@ -1,8 +1,8 @@
 //! The classical Runge–Kutta method of fourth order at a fixed step.
 
+use super::interface::{Job, Knob, Method, Work};
 use super::march::{Scheme, march};
 use super::world::World;
-use super::{Job, Knob, Method, Work};
 
 /// See above.
 #[derive(Debug)]

@@ -1,9 +1,9 @@
 //! Semi-implicit (symplectic) Euler: velocities first, places with the new velocities. What robotics engines and games
 //! step with.
 
+use super::interface::{Job, Knob, Method, Work};
 use super::march::{Scheme, march};
 use super::world::World;
-use super::{Job, Knob, Method, Work};
 
 /// See above.
 #[derive(Debug)]

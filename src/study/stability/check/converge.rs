@@ -10,7 +10,8 @@
 //! has made of a scene then is worth nobody's time.
 
 use super::super::watch::{Limits, NoAnswer, Watch};
-use super::{Check, Complaint, Figures, size};
+use super::finding::{Check, Complaint, Figures};
+use super::looks::size;
 use crate::scene::{self, Direction, Kind, Scene};
 use crate::sim::{History, Motion, Session, Stop};
 

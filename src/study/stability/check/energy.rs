@@ -1,6 +1,7 @@
 //! The energy ledger balances, and no contact makes energy.
 
-use super::{Check, Complaint, Figures};
+use super::finding::{Check, Complaint, Figures};
+use super::looks::size;
 use crate::scene::FrictionLaw;
 use crate::sim::{History, Ledger};
 
@@ -47,10 +48,10 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
 
 /// The largest place over the deepest penetration; 0 without contact.
 fn shallowness(history: &History, times: &[f64]) -> f64 {
-    let (mut place, mut depth) = (super::size(history), 0.0f64);
+    let (mut place, mut depth) = (size(history), 0.0f64);
     for &t in times {
         for contact in history.contacts(t) {
-            place = place.max(super::size(history) + contact.point.length());
+            place = place.max(size(history) + contact.point.length());
             depth = depth.max(contact.penetration);
         }
     }

@@ -1,6 +1,7 @@
 //! Friction lies in its cone.
 
-use super::{Check, Complaint, Figures};
+use super::finding::{Check, Complaint, Figures};
+use super::looks::size;
 use crate::sim::{ContactNow, ContactState, History};
 
 pub(super) const CLAIM: &str = "|F_t| ≤ μ_s |F_n| in stick and ≤ μ_k |F_n| in slip, dashpots apart, to 1e-8 of the \
@@ -24,7 +25,7 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             let beyond = contact.tangential_force.length() - mu * contact.normal_force.max(0.0);
             let site = &history.model().contacts[contact.contact];
             let stiffness = history.model().pairs[contact.pair].contact.stiffness;
-            let place = super::size(history) + contact.point.length() + site.face.size();
+            let place = size(history) + contact.point.length() + site.face.size();
             let late = contact.normal_velocity.abs() * TOGETHER * (lightest(history, contact.pair) / stiffness).sqrt();
             let beyond = beyond - stiffness * (ROUNDING * place + late) * (1.0 + mu);
             figures.cone = figures.cone.max(beyond / peak.max(f64::MIN_POSITIVE));

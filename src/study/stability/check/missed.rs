@@ -1,6 +1,6 @@
 //! No touch is missed: a node inside a face has a closed contact.
 
-use super::{Check, Complaint, Figures};
+use super::finding::{Check, Complaint, Figures};
 use crate::contact::{Frame, Local, locate};
 use crate::sim::{EventKind, History};
 

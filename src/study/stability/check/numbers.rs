@@ -1,6 +1,6 @@
 //! Every number is finite, attitudes are rotations, held directions do not move.
 
-use super::{Check, Complaint};
+use super::finding::{Check, Complaint};
 use crate::sim::{History, Motion};
 
 pub(super) const CLAIM: &str = "every number is finite; a quaternion's length differs from 1 by 1e-12 at most; a held \
