@@ -76,7 +76,6 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
 /// Circles of files that are still there: where all their files lie, and how many files one holds at the most. The list
 /// only shrinks: a place without a circle is struck.
 const KNOWN_CIRCLES: &[(&str, usize)] = &[
-    ("src/cli/", 13),
     ("src/dynamics/", 30),
     ("src/render/pass/", 9),
     ("src/scene/", 13),

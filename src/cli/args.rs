@@ -77,6 +77,14 @@ fn errors_of_flags(errors: SceneErrors) -> SceneErrors {
     SceneErrors(errors.0.into_iter().map(|error| SceneError { place: flag(error.place), ..error }).collect())
 }
 
+/// A count of at least one.
+pub(super) fn at_least_one(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        Ok(n) if n > 0 => Ok(n),
+        _ => Err("give a whole number of at least 1".into()),
+    }
+}
+
 /// A finite number above zero.
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

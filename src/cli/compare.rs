@@ -4,8 +4,9 @@ use std::path::Path;
 
 use super::args::{Changes, positive};
 use super::compute::compute;
+use super::console::Console;
+use super::failure::Failure;
 use super::run::check_rows;
-use super::{Console, Failure};
 use crate::files;
 use crate::tables::compare::{Comparison, Difference, EventDifference, compare, compare_events};
 use crate::tables::read::{self, EventRow, TableError, Trajectory};

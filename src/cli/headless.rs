@@ -3,8 +3,10 @@
 use std::path::Path;
 
 use super::compute::compute;
+use super::console::Console;
+use super::failure::Failure;
 use super::run::write_files;
-use super::{Console, Failure, summary};
+use super::summary;
 use crate::scene::Scene;
 use crate::sim::History;
 use crate::tables::{Report, TableOptions};

@@ -17,8 +17,6 @@ mod run;
 mod study;
 mod summary;
 
-#[cfg(feature = "render")]
-use args::SceneArgs;
 use console::Console;
 use failure::Failure;
 

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use super::args::Changes;
-use super::{Console, Failure, headless};
+use super::console::Console;
+use super::failure::Failure;
+use super::headless;
 use crate::files;
 use crate::scene::{Scene, presets};
 

@@ -1,6 +1,6 @@
 //! `girderbench presets`: what comes with the program, a line each.
 
-use super::Console;
+use super::console::Console;
 use crate::scene::presets;
 
 /// Lists the presets.

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::args::{SceneArgs, positive};
 use super::compute::{Timed, compute};
+use super::console::Console;
+use super::failure::Failure;
 use super::summary;
-use super::{Console, Failure};
 use crate::files;
 use crate::tables::{DEFAULT_SAMPLE_HZ, Report, TableOptions};
 

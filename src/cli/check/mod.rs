@@ -3,8 +3,9 @@
 mod girder;
 
 use super::args::SceneArgs;
+use super::console::Console;
 use super::digits::six;
-use super::{Console, Failure};
+use super::failure::Failure;
 use crate::dynamics::{Model, Pair};
 use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
 

@@ -1,6 +1,7 @@
 //! Frames of a film, and how any number of pictures is taken and written: one device, all files or none.
 
-use super::{Failure, RenderArgs, Wanted, reaches};
+use super::args::{RenderArgs, Wanted, reaches};
+use crate::cli::failure::Failure;
 use crate::cli::progress::Progress;
 use crate::files::{Draft, FileSet};
 use crate::render::Packing;

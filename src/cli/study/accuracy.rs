@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::{Console, Failure, OccasionArgs, at_least_one, picture_extension, plot_files};
+use super::page::{OccasionArgs, picture_extension, plot_files};
+use crate::cli::args::at_least_one;
+use crate::cli::console::Console;
+use crate::cli::failure::Failure;
 use crate::files;
 use crate::study::accuracy::{Options, Problem, method, problem, study};
 

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use crate::cli::args::positive;
+use crate::cli::console::Console;
+use crate::cli::failure::Failure;
 use crate::cli::progress::{Progress, Timer};
-use crate::cli::{Console, Failure};
 use crate::files;
 use crate::scene::format;
 use crate::study::clock::thread_seconds;
@@ -13,7 +14,7 @@ use crate::study::stability::{self, Asked, Limits, Verdict};
 
 /// Random scenes over wide ranges: does every run end, balance, miss nothing and converge?
 #[derive(Clone, Debug, clap::Args)]
-pub(in crate::cli) struct StabilityArgs {
+pub(super) struct StabilityArgs {
     /// How many seeds
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     seeds: u64,
@@ -38,7 +39,7 @@ pub(in crate::cli) struct StabilityArgs {
 ///
 /// # Errors
 /// A folder that cannot be written; seeds that failed, after they have been written.
-pub(in crate::cli) fn run(args: &StabilityArgs, console: &mut Console) -> Result<(), Failure> {
+pub(super) fn run(args: &StabilityArgs, console: &mut Console) -> Result<(), Failure> {
     let timer = Timer::start();
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.threads.map_or(cores, |n| n as usize);

@@ -1,0 +1,150 @@
+//! The flags of `render`, and the pictures that they ask for: how each is taken, where it goes.
+
+use std::path::{Path, PathBuf};
+
+use super::choices::{Behind, Size, Work, frame_rate, instant, layer, size, view};
+use crate::cli::args::{SceneArgs, not_negative, positive};
+use crate::cli::failure::Failure;
+use crate::files;
+use crate::scene::{Layer, Scene, ViewPreset};
+use crate::sim::History;
+use crate::snapshot::{Instant, Shot};
+
+/// Draw pictures of a scene's run
+#[derive(Debug, clap::Args)]
+pub(crate) struct RenderArgs {
+    #[command(flatten)]
+    pub(super) scene: SceneArgs,
+    /// When [s], or `peak`: the instant of the largest contact force; may be given many times
+    #[arg(long, value_name = "S|peak", value_parser = instant, default_value = "peak", allow_negative_numbers = true)]
+    pub(super) at: Vec<Instant>,
+    /// A film: this many pictures at even intervals, seen by a camera that stands still, numbered from 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), conflicts_with = "at")]
+    pub(super) frames: Option<u32>,
+    /// When the film begins [s]
+    #[arg(long, value_name = "S", value_parser = not_negative, requires = "frames", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub(super) from: f64,
+    /// When the film ends [s]; the end of the run when left out
+    #[arg(long, value_name = "S", value_parser = not_negative, requires = "frames", allow_negative_numbers = true)]
+    pub(super) to: Option<f64>,
+    /// Frames a second of a GIF, at most 50: how fast it is played
+    #[arg(long, value_name = "HZ", value_parser = frame_rate, requires = "frames", default_value_t = 25.0, allow_negative_numbers = true)]
+    pub(super) fps: f64,
+    /// Where the camera stands; the scene's own view when left out. `contact` frames the hardest hit
+    #[arg(long, value_parser = view(), value_name = "VIEW")]
+    view: Option<ViewPreset>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x720")]
+    size: Size,
+    /// A folder, a file ending in .png for a single picture, or one ending in .gif for a film
+    #[arg(long, value_name = "DIR|FILE", default_value = "out")]
+    pub(super) out: PathBuf,
+    /// Layers to draw beside the scene's own, separated by commas
+    #[arg(long, value_parser = layer(), value_name = "LAYER", value_delimiter = ',')]
+    show: Vec<Layer>,
+    /// Layers to leave out, separated by commas
+    #[arg(long, value_parser = layer(), value_name = "LAYER", value_delimiter = ',')]
+    hide: Vec<Layer>,
+    /// What stands behind the bodies
+    #[arg(long, value_enum, default_value_t = Behind::Studio)]
+    background: Behind,
+    /// How much work a picture may cost; `auto` steps down where a processor draws
+    #[arg(long, value_enum, default_value_t = Work::Auto)]
+    pub(super) quality: Work,
+    /// Scale of the force arrows [N per m]; from the run's peak when left out
+    #[arg(long, value_name = "N_PER_M", value_parser = positive, allow_negative_numbers = true)]
+    force_scale: Option<f64>,
+    /// Title; the scene's name when left out
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+}
+
+/// A picture that is wanted: where it goes, and how it is taken.
+pub(super) struct Wanted {
+    pub(super) path: PathBuf,
+    pub(super) shot: Shot,
+}
+
+impl RenderArgs {
+    pub(super) fn shot(&self, at: Instant, scene: &Scene) -> Shot {
+        let mut overlays = scene.view.overlays;
+        self.show.iter().for_each(|layer| *(layer.switch)(&mut overlays) = true);
+        self.hide.iter().for_each(|layer| *(layer.switch)(&mut overlays) = false);
+        Shot {
+            at,
+            view: self.view,
+            camera: None,
+            size: self.size.0,
+            overlays: Some(overlays),
+            background: self.background.background(),
+            force_scale: self.force_scale,
+            selected: None,
+            title: self.title.clone(),
+        }
+    }
+
+    /// Refuses a file for more pictures than one, and a folder that cannot be written to, before anything is computed.
+    pub(super) fn check_out(&self) -> Result<(), Failure> {
+        let count = self.frames.map_or(self.at.len(), |frames| frames as usize);
+        if let Some(gif) = self.gif_file() {
+            return self.check_gif(gif);
+        }
+        match self.out_file() {
+            Some(file) if count > 1 => {
+                let out = file.display();
+                Err(Failure::Input(format!("--out {out}: one file for {count} pictures: give a folder")))
+            }
+            Some(file) => Ok(files::check_folder(file.parent().unwrap_or(Path::new("")))?),
+            None => Ok(files::check_folder(&self.out)?),
+        }
+    }
+
+    fn check_gif(&self, gif: &Path) -> Result<(), Failure> {
+        let out = gif.display();
+        match (self.frames, self.background) {
+            (None, _) => Err(Failure::Input(format!("--out {out}: a GIF is a film: say how many --frames"))),
+            (Some(_), Behind::Transparent) => {
+                let remedy = "choose another, or a folder of PNG pictures";
+                Err(Failure::Input(format!("--background transparent: a GIF film has none: {remedy}")))
+            }
+            _ => Ok(files::check_folder(gif.parent().unwrap_or(Path::new("")))?),
+        }
+    }
+
+    /// The one picture that is asked for, if `--out` names one.
+    fn out_file(&self) -> Option<&Path> {
+        self.out_with("png")
+    }
+
+    /// The one film that is asked for, if `--out` names one.
+    pub(super) fn gif_file(&self) -> Option<&Path> {
+        self.out_with("gif")
+    }
+
+    fn out_with(&self, extension: &str) -> Option<&Path> {
+        let is_file = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
+        is_file.then_some(self.out.as_path())
+    }
+
+    /// `skew45-abutment-contact-peak.png`, `skew45-abutment-iso-1.25s.png` in the folder, or the file that is asked for.
+    pub(super) fn path(&self, history: &History, when: &str) -> PathBuf {
+        if let Some(file) = self.out_file() {
+            return file.to_owned();
+        }
+        let scene = history.scene();
+        let view = self.view.unwrap_or(scene.view.camera).label();
+        // A name may hold anything; a file's name may not.
+        let name: String =
+            scene.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
+        self.out.join(format!("{name}-{view}-{when}.png"))
+    }
+}
+
+/// Refuses a time after the end of the run.
+pub(super) fn reaches(history: &History, flag: &str, t: f64) -> Result<(), Failure> {
+    let end = history.end();
+    if t <= end {
+        return Ok(());
+    }
+    Err(Failure::Input(format!("{flag} {t}: the run ends at {end} s: give a time from 0 to {end}")))
+}
