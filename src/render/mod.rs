@@ -14,9 +14,11 @@ mod image;
 mod made;
 mod mesh;
 mod pass;
+mod pipeline;
 mod quality;
 mod readback;
 mod renderer;
+mod solids;
 mod target;
 
 pub use gpu::{AdapterSummary, Gpu, GpuError};

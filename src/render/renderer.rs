@@ -2,7 +2,6 @@
 
 use super::cull::Seen;
 use super::frame::{Frame, color};
-use super::pass::Depth;
 use super::pass::arrow::ArrowPass;
 use super::pass::backdrop::Backdrop;
 use super::pass::cone::ConePass;
@@ -10,8 +9,10 @@ use super::pass::ground::GroundPass;
 use super::pass::line::LinePass;
 use super::pass::overlay::Overlay;
 use super::pass::shadow::Shadow;
-use super::pass::solid::{Prism, SolidPass, Solids};
+use super::pass::solid::SolidPass;
+use super::pipeline::Depth;
 use super::readback::{self, Readback};
+use super::solids::{Prism, Solids};
 use super::target::Target;
 use super::{Gpu, GpuError, Image, Quality};
 use crate::view::DrawList;

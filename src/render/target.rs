@@ -1,7 +1,7 @@
 //! What a picture is drawn into: colour, its samples, depth.
 
 use super::made::Thing;
-use super::pass::{COLOR, DEPTH};
+use super::pipeline::{COLOR, DEPTH};
 use super::{Gpu, Quality};
 
 /// Targets of one size.

@@ -1,10 +1,10 @@
 //! Force arrows: a rim first, so that they stand out from anything, then the lit arrow.
 
-use super::{Depth, Recipe, per_instance, per_vertex};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
 use crate::render::frame::Frame;
 use crate::render::mesh::{ArrowVertex, arrow, count};
+use crate::render::pipeline::{Depth, Recipe, per_instance, per_vertex};
 use crate::view::list::Arrow;
 
 pub(in crate::render) const SHADER: &str =

@@ -1,8 +1,8 @@
 //! The background where it is not one colour.
 
-use super::{Depth, Recipe};
 use crate::render::Gpu;
 use crate::render::frame::Frame;
+use crate::render::pipeline::{Depth, Recipe};
 
 pub(in crate::render) const SHADER: &str =
     concat!(include_str!("../../../shaders/shared/frame.wgsl"), include_str!("../../../shaders/backdrop.wgsl"));

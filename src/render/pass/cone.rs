@@ -1,10 +1,10 @@
 //! Filled friction cones.
 
-use super::{Depth, Recipe, per_instance, per_vertex};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
 use crate::render::frame::Frame;
 use crate::render::mesh::{cone, count};
+use crate::render::pipeline::{Depth, Recipe, per_instance, per_vertex};
 use crate::view::list::Cone;
 
 pub(in crate::render) const SHADER: &str =

@@ -1,9 +1,9 @@
 //! The ground: shadow and grid.
 
 use super::shadow::Shadow;
-use super::{Depth, Recipe};
 use crate::render::Gpu;
 use crate::render::frame::{Frame, color, uniform};
+use crate::render::pipeline::{Depth, Recipe};
 use crate::view::list::Ground;
 
 pub(in crate::render) const SHADER: &str = concat!(

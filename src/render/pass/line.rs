@@ -1,9 +1,9 @@
 //! Lines of a width in pixels, hidden by bodies or seen through them.
 
-use super::{Depth, Recipe, per_instance};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
 use crate::render::frame::Frame;
+use crate::render::pipeline::{Depth, Recipe, per_instance};
 use crate::view::list::Line;
 
 pub(in crate::render) const SHADER: &str =

@@ -1,4 +1,4 @@
-//! Passes, one file each, and what they share in building their pipelines.
+//! Passes, one file each, each with the shader of the same stem.
 
 pub(super) mod arrow;
 pub(super) mod backdrop;
@@ -8,13 +8,6 @@ pub(super) mod line;
 pub(super) mod overlay;
 pub(super) mod shadow;
 pub(super) mod solid;
-
-use super::Gpu;
-
-/// Format of pictures: encoded as sRGB by the shaders, so that every backend blends alike.
-pub(super) const COLOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// Format of depth.
-pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// Every pass's shader as it is compiled, by the stem of its file.
 pub fn shaders() -> [(&'static str, &'static str); 8] {
@@ -28,118 +21,4 @@ pub fn shaders() -> [(&'static str, &'static str); 8] {
         ("shadow", shadow::SHADER),
         ("solid", solid::SHADER),
     ]
-}
-
-/// What a pass does with depth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Depth {
-    /// Hides what is behind it.
-    Write,
-    /// Is hidden, hides nothing.
-    Test,
-    /// Neither.
-    Ignore,
-}
-
-/// How a pass's pipeline is built.
-#[derive(Debug)]
-pub(super) struct Recipe<'a> {
-    pub(super) label: &'static str,
-    pub(super) shader: &'static str,
-    pub(super) vertex: &'static str,
-    pub(super) fragment: &'static str,
-    pub(super) groups: &'a [&'a wgpu::BindGroupLayout],
-    pub(super) buffers: &'a [wgpu::VertexBufferLayout<'a>],
-    pub(super) depth: Depth,
-    pub(super) cull: Option<wgpu::Face>,
-    pub(super) samples: u32,
-}
-
-impl Recipe<'_> {
-    /// The pipeline, drawing into pictures.
-    pub(super) fn build(&self, gpu: &Gpu) -> wgpu::RenderPipeline {
-        let module = self.module(gpu);
-        let target = wgpu::ColorTargetState {
-            format: COLOR,
-            blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-            write_mask: wgpu::ColorWrites::ALL,
-        };
-        let fragment = wgpu::FragmentState {
-            module: &module,
-            entry_point: Some(self.fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(target)],
-        };
-        self.pipeline(gpu, &module, Some(fragment), wgpu::DepthBiasState::default())
-    }
-
-    /// The pipeline, drawing depth alone, pushed away by a little so that a surface does not shade itself.
-    pub(super) fn build_depth(&self, gpu: &Gpu) -> wgpu::RenderPipeline {
-        let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
-        self.pipeline(gpu, &self.module(gpu), None, bias)
-    }
-
-    fn module(&self, gpu: &Gpu) -> wgpu::ShaderModule {
-        let source = wgpu::ShaderSource::Wgsl(self.shader.into());
-        gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(self.label), source })
-    }
-
-    fn pipeline(
-        &self,
-        gpu: &Gpu,
-        module: &wgpu::ShaderModule,
-        fragment: Option<wgpu::FragmentState<'_>>,
-        bias: wgpu::DepthBiasState,
-    ) -> wgpu::RenderPipeline {
-        let groups: Vec<_> = self.groups.iter().map(|g| Some(*g)).collect();
-        let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some(self.label),
-            bind_group_layouts: &groups,
-            immediate_size: 0,
-        });
-        let buffers: Vec<_> = self.buffers.iter().cloned().map(Some).collect();
-        let descriptor = wgpu::RenderPipelineDescriptor {
-            label: Some(self.label),
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module,
-                entry_point: Some(self.vertex),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &buffers,
-            },
-            primitive: wgpu::PrimitiveState { cull_mode: self.cull, ..Default::default() },
-            depth_stencil: Some(self.depth.state(bias)),
-            multisample: wgpu::MultisampleState { count: self.samples, ..Default::default() },
-            fragment,
-            multiview_mask: None,
-            cache: None,
-        };
-        gpu.pipeline(self.label, &descriptor)
-    }
-}
-
-impl Depth {
-    fn state(self, bias: wgpu::DepthBiasState) -> wgpu::DepthStencilState {
-        let compare =
-            if self == Self::Ignore { wgpu::CompareFunction::Always } else { wgpu::CompareFunction::LessEqual };
-        wgpu::DepthStencilState {
-            format: DEPTH,
-            depth_write_enabled: Some(self == Self::Write),
-            depth_compare: Some(compare),
-            stencil: wgpu::StencilState::default(),
-            bias,
-        }
-    }
-}
-
-/// The layout of a buffer of instances.
-pub(super) fn per_instance<T>(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'_> {
-    let array_stride = size_of::<T>() as u64;
-    wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Instance, attributes }
-}
-
-/// The layout of a buffer of vertices.
-pub(super) fn per_vertex<T>(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'_> {
-    let array_stride = size_of::<T>() as u64;
-    wgpu::VertexBufferLayout { array_stride, step_mode: wgpu::VertexStepMode::Vertex, attributes }
 }

@@ -2,11 +2,11 @@
 
 use epaint::{ImageDelta, Mesh, Vertex};
 
-use super::{Depth, Recipe, per_vertex};
 use crate::render::Gpu;
 use crate::render::buffer::Filled;
 use crate::render::flat::Flat;
 use crate::render::frame::Frame;
+use crate::render::pipeline::{Depth, Recipe, per_vertex};
 use crate::view::list::Mark;
 
 pub(in crate::render) const SHADER: &str =

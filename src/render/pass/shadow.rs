@@ -1,9 +1,9 @@
 //! The shadow map: depth of the solids as the light sees them.
 
-use super::solid::{Prism, Solids};
-use super::{DEPTH, Depth, Recipe};
 use crate::render::frame::Frame;
 use crate::render::made::Thing;
+use crate::render::pipeline::{DEPTH, Depth, Recipe};
+use crate::render::solids::{Prism, Solids};
 use crate::render::{Gpu, Quality};
 
 pub(in crate::render) const SHADER: &str = concat!(
