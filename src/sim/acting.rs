@@ -69,7 +69,7 @@ impl History {
     pub fn contacts(&self, t: f64) -> Vec<ContactNow> {
         let t = t.clamp(0.0, self.end());
         if let Some(record) = self.impact() {
-            return impact::contacts(self, record, t);
+            return impact::forces::contacts(self, record, t);
         }
         (0..self.logs.len()).filter_map(|contact| self.contact(contact, t)).collect()
     }
@@ -78,7 +78,7 @@ impl History {
     pub fn contact_at(&self, contact: usize, t: f64) -> Option<ContactNow> {
         let t = t.clamp(0.0, self.end());
         if let Some(record) = self.impact() {
-            return impact::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
+            return impact::forces::contacts(self, record, t).into_iter().find(|now| now.contact == contact);
         }
         (contact < self.logs.len()).then(|| self.contact(contact, t))?
     }

@@ -8,8 +8,15 @@ use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 
+impl History {
+    /// Hash of the whole answer, bit for bit.
+    pub fn digest(&self) -> u64 {
+        digest(self)
+    }
+}
+
 /// Hash of paths, contact states and events.
-pub(super) fn of(history: &History) -> u64 {
+fn digest(history: &History) -> u64 {
     let mut hash = Xxh3::new();
     let mut add = |x: f64| hash.update(&x.to_bits().to_le_bytes());
     for (body, path) in history.paths.iter().enumerate() {

@@ -2,9 +2,10 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::ledger::Books;
+use super::books::Books;
+use super::impact::events;
 use super::replayed::Replayed;
-use super::{Event, Ledger, Motion, Session, Stop, Touch, digest, impact, touches};
+use super::{Event, Motion, Stop, Touch};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
@@ -16,34 +17,10 @@ use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
-use crate::scene::{ModelKind, Scene, SceneErrors};
+use crate::scene::Scene;
 
-/// Instants at which two runs are compared for the error estimate.
+/// Instants at which two runs are compared.
 const COMPARED: u32 = 2000;
-
-/// The headline numbers of a run.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Summary {
-    /// Largest displacement of any girder's G from where it was placed \[m\].
-    pub max_displacement: f64,
-    /// Largest |θ| of any girder \[rad\].
-    pub max_rotation: f64,
-    /// Largest |`R_k`| of any contact \[N\].
-    pub peak_force: f64,
-    /// Largest impulse of a hit; nothing under the contact model \[N·s\].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub peak_impulse: Option<f64>,
-    /// When, of the impulse where there is one \[s\].
-    pub peak_time: Option<f64>,
-    /// Touches of single contacts.
-    pub touches: usize,
-    /// Hits: touches of a pair, from its first contact closing to its last opening.
-    pub hits: usize,
-    /// Contact time in stick, summed over contacts \[s\].
-    pub stick_time: f64,
-    /// Contact time in slip, summed over contacts \[s\].
-    pub slip_time: f64,
-}
 
 /// A run of a scene, from t = 0 to [`History::end`].
 #[derive(Clone, Debug)]
@@ -64,19 +41,13 @@ pub struct History {
     /// The same scene by the other model.
     beside: Option<Arc<Self>>,
     effort: Effort,
-    touches: OnceLock<Vec<Touch>>,
-    books: OnceLock<Books>,
+    /// Found when they are first asked for.
+    pub(super) touches: OnceLock<Vec<Touch>>,
+    /// Kept when they are first asked for.
+    pub(super) books: OnceLock<Books>,
 }
 
 impl History {
-    /// Runs a scene to the end of its duration.
-    ///
-    /// # Errors
-    /// Every complaint about the scene, each naming field, value and remedy.
-    pub fn of(scene: &Scene) -> Result<Self, SceneErrors> {
-        Session::run(scene)
-    }
-
     /// Puts the groups of a run together; the impact model has a record of each.
     pub(super) fn gather(scene: Scene, model: Arc<Model>, groups: Vec<Finished>) -> Self {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
@@ -108,7 +79,7 @@ impl History {
         events.retain(|event| event.t <= end);
         let record = (!records.is_empty()).then(|| Record::together(records, end));
         if let Some(record) = &record {
-            events = impact::events(record, &model);
+            events = events::of(record, &model);
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
         let (touches, books) = (OnceLock::new(), OnceLock::new());
@@ -249,81 +220,6 @@ impl History {
     /// All events in order of time.
     pub fn events(&self) -> &[Event] {
         &self.events
-    }
-
-    /// All touches, ordered by their start.
-    pub fn touches(&self) -> &[Touch] {
-        self.touches.get_or_init(|| match &self.record {
-            Some(record) => impact::touches(self, record),
-            None => touches::find(self),
-        })
-    }
-
-    /// The touch with the largest force.
-    pub fn hardest(&self) -> Option<&Touch> {
-        // Of equals the first; an impulse outweighs every force that takes its time.
-        let size = |touch: &Touch| (touch.impulse, touch.peak_force);
-        let heavier = |a: &&Touch, b: &&Touch| {
-            let (a, b) = (size(a), size(b));
-            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
-        };
-        self.touches().iter().rev().max_by(heavier)
-    }
-
-    /// The energy ledger at `t`.
-    pub fn ledger(&self, t: f64) -> Ledger {
-        let books = self.books.get_or_init(|| Books::open(self));
-        books.at(self, t.clamp(0.0, self.end))
-    }
-
-    /// Headline numbers.
-    pub fn summary(&self) -> Summary {
-        let touches = self.touches();
-        let hardest = self.hardest();
-        let (displacement, rotation) = self.extremes();
-        Summary {
-            max_displacement: displacement,
-            max_rotation: rotation,
-            peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
-            peak_impulse: self.record.is_some().then(|| hardest.map_or(0.0, |touch| touch.impulse)),
-            peak_time: hardest.map(|touch| touch.peak_time),
-            touches: touches.len(),
-            hits: touches::hits(touches),
-            stick_time: touches.iter().fold(0.0, |sum, touch| sum + touch.stick),
-            slip_time: touches.iter().fold(0.0, |sum, touch| sum + touch.slip),
-        }
-    }
-
-    /// Largest displacement and |θ| of any girder, looked for at a rate that the fastest bearing cannot outrun.
-    fn extremes(&self) -> (f64, f64) {
-        let (mut displacement, mut rotation) = (0.0f64, 0.0f64);
-        for body in 0..self.model.bodies.len() {
-            let times = touches::looks(self, body);
-            displacement = displacement.max(touches::largest(&times, |t| self.motion(body, t).displacement.length()));
-            rotation = rotation.max(touches::largest(&times, |t| self.motion(body, t).theta.abs()));
-        }
-        (displacement, rotation)
-    }
-
-    /// Hash of the whole answer, bit for bit.
-    pub fn digest(&self) -> u64 {
-        digest::of(self)
-    }
-
-    /// Largest displacement difference from a run at a hundredth of the tolerance \[m\].
-    pub fn estimate_error(&self) -> f64 {
-        let mut finer = self.scene.clone();
-        finer.model.kind = if self.record.is_some() { ModelKind::Impact } else { ModelKind::Contact };
-        finer.solver.tolerance = (self.scene.solver.tolerance / 100.0).max(1e-13);
-        if self.scene.solver.tolerance <= 1e-13 {
-            // Nothing finer is left: from a coarser run, which errs the other way.
-            finer.solver.tolerance = 1e-12;
-        }
-        match Self::of(&finer) {
-            Ok(other) => self.difference(&other),
-            // The scene has been run before.
-            Err(_) => f64::NAN,
-        }
     }
 
     /// Largest difference in displacement from another run of the same bodies \[m\].

@@ -5,9 +5,11 @@
 
 use glam::DVec3;
 
+use super::books::{Account, Books};
+use super::impact::forces;
 use super::quadrature::integrate;
 use super::touches::flight_rate;
-use super::{EventKind, History, Ledger, impact};
+use super::{EventKind, History, Ledger};
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::model::rigid_body;
 use crate::dynamics::model::rigid_body::{bearing_forces, world_inertia};
@@ -19,53 +21,17 @@ use crate::scene::Kind;
 /// Quadrature cells per look in free flight.
 const PER_LOOK: f64 = 0.25;
 
-/// Running sums of a few integrals at the borders of their cells.
-#[derive(Clone, Debug)]
-struct Account<const N: usize> {
-    /// Start of each cell, its end, and the sums up to its start.
-    cells: Vec<(f64, f64, [f64; N])>,
-    total: [f64; N],
-}
-
-impl<const N: usize> Account<N> {
-    fn new() -> Self {
-        Self { cells: Vec::new(), total: [0.0; N] }
+impl History {
+    /// The energy ledger at `t`.
+    pub fn ledger(&self, t: f64) -> Ledger {
+        let books = self.books.get_or_init(|| Books::open(self));
+        books.at(self, t.clamp(0.0, self.end()))
     }
-
-    fn add(&mut self, from: f64, until: f64, amounts: [f64; N]) {
-        self.cells.push((from, until, self.total));
-        for (sum, amount) in self.total.iter_mut().zip(amounts) {
-            *sum += amount;
-        }
-    }
-
-    /// Sums up to `t`; `rest` integrates over the part of the cell that `t` is in.
-    fn at(&self, t: f64, rest: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
-        let n = self.cells.partition_point(|(from, ..)| *from < t);
-        let Some(&(from, until, sums)) = n.checked_sub(1).and_then(|i| self.cells.get(i)) else { return [0.0; N] };
-        if t >= until && n == self.cells.len() {
-            return self.total;
-        }
-        let part = rest(from, t.min(until));
-        std::array::from_fn(|i| sums[i] + part[i])
-    }
-}
-
-/// Everything that flows, booked.
-#[derive(Clone, Debug)]
-pub(super) struct Books {
-    /// Per body: work of the ground, work of pushes, loss in bearings.
-    bodies: Vec<Account<3>>,
-    /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
-    contacts: Vec<Account<3>>,
-    /// Per stretch of lasting contact of the impact model: the loss in friction.
-    lasting: Vec<Account<1>>,
-    initial: f64,
 }
 
 impl Books {
     /// Books a whole history.
-    pub(super) fn open(history: &History) -> Self {
+    fn open(history: &History) -> Self {
         let mut books = Self {
             bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
             contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
@@ -85,7 +51,7 @@ impl Books {
     }
 
     /// The ledger at `t`.
-    pub(super) fn at(&self, history: &History, t: f64) -> Ledger {
+    fn at(&self, history: &History, t: f64) -> Ledger {
         let mut ledger = self.stored(history, t);
         for (body, account) in self.bodies.iter().enumerate() {
             let [ground, push, loss] = account.at(t, |a, b| integrate(a, b, |s| body_powers(history, body, s)));
@@ -103,7 +69,7 @@ impl Books {
         if let Some(record) = history.impact() {
             for (interval, account) in record.lasting.iter().zip(&self.lasting) {
                 let [friction] =
-                    account.at(t, |a, b| integrate(a, b, |s| [impact::friction_power(history, interval, s)]));
+                    account.at(t, |a, b| integrate(a, b, |s| [forces::friction_power(history, interval, s)]));
                 ledger.loss_friction += friction;
             }
             let stops = record.transitions.iter().take_while(|change| change.t <= t).map(|change| change.lost);
@@ -218,7 +184,7 @@ fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> 
     }
     borders.sort_by(f64::total_cmp);
     for w in borders.windows(2).filter(|w| w[1] > w[0]) {
-        account.add(w[0], w[1], integrate(w[0], w[1], |t| [impact::friction_power(history, interval, t)]));
+        account.add(w[0], w[1], integrate(w[0], w[1], |t| [forces::friction_power(history, interval, t)]));
     }
     account.add(interval.until, interval.until, [0.0]);
     account

@@ -4,6 +4,7 @@
 //! that the run left, never from samples.
 
 mod acting;
+mod books;
 mod digest;
 mod history;
 mod impact;
@@ -14,11 +15,13 @@ pub mod readings;
 mod replayed;
 mod report;
 mod session;
+mod summary;
 mod touches;
 
-pub use history::{History, Summary};
+pub use history::History;
 pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
 pub use session::{Reached, Session};
+pub use summary::Summary;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

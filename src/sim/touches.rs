@@ -1,6 +1,6 @@
 //! Touches and their peaks, found from the states that the run left and the forces at any time.
 
-use super::{History, Touch};
+use super::{History, Touch, impact};
 use crate::contact::Mode;
 use crate::dynamics::penalty3d::contact_state::Contact;
 
@@ -9,8 +9,29 @@ const LOOKS: usize = 6;
 /// Looks per period of the fastest motion in free flight.
 const PER_PERIOD: f64 = 24.0;
 
+impl History {
+    /// All touches, ordered by their start.
+    pub fn touches(&self) -> &[Touch] {
+        self.touches.get_or_init(|| match self.impact() {
+            Some(record) => impact::touches::of(self, record),
+            None => find(self),
+        })
+    }
+
+    /// The touch with the largest force.
+    pub fn hardest(&self) -> Option<&Touch> {
+        // Of equals the first; an impulse outweighs every force that takes its time.
+        let size = |touch: &Touch| (touch.impulse, touch.peak_force);
+        let heavier = |a: &&Touch, b: &&Touch| {
+            let (a, b) = (size(a), size(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        };
+        self.touches().iter().rev().max_by(heavier)
+    }
+}
+
 /// Every touch of every contact, by start, then by contact.
-pub(super) fn find(history: &History) -> Vec<Touch> {
+fn find(history: &History) -> Vec<Touch> {
     let mut all: Vec<Touch> = (0..history.logs.len()).flat_map(|contact| of_contact(history, contact)).collect();
     all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
     all

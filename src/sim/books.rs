@@ -1,0 +1,45 @@
+//! Sums of powers over a run, which the energy ledger is read from.
+
+/// Running sums of a few integrals at the borders of their cells.
+#[derive(Clone, Debug)]
+pub(super) struct Account<const N: usize> {
+    /// Start of each cell, its end, and the sums up to its start.
+    cells: Vec<(f64, f64, [f64; N])>,
+    total: [f64; N],
+}
+
+impl<const N: usize> Account<N> {
+    pub(super) fn new() -> Self {
+        Self { cells: Vec::new(), total: [0.0; N] }
+    }
+
+    pub(super) fn add(&mut self, from: f64, until: f64, amounts: [f64; N]) {
+        self.cells.push((from, until, self.total));
+        for (sum, amount) in self.total.iter_mut().zip(amounts) {
+            *sum += amount;
+        }
+    }
+
+    /// Sums up to `t`; `rest` integrates over the part of the cell that `t` is in.
+    pub(super) fn at(&self, t: f64, rest: impl Fn(f64, f64) -> [f64; N]) -> [f64; N] {
+        let n = self.cells.partition_point(|(from, ..)| *from < t);
+        let Some(&(from, until, sums)) = n.checked_sub(1).and_then(|i| self.cells.get(i)) else { return [0.0; N] };
+        if t >= until && n == self.cells.len() {
+            return self.total;
+        }
+        let part = rest(from, t.min(until));
+        std::array::from_fn(|i| sums[i] + part[i])
+    }
+}
+
+/// Everything that flows, booked.
+#[derive(Clone, Debug)]
+pub(super) struct Books {
+    /// Per body: work of the ground, work of pushes, loss in bearings.
+    pub(super) bodies: Vec<Account<3>>,
+    /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
+    pub(super) contacts: Vec<Account<3>>,
+    /// Per stretch of lasting contact of the impact model: the loss in friction.
+    pub(super) lasting: Vec<Account<1>>,
+    pub(super) initial: f64,
+}

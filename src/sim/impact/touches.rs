@@ -1,0 +1,65 @@
+//! Touches: hits, which have no length, and lasting contacts.
+
+use super::events::spans;
+use crate::dynamics::impact2d::Record;
+use crate::sim::{ContactState, History, Touch};
+
+/// Looks for the largest push of a lasting contact.
+const LOOKS: u32 = 64;
+
+/// Every hit, without length, and every lasting contact.
+pub(in crate::sim) fn of(history: &History, record: &Record) -> Vec<Touch> {
+    let mut all: Vec<Touch> = Vec::new();
+    for hit in &record.hits {
+        let [normal, tangential] = hit.impulses.total();
+        let contact = hit.sites.first().copied().unwrap_or(history.model().pairs[hit.pair].contacts.start);
+        all.push(Touch {
+            pair: hit.pair,
+            contact,
+            start: hit.t,
+            end: hit.t,
+            peak_time: hit.t,
+            peak_force: 0.0,
+            impulse: normal.hypot(tangential),
+            stick: 0.0,
+            slip: 0.0,
+        });
+    }
+    for (pair, contact, spans) in spans(record) {
+        let mut open: Option<Touch> = None;
+        for (from, until, state) in spans {
+            if open.is_some_and(|touch| touch.end != from) {
+                all.extend(open.take());
+            }
+            let touch = open.get_or_insert(Touch {
+                pair,
+                contact,
+                start: from,
+                end: until,
+                peak_time: from,
+                peak_force: 0.0,
+                impulse: 0.0,
+                stick: 0.0,
+                slip: 0.0,
+            });
+            touch.end = until;
+            let length = until - from;
+            if state == ContactState::Stick {
+                touch.stick += length;
+            } else {
+                touch.slip += length;
+            }
+            for look in 0..=LOOKS {
+                // Just inside: at its very end the next state begins.
+                let t = from + length * (f64::from(look) / f64::from(LOOKS)) * (1.0 - 1e-9);
+                let force = history.contact_at(contact, t).map_or(0.0, |now| now.force.length());
+                if force > touch.peak_force {
+                    (touch.peak_time, touch.peak_force) = (t, force);
+                }
+            }
+        }
+        all.extend(open);
+    }
+    all.sort_by(|a, b| a.start.total_cmp(&b.start).then(a.contact.cmp(&b.contact)));
+    all
+}

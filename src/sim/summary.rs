@@ -1,0 +1,58 @@
+//! The headline numbers of a run.
+
+use super::{History, touches};
+
+/// The headline numbers of a run.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Summary {
+    /// Largest displacement of any girder's G from where it was placed \[m\].
+    pub max_displacement: f64,
+    /// Largest |θ| of any girder \[rad\].
+    pub max_rotation: f64,
+    /// Largest |`R_k`| of any contact \[N\].
+    pub peak_force: f64,
+    /// Largest impulse of a hit; nothing under the contact model \[N·s\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_impulse: Option<f64>,
+    /// When, of the impulse where there is one \[s\].
+    pub peak_time: Option<f64>,
+    /// Touches of single contacts.
+    pub touches: usize,
+    /// Hits: touches of a pair, from its first contact closing to its last opening.
+    pub hits: usize,
+    /// Contact time in stick, summed over contacts \[s\].
+    pub stick_time: f64,
+    /// Contact time in slip, summed over contacts \[s\].
+    pub slip_time: f64,
+}
+
+impl History {
+    /// Headline numbers.
+    pub fn summary(&self) -> Summary {
+        let touches = self.touches();
+        let hardest = self.hardest();
+        let (displacement, rotation) = self.extremes();
+        Summary {
+            max_displacement: displacement,
+            max_rotation: rotation,
+            peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
+            peak_impulse: self.impact().is_some().then(|| hardest.map_or(0.0, |touch| touch.impulse)),
+            peak_time: hardest.map(|touch| touch.peak_time),
+            touches: touches.len(),
+            hits: touches::hits(touches),
+            stick_time: touches.iter().fold(0.0, |sum, touch| sum + touch.stick),
+            slip_time: touches.iter().fold(0.0, |sum, touch| sum + touch.slip),
+        }
+    }
+
+    /// Largest displacement and |θ| of any girder, looked for at a rate that the fastest bearing cannot outrun.
+    fn extremes(&self) -> (f64, f64) {
+        let (mut displacement, mut rotation) = (0.0f64, 0.0f64);
+        for body in 0..self.model().bodies.len() {
+            let times = touches::looks(self, body);
+            displacement = displacement.max(touches::largest(&times, |t| self.motion(body, t).displacement.length()));
+            rotation = rotation.max(touches::largest(&times, |t| self.motion(body, t).theta.abs()));
+        }
+        (displacement, rotation)
+    }
+}
