@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, is_exaggerated};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -95,7 +95,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         let t = if input.t.is_finite() { input.t.clamp(0.0, history.end()) } else { 0.0 };
         for (i, girder) in history.scene().girders.iter().enumerate() {
             let motion = history.motion(i, t);
-            let motion = if is_exaggerated(input) {
+            let motion = if input.is_exaggerated() {
                 exaggerated::motion(&history.model().bodies[i], &motion, input.exaggeration)
             } else {
                 motion

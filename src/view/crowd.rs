@@ -1,6 +1,6 @@
 //! What lies where on a picture: areas in cells, so that a label looks at its neighbours and not at everything.
 
-use super::labels::Area;
+use super::area::Area;
 
 /// Side of a cell \[points\]: about the height of two lines of text.
 const CELL: f32 = 32.0;

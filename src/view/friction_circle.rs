@@ -5,7 +5,7 @@
 
 use glam::{DVec3, Vec2};
 
-use super::labels::Area;
+use super::area::Area;
 use super::list::Mark;
 use super::moment::Moment;
 use super::palette::{Palette, of_state};

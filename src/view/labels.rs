@@ -2,31 +2,9 @@
 
 use glam::Vec2;
 
+use super::area::Area;
 use super::crowd::Crowd;
 use super::list::{Mark, Rgba};
-
-/// A rectangle on the picture \[pixels\].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Area {
-    pub(super) min: Vec2,
-    pub(super) max: Vec2,
-}
-
-impl Area {
-    /// What the two share \[pixels²\].
-    pub(super) fn overlap(&self, other: &Self) -> f32 {
-        let size = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
-        size.x * size.y
-    }
-
-    fn size(&self) -> Vec2 {
-        self.max - self.min
-    }
-
-    pub(super) fn about(middle: Vec2, half: Vec2) -> Self {
-        Self { min: middle - half, max: middle + half }
-    }
-}
 
 /// About how large a text is; the renderer lays it out exactly, this only keeps texts apart \[pixels\].
 pub(super) fn text_size(text: &str, size: f32) -> Vec2 {

@@ -3,8 +3,9 @@
 use glam::Vec2;
 
 use super::ViewInput;
+use super::area::Area;
 use super::forces::glyph;
-use super::labels::{Area, text_size};
+use super::labels::text_size;
 use super::list::{Mark, Rgba};
 use super::moment::Moment;
 use super::palette::{DAMPING, IMPULSE, NORMAL, Palette, STICK, TANGENTIAL};

@@ -5,6 +5,7 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "f64 becomes f32 in this room, for the renderer's sake")]
 
+mod area;
 pub mod block;
 mod bodies;
 mod bounds;
@@ -15,6 +16,7 @@ mod forces;
 mod friction_circle;
 pub mod gap;
 mod hiding;
+mod input;
 mod labels;
 mod legend;
 mod light;
@@ -29,75 +31,22 @@ mod texts;
 
 pub use bounds::Bounds;
 pub use camera::{Basis, Camera, Projection};
+pub use input::{MOST_KEPT, Target, ViewInput};
 pub use list::{Background, DrawList};
 pub use moment::Moment;
 pub use pick::pick;
 pub use scale::auto_force_scale;
 
-use crate::scene::{Overlays, Scene};
-use crate::sim::History;
 use labels::Placer;
 use palette::Palette;
 
 /// Where what is far from the scene begins and ends to fade, in radii of the scene: long backwalls, in the main.
 const FADE: [f64; 2] = [1.1, 2.1];
 
-/// Something in the picture that can be picked and selected, by its number in the scene or in the run's model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Target {
-    /// A girder of the scene.
-    Girder(usize),
-    /// An abutment of the scene.
-    Abutment(usize),
-    /// A contact of the run's model.
-    Contact(usize),
-}
-
-/// What a picture is made from.
-#[derive(Clone, Copy, Debug)]
-pub struct ViewInput<'a> {
-    /// What is placed.
-    pub scene: &'a Scene,
-    /// Its run; the bodies as placed when there is none.
-    pub history: Option<&'a History>,
-    /// The instant \[s\].
-    pub t: f64,
-    /// Where it is seen from.
-    pub camera: &'a Camera,
-    /// Which layers.
-    pub overlays: Overlays,
-    /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
-    pub force_scale: Option<f64>,
-    /// What is selected.
-    pub selected: &'a [Target],
-    /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
-    pub exaggeration: f64,
-    /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
-    pub kept: &'a [(&'a History, usize)],
-    /// Width and height \[pixels\].
-    pub size: [u32; 2],
-    /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.
-    pub pixels_per_point: f32,
-    /// What stands behind the bodies.
-    pub background: Background,
-    /// Title; the scene's name when absent.
-    pub title: Option<&'a str>,
-}
-
-/// Ghosts of other runs that can be told apart.
-pub const MOST_KEPT: usize = 4;
-
-impl ViewInput<'_> {
-    /// Width over height.
-    pub fn aspect(&self) -> f64 {
-        f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1))
-    }
-}
-
 /// Everything that the picture shows.
 pub fn draw_list(input: &ViewInput<'_>) -> DrawList {
     let moment = Moment::of(input);
-    match input.history.filter(|_| is_exaggerated(input)) {
+    match input.history.filter(|_| input.is_exaggerated()) {
         Some(history) => draw_moment(input, &moment.exaggerated(history, input.exaggeration)),
         None => draw_moment(input, &moment),
     }
@@ -129,11 +78,6 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
         arrows: forces.arrows,
         marks,
     }
-}
-
-/// Whether displacements are shown larger or smaller than they are.
-fn is_exaggerated(input: &ViewInput<'_>) -> bool {
-    input.exaggeration.is_finite() && input.exaggeration > 0.0 && input.exaggeration != 1.0
 }
 
 fn frame(input: &ViewInput<'_>, bounds: Bounds, palette: &Palette) -> list::Frame {

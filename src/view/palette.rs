@@ -3,6 +3,7 @@
 //! The accents are Okabe and Ito's set: they stay apart for colour-blind eyes and in grey print. Meanings never rest
 //! on colour alone: states have shapes, arrows have letters.
 
+use super::MOST_KEPT;
 use super::list::{Background, Rgba};
 use crate::sim::ContactState;
 
@@ -58,7 +59,7 @@ pub(super) const DAMPING: Rgba = Rgba::rgb(0xe6, 0x9f, 0x00);
 /// Impulses of the impact model.
 pub(super) const IMPULSE: Rgba = Rgba::rgb(0x8c, 0x2d, 0x6b);
 /// Other runs, seen as ghosts.
-pub(super) const KEPT: [Rgba; super::MOST_KEPT] = [
+pub(super) const KEPT: [Rgba; MOST_KEPT] = [
     Rgba::rgb(0x56, 0xb4, 0xe9),
     Rgba::rgb(0xe6, 0x9f, 0x00),
     Rgba::rgb(0xcc, 0x79, 0xa7),

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
+use super::area::Area;
 use super::camera::Projection;
-use super::labels::Area;
 use super::list::Mark;
 use super::palette::Palette;
 use super::texts::TEXT;

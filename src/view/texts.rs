@@ -2,9 +2,10 @@
 
 use glam::{DVec3, Vec2};
 
+use super::area::Area;
 use super::block::{Block, abutment_block};
 use super::gap::{Dimension, girder_block_at};
-use super::labels::{Area, BESIDE, Label, ON, Placer, text_size};
+use super::labels::{BESIDE, Label, ON, Placer, text_size};
 use super::list::{ArrowKind, Mark};
 use super::moment::{Moment, period};
 use super::palette::Palette;

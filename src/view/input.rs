@@ -1,0 +1,63 @@
+//! What a picture is made from, and what can be picked in it.
+
+use super::camera::Camera;
+use super::list::Background;
+use crate::scene::{Overlays, Scene};
+use crate::sim::History;
+
+/// Something in the picture that can be picked and selected, by its number in the scene or in the run's model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Target {
+    /// A girder of the scene.
+    Girder(usize),
+    /// An abutment of the scene.
+    Abutment(usize),
+    /// A contact of the run's model.
+    Contact(usize),
+}
+
+/// What a picture is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewInput<'a> {
+    /// What is placed.
+    pub scene: &'a Scene,
+    /// Its run; the bodies as placed when there is none.
+    pub history: Option<&'a History>,
+    /// The instant \[s\].
+    pub t: f64,
+    /// Where it is seen from.
+    pub camera: &'a Camera,
+    /// Which layers.
+    pub overlays: Overlays,
+    /// Force scale of the arrows \[N per m\]; from the scene's settings or the run's peak when absent.
+    pub force_scale: Option<f64>,
+    /// What is selected.
+    pub selected: &'a [Target],
+    /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
+    pub exaggeration: f64,
+    /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
+    pub kept: &'a [(&'a History, usize)],
+    /// Width and height \[pixels\].
+    pub size: [u32; 2],
+    /// Size of texts and lines: pixels of the picture to a point, 1 on a plain screen.
+    pub pixels_per_point: f32,
+    /// What stands behind the bodies.
+    pub background: Background,
+    /// Title; the scene's name when absent.
+    pub title: Option<&'a str>,
+}
+
+/// Ghosts of other runs that can be told apart.
+pub const MOST_KEPT: usize = 4;
+
+impl ViewInput<'_> {
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1))
+    }
+
+    /// Whether displacements are shown larger or smaller than they are.
+    pub(super) fn is_exaggerated(&self) -> bool {
+        self.exaggeration.is_finite() && self.exaggeration > 0.0 && self.exaggeration != 1.0
+    }
+}
