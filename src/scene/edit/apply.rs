@@ -2,12 +2,23 @@
 
 use std::mem::replace;
 
-use super::{Abutment, Edit, EditError, General, Girder, Scene};
-use crate::scene::overrides;
+use super::names::is_named;
+use super::{Edit, EditError, General};
+use crate::scene::{Abutment, Girder, Scene, overrides};
 
 type Undone = Result<Edit, EditError>;
 
-pub(super) fn apply(edit: Edit, scene: &mut Scene) -> Undone {
+impl Edit {
+    /// Does the edit and answers with the one that undoes it, exactly.
+    ///
+    /// # Errors
+    /// Numbers or names that are not there, names that are taken, values that cannot be read; nothing is changed.
+    pub fn apply(self, scene: &mut Scene) -> Result<Self, EditError> {
+        apply(self, scene)
+    }
+}
+
+fn apply(edit: Edit, scene: &mut Scene) -> Undone {
     match edit {
         Edit::AddGirder(at, girder) => whole(scene, |scene| add_girder(scene, at, *girder)),
         Edit::RemoveGirder(at) => whole(scene, |scene| remove_girder(scene, at)),
@@ -36,10 +47,6 @@ pub(super) fn apply(edit: Edit, scene: &mut Scene) -> Undone {
 
 fn missing(what: &'static str, index: usize, count: usize) -> EditError {
     EditError::Missing { what, index, count }
-}
-
-pub(super) fn is_named(scene: &Scene, name: &str) -> bool {
-    scene.girders.iter().any(|g| g.name == name) || scene.abutments.iter().any(|a| a.name == name)
 }
 
 /// Does what renumbers, adds or takes away to a copy, and undoes it by the scene as it was: exact whatever refers to

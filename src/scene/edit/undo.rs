@@ -1,6 +1,7 @@
 //! Undo and redo without limit; one drag of the mouse or a slider is one step.
 
-use super::{Edit, EditError, Scene};
+use super::{Edit, EditError};
+use crate::scene::Scene;
 
 /// A step that can be undone or redone.
 #[derive(Clone, Debug)]

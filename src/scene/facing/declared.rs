@@ -1,6 +1,7 @@
 //! Pairs that `[[contact.pair]]` declares, and what can be wrong with them.
 
-use super::{Side, front, girder_named, names, numbers};
+use super::numbers;
+use super::side::{Side, front, girder_named, names};
 use crate::geometry::End;
 use crate::scene::{PairSettings, Scene};
 

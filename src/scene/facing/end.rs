@@ -1,14 +1,38 @@
 //! Which ends of girders look at each other.
 
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::{LARGEST_TURN_DEG, Walls};
 use crate::geometry::End;
 use crate::geometry::broad::{Along, Broad};
 use crate::geometry::shape::AlignedBox;
 use crate::scene::{Scene, placed};
+
+/// Two ends face each other when their normals are opposed within this angle \[degrees\].
+pub const LARGEST_TURN_DEG: f64 = 30.0;
+
+/// Which abutments stand before which ends, by number, gone through once.
+pub(super) struct Walls<'a> {
+    scene: &'a Scene,
+    by_end: BTreeMap<(&'a str, End), Vec<usize>>,
+}
+
+impl<'a> Walls<'a> {
+    pub(super) fn of(scene: &'a Scene) -> Self {
+        let mut by_end: BTreeMap<(&str, End), Vec<usize>> = BTreeMap::new();
+        for (n, abutment) in scene.abutments.iter().enumerate() {
+            by_end.entry((&abutment.faces, abutment.end)).or_default().push(n);
+        }
+        Self { scene, by_end }
+    }
+
+    /// Abutments before an end, in the order of the file.
+    pub(super) fn before(&self, girder: usize, end: End) -> &[usize] {
+        self.by_end.get(&(self.scene.girders[girder].name.as_str(), end)).map_or(&[], Vec::as_slice)
+    }
+}
 
 /// The end of a girder as placed.
 #[derive(Clone, Copy, Debug, PartialEq)]

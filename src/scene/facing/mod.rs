@@ -10,27 +10,15 @@
 mod declared;
 mod end;
 mod numbers;
-
-use std::collections::BTreeMap;
-
-use glam::DVec3;
+mod side;
 
 pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
+pub use end::LARGEST_TURN_DEG;
+pub use side::Side;
+
 use super::{Scene, SceneError, SceneErrors, placed};
-use crate::geometry::End;
-use end::EndFace;
-
-/// Two ends face each other when their normals are opposed within this angle \[degrees\].
-pub const LARGEST_TURN_DEG: f64 = 30.0;
-
-/// One side of a facing pair.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Side {
-    /// An end of a girder, by its number in the scene.
-    Girder(usize, End),
-    /// An abutment, by its number in the scene.
-    Abutment(usize),
-}
+use end::{EndFace, Walls};
+use side::{front, girder_named, names};
 
 /// Two facing ends.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,39 +81,6 @@ fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
     sides
 }
 
-/// Which abutments stand before which ends, by number, gone through once.
-struct Walls<'a> {
-    scene: &'a Scene,
-    by_end: BTreeMap<(&'a str, End), Vec<usize>>,
-}
-
-impl<'a> Walls<'a> {
-    fn of(scene: &'a Scene) -> Self {
-        let mut by_end: BTreeMap<(&str, End), Vec<usize>> = BTreeMap::new();
-        for (n, abutment) in scene.abutments.iter().enumerate() {
-            by_end.entry((&abutment.faces, abutment.end)).or_default().push(n);
-        }
-        Self { scene, by_end }
-    }
-
-    /// Abutments before an end, in the order of the file.
-    fn before(&self, girder: usize, end: End) -> &[usize] {
-        self.by_end.get(&(self.scene.girders[girder].name.as_str(), end)).map_or(&[], Vec::as_slice)
-    }
-}
-
-fn girder_named(scene: &Scene, name: &str) -> Option<usize> {
-    scene.girders.iter().position(|g| g.name == name)
-}
-
-/// Who there is, for complaints.
-pub(super) fn names(scene: &Scene) -> String {
-    let list = |names: Vec<&str>| if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-    let girders = list(scene.girders.iter().map(|g| g.name.as_str()).collect());
-    let abutments = list(scene.abutments.iter().map(|a| a.name.as_str()).collect());
-    format!("girders: {girders}; abutments: {abutments}")
-}
-
 fn facing(scene: &Scene, first: Side, second: Side) -> Facing {
     Facing {
         name: pair_name(scene, first, second),
@@ -148,16 +103,6 @@ fn name_of(scene: &Scene, side: Side) -> [&str; 2] {
         Side::Girder(n, end) => [&scene.girders[n].name, end.label()],
         Side::Abutment(n) => [&scene.abutments[n].name, ""],
     }
-}
-
-/// Centre and outward normal of a side's face; `None` where an abutment has no face yet.
-fn front(scene: &Scene, side: Side) -> Option<(DVec3, DVec3)> {
-    let corners = match side {
-        Side::Girder(n, end) => placed::end_face(&scene.girders[n], end),
-        Side::Abutment(n) => placed::abutment_face(scene, &scene.abutments[n])?,
-    };
-    let [a, b, c, d] = corners;
-    Some(((a + b + c + d) / 4.0, (c - a).cross(d - b).normalize_or_zero()))
 }
 
 /// The gap as it is written, to the last digit, where an abutment stands before this very end.

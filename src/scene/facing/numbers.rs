@@ -1,7 +1,7 @@
 //! The contact numbers in force for a pair: `[contact]`, overridden by every `[[contact.pair]]` between the two.
 
-use super::{PairContact, Side};
-use crate::scene::contact::DEFAULT_YOUNG_MODULUS;
+use super::side::Side;
+use crate::scene::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
 use crate::scene::{ContactSettings, PairSettings, Scene};
 
 /// Whether an entry of `[[contact.pair]]` is about this pair.

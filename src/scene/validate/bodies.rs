@@ -1,7 +1,6 @@
 //! Girders with what they stand on, and abutments, each for itself.
 
-use super::At;
-use super::complaints::numbers;
+use super::complaints::{At, numbers};
 use crate::geometry::{End, Face};
 use crate::scene::keys::{self, Range};
 use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, SharedBearings};

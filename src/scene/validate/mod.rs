@@ -12,7 +12,7 @@ pub use complaints::{SceneError, SceneErrors};
 
 use super::facing::Facing;
 use super::{Scene, format, keys};
-use complaints::{At, Complaints};
+use complaints::Complaints;
 
 /// Checks a whole scene (everything that can be known without running it).
 ///

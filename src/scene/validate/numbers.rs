@@ -1,7 +1,6 @@
 //! Contact numbers, ground motion, solver and view settings.
 
-use super::complaints::number;
-use super::{At, Complaints};
+use super::complaints::{At, Complaints, number};
 use crate::scene::keys::{self, Range};
 use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, RecordMotion, Scene, SineMotion};
 

@@ -4,8 +4,7 @@ use std::collections::BTreeSet;
 
 use glam::DVec3;
 
-use super::Complaints;
-use super::complaints::numbers;
+use super::complaints::{Complaints, numbers};
 use crate::geometry::Face;
 use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};

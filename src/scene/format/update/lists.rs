@@ -1,13 +1,10 @@
-//! Changes the lists of the text: which item of the new list is which of the old one, and what comes and goes.
+//! Lists of the text: which item of the new list is which of the old one, and how items are set off from each other.
 
 use toml::Value;
-use toml_edit::{Array, ArrayOfTables, Item, Table};
-
-use super::spell;
-use super::tables::{Node, merge_table, merge_value};
+use toml_edit::{Array, Item, Table};
 
 /// For each new item the old one that it was, by name; without names by being equal, then by place.
-fn origins(before: &[Value], after: &[Value]) -> Vec<Option<usize>> {
+pub(super) fn origins(before: &[Value], after: &[Value]) -> Vec<Option<usize>> {
     let mut free: Vec<usize> = (0..before.len()).collect();
     let mut take = |wanted: &dyn Fn(&Value) -> bool| {
         let at = free.iter().position(|&old| wanted(&before[old]))?;
@@ -38,34 +35,9 @@ fn is_like(old: &Value, new: &Value) -> bool {
     2 * equal >= new.len()
 }
 
-/// Changes a list of tables under headers, `[[girder]]`.
-pub(super) fn merge_tables(path: &str, text: &mut ArrayOfTables, before: &[Value], after: &[Value]) {
-    let mut old: Vec<Option<Table>> = text.iter().cloned().map(Some).collect();
-    let origins = origins(before, after);
-    let mut tables: Vec<(Table, bool)> = Vec::new();
-    for (origin, new) in origins.iter().zip(after) {
-        let Value::Table(new) = new else { continue };
-        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before[n].as_table()?)));
-        tables.push(match kept {
-            Some((mut table, was)) => {
-                merge_table(path, &mut Node::Headed(&mut table), was, new);
-                (table, true)
-            }
-            None => (spell::under_header(path, new, false), false),
-        });
-    }
-    if !origins.is_sorted() || origins.contains(&None) {
-        reposition(&mut tables);
-    }
-    text.clear();
-    for (table, _) in tables {
-        text.push(table);
-    }
-}
-
 /// Tables are printed in the order of their positions in the text: the old positions, in the new order of the list. A
 /// new table and what stands below a table come directly behind, at the same position.
-fn reposition(tables: &mut [(Table, bool)]) {
+pub(super) fn reposition(tables: &mut [(Table, bool)]) {
     let mut positions: Vec<isize> = tables.iter().filter_map(|(table, _)| table.position()).collect();
     positions.sort_unstable();
     let mut next = positions.iter().copied();
@@ -91,37 +63,8 @@ fn unplace(item: &mut Item) {
     }
 }
 
-/// Changes a list in brackets: numbers by place, tables as what they are.
-pub(super) fn merge_array(path: &str, text: &mut Array, before: &[Value], after: &[Value]) {
-    let by_place = || (0..after.len()).map(|n| (n < text.len()).then_some(n)).collect();
-    let origins: Vec<Option<usize>> =
-        if after.iter().any(Value::is_table) { origins(before, after) } else { by_place() };
-    let same_places = text.len() == after.len() && origins.iter().enumerate().all(|(n, origin)| *origin == Some(n));
-    let several_lines = text.to_string().contains('\n');
-    let layout = Layout::of(text);
-    let mut old: Vec<_> = text.iter().cloned().map(Some).collect();
-    text.clear();
-    for (origin, new) in origins.iter().zip(after) {
-        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before.get(n))));
-        text.push_formatted(match kept {
-            Some((mut value, was)) => {
-                if was != Some(new) {
-                    merge_value(path, &mut value, was, new);
-                }
-                value
-            }
-            None => spell::plain(path, new),
-        });
-    }
-    match (same_places, several_lines) {
-        (true, _) => {}
-        (false, true) => layout.lay_out(text, &origins),
-        (false, false) => text.fmt(),
-    }
-}
-
 /// What stands between the items of a list of several lines. A comment behind an item, on its line, is the item's.
-struct Layout {
+pub(super) struct Layout {
     /// Behind the opening bracket.
     open: String,
     /// Of each item: its line break, the comments above it and its indentation; what stands behind it on its line.
@@ -131,7 +74,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(text: &Array) -> Self {
+    pub(super) fn of(text: &Array) -> Self {
         let mut gaps: Vec<[String; 2]> = text
             .iter()
             .map(|item| split_at_line(item.decor().prefix().and_then(|prefix| prefix.as_str()).unwrap_or_default()))
@@ -144,7 +87,7 @@ impl Layout {
     }
 
     /// Sets the items off from each other as each of them was; new ones as the last one was.
-    fn lay_out(&self, text: &mut Array, origins: &[Option<usize>]) {
+    pub(super) fn lay_out(&self, text: &mut Array, origins: &[Option<usize>]) {
         let indentation = self.items.last().map_or("", |[above, _]| above.rsplit('\n').next().unwrap_or_default());
         let new = [format!("\n{indentation}"), String::new()];
         let mut behind = &self.open;

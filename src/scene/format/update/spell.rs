@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 use toml_edit::{Array, ArrayOfTables, InlineTable, Item};
 
-use super::{below, rank};
+use super::place::{below, rank};
 
 /// A value that the text does not have yet: under a header of its own where its table has one, inside a girder and
 /// inside an inline table on one line.

@@ -1,9 +1,11 @@
-//! Changes the keys of a table of the text.
+//! Changes the tables and lists of the text, one inside of another.
 
 use toml::{Table, Value};
-use toml_edit::{InlineTable, Item, Key, TableLike};
+use toml_edit::{Array, ArrayOfTables, InlineTable, Item, Key, TableLike};
 
-use super::{below, lists, rank, spell, unwritten};
+use super::lists::{Layout, origins, reposition};
+use super::place::{below, rank, unwritten};
+use super::spell;
 
 /// A table of the text.
 pub(super) enum Node<'a> {
@@ -133,7 +135,7 @@ fn merge_item(path: &str, item: &mut Item, before: Option<&Value>, after: &Value
             true
         }
         (Item::ArrayOfTables(tables), Some(Value::Array(before)), Value::Array(after)) => {
-            lists::merge_tables(path, tables, before, after);
+            merge_tables(path, tables, before, after);
             true
         }
         (Item::Value(value), before, after) => {
@@ -145,18 +147,72 @@ fn merge_item(path: &str, item: &mut Item, before: Option<&Value>, after: &Value
 }
 
 /// Changes a value that is no table with a header; what stands around it stays.
-pub(super) fn merge_value(path: &str, text: &mut toml_edit::Value, before: Option<&Value>, after: &Value) {
+fn merge_value(path: &str, text: &mut toml_edit::Value, before: Option<&Value>, after: &Value) {
     match (&mut *text, before, after) {
         (toml_edit::Value::InlineTable(table), Some(Value::Table(before)), Value::Table(after)) => {
             merge_table(path, &mut Node::Inline(table), before, after);
         }
         (toml_edit::Value::Array(list), Some(Value::Array(before)), Value::Array(after)) => {
-            lists::merge_array(path, list, before, after);
+            merge_array(path, list, before, after);
         }
         _ => {
             let mut new = spell::plain(path, after);
             *new.decor_mut() = text.decor().clone();
             *text = new;
         }
+    }
+}
+
+/// Changes a list of tables under headers, `[[girder]]`.
+fn merge_tables(path: &str, text: &mut ArrayOfTables, before: &[Value], after: &[Value]) {
+    let mut old: Vec<Option<toml_edit::Table>> = text.iter().cloned().map(Some).collect();
+    let origins = origins(before, after);
+    let mut tables: Vec<(toml_edit::Table, bool)> = Vec::new();
+    for (origin, new) in origins.iter().zip(after) {
+        let Value::Table(new) = new else { continue };
+        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before[n].as_table()?)));
+        tables.push(match kept {
+            Some((mut table, was)) => {
+                merge_table(path, &mut Node::Headed(&mut table), was, new);
+                (table, true)
+            }
+            None => (spell::under_header(path, new, false), false),
+        });
+    }
+    if !origins.is_sorted() || origins.contains(&None) {
+        reposition(&mut tables);
+    }
+    text.clear();
+    for (table, _) in tables {
+        text.push(table);
+    }
+}
+
+/// Changes a list in brackets: numbers by place, tables as what they are.
+fn merge_array(path: &str, text: &mut Array, before: &[Value], after: &[Value]) {
+    let by_place = || (0..after.len()).map(|n| (n < text.len()).then_some(n)).collect();
+    let origins: Vec<Option<usize>> =
+        if after.iter().any(Value::is_table) { origins(before, after) } else { by_place() };
+    let same_places = text.len() == after.len() && origins.iter().enumerate().all(|(n, origin)| *origin == Some(n));
+    let several_lines = text.to_string().contains('\n');
+    let layout = Layout::of(text);
+    let mut old: Vec<_> = text.iter().cloned().map(Some).collect();
+    text.clear();
+    for (origin, new) in origins.iter().zip(after) {
+        let kept = origin.and_then(|n| Some((old.get_mut(n)?.take()?, before.get(n))));
+        text.push_formatted(match kept {
+            Some((mut value, was)) => {
+                if was != Some(new) {
+                    merge_value(path, &mut value, was, new);
+                }
+                value
+            }
+            None => spell::plain(path, new),
+        });
+    }
+    match (same_places, several_lines) {
+        (true, _) => {}
+        (false, true) => layout.lay_out(text, &origins),
+        (false, false) => text.fmt(),
     }
 }

@@ -1,0 +1,13 @@
+//! Who has a name, and which names are free.
+
+use crate::scene::Scene;
+
+pub(super) fn is_named(scene: &Scene, name: &str) -> bool {
+    scene.girders.iter().any(|g| g.name == name) || scene.abutments.iter().any(|a| a.name == name)
+}
+
+/// A name that no girder and no abutment has: the stem itself, or the stem with the first free number from 2.
+pub fn free_name(scene: &Scene, stem: &str) -> String {
+    let numbered = (2..).map(|n: usize| format!("{stem}{n}"));
+    std::iter::once(stem.to_owned()).chain(numbered).find(|name| !is_named(scene, name)).unwrap_or_default()
+}

@@ -1,0 +1,34 @@
+//! What is known of a place in the file: the way to it, where it is listed, what it holds unwritten.
+
+use toml::Value;
+
+use crate::scene::{ImpactSettings, Initial, ModelSettings, Overlays, Push, STANDARD_GRAVITY};
+use crate::scene::{SolverSettings, ViewSettings, keys};
+
+/// The way to a key, `girder.initial`: the same for a table and for the tables of a list.
+pub(super) fn below(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+/// Where the documentation lists a key among those of its table; what is not listed comes last.
+pub(super) fn rank(path: &str, key: &str) -> usize {
+    let plain = |listed: &'static str| listed.split(" kind").next().map(|way| way.trim_end_matches("[]"));
+    let tables = keys::TABLES.iter().filter(|table| plain(table.path) == Some(path));
+    tables.flat_map(|table| table.keys).position(|listed| listed.name == key).unwrap_or(usize::MAX)
+}
+
+/// What a key holds that is not written because it is the default; `None` where nothing holds then.
+pub(super) fn unwritten(path: &str) -> Option<Value> {
+    match path {
+        "gravity_m_s2" => Ok(Value::Float(STANDARD_GRAVITY)),
+        "girder.initial" => Value::try_from(Initial::default()),
+        "girder.push" => Value::try_from(Push::default()),
+        "model" => Value::try_from(ModelSettings::default()),
+        "impact" => Value::try_from(ImpactSettings::default()),
+        "solver" => Value::try_from(SolverSettings::default()),
+        "view" => Value::try_from(ViewSettings::default()),
+        "view.overlays" => Value::try_from(Overlays::default()),
+        _ => return None,
+    }
+    .ok()
+}
