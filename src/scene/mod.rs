@@ -13,6 +13,7 @@ mod model;
 mod motion;
 mod settings;
 
+pub mod domain;
 pub mod edit;
 pub mod facing;
 pub mod format;

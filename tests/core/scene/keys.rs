@@ -300,7 +300,7 @@ fn a_key_is_stated_in_one_place() {
         ("restitution_tangential", 2),
         ("remaining_seat", 1),
         ("stop_speed", 1),
-        ("spin_deg_s", 1),
+        ("\"spin_deg_s\"", 1),
         ("= \"tangential\"", 1),
     ] {
         let lines = lines_with(word);

@@ -1,0 +1,55 @@
+//! Quantities of a girder that the domain limits: rates of its bearings, speeds and accelerations of its corners.
+
+use glam::DVec3;
+
+use crate::scene::{Direction, Girder, Kind, ResolvedBearing};
+
+/// The fastest rate that bearings give a girder, `max(√(k/m), c/m)` over its translations and rotations each by itself; 0
+/// without bearings \[rad/s\].
+///
+/// Each is a Rayleigh quotient of the girder's matrices, so the fastest mode of all is as fast or faster.
+pub(super) fn bearing_rate(girder: &Girder, kind: Kind) -> f64 {
+    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+    let inertia = girder.prism().inertia_per_mass() * girder.mass;
+    let held = |direction: Direction| girder.held.contains(&direction);
+    let spatial = kind == Kind::Spatial;
+    let translations = [(DVec3::X, true), (DVec3::Y, true), (DVec3::Z, spatial && !held(Direction::Z))];
+    let tilts = spatial && !(held(Direction::Roll) && held(Direction::Pitch));
+    let rotations = [(DVec3::X, tilts), (DVec3::Y, tilts), (DVec3::Z, !held(Direction::Yaw))];
+    let along = translations.into_iter().filter(|(_, free)| *free);
+    let along = along.map(|(axis, _)| rate(&bearings, |_| axis, girder.mass));
+    let about = rotations.into_iter().filter(|(_, free)| *free);
+    let about = about.map(|(axis, _)| rate(&bearings, |place| axis.cross(place), axis.dot(inertia * axis)));
+    along.chain(about).fold(0.0, f64::max)
+}
+
+/// `max(√(k/m), c/m)` of the motion that moves every bearing by `motion` of its place.
+fn rate(bearings: &[ResolvedBearing], motion: impl Fn(DVec3) -> DVec3, inertia: f64) -> f64 {
+    let quotient = |of: fn(&ResolvedBearing) -> [f64; 3]| {
+        let each = bearings.iter().map(|b| (DVec3::from(of(b)) * motion(b.place)).dot(motion(b.place)));
+        each.sum::<f64>() / inertia
+    };
+    quotient(|b| b.stiffness).sqrt().max(quotient(|b| b.damping))
+}
+
+/// Distance of the farthest corner from G \[m\].
+fn radius(girder: &Girder) -> f64 {
+    girder.prism().corners().iter().map(|corner| corner.length()).fold(0.0, f64::max)
+}
+
+/// Angular speed at the start \[rad/s\].
+pub(super) fn spin(girder: &Girder) -> f64 {
+    girder.initial.spin_deg_s.to_radians().abs()
+}
+
+/// Speed of G at the start, and of the farthest corner about G \[m/s\].
+pub(super) fn start_speeds(girder: &Girder) -> [f64; 2] {
+    [DVec3::from(girder.initial.velocity).length(), spin(girder) * radius(girder)]
+}
+
+/// Acceleration of G by the constant force, and of the farthest corner about G by the constant moment \[m/s²\].
+pub(super) fn push_accelerations(girder: &Girder) -> [f64; 2] {
+    let gyration2 = girder.prism().inertia_per_mass().z_axis.z;
+    let turn = girder.push.moment.abs() / (girder.mass * gyration2);
+    [DVec3::from(girder.push.force).length() / girder.mass, turn * radius(girder)]
+}

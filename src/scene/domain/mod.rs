@@ -1,0 +1,278 @@
+//! The domain of the program: ranges of the quantities of a scene within which every check of the stability study holds
+//! (`docs/stability.md#domain`).
+//!
+//! A scene outside is computed all the same. Its run ends, with an answer or with a reason; how exact the answer is has
+//! not been checked.
+
+mod measures;
+
+use std::fmt;
+
+use super::facing::{self, Facing, Side};
+use super::{Girder, ModelKind, Motion, RecordMotion, Scene};
+use crate::contact::parameters::reduced_mass;
+
+/// A quantity of a scene, and the range that belongs to the domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// What is limited.
+    pub quantity: &'static str,
+    /// Its unit; empty for a pure number.
+    pub unit: &'static str,
+    /// From the first to the second number, both included.
+    pub range: [f64; 2],
+    /// What is to be expected below the first number and above the second.
+    pub beyond: [&'static str; 2],
+    /// What brings a scene back.
+    pub remedy: &'static str,
+}
+
+/// Where a range begins at 0 there is nothing below.
+const NOTHING: &str = "";
+/// Where a range is what has been checked and no more.
+const UNCHECKED: &str = "no such girder is among the scenes that are checked";
+
+/// `solver.tolerance`. Below: from its 1000th step with contact on a body's steps may err by less, in proportion to their
+/// number, but by no less than 1e-13, where errors are rounding; at 1e-12 that takes 10,000 steps. Above: an explicit step
+/// spans 0.48 rad of a contact at 1e-10 and grows with the eighth root, to 2.7 rad at 1e-4 and past half a period (π) at
+/// 3.4e-4.
+pub const TOLERANCE: Limit = Limit {
+    quantity: "tolerance",
+    unit: "",
+    range: [1e-12, 1e-4],
+    beyond: [
+        "steps of a long run are held to less than the rounding of a place",
+        "a step may span half a period of a contact, and a finer tolerance need not make the error smaller",
+    ],
+    remedy: "set solver.tolerance between 1e-12 and 1e-4; 1e-10 is the default",
+};
+/// Forces, energies and stiffnesses scale with the mass, so no number of the solver depends on it; the range is what seeds
+/// cover: from grams to a viaduct.
+pub const MASS: Limit = Limit {
+    quantity: "mass of a girder",
+    unit: "kg",
+    range: [1e-3, 1e8],
+    beyond: [UNCHECKED, UNCHECKED],
+    remedy: "give the mass in kg",
+};
+/// A place 1000 m from home rounds by 1.1e-13 m. Below: what seeds cover.
+pub const SIZE: Limit = Limit {
+    quantity: "length, width or thickness of a girder",
+    unit: "m",
+    range: [1e-3, 1e3],
+    beyond: [UNCHECKED, "places so far from home round by more than 1e-13 m, and shallow contacts feel it"],
+    remedy: "give the size in m",
+};
+/// The ends of nearly parallel girders reach as far as the skew makes them, b / sin β: 11 widths at 5°.
+pub const SKEW: Limit = Limit {
+    quantity: "skew angle of a girder",
+    unit: "°",
+    range: [5.0, 175.0],
+    beyond: [UNCHECKED, UNCHECKED],
+    remedy: "give the angle between axis and support line in degrees; 90 is straight",
+};
+/// `K/M`, with the reduced mass M of (65). Below: a blow at 1 m/s presses the faces by 1 m, `v/√(K/M)`. Above: an acceleration
+/// of 1e-3 m/s² presses a face that rests by 1e-12 m, `a M/K`, where places of 1 m round by 2e-16 m.
+pub const STIFFNESS: Limit = Limit {
+    quantity: "K/M of a facing pair",
+    unit: "1/s²",
+    range: [1.0, 1e9],
+    beyond: [
+        "faces go as deep into each other as a girder is large: that is no contact any more",
+        "faces at rest are pressed hardly deeper than a place rounds, and forces are in doubt",
+    ],
+    remedy: "set stiffness_n_per_m so that K/M, with M = m₁m₂/(m₁+m₂) or the girder's mass at an abutment, lies in the range",
+};
+/// `√(K/M) T`. Explicit steps of a closed contact span 0.5 to 2.7 rad, and the work of a run is bounded by 1e7 steps and looks a
+/// body.
+pub const CONTACT_PHASE: Limit = Limit {
+    quantity: "phase of a contact over the run, √(K/M) T",
+    unit: "rad",
+    range: [0.0, 1e7],
+    beyond: [NOTHING, "a contact that stays closed may take more steps than the run is allowed, and end it early"],
+    remedy: "shorten duration_s or lower stiffness_n_per_m",
+};
+/// `ω T` of the fastest bearing (or its decay c/m), the ground, a spin; a record counts its samples. The longest seed has 8.8e4,
+/// an hour at 3 Hz 6.8e4.
+pub const MOTION_PHASE: Limit = Limit {
+    quantity: "phase of bearings, ground or spin over the run, ω T",
+    unit: "rad",
+    range: [0.0, 1e5],
+    beyond: [NOTHING, "the run is longer than any that is checked, and the errors of its steps add up"],
+    remedy: "shorten duration_s, or lower the frequency, the damping or the spin",
+};
+/// Of pushes (at G, and of a corner by the moment), gravity and the ground: ten times that of gravity. Above: the checks failed
+/// once where 3.6e4 m/s² had made a girder tumble at thousands of rad/s (seed 5735).
+pub const ACCELERATION: Limit = Limit {
+    quantity: "acceleration by push, gravity or ground",
+    unit: "m/s²",
+    range: [0.0, 100.0],
+    beyond: [NOTHING, "girders may come to tumble so fast that the errors of their steps add up"],
+    remedy: "lower the push, gravity or the amplitude of the ground",
+};
+/// Of G by the velocity, and of the farthest corner by the spin: what seeds cover.
+pub const SPEED: Limit = Limit {
+    quantity: "speed of a corner at the start",
+    unit: "m/s",
+    range: [0.0, 100.0],
+    beyond: [NOTHING, UNCHECKED],
+    remedy: "lower velocity_m_s or spin_deg_s",
+};
+/// What seeds cover.
+pub const FRICTION: Limit = Limit {
+    quantity: "coefficient of static friction",
+    unit: "",
+    range: [0.0, 2.0],
+    beyond: [NOTHING, "no such friction is among the scenes that are checked"],
+    remedy: "lower mu_static",
+};
+
+/// All of them.
+pub const LIMITS: &[Limit] =
+    &[TOLERANCE, MASS, SIZE, SKEW, STIFFNESS, CONTACT_PHASE, MOTION_PHASE, ACCELERATION, SPEED, FRICTION];
+
+/// A quantity of a scene that lies outside the domain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Departure {
+    /// The key that it comes from: `girder.deck.mass_kg`.
+    pub place: String,
+    /// The facing pair that it belongs to.
+    pub pair: Option<String>,
+    /// What it is.
+    pub value: f64,
+    /// What it should be.
+    pub limit: Limit,
+}
+
+impl Departure {
+    /// Whether it is too small, not too large.
+    fn is_below(&self) -> bool {
+        self.value < self.limit.range[0]
+    }
+
+    /// The end of the range that it lies beyond.
+    pub fn bound(&self) -> f64 {
+        self.limit.range[usize::from(!self.is_below())]
+    }
+
+    /// What is to be expected.
+    pub fn consequence(&self) -> &'static str {
+        self.limit.beyond[usize::from(!self.is_below())]
+    }
+}
+
+impl fmt::Display for Departure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, pair, value, limit } = self;
+        let of = pair.as_ref().map_or(String::new(), |pair| format!(" ({pair})"));
+        let unit = if limit.unit.is_empty() { String::new() } else { format!(" {}", limit.unit) };
+        let side = if self.is_below() { "below" } else { "above" };
+        let value = format!("{value:.3e}").parse().unwrap_or(*value);
+        write!(
+            f,
+            "{place}{of}: {} = {value:e}{unit} is {side} {:e}{unit}, outside the domain: {}; {}",
+            limit.quantity,
+            self.bound(),
+            self.consequence(),
+            limit.remedy
+        )
+    }
+}
+
+/// Every quantity of a scene that lies outside the domain: solver, girders, facing pairs, ground; none where the scene is
+/// inside. The scene is one that validation accepts; of another, what can be told.
+pub fn outside(scene: &Scene) -> Vec<Departure> {
+    let mut found = Departures(Vec::new());
+    found.look("solver.tolerance", scene.solver.tolerance, TOLERANCE);
+    if scene.kind == super::Kind::Spatial {
+        found.look("gravity_m_s2", scene.gravity.abs(), ACCELERATION);
+    }
+    for girder in &scene.girders {
+        look_at_girder(scene, girder, &mut found);
+    }
+    for facing in facing::find(scene).unwrap_or_default() {
+        look_at_pair(scene, &facing, &mut found);
+    }
+    look_at_ground(scene, &mut found);
+    found.0
+}
+
+/// Whether a scene lies inside.
+pub fn is_inside(scene: &Scene) -> bool {
+    outside(scene).is_empty()
+}
+
+/// What was found so far.
+struct Departures(Vec<Departure>);
+
+impl Departures {
+    fn look(&mut self, place: impl Into<String>, value: f64, limit: Limit) {
+        self.look_of(place, None, value, limit);
+    }
+
+    fn look_of(&mut self, place: impl Into<String>, pair: Option<&str>, value: f64, limit: Limit) {
+        let [low, high] = limit.range;
+        if !(low..=high).contains(&value) {
+            self.0.push(Departure { place: place.into(), pair: pair.map(str::to_owned), value, limit });
+        }
+    }
+}
+
+fn look_at_girder(scene: &Scene, girder: &Girder, found: &mut Departures) {
+    let at = |key: &str| format!("girder.{}.{key}", girder.name);
+    for (key, size) in [("length_m", girder.length), ("width_m", girder.width), ("thickness_m", girder.thickness)] {
+        found.look(at(key), size, SIZE);
+    }
+    found.look(at("skew_deg"), girder.skew_deg, SKEW);
+    found.look(at("mass_kg"), girder.mass, MASS);
+    found.look(at("bearings"), measures::bearing_rate(girder, scene.kind) * scene.duration, MOTION_PHASE);
+    let [speed, corner_speed] = measures::start_speeds(girder);
+    found.look(at("initial.velocity_m_s"), speed, SPEED);
+    found.look(at("initial.spin_deg_s"), corner_speed, SPEED);
+    found.look(at("initial.spin_deg_s"), measures::spin(girder) * scene.duration, MOTION_PHASE);
+    let [force, moment] = measures::push_accelerations(girder);
+    found.look(at("push.force_n"), force, ACCELERATION);
+    found.look(at("push.moment_n_m"), moment, ACCELERATION);
+}
+
+fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
+    let name = Some(facing.name.as_str());
+    found.look_of("contact.mu_static", name, facing.contact.mu_static, FRICTION);
+    // The impact model has no stiffness.
+    if scene.model.kind == ModelKind::Impact {
+        return;
+    }
+    let mass = |side: Side| match side {
+        Side::Girder(n, _) => scene.girders[n].mass,
+        Side::Abutment(_) => f64::INFINITY,
+    };
+    let stiffness = facing.contact.stiffness / reduced_mass(mass(facing.first), mass(facing.second));
+    let place = "contact.stiffness_n_per_m";
+    found.look_of(place, name, stiffness, STIFFNESS);
+    found.look_of(place, name, stiffness.sqrt() * scene.duration, CONTACT_PHASE);
+}
+
+fn look_at_ground(scene: &Scene, found: &mut Departures) {
+    match &scene.motion {
+        Motion::None => {}
+        Motion::Sine(sine) => {
+            let key = if sine.amplitude_g.is_some() { "motion.amplitude_g" } else { "motion.amplitude_m_s2" };
+            found.look(key, sine.amplitude_si().abs(), ACCELERATION);
+            let phase = std::f64::consts::TAU * sine.frequency_hz * scene.duration;
+            found.look("motion.frequency_hz", phase, MOTION_PHASE);
+        }
+        Motion::Record(record) => look_at_record(scene, record, found),
+    }
+}
+
+fn look_at_record(scene: &Scene, record: &RecordMotion, found: &mut Departures) {
+    let Some((dt, samples)) = record.series() else { return };
+    let (peak_key, step_key) =
+        if record.file.is_some() { ("motion.file", "motion.file") } else { ("motion.samples_m_s2", "motion.dt_s") };
+    let peak = samples.iter().fold(0.0_f64, |most, sample| most.max(sample.abs()));
+    found.look(peak_key, (peak * record.scale).abs(), ACCELERATION);
+    found.look(step_key, (scene.duration / dt).min(samples.len() as f64), MOTION_PHASE);
+}
+
+#[cfg(test)]
+mod tests;
