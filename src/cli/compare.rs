@@ -5,6 +5,7 @@ use std::path::Path;
 use super::args::{Changes, positive};
 use super::compute::compute;
 use super::console::Console;
+use super::domain;
 use super::failure::Failure;
 use super::run::check_rows;
 use crate::files;
@@ -100,6 +101,7 @@ fn run_answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result
     let scene = args.changes.load(source)?;
     let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
     check_rows(sample, scene.duration)?;
+    domain::warn(&scene, console);
     let history = compute(&scene)?.swap_remove(0).history;
     if let Some(stop) = history.stop() {
         console.note(&Failure::GaveUp { scene: source.to_owned(), stop: stop.clone() }.to_string());

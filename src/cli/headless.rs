@@ -6,7 +6,7 @@ use super::compute::compute;
 use super::console::Console;
 use super::failure::Failure;
 use super::run::write_files;
-use super::summary;
+use super::{domain, summary};
 use crate::scene::Scene;
 use crate::sim::History;
 use crate::tables::{Report, TableOptions};
@@ -16,6 +16,7 @@ use crate::tables::{Report, TableOptions};
 /// # Errors
 /// Bad input; a run that gave up, after its answer has been written.
 pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result<(), Failure> {
+    domain::warn(scene, console);
     let timed = compute(scene)?;
     let mut all = Vec::new();
     for answer in &timed {

@@ -6,6 +6,7 @@ mod compare;
 mod compute;
 mod console;
 mod digits;
+mod domain;
 mod failure;
 mod headless;
 mod open;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::args::{SceneArgs, positive};
 use super::compute::{Timed, compute};
 use super::console::Console;
+use super::domain;
 use super::failure::Failure;
 use super::summary;
 use crate::files;
@@ -39,6 +40,7 @@ pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> 
     check_rows(args.sample, scene.duration)?;
     // Before the run, so that no answer is lost for want of a place to write it.
     args.out.as_deref().map_or(Ok(()), files::check_folder)?;
+    domain::warn(&scene, console);
     let timed = compute(&scene)?;
     if args.digest {
         for timed in &timed {

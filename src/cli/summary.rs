@@ -1,6 +1,9 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use crate::tables::{Report, SeatReport};
+use crate::tables::{OutsideReport, Report, SeatReport};
+
+/// So many quantities outside the domain are listed; `summary.json` has all.
+const MOST_OUTSIDE: usize = 10;
 
 /// The summary, one fact a line.
 pub(super) fn text(report: &Report) -> String {
@@ -20,9 +23,22 @@ fn line(label: &str, value: String) -> Line {
 fn head(report: &Report) -> Vec<Line> {
     let gave_up = report.gave_up.iter();
     let model = (report.model == "impact").then(|| line("model", "impact (rigid bodies, impulses)".to_owned()));
+    let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
     let gave_up =
         gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
-    model.into_iter().chain(gave_up).collect()
+    model.into_iter().chain(gave_up).chain(outside).collect()
+}
+
+/// Where the scene lies outside the domain; `None` where it does not.
+fn outside_words(outside: &[OutsideReport]) -> Option<String> {
+    let of = |d: &OutsideReport| match &d.pair {
+        Some(pair) => format!("{} ({pair})", d.place),
+        None => d.place.clone(),
+    };
+    let listed: Vec<String> = outside.iter().take(MOST_OUTSIDE).map(of).collect();
+    let more = outside.len() - listed.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    (!outside.is_empty()).then(|| format!("{}{more}", listed.join(", ")))
 }
 
 fn answer(report: &Report) -> Vec<Line> {

@@ -15,7 +15,7 @@ mod trajectory;
 pub use contacts::contacts;
 pub use events::events;
 pub use impact::{hits, transitions};
-pub use summary::{PairReport, Report, SeatReport, Versions};
+pub use summary::{OutsideReport, PairReport, Report, SeatReport, Versions};
 pub use trajectory::trajectory;
 
 use crate::sim::History;

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::TableOptions;
 use super::events::law_of;
-use crate::scene::{Kind, Seat};
+use crate::scene::{Kind, Scene, Seat, domain};
 use crate::sim::{History, Ledger, Stop, Summary, readings};
 
 /// Everything a summary says, SI.
@@ -31,6 +31,8 @@ pub struct Report {
     pub seats: Vec<SeatReport>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
+    /// Quantities of the scene that lie outside the domain in which the program is checked.
+    pub outside_domain: Vec<OutsideReport>,
     /// Local error per step that was asked for.
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
@@ -90,6 +92,25 @@ pub struct PassedReport {
     pub reached: f64,
 }
 
+/// A quantity outside the domain, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutsideReport {
+    /// The key of the scene that it comes from.
+    pub place: String,
+    /// The facing pair that it belongs to, if to one.
+    pub pair: Option<String>,
+    /// What it is called.
+    pub quantity: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// The end of the domain that it lies beyond.
+    pub bound: f64,
+    /// What is to be expected.
+    pub consequence: &'static str,
+}
+
 /// Versions that an answer depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Versions {
@@ -114,6 +135,7 @@ impl Report {
             pairs: pairs(history),
             seats: seats(history),
             limits_passed: passed(history),
+            outside_domain: outside(scene),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
             ledger: history.ledger(history.end()),
@@ -170,4 +192,19 @@ fn seats(history: &History) -> Vec<SeatReport> {
 fn passed(history: &History) -> Vec<PassedReport> {
     let passed = readings::passed(history).into_iter();
     passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
+}
+
+/// Quantities of the scene that lie outside the domain.
+fn outside(scene: &Scene) -> Vec<OutsideReport> {
+    let departures = domain::outside(scene).into_iter();
+    let of = |d: domain::Departure| OutsideReport {
+        quantity: d.limit.quantity,
+        unit: d.limit.unit,
+        value: d.value,
+        bound: d.bound(),
+        consequence: d.consequence(),
+        place: d.place,
+        pair: d.pair,
+    };
+    departures.map(of).collect()
 }

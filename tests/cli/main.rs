@@ -1,6 +1,7 @@
 //! The program as a user calls it: files in, files out, exit status and messages.
 
 mod bad_input;
+mod domain;
 mod files;
 mod headless;
 mod killed;

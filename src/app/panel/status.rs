@@ -16,12 +16,22 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = bench.answer() {
             numbers(ui, answer);
+            outside(ui, bench, answer);
             flag(ui, bench, answer);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.add(egui::Label::new(RichText::new(bench.target.1.as_str()).weak().small()).truncate());
         });
     });
+}
+
+/// That the scene lies outside the domain, and in what.
+fn outside(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
+    if bench.is_stale() || answer.outside.is_empty() {
+        return;
+    }
+    let words: Vec<String> = answer.outside.iter().map(ToString::to_string).collect();
+    ui.label(RichText::new(text::OUTSIDE).color(Palette::of(ui).problem)).on_hover_text(words.join("\n"));
 }
 
 /// The first limit that is passed, and how many more.

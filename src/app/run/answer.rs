@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use std::time::Duration;
 
+use crate::scene::domain::{self, Departure};
 use crate::sim::readings::{self, Passed, Reading};
 use crate::sim::{ContactState, EventKind, History, Hit, Quantity, Summary};
 
@@ -53,6 +54,8 @@ pub struct Answer {
     pub hits: Vec<(usize, f64)>,
     /// How far the models are apart, where there are two.
     pub apart: Option<Apart>,
+    /// Quantities of its scene outside the domain in which the program is checked.
+    pub outside: Vec<Departure>,
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
@@ -73,6 +76,7 @@ impl Answer {
         let record = runs.into_iter().flatten().find_map(History::impact);
         let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
         let apart = history.beside().map(|beside| apart(&history, beside));
+        let outside = domain::outside(history.scene());
         Self {
             history,
             number,
@@ -83,6 +87,7 @@ impl Answer {
             spans,
             hits,
             apart,
+            outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),
             readings: OnceLock::new(),

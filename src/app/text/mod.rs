@@ -277,6 +277,7 @@ pub(super) const STATUS: [(&str, &str); 7] = [
     ("error", "largest displacement difference from a run at a hundredth of the tolerance"),
     ("run in", "how long the run took"),
 ];
+pub(super) const OUTSIDE: &str = "outside the domain";
 pub(super) const SAVED: &str = "Saved";
 pub(super) const PICTURE_WRITTEN: &str = "Picture written";
 pub(super) const TABLES_WRITTEN: &str = "Tables written into";

@@ -5,6 +5,7 @@ mod girder;
 use super::args::SceneArgs;
 use super::console::Console;
 use super::digits::six;
+use super::domain;
 use super::failure::Failure;
 use crate::dynamics::{Model, Pair};
 use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
@@ -24,6 +25,7 @@ pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure
     let scene = args.scene.load()?;
     let model = Model::compile(&scene)?;
     console.print(&text(&scene, &model));
+    domain::warn(&scene, console);
     Ok(())
 }
 

@@ -8,6 +8,7 @@ pub(super) use args::RenderArgs;
 
 use super::compute::compute_as_asked;
 use super::console::Console;
+use super::domain;
 use super::failure::Failure;
 use crate::render::GpuError;
 use crate::sim::History;
@@ -24,6 +25,7 @@ pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failur
     args.check_out()?;
     // Before the run, so that a machine that cannot draw says so at once.
     let mut studio = Studio::open(args.quality.quality()).map_err(Failure::from)?;
+    domain::warn(&scene, console);
     let history = compute_as_asked(&scene)?.history;
     let wanted = wanted(args, &history, console)?;
     console.print(&film::take(args, &mut studio, &history, &wanted)?);

@@ -1,0 +1,91 @@
+//! Beyond the domain: `check` and `run` warn, the run ends well, and the exit status is that of the run.
+
+use crate::program::{Said, call};
+
+/// A quantity just outside: what sets it on the preset, where the warning says that it lies.
+const BEYOND: &[(&str, &[&str], &str)] = &[
+    ("fine tolerance", &["solver.tolerance=9e-13"], "solver.tolerance"),
+    ("coarse tolerance", &["solver.tolerance=1.1e-4"], "solver.tolerance"),
+    ("light", &["girder.deck.mass_kg=0.9e-3", "contact.stiffness_n_per_m=155"], "girder.deck.mass_kg"),
+    ("heavy", &["girder.deck.mass_kg=1.1e8", "contact.stiffness_n_per_m=1e13"], "girder.deck.mass_kg"),
+    ("thin", &["girder.deck.thickness_m=0.9e-3"], "girder.deck.thickness_m"),
+    ("wide", &["girder.deck.width_m=1.1e3"], "girder.deck.width_m"),
+    ("sharp", &["girder.deck.skew_deg=4"], "girder.deck.skew_deg"),
+    ("blunt", &["girder.deck.skew_deg=176"], "girder.deck.skew_deg"),
+    ("soft", &["contact.stiffness_n_per_m=1.9"], "contact.stiffness_n_per_m"),
+    ("stiff", &["contact.stiffness_n_per_m=2.1e9"], "contact.stiffness_n_per_m"),
+    ("fast ground", &["motion.frequency_hz=4e4"], "motion.frequency_hz"),
+    ("fast bearings", &["girder.deck.bearings.frequency_hz=4e4"], "girder.deck.bearings"),
+    ("overdamped bearings", &["girder.deck.bearings.damping_ratio=1e4"], "girder.deck.bearings"),
+    ("hard shaking", &["motion.amplitude_g=11"], "motion.amplitude_g"),
+    ("hard push", &["girder.deck.push.force_n=[220, 0]"], "girder.deck.push.force_n"),
+    ("hard turn", &["girder.deck.push.moment_n_m=20"], "girder.deck.push.moment_n_m"),
+    ("fast start", &["girder.deck.initial.velocity_m_s=[110, 0]"], "girder.deck.initial.velocity_m_s"),
+    ("spinning start", &["girder.deck.initial.spin_deg_s=7e4"], "girder.deck.initial.spin_deg_s"),
+    ("much friction", &["contact.mu_static=2.1"], "contact.mu_static"),
+];
+
+/// Calls a command on the paper's girder before its wall, changed, for half a second.
+fn on_preset(command: &[&str], sets: &[&str]) -> Said {
+    let mut args = command.to_vec();
+    args.extend(["skew45-abutment", "--until", "0.5"]);
+    for set in sets {
+        args.extend(["--set", set]);
+    }
+    call(&args)
+}
+
+#[test]
+fn check_warns_of_every_quantity_beyond_the_domain_and_of_no_other() {
+    let inside = on_preset(&["check"], &[]);
+    assert_eq!((inside.status, inside.err.as_str()), (Some(0), ""), "nothing to warn of");
+    let mut lacking = Vec::new();
+    for (what, sets, place) in BEYOND {
+        let said = on_preset(&["check"], sets);
+        let warned = said.err.lines().all(|line| line.starts_with(&format!("warning: {place}")));
+        let whole = said.err.contains("outside the domain: ") && said.err.contains("; ");
+        if said.status != Some(0) || said.out.is_empty() || !warned || !whole {
+            lacking.push(format!("{what}: status {:?}, said {}", said.status, said.err));
+        }
+    }
+    assert!(lacking.is_empty(), "each is warned of:\n{}", lacking.join("\n"));
+}
+
+#[test]
+fn runs_just_outside_end_with_an_answer_or_a_reason() {
+    let mut lacking = Vec::new();
+    for (what, sets, place) in BEYOND {
+        let said = on_preset(&["run", "--digest"], sets);
+        let word = match said.status {
+            Some(0) => !said.err.contains("gave up"),
+            Some(1) => said.err.contains("gave up at t = "),
+            _ => false,
+        };
+        if !word || !said.err.contains(&format!("warning: {place}")) || said.out.trim().is_empty() {
+            lacking.push(format!("{what}: status {:?}, said {}{}", said.status, said.out, said.err));
+        }
+    }
+    assert!(lacking.is_empty(), "each ends well:\n{}", lacking.join("\n"));
+}
+
+#[test]
+fn summaries_carry_what_lies_outside() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a UTF-8 path");
+    let outside = |sets: &[&str]| -> (String, serde_json::Value) {
+        let said = on_preset(&["run", "--out", out], sets);
+        assert_eq!(said.status, Some(0), "a warning is no failure: {}", said.err);
+        let text = std::fs::read_to_string(folder.path().join("summary.json")).expect("the summary");
+        let summary: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        (said.out, summary["outside_domain"].clone())
+    };
+    let (said, listed) = outside(&[]);
+    assert!(listed == serde_json::json!([]) && !said.contains("domain"), "inside: {listed}, {said}");
+    let (said, listed) = outside(&["contact.stiffness_n_per_m=3e9"]);
+    assert!(said.contains("outside the domain     contact.stiffness_n_per_m (deck+x|wall)\n"), "as a line: {said}");
+    let one = &listed[0];
+    assert_eq!(listed.as_array().map(Vec::len), Some(1), "{listed}");
+    assert_eq!((one["place"].as_str(), one["pair"].as_str()), (Some("contact.stiffness_n_per_m"), Some("deck+x|wall")));
+    assert_eq!((one["value"].as_f64(), one["bound"].as_f64()), (Some(1.5e9), Some(1e9)), "{one}");
+    assert!(one["consequence"].as_str().is_some_and(|words| words.contains("in doubt")), "{one}");
+}
