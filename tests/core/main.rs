@@ -31,6 +31,7 @@ mod physics {
 mod scene {
     mod bad_input;
     mod data;
+    mod domain;
     mod edits;
     mod facing;
     mod keys;

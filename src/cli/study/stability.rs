@@ -21,6 +21,9 @@ pub(super) struct StabilityArgs {
     /// The first seed
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     from: u64,
+    /// Take only seeds whose scenes lie inside the domain of the program
+    #[arg(long)]
+    inside: bool,
     /// Write seeds.csv, stability.md and the failing scenes, shrunk, into this folder
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -44,7 +47,7 @@ pub(super) fn run(args: &StabilityArgs, console: &mut Console) -> Result<(), Fai
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.threads.map_or(cores, |n| n as usize);
     let limits = Limits { patience: args.patience, events: args.events as usize, ..Limits::NONE };
-    let asked = Asked { from: args.from, seeds: args.seeds, threads, limits };
+    let asked = Asked { from: args.from, seeds: args.seeds, inside: args.inside, threads, limits };
     let progress = Mutex::new((Progress::over(args.seeds as f64, "seeds"), 0.0));
     let verdicts = stability::run(&asked, &thread_seconds, &|_| {
         if let Ok(mut shown) = progress.lock() {
@@ -84,7 +87,14 @@ fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Res
         }
     }
     let (seeds, out) = (verdicts.len(), &args.out);
-    console.print(&format!("{seeds} seeds, {} failed; written to {}\n", failed.len(), out.display()));
+    let inside = verdicts.iter().filter(|v| v.inside).count();
+    let failed_inside = failed.iter().filter(|v| v.inside).count();
+    console.print(&format!(
+        "{seeds} seeds: {inside} inside the domain, {failed_inside} failed; {} outside, {} failed; written to {}\n",
+        seeds - inside,
+        failed.len() - failed_inside,
+        out.display()
+    ));
     if failed.is_empty() {
         return Ok(());
     }

@@ -2,14 +2,16 @@
 
 use super::check::{self, Check, Complaint, Figures};
 use super::watch::{Clock, Limits, NoAnswer, Watch};
-use crate::scene::Scene;
+use crate::scene::{Scene, domain};
 use crate::sim::History;
 
 /// What came out for a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// Every check passed.
+    /// Every check that is put to the scene passed.
     Passed,
+    /// Outside the domain: the run ended early and said why.
+    GaveUp(String),
     /// The scene makes no sense, and validation says so: nothing was run.
     Refused(String),
     /// Some checks failed; in their own order.
@@ -27,7 +29,8 @@ pub struct Examined {
     pub until: f64,
 }
 
-/// Examines a scene within limits; a panic is a failure like any other.
+/// Examines a scene within limits; a panic is a failure like any other. Inside the domain every check is put; outside, that the
+/// run ends in time, with finite numbers or a reason.
 ///
 /// A scene with more events or steps than asked for is examined as one that ends with the last of them: where contacts
 /// chatter or creep in jerks, millions of events say no more than the first ten thousands. What does not get that far fails.
@@ -60,14 +63,24 @@ fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> 
         }
         Err(NoAnswer::Slow(t)) => return failed(scene, Check::Time, format!("came to {t} s of {} s", scene.duration)),
     };
-    if let Some(stop) = history.stop() {
-        return failed(scene, Check::Finishes, format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
+    let inside = domain::is_inside(scene);
+    let gave_up = history.stop().map(|stop| format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
+    if let Some(reason) = gave_up.as_ref().filter(|_| inside) {
+        return failed(scene, Check::Finishes, reason.clone());
     }
     let (mut complaints, mut figures) = (Vec::new(), Figures::default());
-    check::answer(&history, &mut figures, &mut complaints);
-    if complaints.is_empty() {
+    if inside {
+        check::answer(&history, &mut figures, &mut complaints);
+    } else {
+        check::numbers(&history, &mut figures, &mut complaints);
+    }
+    if inside && complaints.is_empty() {
         check::convergence(&history, watch, &mut figures, &mut complaints);
     }
-    let outcome = if complaints.is_empty() { Outcome::Passed } else { Outcome::Failed(complaints) };
+    let outcome = match (complaints.is_empty(), gave_up) {
+        (false, _) => Outcome::Failed(complaints),
+        (true, Some(reason)) => Outcome::GaveUp(reason),
+        (true, None) => Outcome::Passed,
+    };
     Examined { outcome, figures, until: history.end() }
 }

@@ -1,6 +1,7 @@
 //! Stress by seeded random scenes: every answer is put to checks that hold whatever the scene (each in [`check`]).
 //!
-//! A seed is a scene of a family that looks for trouble in one place. A failure keeps its seed, which repeats it, and is
+//! A seed is a scene of a family that looks for trouble in one place. Outside the domain of the program
+//! ([`crate::scene::domain`]) a scene is only to end well. A failure keeps its seed, which repeats it, and is
 //! shrunk to a small scene that fails in the same check.
 
 pub mod check;
@@ -20,6 +21,7 @@ pub use examine::{Examined, Outcome, examine};
 pub use report::{csv, markdown};
 pub use watch::{Clock, Limits};
 
+use crate::scene::domain::is_inside;
 use crate::scene::{Kind, Scene};
 
 /// What to examine.
@@ -29,6 +31,8 @@ pub struct Asked {
     pub from: u64,
     /// How many.
     pub seeds: u64,
+    /// Whether to pass over seeds whose scenes lie outside the domain.
+    pub inside: bool,
     /// How many at once.
     pub threads: usize,
     /// What the runs of one seed may take.
@@ -50,6 +54,8 @@ pub struct Verdict {
     pub duration: f64,
     /// Its tolerance.
     pub tolerance: f64,
+    /// Whether its scene lies inside the domain; if not, it is only to end well.
+    pub inside: bool,
     /// Outcome and figures.
     pub examined: Examined,
     /// Where it failed: a small scene that fails in the same check.
@@ -81,6 +87,7 @@ pub fn seed(seed: u64, clock: Clock<'_>, limits: Limits) -> Verdict {
         girders: scene.girders.len(),
         duration: scene.duration,
         tolerance: scene.solver.tolerance,
+        inside: is_inside(&scene),
         examined,
         small,
         seconds,
@@ -89,8 +96,16 @@ pub fn seed(seed: u64, clock: Clock<'_>, limits: Limits) -> Verdict {
 
 /// Examines what was asked for, in the order of the seeds whoever does them; `told` hears of each.
 pub fn run(asked: &Asked, clock: Clock<'_>, told: &(dyn Fn(&Verdict) + Sync)) -> Vec<Verdict> {
-    let seeds: Vec<u64> = (0..asked.seeds).map(|number| asked.from.wrapping_add(number)).collect();
+    let seeds: Vec<u64> = seeds(asked);
     run_seeds(&seeds, asked.threads, asked.limits, clock, told)
+}
+
+/// The seeds that are asked for, from the first one on.
+pub fn seeds(asked: &Asked) -> Vec<u64> {
+    // None comes up twice, and there is an end where a domain has no seed at all.
+    let all = (0..=u64::from(u32::MAX)).map(|number| asked.from.wrapping_add(number));
+    let wanted = usize::try_from(asked.seeds).unwrap_or(usize::MAX);
+    all.filter(|&seed| !asked.inside || is_inside(&family::scene(seed).1)).take(wanted).collect()
 }
 
 /// The same for any seeds.

@@ -12,7 +12,7 @@ const SLOWEST: usize = 10;
 /// Every seed in a row of comma-separated values.
 pub fn csv(verdicts: &[Verdict]) -> String {
     let mut text = String::from(
-        "seed,family,kind,girders,duration_s,examined_s,tolerance,outcome,checks,touches,events,residual,missed_m,cone,creates,gives_back,error_m,finer_error_m,trusted_s,seconds\n",
+        "seed,family,kind,girders,duration_s,examined_s,tolerance,inside,outcome,checks,touches,events,residual,missed_m,cone,creates,gives_back,error_m,finer_error_m,trusted_s,seconds\n",
     );
     for v in verdicts {
         let f = &v.examined.figures;
@@ -20,7 +20,7 @@ pub fn csv(verdicts: &[Verdict]) -> String {
         // Writing to a string does not fail.
         let _ = writeln!(
             text,
-            "{},{},{},{},{:?},{:e},{:e},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
+            "{},{},{},{},{:?},{:e},{:e},{},{},{},{},{},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:.4}",
             v.seed,
             v.family,
             if v.kind == Kind::Planar { "planar" } else { "spatial" },
@@ -28,6 +28,7 @@ pub fn csv(verdicts: &[Verdict]) -> String {
             v.duration,
             v.examined.until,
             v.tolerance,
+            v.inside,
             outcome(v),
             checks.join(" "),
             f.touches,
@@ -49,6 +50,7 @@ pub fn csv(verdicts: &[Verdict]) -> String {
 fn outcome(verdict: &Verdict) -> &'static str {
     match verdict.examined.outcome {
         Outcome::Passed => "passed",
+        Outcome::GaveUp(_) => "gave up",
         Outcome::Refused(_) => "refused",
         Outcome::Failed(_) => "failed",
     }
@@ -56,16 +58,25 @@ fn outcome(verdict: &Verdict) -> &'static str {
 
 /// The page: what was asked, what came out, every failure with the command that repeats it.
 pub fn markdown(asked: &Asked, verdicts: &[Verdict], wall: f64) -> String {
-    let count = |word: &str| verdicts.iter().filter(|v| outcome(v) == word).count();
+    let count = |word: &str, inside: bool| verdicts.iter().filter(|v| outcome(v) == word && v.inside == inside).count();
+    let all = |inside: bool| verdicts.iter().filter(|v| v.inside == inside).count();
     let cpu: f64 = verdicts.iter().map(|v| v.seconds).sum();
     let mut page = format!(
-        "# Stability: {} seeds from {}\n\n{} passed, {} failed, {} refused by validation; {:.1} s on {} threads, {:.4} s a \
-         seed, {} s of patience each. Of {} only the first {} events were examined.\n",
+        "# Stability: {} seeds from {}{}\n\nInside the domain {}: {} passed every check, {} failed, {} refused by validation. \
+         Outside {}, which are only to end well: {} ended, {} gave up and said why, {} failed, {} refused. \
+         {:.1} s on {} threads, {:.4} s a seed, {} s of patience each. Of {} only the first {} events were examined.\n",
         verdicts.len(),
         asked.from,
-        count("passed"),
-        count("failed"),
-        count("refused"),
+        if asked.inside { ", those inside the domain only" } else { "" },
+        all(true),
+        count("passed", true),
+        count("failed", true),
+        count("refused", true),
+        all(false),
+        count("passed", false),
+        count("gave up", false),
+        count("failed", false),
+        count("refused", false),
         wall,
         asked.threads,
         cpu / (verdicts.len().max(1)) as f64,
@@ -82,7 +93,7 @@ pub fn markdown(asked: &Asked, verdicts: &[Verdict], wall: f64) -> String {
 
 fn families(page: &mut String, verdicts: &[Verdict]) {
     page.push_str(
-        "\n## Families\n\n| family | seeds | failed | touches | events | slowest [s] |\n|---|---|---|---|---|---|\n",
+        "\n## Families\n\n| family | seeds | inside | failed | touches | events | slowest [s] |\n|---|---|---|---|---|---|---|\n",
     );
     for name in family::names() {
         let mine: Vec<&Verdict> = verdicts.iter().filter(|v| v.family == name).collect();
@@ -90,12 +101,14 @@ fn families(page: &mut String, verdicts: &[Verdict]) {
         let events: usize = mine.iter().map(|v| v.examined.figures.events).sum();
         let failed = mine.iter().filter(|v| v.failed()).count();
         let slowest = mine.iter().map(|v| v.seconds).fold(0.0, f64::max);
-        let _ = writeln!(page, "| {name} | {} | {failed} | {touches} | {events} | {slowest:.2} |", mine.len());
+        let inside = mine.iter().filter(|v| v.inside).count();
+        let _ =
+            writeln!(page, "| {name} | {} | {inside} | {failed} | {touches} | {events} | {slowest:.2} |", mine.len());
     }
 }
 
 fn checks(page: &mut String, verdicts: &[Verdict]) {
-    page.push_str("\n## Checks\n\n| check | failed | what is claimed |\n|---|---|---|\n");
+    page.push_str("\n## Checks\n\nOutside the domain: `panic`, `time` and `numbers`.\n\n| check | failed | what is claimed |\n|---|---|---|\n");
     for check in Check::ALL {
         let failed = verdicts.iter().filter(|v| v.complaints().iter().any(|c| c.check == check)).count();
         let _ = writeln!(page, "| {} | {failed} | {} |", check.label(), check.claim());

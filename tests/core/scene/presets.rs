@@ -1,6 +1,8 @@
 //! The presets say what the paper's tables say, and are sound scenes.
 
-use girderbench::scene::{Bearings, FrictionLaw, Motion, PerDirection, Scene, facing, format, presets, validate};
+use girderbench::scene::{
+    Bearings, FrictionLaw, Motion, PerDirection, Scene, domain, facing, format, presets, validate,
+};
 
 fn load(name: &str) -> Scene {
     presets::load(name).unwrap_or_else(|errors| panic!("{errors}"))
@@ -83,4 +85,21 @@ fn an_unknown_preset_is_answered_with_the_names_there_are() {
     let errors = presets::load("skew45-abutmnt").expect_err("no such preset");
     let words = errors.to_string();
     assert!(words.contains("did you mean `skew45-abutment`?") && words.contains("row-of-5"), "{words}");
+}
+
+#[test]
+fn presets_and_lessons_lie_inside_the_domain() {
+    let lessons = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
+    let mut scenes: Vec<Scene> = presets::all().iter().map(|preset| load(preset.name)).collect();
+    for entry in std::fs::read_dir(lessons).expect("the lessons' folder") {
+        let path = entry.expect("an entry").path();
+        if !path.to_string_lossy().ends_with(".lesson.toml") {
+            let text = std::fs::read_to_string(&path).expect("a lesson's scene");
+            scenes.push(format::parse(&text, "lesson").unwrap_or_else(|errors| panic!("{errors}")));
+        }
+    }
+    assert!(scenes.len() > 10, "all of them: {}", scenes.len());
+    for scene in scenes {
+        assert_eq!(domain::outside(&scene), [], "{}", scene.name);
+    }
 }

@@ -33,14 +33,20 @@ impl Check {
 
 /// Puts every check of one answer.
 pub fn answer(history: &History, figures: &mut Figures, complaints: &mut Vec<Complaint>) {
-    let times = looks(history);
-    numbers::check(history, &times, complaints);
+    let times = numbers(history, figures, complaints);
     if !complaints.is_empty() {
         return;
     }
-    figures.events = history.events().len();
-    figures.touches = history.events().iter().filter(|e| e.kind.is_touch()).count();
     missed::check(history, &times, figures, complaints);
     forces::check(history, &times, figures, complaints);
     energy::check(history, &times, figures, complaints);
+}
+
+/// Puts the check of numbers, and counts; the times at which the answer was looked at.
+pub fn numbers(history: &History, figures: &mut Figures, complaints: &mut Vec<Complaint>) -> Vec<f64> {
+    let times = looks(history);
+    numbers::check(history, &times, complaints);
+    figures.events = history.events().len();
+    figures.touches = history.events().iter().filter(|e| e.kind.is_touch()).count();
+    times
 }
