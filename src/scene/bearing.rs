@@ -3,13 +3,11 @@
 //! `bearings` is a table (equal bearings, given by frequency and damping) or a list (one by one), and some numbers may
 //! be one or two; both are read by hand, because serde's untagged enums forget what was wrong and where.
 
-use glam::DVec3;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::keys::{Fallback, Range, Stands, Stated, table};
-use super::{Girder, Kind};
 
 /// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -71,10 +69,10 @@ table! {
     struct Bearing, BEARING {
         at: [f64; 2] = "at_m", Range::Like("[x, y]"), Fallback::Needed("must be given"),
             "place in the girder's frame, m";
-        #[serde(with = "super::format::two_or_three")]
+        #[serde(with = "super::two_or_three")]
         stiffness: [f64; 3] = "stiffness_n_per_m", Range::NotNegative, Fallback::Needed("must be given"),
             "[k_x, k_y] or [k_x, k_y, k_z] along, across and up, N/m; a spatial girder needs some k_z";
-        #[serde(with = "super::format::two_or_three")]
+        #[serde(with = "super::two_or_three")]
         damping: [f64; 3] = "damping_n_s_per_m", Range::NotNegative, Fallback::Needed("must be given"),
             "[c_x, c_y] or [c_x, c_y, c_z], N·s/m";
     }
@@ -88,62 +86,6 @@ pub enum Bearings {
     Shared(SharedBearings),
     /// `bearings = [{ at_m = …, stiffness_n_per_m = …, … }, …]`.
     Each(Vec<Bearing>),
-}
-
-/// A bearing with everything filled in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ResolvedBearing {
-    /// Attachment point in the girder's frame; at the underside in a spatial scene, at the height of G in a planar
-    /// one \[m\].
-    pub place: DVec3,
-    /// `k_x, k_y, k_z` along the girder's axes as placed \[N/m\].
-    pub stiffness: [f64; 3],
-    /// `c_x, c_y, c_z` along the girder's axes as placed \[N·s/m\].
-    pub damping: [f64; 3],
-}
-
-impl SharedBearings {
-    /// True places in the frame of a girder: as given, or moved by `y cot β` with the skew \[m\].
-    pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
-        let shear = girder.prism().shear();
-        let skewed = self.at_skewed.iter().flatten().map(|&[x, y]| [x + y * shear, y]);
-        self.at.iter().flatten().copied().chain(skewed).collect()
-    }
-
-    /// `(f, h)` along x, y, z; the vertical is 0 in a planar scene, or where none is given.
-    fn modes(&self, kind: Kind) -> [(f64, f64); 3] {
-        let ([fx, fy], [hx, hy]) = (self.frequency_hz.xy(), self.damping_ratio.xy());
-        let vertical = match kind {
-            Kind::Planar => (0.0, 0.0),
-            Kind::Spatial => (self.vertical_frequency_hz.unwrap_or(0.0), self.vertical_damping_ratio.unwrap_or(hx)),
-        };
-        [(fx, hx), (fy, hy), vertical]
-    }
-}
-
-impl Bearings {
-    /// The bearings of `girder` one by one: `k = m (2π f)²`, `c = 2 h m (2π f)` shared equally (paper equation (5)).
-    pub fn resolve(&self, girder: &Girder, kind: Kind) -> Vec<ResolvedBearing> {
-        let height = match kind {
-            Kind::Planar => 0.0,
-            Kind::Spatial => -girder.thickness / 2.0,
-        };
-        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, height);
-        match self {
-            Self::Shared(shared) => {
-                let places = shared.places(girder);
-                let share = girder.mass / places.len() as f64;
-                let modes = shared.modes(kind).map(|(f, h)| (std::f64::consts::TAU * f, h));
-                let stiffness = modes.map(|(omega, _)| share * omega.powi(2));
-                let damping = modes.map(|(omega, h)| 2.0 * h * share * omega);
-                places.into_iter().map(|p| ResolvedBearing { place: at(p), stiffness, damping }).collect()
-            }
-            Self::Each(bearings) => bearings
-                .iter()
-                .map(|b| ResolvedBearing { place: at(b.at), stiffness: b.stiffness, damping: b.damping })
-                .collect(),
-        }
-    }
 }
 
 impl Stands for Bearings {

@@ -28,11 +28,11 @@ table! {
     /// Where and how fast a girder starts, relative to where it was placed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Initial, INITIAL {
-        #[serde(with = "super::format::two_or_three")]
+        #[serde(with = "super::two_or_three")]
         displacement: [f64; 3] = "displacement_m", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m; a third only in a spatial scene";
         rotation_deg: f64 = "rotation_deg", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
-        #[serde(with = "super::format::two_or_three")]
+        #[serde(with = "super::two_or_three")]
         velocity: [f64; 3] = "velocity_m_s", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m/s";
         spin_deg_s: f64 = "spin_deg_s", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
@@ -43,7 +43,7 @@ table! {
     /// A constant push on a girder, at G, in the world frame.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Push, PUSH {
-        #[serde(with = "super::format::two_or_three")]
+        #[serde(with = "super::two_or_three")]
         force: [f64; 3] = "force_n", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "constant force at G, world frame, N";
         moment: f64 = "moment_n_m", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";

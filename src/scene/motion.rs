@@ -4,8 +4,38 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::keys::{Fallback, Range, table};
-use super::placed::sin_cos_deg;
+use super::angle::sin_cos_deg;
+use super::keys::{Fallback, Key, Range, table};
+
+/// Standard gravity, as the paper's "g" is read here \[m/s²\].
+pub const STANDARD_GRAVITY: f64 = 9.806_65;
+
+/// `[motion]`, whatever its kind.
+pub const MOTION: &[Key] = &[Key::new(
+    "kind",
+    Range::Words(&["none", "sine", "record"]),
+    Fallback::Word("none"),
+    "which of the following; \"none\" has no other keys",
+)];
+
+/// `[motion]` of `kind = "record"`.
+pub const RECORD: &[Key] = &[
+    Key::new(
+        "samples_m_s2",
+        Range::Like("two or more numbers"),
+        Fallback::Needed("this or file"),
+        "acceleration from t = 0 on, m/s²",
+    ),
+    Key::new(
+        "dt_s",
+        Range::Positive,
+        Fallback::Needed("must be given with samples_m_s2"),
+        "interval between samples, s",
+    ),
+    Key::new("file", Range::Free, Fallback::Needed("this or samples_m_s2"), "a two-column CSV beside the scene's file"),
+    Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample"),
+    Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees"),
+];
 
 table! {
     /// `kind = "sine"`: `A sin(2π f t + φ0)`.
@@ -66,7 +96,7 @@ pub enum Motion {
 impl SineMotion {
     /// `A`, from whichever of the two keys is given; 0 when neither is (validation says so in words) \[m/s²\].
     pub fn amplitude_si(&self) -> f64 {
-        self.amplitude.or(self.amplitude_g.map(|g| g * super::STANDARD_GRAVITY)).unwrap_or(0.0)
+        self.amplitude.or(self.amplitude_g.map(|g| g * STANDARD_GRAVITY)).unwrap_or(0.0)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
+use super::angle::sin_cos_deg;
 use super::{Abutment, Girder, Scene};
 use crate::geometry::End;
 
@@ -11,17 +12,6 @@ use crate::geometry::End;
 pub fn axes(girder: &Girder) -> DMat3 {
     let (s, c) = sin_cos_deg(girder.heading_deg);
     DMat3::from_cols(DVec3::new(c, s, 0.0), DVec3::new(-s, c, 0.0), DVec3::Z)
-}
-
-/// `(sin, cos)` of an angle in degrees, exact at multiples of 90°.
-pub fn sin_cos_deg(angle: f64) -> (f64, f64) {
-    match angle.rem_euclid(360.0) {
-        0.0 => (0.0, 1.0),
-        90.0 => (1.0, 0.0),
-        180.0 => (0.0, -1.0),
-        270.0 => (-1.0, 0.0),
-        _ => angle.to_radians().sin_cos(),
-    }
 }
 
 /// Corners of a girder's end face in the world as placed, anticlockwise seen from outside \[m\].

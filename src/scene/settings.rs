@@ -4,23 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table, words};
 
-pub(super) fn format_version() -> u32 {
-    1
-}
-
-pub(super) fn standard_gravity() -> f64 {
-    super::STANDARD_GRAVITY
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-pub(super) fn is_standard_gravity(g: &f64) -> bool {
-    *g == super::STANDARD_GRAVITY
-}
-
-pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
-}
-
 words! {
     /// How a run is integrated between events.
     SolverMethod, by default EventDriven {

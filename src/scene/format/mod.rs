@@ -13,14 +13,12 @@ mod write;
 use serde::Deserialize;
 use toml::{Table, Value};
 
+pub use super::top::VERSION;
 pub(crate) use fault::did_you_mean;
 pub use update::update;
 pub use write::write;
 
 use super::{Scene, SceneError, SceneErrors};
-
-/// The version of the format that is read and written.
-pub const VERSION: u32 = 1;
 
 /// Reads the text of a scene file; `file` is how complaints call it.
 ///
@@ -78,45 +76,5 @@ fn not_toml(error: &toml::de::Error, text: &str, file: &str) -> SceneError {
         place: format!("line {}, column {}", line + 1, column + 1),
         value: if found.is_empty() { "nothing".to_owned() } else { format!("`{found}`") },
         remedy: format!("not TOML: {}", error.message().replace('\n', "; ")),
-    }
-}
-
-/// Two or three numbers; a missing third is 0, and a third of 0 is not written.
-pub mod two_or_three {
-    use serde::de::{SeqAccess, Visitor};
-    use serde::{Deserializer, Serialize, Serializer};
-
-    /// Writes two numbers where the third is 0.
-    ///
-    /// # Errors
-    /// What the serializer answers.
-    pub fn serialize<S: Serializer>(v: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
-        if v[2].to_bits() == 0 { v[..2].serialize(serializer) } else { v.serialize(serializer) }
-    }
-
-    /// Reads two or three numbers.
-    ///
-    /// # Errors
-    /// Anything else.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 3], D::Error> {
-        deserializer.deserialize_any(TwoOrThree)
-    }
-
-    struct TwoOrThree;
-
-    impl<'de> Visitor<'de> for TwoOrThree {
-        type Value = [f64; 3];
-
-        fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-            f.write_str("a list of two or three numbers")
-        }
-
-        fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<[f64; 3], A::Error> {
-            let two = (seq.next_element()?, seq.next_element()?);
-            match two {
-                (Some(x), Some(y)) => Ok([x, y, seq.next_element()?.unwrap_or(0.0)]),
-                _ => Err(serde::de::Error::invalid_length(0, &self)),
-            }
-        }
     }
 }

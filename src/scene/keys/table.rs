@@ -1,6 +1,6 @@
 //! A table of the scene file stated once: its struct, its keys with ranges and meanings, its defaults, its numbers.
 
-use super::Fallback;
+use super::key::Fallback;
 use crate::geometry::End;
 
 /// What stands under a key, for the check of its range.

@@ -11,7 +11,8 @@ mod placing;
 pub use complaints::{SceneError, SceneErrors};
 
 use super::facing::Facing;
-use super::{Scene, format, keys};
+use super::top::VERSION;
+use super::{Scene, keys};
 use complaints::Complaints;
 
 /// Checks a whole scene (everything that can be known without running it).
@@ -54,8 +55,8 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
 
 fn top(scene: &Scene, complaints: &mut Complaints) {
     let mut at = complaints.at("", keys::TOP);
-    if scene.format != format::VERSION {
-        at.add("format", scene.format, format!("this program reads format {}", format::VERSION));
+    if scene.format != VERSION {
+        at.add("format", scene.format, format!("this program reads format {}", VERSION));
     }
     if scene.name.trim().is_empty() {
         at.add("name", format!("\"{}\"", scene.name), "give the scene a name");

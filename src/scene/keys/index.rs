@@ -1,0 +1,98 @@
+//! Every table of the scene file, and the key that a place in a scene is about.
+
+use super::key::Key;
+use super::{
+    ABUTMENT, BEARING, BEARINGS, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PLOT, PUSH,
+    RECORD, SEAT, SINE, SOLVER, TOP, VIEW,
+};
+
+/// A table of the scene file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Table {
+    /// The way to it, without names and numbers: `girder.initial`; `[]` marks single bearings, `kind =` the keys of one
+    /// kind of motion.
+    pub path: &'static str,
+    /// Its keys, in the order of the documentation.
+    pub keys: &'static [Key],
+}
+
+/// Every table; of those that are mixed by place (`girder.bearings` is a table or a list, `motion` depends on `kind`)
+/// each form.
+pub const TABLES: &[Table] = &[
+    Table { path: "", keys: TOP },
+    Table { path: "girder", keys: GIRDER },
+    Table { path: "girder.bearings", keys: BEARINGS },
+    Table { path: "girder.bearings[]", keys: BEARING },
+    Table { path: "girder.initial", keys: INITIAL },
+    Table { path: "girder.push", keys: PUSH },
+    Table { path: "girder.seat_m", keys: SEAT },
+    Table { path: "abutment", keys: ABUTMENT },
+    Table { path: "contact", keys: CONTACT },
+    Table { path: "contact.pair", keys: PAIR },
+    Table { path: "model", keys: MODEL },
+    Table { path: "impact", keys: IMPACT },
+    Table { path: "motion", keys: MOTION },
+    Table { path: "motion kind = sine", keys: SINE },
+    Table { path: "motion kind = record", keys: RECORD },
+    Table { path: "solver", keys: SOLVER },
+    Table { path: "limits", keys: LIMITS },
+    Table { path: "view", keys: VIEW },
+    Table { path: "view.plot", keys: PLOT },
+    Table { path: "view.overlays", keys: OVERLAYS },
+];
+
+/// The key of this name among those of a table.
+pub fn find(keys: &'static [Key], name: &str) -> Option<&'static Key> {
+    keys.iter().find(|key| key.name == name)
+}
+
+/// The key that a place in a scene is about, and its table: `girder.deck.initial.displacement_m[0]`,
+/// `contact.pair[2].mu_static`, `motion.angle_deg`.
+pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
+    let mut steps: Vec<&str> = place.split('.').collect();
+    if matches!(steps[0], "girder" | "abutment") && steps.len() > 1 {
+        steps.remove(1);
+    }
+    let last = steps.pop()?;
+    let name = last.split('[').next().unwrap_or(last);
+    let way: Vec<String> = steps.iter().map(|step| without_number(step)).collect();
+    let way = way.join(".");
+    let mut tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
+    tables.find_map(|table| Some((table, find(table.keys, name)?)))
+}
+
+/// `pair[2]` is a pair, `bearings[2]` a bearing of its own and not all of them.
+fn without_number(step: &str) -> String {
+    match step.split_once('[') {
+        Some(("bearings", _)) => "bearings[]".into(),
+        Some((list, _)) => list.into(),
+        None => step.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_leads_to_its_key() {
+        let cases = [
+            ("duration_s", "", "duration_s"),
+            ("girder.deck.length_m", "girder", "length_m"),
+            ("girder.deck.initial.displacement_m[1]", "girder.initial", "displacement_m"),
+            ("girder.deck.bearings.at_skewed_m[3][0]", "girder.bearings", "at_skewed_m"),
+            ("girder.deck.bearings[3].at_m", "girder.bearings[]", "at_m"),
+            ("girder.deck.seat_m.+x", "girder.seat_m", "+x"),
+            ("contact.pair[0].mu_static", "contact.pair", "mu_static"),
+            ("motion.frequency_hz", "motion kind = sine", "frequency_hz"),
+            ("motion.scale", "motion kind = record", "scale"),
+            ("view.overlays.grid", "view.overlays", "grid"),
+        ];
+        for (place, table, name) in cases {
+            let (found, key) = of_place(place).expect(place);
+            assert_eq!((found.path, key.name), (table, name), "{place}");
+        }
+        assert_eq!(of_place("girder.deck.colour"), None, "no such key");
+        assert_eq!(of_place(""), None, "no key at all");
+    }
+}

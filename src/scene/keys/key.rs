@@ -1,0 +1,53 @@
+//! A key of the scene file: its rule, its default, its meaning.
+
+use super::range::Range;
+
+/// What a key is when the file does not have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fallback {
+    /// The file must have it, or another key in its place: how, in words.
+    Needed(&'static str),
+    /// This number, in the unit of the key.
+    Number(f64),
+    /// So many zeros.
+    Zeros(usize),
+    /// This word.
+    Word(&'static str),
+    /// On or off.
+    Switch(bool),
+    /// Something that is reckoned from other values, or nothing at all: what, in words.
+    Words(&'static str),
+}
+
+/// A key of the scene file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Key {
+    /// As it stands in the file.
+    pub name: &'static str,
+    /// What may stand under it.
+    pub range: Range,
+    /// What it is without.
+    pub fallback: Fallback,
+    /// What it means, with its unit.
+    pub meaning: &'static str,
+}
+
+impl Key {
+    pub(in crate::scene) const fn new(
+        name: &'static str,
+        range: Range,
+        fallback: Fallback,
+        meaning: &'static str,
+    ) -> Self {
+        Self { name, range, fallback, meaning }
+    }
+
+    /// The number that it is when the file does not have it, where that is always the same.
+    pub fn number(&self) -> Option<f64> {
+        match self.fallback {
+            Fallback::Number(number) => Some(number),
+            Fallback::Zeros(_) => Some(0.0),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! The whole scene, and the keys at the top of its file.
+
+use serde::{Deserialize, Serialize};
+
+use super::keys::{Fallback, Key, Range};
+use super::motion::STANDARD_GRAVITY;
+use super::{
+    Abutment, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, SolverSettings,
+    ViewSettings,
+};
+
+/// The version of the format that is read and written.
+pub const VERSION: u32 = 1;
+
+/// A scene file: everything that a run, a picture or a table depends on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Version of the file format; 1.
+    #[serde(default = "format_version")]
+    pub format: u32,
+    /// What the scene is called.
+    pub name: String,
+    /// A line or two on what the scene shows.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// Planar or spatial.
+    #[serde(default)]
+    pub kind: Kind,
+    /// How long the ground shakes and the answer reaches \[s\].
+    #[serde(rename = "duration_s")]
+    pub duration: f64,
+    /// Gravity, used by spatial scenes only \[m/s²\].
+    #[serde(rename = "gravity_m_s2", default = "standard_gravity", skip_serializing_if = "is_standard_gravity")]
+    pub gravity: f64,
+    /// What computes it.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub model: ModelSettings,
+    /// Girders, in the order of the file.
+    #[serde(rename = "girder", default)]
+    pub girders: Vec<Girder>,
+    /// Abutments, in the order of the file.
+    #[serde(rename = "abutment", default, skip_serializing_if = "Vec::is_empty")]
+    pub abutments: Vec<Abutment>,
+    /// Contact numbers and overrides for named pairs.
+    #[serde(default)]
+    pub contact: ContactSettings,
+    /// Numbers of the impact model.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub impact: ImpactSettings,
+    /// How the ground moves.
+    #[serde(default)]
+    pub motion: Motion,
+    /// How exactly it is to be computed.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub solver: SolverSettings,
+    /// What must not be passed.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub limits: Limits,
+    /// How it is first shown.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub view: ViewSettings,
+}
+
+fn format_version() -> u32 {
+    VERSION
+}
+
+fn standard_gravity() -> f64 {
+    STANDARD_GRAVITY
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_standard_gravity(g: &f64) -> bool {
+    *g == STANDARD_GRAVITY
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+/// The top of the file.
+pub const TOP: &[Key] = &[
+    Key::new("format", Range::Like("1"), Fallback::Number(1.0), "version of the format"),
+    Key::new("name", Range::Like("not empty"), Fallback::Needed("must be given"), "what the scene is called"),
+    Key::new("description", Range::Free, Fallback::Words("empty"), "a line or two on what it shows"),
+    Key::new(
+        "kind",
+        Range::Words(Kind::WORDS),
+        Kind::FALLBACK,
+        "planar: x, y and the rotation θ; spatial: six degrees of freedom, gravity, bearings at their true places",
+    ),
+    Key::new(
+        "duration_s",
+        Range::Positive,
+        Fallback::Needed("must be given"),
+        "how long the ground shakes and the answer reaches, s",
+    ),
+    Key::new(
+        "gravity_m_s2",
+        Range::NotNegative,
+        Fallback::Number(STANDARD_GRAVITY),
+        "gravity in a spatial scene, m/s²",
+    ),
+    Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
+    Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
+    Key::new("model", Range::Free, Fallback::Words("as below"), "[model]"),
+    Key::new("contact", Range::Free, Fallback::Words("as below"), "[contact] and [[contact.pair]]"),
+    Key::new("impact", Range::Free, Fallback::Words("as below"), "[impact]"),
+    Key::new("motion", Range::Free, Fallback::Words("still ground"), "[motion]"),
+    Key::new("solver", Range::Free, Fallback::Words("as below"), "[solver]"),
+    Key::new("limits", Range::Free, Fallback::Words("none"), "[limits]"),
+    Key::new("view", Range::Free, Fallback::Words("as below"), "[view]"),
+];
