@@ -10,7 +10,8 @@ use girderbench::dynamics::integrator::dop853::{Dop853, next_factor};
 use girderbench::dynamics::integrator::system::System;
 use girderbench::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing};
 use girderbench::dynamics::locate::root::root;
-use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
+use girderbench::dynamics::model::coordinates::planar;
+use girderbench::dynamics::model::wrench::Wrench;
 use girderbench::scene::presets;
 
 #[path = "../tests/support/rows.rs"]
@@ -25,7 +26,7 @@ struct Equation(Model);
 
 impl System for Equation {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        planar_slope(&self.0.bodies[0], y, &Wrench::default(), self.0.ground.acceleration(t), out);
+        planar::slope(&self.0.bodies[0], y, &Wrench::default(), self.0.ground.acceleration(t), out);
     }
 
     fn size2(&self, d: &[f64]) -> f64 {

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | [`integrator`] | explicit and implicit methods, dense output, step control; no physics |
 //! | [`locate`] | the first zero of a function of time: conservative advancement, subdivision, bracketed root |
-//! | [`model`] | a scene compiled to constant data: bodies, bearings, facing pairs, contact sites, rate bounds |
+//! | [`model`] | a scene compiled to constant data: bodies with their degrees of freedom, bearings, facing pairs, contact sites, rate bounds |
 //! | [`free_flight`] | closed-form free motion and bounds on it |
 //! | [`trajectory`] | trajectories as stored |
 //! | [`penalty3d`] | closed contacts, equations of motion of bodies that touch, error scale, event location |

@@ -6,7 +6,6 @@
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
 use crate::dynamics::model::reference_pose::{ReferencePose, seen_from};
-use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
@@ -26,16 +25,16 @@ struct Seen {
 impl History {
     /// A body within a step, counted from its base; nothing where it is in no step.
     fn since(&self, body: usize, t: f64) -> Option<(ReferencePose, Frame)> {
-        let (mut state, width) = ([0.0; rigid_body::SPATIAL], rigid_body::width(self.model().kind));
-        let (state, own) = (&mut state[..width], &self.model().bodies[body]);
+        let own = &self.model().bodies[body];
+        let mut state = own.blank();
         let base = match self.paths[body].at(t)? {
-            (_, StoredMotion::Step(piece)) => ReferencePose::by(self.model().kind, own, piece.read_since(t, state)),
-            (from, StoredMotion::Again(number)) => self.stepped(body, (number, from), |piece| {
-                ReferencePose::by(self.model().kind, own, piece.read_since(t, state))
-            }),
+            (_, StoredMotion::Step(piece)) => own.reference(piece.read(t, &mut state)),
+            (from, StoredMotion::Again(number)) => {
+                self.stepped(body, (number, from), |piece| own.reference(piece.read(t, &mut state)))
+            }
             _ => return None,
         };
-        Some((base, base.since(own, state)))
+        Some((base, own.frame_since(&state)))
     }
 
     /// A closed contact at `t` with its sides, as exactly as the run has it: counted from where its bodies were caught.

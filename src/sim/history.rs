@@ -11,7 +11,7 @@ use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::Record;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
@@ -158,27 +158,26 @@ impl History {
     }
 
     /// State of a body as its integrator holds it, at `t` clamped to what was computed.
-    pub(super) fn state(&self, body: usize, t: f64) -> [f64; rigid_body::SPATIAL] {
+    pub(super) fn state(&self, body: usize, t: f64) -> BodyState {
         let t = t.clamp(0.0, self.end);
-        let mut state = [0.0; rigid_body::SPATIAL];
-        let width = rigid_body::width(self.model.kind);
+        let own = &self.model.bodies[body];
+        let mut state = own.blank();
         match (self.paths[body].at(t), &self.systems[body]) {
             (Some((from, StoredMotion::Start(start))), Some(system)) => {
-                state[..6].copy_from_slice(&system.state(&system.fly(from, start), t));
+                state.copy_from_slice(&system.state(&system.fly(from, start), t));
             }
             (Some((_, StoredMotion::Flight(flight))), Some(system)) => {
-                state[..6].copy_from_slice(&system.state(flight, t));
+                state.copy_from_slice(&system.state(flight, t));
             }
             (Some((_, StoredMotion::Start(_) | StoredMotion::Flight(_))), None) => {}
-            (Some((_, StoredMotion::Slide(slide))), _) => state[..6].copy_from_slice(&slide.state(t)),
-            (Some((_, StoredMotion::Step(piece))), _) => piece.read(t, &mut state[..width]),
+            (Some((_, StoredMotion::Slide(slide))), _) => state.copy_from_slice(&slide.state(t)),
+            (Some((_, StoredMotion::Step(piece))), _) => own.restore(piece.read(t, &mut state), &mut state),
             (Some((from, StoredMotion::Again(number))), _) => {
-                self.stepped(body, (number, from), |piece| piece.read(t, &mut state[..width]));
+                self.stepped(body, (number, from), |piece| own.restore(piece.read(t, &mut state), &mut state));
             }
             // Nothing was computed: the run gave up at its start.
             (None, _) => {
-                let initial = rigid_body::initial(self.model.kind, &self.model.bodies[body]);
-                state[..initial.len()].copy_from_slice(&initial);
+                state.copy_from_slice(&own.initial());
             }
         }
         state
@@ -200,7 +199,7 @@ impl History {
 
     /// Pose and twist of a body.
     pub fn frame(&self, body: usize, t: f64) -> Frame {
-        rigid_body::frame(self.model.kind, &self.model.bodies[body], &self.state(body, t))
+        self.model.bodies[body].frame(&self.state(body, t))
     }
 
     /// Motion of a girder at `t`, clamped to what was computed.

@@ -3,20 +3,15 @@
 //! Powers are integrated over every body's path and every contact's states, each on its own steps, so the balance checks
 //! the trajectory against the forces that it claims; nothing is booked while a run is computed.
 
-use glam::DVec3;
-
 use super::books::{Account, Books};
 use super::impact::forces;
 use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
 use crate::dynamics::impact2d::LastingInterval;
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::model::rigid_body::{bearing_forces, world_inertia};
 use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::motion::Ground;
-use crate::scene::Kind;
 
 /// Quadrature cells per look in free flight.
 const PER_LOOK: f64 = 0.25;
@@ -191,62 +186,15 @@ fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> 
 }
 
 /// Powers of the ground and of pushes, and the power lost in bearings \[W\].
-fn body_powers(history: &History, number: usize, t: f64) -> [f64; 3] {
+fn body_powers(history: &History, body: usize, t: f64) -> [f64; 3] {
     let model = history.model();
-    let body = &model.bodies[number];
-    let state = history.state(number, t);
-    let here = rigid_body::frame(model.kind, body, &state);
-    let ground = -body.mass * model.ground.acceleration(t).dot(here.velocity);
-    let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
-    let loss = match model.kind {
-        Kind::Planar => {
-            let v = DVec3::new(state[3], state[4], state[5]);
-            v.dot(body.planar.damping * v)
-        }
-        Kind::Spatial => {
-            let into_axes = body.axes.transpose();
-            bearing_forces(body, &here)
-                .zip(&body.bearings)
-                .map(|((arm, _), b)| {
-                    let v = into_axes * here.velocity_at(arm);
-                    v.dot(b.damping * v)
-                })
-                .sum()
-        }
-    };
-    [ground, push, loss]
+    model.bodies[body].powers(&history.state(body, t), model.ground.acceleration(t))
 }
 
 /// Kinetic energy, strain in the bearings, potential of gravity \[J\].
-fn energies(history: &History, number: usize, t: f64) -> [f64; 3] {
+fn energies(history: &History, body: usize, t: f64) -> [f64; 3] {
     let model = history.model();
-    let body = &model.bodies[number];
-    let state = history.state(number, t);
-    let here = rigid_body::frame(model.kind, body, &state);
-    let inertia = match model.kind {
-        Kind::Planar => body.mass * body.gyration2 * here.spin.z * here.spin.z,
-        Kind::Spatial => here.spin.dot(world_inertia(body, &here.rotation(&body.axes)) * here.spin),
-    };
-    let weight = body.mass * model.gravity;
-    let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
-    let bearing = match model.kind {
-        Kind::Planar => {
-            let q = DVec3::new(state[0], state[1], state[2]);
-            0.5 * q.dot(body.planar.stiffness * q)
-        }
-        Kind::Spatial => {
-            let into_axes = body.axes.transpose();
-            let strain = |b: &crate::dynamics::model::bearing::Bearing| {
-                let moved = into_axes * (here.shift + here.turned * (body.axes * b.place));
-                0.5 * moved.dot(b.stiffness * moved)
-            };
-            // The preloads are constant vertical forces; they pay for the weight.
-            let turned = here.turned * (body.axes * body.standing.first_moment);
-            let paid = (weight + body.standing.left) * here.shift.z + turned.z;
-            body.bearings.iter().map(strain).sum::<f64>() - paid
-        }
-    };
-    [kinetic, bearing, weight * here.shift.z]
+    model.bodies[body].energies(&history.state(body, t), model.gravity)
 }
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].

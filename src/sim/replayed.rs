@@ -106,7 +106,7 @@ mod tests {
             assert_eq!(whole.digest(), none.digest(), "at {angle}°, all");
             for i in 0..=1000 {
                 let t = whole.end() * f64::from(i) / 1000.0;
-                let bits = |history: &History| history.state(0, t).map(f64::to_bits);
+                let bits = |history: &History| history.state(0, t).into_iter().map(f64::to_bits).collect::<Vec<_>>();
                 assert_eq!(bits(&whole), bits(&none), "at {t}");
             }
             assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the books, too");
@@ -126,7 +126,7 @@ mod tests {
         assert_eq!(whole.digest(), none.digest());
         for i in 0..=1000 {
             let t = whole.end() * f64::from(i) / 1000.0;
-            let bits = |history: &History| history.state(0, t).map(f64::to_bits);
+            let bits = |history: &History| history.state(0, t).into_iter().map(f64::to_bits).collect::<Vec<_>>();
             assert_eq!(bits(&whole), bits(&none), "at {t}");
         }
         assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the books, too");

@@ -3,9 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use crate::dynamics::Model;
-use crate::dynamics::model::rigid_body;
 pub use crate::dynamics::record::event::{Event, EventKind, Stop};
-use crate::scene::Kind;
 
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,20 +26,12 @@ impl Motion {
     /// Of a girder in a state as its integrator holds it.
     pub(super) fn of(model: &Model, girder: usize, state: &[f64]) -> Self {
         let body = &model.bodies[girder];
-        let here = rigid_body::frame(model.kind, body, state);
-        let (theta, attitude) = match model.kind {
-            Kind::Planar => (state[2], DQuat::from_rotation_z(state[2]) * DQuat::from_mat3(&body.axes)),
-            Kind::Spatial => {
-                let attitude = rigid_body::turn(state) * DQuat::from_mat3(&body.axes);
-                let x = here.turn(DVec3::X);
-                (x.y.atan2(x.x), attitude)
-            }
-        };
+        let (here, (theta, turned)) = (body.frame(state), body.attitude(state));
         Self {
             place: here.origin(),
             displacement: here.shift,
             theta,
-            attitude,
+            attitude: turned * DQuat::from_mat3(&body.axes),
             velocity: here.velocity,
             spin: here.spin,
         }

@@ -13,7 +13,7 @@ use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
-use crate::dynamics::model::single_axis;
+use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
@@ -25,8 +25,8 @@ enum Mover<'a> {
     Stands,
     /// By one oscillator of its own; `part` is its free motion at `start`.
     Flies { dof: &'a UncoupledAxis, part: [f64; 2], start: f64, push: f64 },
-    /// As two components of an island's planned step, from `from` to `until`, the place counted from `base`.
-    Steps { island: usize, dense: &'a DenseOutput, at: usize, base: f64, from: f64, until: f64 },
+    /// As place and rate of an island's planned step, from `from` to `until`, the place counted from `base`.
+    Steps { island: usize, dense: &'a DenseOutput, components: [usize; 2], base: f64, from: f64, until: f64 },
 }
 
 /// Both sides of a pair.
@@ -126,7 +126,10 @@ impl<'a> Gauge<'a> {
 
     /// Bound on `|g̈|` from `t` to `until`.
     fn bend(&self, t: f64, until: f64) -> f64 {
-        if let [Mover::Steps { island: a, dense, at, .. }, Mover::Steps { island: b, at: other, .. }] = self.movers
+        if let [
+            Mover::Steps { island: a, dense, components: [at, _], .. },
+            Mover::Steps { island: b, components: [other, _], .. },
+        ] = self.movers
             && a == b
         {
             return dense.difference_derivative_bounds(at..at + 1, other)[1];
@@ -134,7 +137,7 @@ impl<'a> Gauge<'a> {
         let bend = |mover: &Mover<'_>| match mover {
             Mover::Stands => 0.0,
             Mover::Flies { .. } => mover.limits(t, until - t, self)[2],
-            Mover::Steps { dense, at, .. } => dense.derivative_bounds(*at..at + 1)[1],
+            Mover::Steps { dense, components: [at, _], .. } => dense.derivative_bounds(*at..at + 1)[1],
         };
         self.movers.iter().map(bend).sum()
     }
@@ -185,14 +188,14 @@ impl<'a> Mover<'a> {
         match (&track.now, &track.system) {
             (Trajectory::Flight(flight), Some(system)) => {
                 let straight =
-                    world.model.bodies[track.body].straight[axis] && single_axis::is_along(&flight.state, axis);
+                    world.model.bodies[track.body].along(axis).is_some() && planar::is_along(&flight.state, axis);
                 let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
                 Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
             }
             (&Trajectory::Island { island: number, index }, _) => {
                 let island = world.islands[number].as_ref()?;
-                let (dense, at, base) = island.along(index, axis)?;
-                Some(Self::Steps { island: number, dense, at, base, from: island.from, until: island.until })
+                let (dense, components, base) = island.along(index, axis)?;
+                Some(Self::Steps { island: number, dense, components, base, from: island.from, until: island.until })
             }
             (Trajectory::Flight(_), None) => None,
         }
@@ -207,7 +210,9 @@ impl<'a> Mover<'a> {
                 let [steady, rate] = dof.steady(phase, drive);
                 [q + steady, v + rate]
             }
-            Self::Steps { dense, at, base, .. } => [base + dense.component(*at, t), dense.component(at + 3, t)],
+            Self::Steps { dense, components: [at, rate], base, .. } => {
+                [base + dense.component(*at, t), dense.component(*rate, t)]
+            }
         }
     }
 
@@ -230,7 +235,7 @@ impl<'a> Mover<'a> {
         match self {
             Self::Stands => 0.0,
             Self::Flies { .. } => self.limits(t, until - t, gauge)[1] * (until - t),
-            Self::Steps { dense, at, from, .. } => {
+            Self::Steps { dense, components: [at, _], from, .. } => {
                 dense.displacement_bound(*at..at + 1) * if t > *from { 2.0 } else { 1.0 }
             }
         }

@@ -3,7 +3,7 @@
 //! The other may fly in closed form or be in a step of its own; two bodies of one island share their step, so that what they
 //! do together cancels.
 
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
@@ -53,7 +53,7 @@ fn together(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
         Trajectory::Flight(_) => None,
     });
     let ((island, a), (other, b)) = (a?, b?);
-    (island == other).then(|| world.islands[island].as_ref().map(|island| island.apart(&world.model, [a, b])))?
+    (island == other).then(|| world.islands[island].as_ref()?.apart(&world.model, [a, b]))?
 }
 
 /// What a body can do at most on its trajectory.

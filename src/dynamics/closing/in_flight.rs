@@ -6,13 +6,13 @@
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::closing::next_closing::NextClosing;
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
@@ -40,7 +40,7 @@ impl View {
         let phase = world.model.ground.phase(t);
         let flyers = slots.map(|slot| slot.and_then(|slot| flyer(world, slot, t, phase, horizon)));
         let frame = |side: usize| match (slots[side], &flyers[side]) {
-            (Some(slot), Some(flyer)) => world.model.bodies[world.bodies[slot].body].planar_frame(&flyer.state),
+            (Some(slot), Some(flyer)) => world.model.bodies[world.bodies[slot].body].frame(&flyer.state),
             // An abutment's frame is that of its contact.
             _ => Frame::fixed(glam::DVec3::ZERO),
         };

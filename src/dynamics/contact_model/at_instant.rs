@@ -1,7 +1,7 @@
 //! Bodies at the instant of an event, and what a contact is there: pose of node against face, accelerations, whether stick
 //! can hold.
 
-use glam::{DMat2, DMat3, DVec2};
+use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
@@ -9,8 +9,7 @@ use crate::dynamics::closing::next_closing::INSTANT;
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::{reference_pose, rigid_body};
+use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::POSITION_ROUNDING;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
@@ -49,8 +48,8 @@ impl EventInstant {
         t: f64,
     ) -> Self {
         let body = |slot: usize| &world.model.bodies[world.bodies[slot].body];
-        let since = |((&slot, base), state): ((&usize, &ReferencePose), &Vec<f64>)| base.since(body(slot), state);
-        let since: Vec<Frame> = slots.iter().zip(&bases).zip(&states).map(since).collect();
+        let since = slots.iter().zip(&states).map(|(&slot, state)| body(slot).frame_since(state));
+        let since: Vec<Frame> = since.collect();
         let frames = bases.iter().zip(&since).map(|(base, since)| base.whole(since)).collect();
         Self { t, slots, bases, states, frames, since }
     }
@@ -136,8 +135,12 @@ impl AtInstant<'_> {
             if let Some(slot) = track.slots[which] {
                 let body = &self.world.model.bodies[self.world.bodies[slot].body];
                 let axes = [home.axes.x_axis, home.axes.y_axis].map(|axis| sides[1].turn(axis));
-                let rotation = self.side(contact, which, &self.now.frames).rotation(&body.axes);
-                mobility += rigid_body::mobility(body, &rotation, arm, axes);
+                let here = self.side(contact, which, &self.now.frames);
+                let along = |axis: DVec3| {
+                    let there = body.acceleration(&here, axis, arm);
+                    DVec2::new(there.dot(axes[0]), there.dot(axes[1]))
+                };
+                mobility += DMat2::from_cols(along(axes[0]), along(axes[1]));
             }
         }
         // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair

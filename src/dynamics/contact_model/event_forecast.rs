@@ -3,13 +3,11 @@
 
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
-use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::constants::{CONFIRMED_RISE, FORECAST_PHASE, SLOPE_PHASE};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::event_location::{Reason, function, reasons};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
-use crate::scene::Kind;
 
 /// What may change: an active contact's state, or an open contact.
 #[derive(Clone, Copy, Debug)]
@@ -85,17 +83,12 @@ fn value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
 
 /// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
 pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
-    let width = rigid_body::width(model.kind);
     let slope = island.stepper.slope();
     let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-    // Places go on with half of what the velocities gain.
-    let (places, speeds) = if model.kind == Kind::Planar { (0..3, 3) } else { (0..3, 7) };
-    for body in 0..island.bodies.len() {
-        places.clone().for_each(|i| moved[body * width + i] += 0.5 * dt * dt * slope[body * width + speeds + i]);
-        if model.kind == Kind::Spatial {
-            rigid_body::turn_on(&mut moved[body * width..], &slope[body * width..], dt);
-        }
-    }
-    let frame = |(i, &body): (usize, &usize)| island.bases[i].since(&model.bodies[body], &moved[i * width..]);
+    let frame = |(i, &body): (usize, &usize)| {
+        let (part, body) = (island.layout.range(i), &model.bodies[body]);
+        body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
+        body.frame_since(&moved[part])
+    };
     island.bodies.iter().enumerate().map(frame).collect()
 }

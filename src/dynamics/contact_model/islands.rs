@@ -3,8 +3,8 @@
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
-use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
@@ -55,8 +55,8 @@ impl IslandStock {
             end_flight(world, slot, t);
             world.bodies[slot].now = Trajectory::Island { island: number, index };
             if store.keeps_starts(world) && bases[index].kept.is_none() && bases[index].flown.is_none() {
-                let width = rigid_body::width(world.model.kind);
-                let state = &y[index * width..(index + 1) * width];
+                let bodies = members[..=index].iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]);
+                let state = &y[StateLayout::of(bodies).range(index)];
                 bases[index].flown = StepStore::landing(world, slot, &bases[index], state, t);
             }
         }

@@ -18,8 +18,7 @@ use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::constants::WORTHWHILE_CUT;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::event::Event;
@@ -71,8 +70,8 @@ impl ContactRun {
         let slots: Vec<usize> = (0..self.world.bodies.len()).collect();
         let start = |track: &BodyTrack| {
             let body = &model.bodies[track.body];
-            let mut state = rigid_body::initial(model.kind, body);
-            (ReferencePose::of(model.kind, body, &mut state), state)
+            let mut state = body.initial();
+            (body.rebase(&mut state), state)
         };
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
@@ -106,16 +105,13 @@ impl ContactRun {
             let alone = members.len() == 1 && !self.world.is_touching(first);
             let start = if alone {
                 let state = &mut states[members[0]];
-                bases[members[0]].add(state);
+                let body = &self.world.model.bodies[self.world.bodies[first].body];
+                body.restore(&bases[members[0]].numbers(), state);
                 if self.world.bodies[first].system.is_some() {
                     self.fly(first, state, t);
                     continue;
                 }
-                let placed = ReferencePose::placed(
-                    self.world.model.kind,
-                    &self.world.model.bodies[self.world.bodies[first].body],
-                );
-                Start { members: &[first], bases: vec![placed], y: state.clone(), t }
+                Start { members: &[first], bases: vec![body.placed()], y: state.clone(), t }
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
                 let bases = members.iter().map(|&i| bases[i]).collect();
@@ -133,10 +129,8 @@ impl ContactRun {
     fn fly(&mut self, slot: usize, state: &[f64], t: f64) {
         end_flight(&mut self.world, slot, t);
         let track = &mut self.world.bodies[slot];
-        let mut planar = [0.0; 6];
-        planar.copy_from_slice(&state[..6]);
-        if let Some(system) = &track.system {
-            track.now = Trajectory::Flight(system.fly(t, planar));
+        if let (Some(system), [state]) = (&track.system, planar::in_a_row(state)) {
+            track.now = Trajectory::Flight(system.fly(t, *state));
         }
     }
 
@@ -234,7 +228,7 @@ impl ContactRun {
             return;
         }
         for (index, &slot) in island.slots.iter().enumerate() {
-            if let Some(piece) = island.path(&world.model, index) {
+            if let Some(piece) = island.path(index) {
                 self.store.polynomials += piece.bytes();
                 let path = SegmentMotion::Step(piece);
                 world.bodies[slot].path.push(Segment { from: island.from, until, path });

@@ -5,7 +5,6 @@
 
 use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
 use crate::dynamics::world::World;
@@ -39,8 +38,7 @@ impl StepStore {
             (self.replay.open(members, logged_states)?, flown)
         };
         island.stretch = Some(stretch);
-        let width = rigid_body::width(world.model.kind);
-        self.replay.push(stretch, length, (!flown).then(|| states.chunks_exact(width)))
+        self.replay.push(stretch, length, (!flown).then(|| island.layout.states(&states)))
     }
 
     /// An island's bodies with what their states are counted from, which is kept where no flight ended there.
@@ -68,9 +66,10 @@ impl StepStore {
         let track = &world.bodies[slot];
         let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
         let mut there = system.state(&system.fly(from, start), t);
-        let other = ReferencePose::of(world.model.kind, &world.model.bodies[track.body], &mut there);
+        let other = world.model.bodies[track.body].rebase(&mut there);
+        let place = |base: &ReferencePose| base.planar().to_array().map(f64::to_bits);
         let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        (bits(&other.state()) == bits(&base.state()) && bits(&there) == bits(state)).then_some(number)
+        (place(&other) == place(base) && bits(&there) == bits(state)).then_some(number)
     }
 }
 
@@ -89,8 +88,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
 
 /// Whether all of an island's bodies flew to where its planned step begins.
 fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
-    let states = states.chunks_exact(rigid_body::width(world.model.kind));
-    island.slots.iter().zip(&island.bases).zip(states).all(|((&slot, base), state)| {
+    island.slots.iter().zip(&island.bases).zip(island.layout.states(states)).all(|((&slot, base), state)| {
         base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
     })
 }

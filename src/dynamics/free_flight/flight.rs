@@ -13,11 +13,9 @@ use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::model::bearing::is_diagonal;
-use crate::dynamics::model::body::Body;
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
 use crate::motion::{Ground, LinearPiece};
-
-/// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
-pub type Planar = [f64; 6];
 
 /// A planar girder's free equation of motion, prepared once.
 #[derive(Clone, Debug)]
@@ -48,7 +46,7 @@ pub struct Flight {
     /// When it begins \[s\].
     pub start: f64,
     /// State at its beginning.
-    pub state: Planar,
+    pub state: PlanarState,
     form: FlightForm,
 }
 
@@ -60,14 +58,14 @@ enum FlightForm {
     /// States at every [`CACHED_SAMPLES`]-th kink after the start; `first` is the piece that holds the start.
     Record {
         first: usize,
-        anchors: Vec<Planar>,
+        anchors: Vec<PlanarState>,
     },
 }
 
 impl Flight {
     /// At home and at rest, before the run begins.
     pub fn at_rest() -> Self {
-        Self { start: 0.0, state: [0.0; 6], form: FlightForm::Split([[0.0; 2]; 3]) }
+        Self { start: 0.0, state: [0.0; WIDTH], form: FlightForm::Split([[0.0; 2]; 3]) }
     }
 
     /// Whether it keeps states beyond its start, for looking up a record's answer fast.
@@ -78,7 +76,7 @@ impl Flight {
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
-        size_of::<Self>() + anchors * size_of::<Planar>()
+        size_of::<Self>() + anchors * size_of::<PlanarState>()
     }
 
     /// Every number that the flight's answer depends on, for hashing.
@@ -88,10 +86,15 @@ impl Flight {
 }
 
 impl FreeMotion {
+    /// The free motion of a body, where it has a closed form.
+    pub fn of(body: &Body, ground: &Ground, duration: f64) -> Option<Self> {
+        matches!(body.coordinates, BodyCoordinates::Planar).then(|| Self::new(body, ground, duration))
+    }
+
     /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
     pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
         let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));
-        let free = [body.free[0], body.free[1], body.free[5]];
+        let free = planar::free(body);
         let mask = DVec3::from(free.map(|f| if f { 1.0 } else { 0.0 }));
         let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
         let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
@@ -133,15 +136,15 @@ impl FreeMotion {
     }
 
     /// Begins a flight.
-    pub fn fly(&self, start: f64, state: Planar) -> Flight {
+    pub fn fly(&self, start: f64, state: PlanarState) -> Flight {
         let form = if self.has_kinks() {
             FlightForm::Record { first: self.ground.piece_number(start), anchors: Vec::new() }
         } else {
             match &self.form {
                 FreeMotionForm::Split { dof, .. } => {
                     let steady = self.steady(dof, start);
-                    let part = |i: usize| [state[i] - steady[i], state[3 + i] - steady[3 + i]];
-                    FlightForm::Split([part(0), part(1), part(2)])
+                    let apart: PlanarState = std::array::from_fn(|i| state[i] - steady[i]);
+                    FlightForm::Split([0, 1, 2].map(|i| planar::part(&apart, i)))
                 }
                 FreeMotionForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
             }
@@ -150,15 +153,14 @@ impl FreeMotion {
     }
 
     /// Steady response to the sine at `t`.
-    pub(in crate::dynamics) fn steady(&self, dof: &[UncoupledAxis; 3], t: f64) -> Planar {
+    pub(in crate::dynamics) fn steady(&self, dof: &[UncoupledAxis; 3], t: f64) -> PlanarState {
         self.steady_in(dof, self.ground.phase(t))
     }
 
     /// The same by the ground's phase.
-    fn steady_in(&self, dof: &[UncoupledAxis; 3], [s, c]: [f64; 2]) -> Planar {
-        let Ground::Sine { omega, .. } = self.ground else { return [0.0; 6] };
-        let [x, y, turn] = [0, 1, 2].map(|i| dof[i].steady([s, c], omega));
-        [x[0], y[0], turn[0], x[1], y[1], turn[1]]
+    fn steady_in(&self, dof: &[UncoupledAxis; 3], [s, c]: [f64; 2]) -> PlanarState {
+        let Ground::Sine { omega, .. } = self.ground else { return [0.0; WIDTH] };
+        planar::of_parts([0, 1, 2].map(|i| dof[i].steady([s, c], omega)))
     }
 
     /// One direction of a flight whose free motion and steady response are parted, and its free part at the start.
@@ -169,9 +171,9 @@ impl FreeMotion {
         }
     }
 
-    fn augmented(&self, t: f64, state: &Planar) -> matrix_exponential::AugmentedState {
+    fn augmented(&self, t: f64, state: &PlanarState) -> matrix_exponential::AugmentedState {
         let mut z = [0.0; matrix_exponential::SIZE];
-        z[..6].copy_from_slice(state);
+        z[..WIDTH].copy_from_slice(state);
         z[matrix_exponential::ONE] = 1.0;
         if let Ground::Sine { omega, phase, .. } = self.ground {
             let (s, c) = (omega * t + phase).sin_cos();
@@ -181,15 +183,15 @@ impl FreeMotion {
     }
 
     /// State at `t` in `flight`.
-    pub fn state(&self, flight: &Flight, t: f64) -> Planar {
+    pub fn state(&self, flight: &Flight, t: f64) -> PlanarState {
         let tau = t - flight.start;
         match (&flight.form, &self.form) {
             (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) => {
                 let (mut out, free) = (self.steady(dof, t), self.free(dof, parts, tau));
-                (0..6).for_each(|i| out[i] += free[i]);
+                (0..WIDTH).for_each(|i| out[i] += free[i]);
                 out
             }
-            (FlightForm::Coupled(z), FreeMotionForm::Coupled(system)) => first_six(&system.advance(z, tau)),
+            (FlightForm::Coupled(z), FreeMotionForm::Coupled(system)) => first_state(&system.advance(z, tau)),
             (FlightForm::Record { first, anchors }, _) => self.record_state(flight, *first, anchors, t),
             // A flight is begun by its own system.
             _ => flight.state,
@@ -197,12 +199,12 @@ impl FreeMotion {
     }
 
     /// The free parts after τ. Directions with the same oscillator share its factors.
-    fn free(&self, dof: &[UncoupledAxis; 3], parts: &[[f64; 2]; 3], tau: f64) -> Planar {
-        let mut out = [0.0; 6];
+    fn free(&self, dof: &[UncoupledAxis; 3], parts: &[[f64; 2]; 3], tau: f64) -> PlanarState {
+        let mut out = [[0.0; 2]; planar::RATES];
         let mut known: Option<(Oscillator, FreeResponse)> = None;
         for (i, d) in dof.iter().enumerate() {
             let (part, force) = (parts[i], [self.push[i], 0.0]);
-            [out[i], out[3 + i]] = if !d.free || (part == [0.0; 2] && force == [0.0; 2]) {
+            out[i] = if !d.free || (part == [0.0; 2] && force == [0.0; 2]) {
                 part
             } else {
                 let factors = known.filter(|(same, _)| *same == d.oscillator).map(|(_, factors)| factors);
@@ -211,25 +213,30 @@ impl FreeMotion {
                 d.oscillator.carry(&factors, part, force, tau)
             };
         }
-        out
+        planar::of_parts(out)
     }
 
     /// State at `t` in `flight`, and its free part where the flight is split into that and a steady response.
-    pub(in crate::dynamics) fn parts(&self, flight: &Flight, t: f64) -> (Planar, Option<Planar>) {
+    pub(in crate::dynamics) fn parts(&self, flight: &Flight, t: f64) -> (PlanarState, Option<PlanarState>) {
         self.parts_in(flight, t, self.ground.phase(t))
     }
 
     /// The same by the ground's phase at `t`.
-    pub(in crate::dynamics) fn parts_in(&self, flight: &Flight, t: f64, phase: [f64; 2]) -> (Planar, Option<Planar>) {
+    pub(in crate::dynamics) fn parts_in(
+        &self,
+        flight: &Flight,
+        t: f64,
+        phase: [f64; 2],
+    ) -> (PlanarState, Option<PlanarState>) {
         if let (FlightForm::Split(parts), FreeMotionForm::Split { dof, .. }) = (&flight.form, &self.form) {
             let (mut out, free) = (self.steady_in(dof, phase), self.free(dof, parts, t - flight.start));
-            (0..6).for_each(|i| out[i] += free[i]);
+            (0..WIDTH).for_each(|i| out[i] += free[i]);
             return (out, Some(free));
         }
         (self.state(flight, t), None)
     }
 
-    fn record_state(&self, flight: &Flight, first: usize, anchors: &[Planar], t: f64) -> Planar {
+    fn record_state(&self, flight: &Flight, first: usize, anchors: &[PlanarState], t: f64) -> PlanarState {
         let target = self.ground.piece_number(t);
         let (mut state, mut number, mut at) = (flight.state, first, flight.start);
         if target > first && !anchors.is_empty() {
@@ -246,36 +253,30 @@ impl FreeMotion {
     }
 
     /// From `at` in a piece to its end.
-    fn cross(&self, piece: &LinearPiece, state: &Planar, at: f64) -> Planar {
+    fn cross(&self, piece: &LinearPiece, state: &PlanarState, at: f64) -> PlanarState {
         match &self.form {
             FreeMotionForm::Split { dof, step: Some(steps) } if at == piece.from => {
-                let mut out = [0.0; 6];
-                for i in 0..3 {
+                planar::of_parts(std::array::from_fn(|i| {
                     let force = [self.forced[i] * piece.start + self.push[i], self.forced[i] * piece.slope];
-                    [out[i], out[3 + i]] = dof[i].step(&steps[i], [state[i], state[3 + i]], force);
-                }
-                out
+                    dof[i].step(&steps[i], planar::part(state, i), force)
+                }))
             }
             _ => self.within(piece, state, at, piece.until - at),
         }
     }
 
     /// From `at` in a piece on by τ within it.
-    fn within(&self, piece: &LinearPiece, state: &Planar, at: f64, tau: f64) -> Planar {
+    fn within(&self, piece: &LinearPiece, state: &PlanarState, at: f64, tau: f64) -> PlanarState {
         let value = piece.start + piece.slope * (at - piece.from);
         match &self.form {
-            FreeMotionForm::Split { dof, .. } => {
-                let mut out = [0.0; 6];
-                for i in 0..3 {
-                    let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
-                    [out[i], out[3 + i]] = dof[i].advance([state[i], state[3 + i]], force, tau);
-                }
-                out
-            }
+            FreeMotionForm::Split { dof, .. } => planar::of_parts(std::array::from_fn(|i| {
+                let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
+                dof[i].advance(planar::part(state, i), force, tau)
+            })),
             FreeMotionForm::Coupled(system) => {
                 let mut z = self.augmented(at, state);
                 (z[matrix_exponential::VALUE], z[matrix_exponential::VALUE + 1]) = (value, piece.slope);
-                first_six(&system.advance(&z, tau))
+                first_state(&system.advance(&z, tau))
             }
         }
     }
@@ -295,7 +296,14 @@ impl FreeMotion {
         }
     }
 
-    fn record_state_at_kink(&self, start: f64, from: &Planar, first: usize, anchors: &[Planar], next: usize) -> Planar {
+    fn record_state_at_kink(
+        &self,
+        start: f64,
+        from: &PlanarState,
+        first: usize,
+        anchors: &[PlanarState],
+        next: usize,
+    ) -> PlanarState {
         let (mut state, mut number, mut at) = match anchors.last() {
             Some(last) => {
                 let number = first + 1 + (anchors.len() - 1) * CACHED_SAMPLES;
@@ -312,8 +320,8 @@ impl FreeMotion {
     }
 }
 
-fn first_six(z: &matrix_exponential::AugmentedState) -> Planar {
-    [z[0], z[1], z[2], z[3], z[4], z[5]]
+fn first_state(z: &matrix_exponential::AugmentedState) -> PlanarState {
+    std::array::from_fn(|i| z[i])
 }
 
 fn frobenius(m: DMat3) -> f64 {

@@ -9,9 +9,10 @@ use glam::{DMat3, DVec3};
 use twofloat::TwoFloat;
 
 use crate::dynamics::free_flight::constants::TAYLOR_TERMS;
+use crate::dynamics::model::coordinates::planar::{RATES, WIDTH};
 
 /// Length of the augmented state.
-pub const SIZE: usize = 11;
+pub const SIZE: usize = WIDTH + 5;
 /// The augmented state.
 pub type AugmentedState = [f64; SIZE];
 type Matrix = [[f64; SIZE]; SIZE];
@@ -20,11 +21,11 @@ type Matrix = [[f64; SIZE]; SIZE];
 type Doubled = [[TwoFloat; SIZE]; SIZE];
 
 /// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
-pub const SIN: usize = 6;
+pub const SIN: usize = WIDTH;
 /// Where the record's value stands.
-pub const VALUE: usize = 8;
+pub const VALUE: usize = WIDTH + 2;
 /// Where the constant 1 stands.
-pub const ONE: usize = 10;
+pub const ONE: usize = WIDTH + 4;
 
 /// A coupled linear system and the powers of its propagator.
 #[derive(Clone, Debug)]
@@ -84,15 +85,15 @@ fn norm(m: DMat3) -> f64 {
 
 fn generator(k: DMat3, c: DMat3, push: DVec3, forced: DVec3, drive: f64) -> Matrix {
     let mut g = [[0.0; SIZE]; SIZE];
-    for i in 0..3 {
-        g[i][3 + i] = 1.0;
-        for j in 0..3 {
-            g[3 + i][j] = -k.col(j)[i];
-            g[3 + i][3 + j] = -c.col(j)[i];
+    for i in 0..RATES {
+        g[i][RATES + i] = 1.0;
+        for j in 0..RATES {
+            g[RATES + i][j] = -k.col(j)[i];
+            g[RATES + i][RATES + j] = -c.col(j)[i];
         }
-        g[3 + i][SIN] = forced[i];
-        g[3 + i][VALUE] = forced[i];
-        g[3 + i][ONE] = push[i];
+        g[RATES + i][SIN] = forced[i];
+        g[RATES + i][VALUE] = forced[i];
+        g[RATES + i][ONE] = push[i];
     }
     g[SIN][SIN + 1] = drive;
     g[SIN + 1][SIN] = -drive;
@@ -159,16 +160,16 @@ mod tests {
         let system =
             CoupledPropagator::new(DMat3::from_diagonal(k), DMat3::from_diagonal(c), push, DVec3::X, 0.0, 20.0);
         let mut z = [0.0; SIZE];
-        z[..6].copy_from_slice(&[0.01, 0.02, 0.03, 0.1, 0.2, 0.3]);
+        z[..WIDTH].copy_from_slice(&[0.01, 0.02, 0.03, 0.1, 0.2, 0.3]);
         (z[VALUE], z[VALUE + 1], z[ONE]) = (0.7, 0.3, 1.0);
         let after = system.advance(&z, 7.3);
         for i in 0..3 {
             let o = Oscillator { gamma: c[i] / 2.0, omega2: k[i] };
             let force = if i == 0 { [0.7, 0.3] } else { [push[i], 0.0] };
-            let [q, v] = o.advance([z[i], z[3 + i]], force, 7.3);
+            let [q, v] = o.advance([z[i], z[RATES + i]], force, 7.3);
             // Roundings at the size of the values.
             assert!((q - after[i]).abs() < 1e-12 * (1.0 + q.abs()), "q{i}: {q} against {}", after[i]);
-            assert!((v - after[3 + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[3 + i]);
+            assert!((v - after[RATES + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[RATES + i]);
         }
     }
 

@@ -2,8 +2,8 @@
 
 pub(in crate::dynamics) mod constants;
 pub mod flight;
+mod flight_bounds;
 pub mod matrix_exponential;
-pub mod motion_bounds;
 pub mod oscillator;
 pub(in crate::dynamics) mod relative_bounds;
 pub mod sliding_face;

@@ -5,15 +5,16 @@
 //! look at it is needed until somebody is hit.
 
 use crate::dynamics::free_flight::constants::ALIKE;
-use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm, Planar};
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
+use crate::dynamics::model::coordinates::planar::{PlanarState, part};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// A girder in flight: its system, its state, and the free part of it where that is split off.
 pub(in crate::dynamics) struct BodyInFlight<'a> {
     pub system: &'a FreeMotion,
-    pub state: Planar,
-    pub free: Option<Planar>,
+    pub state: PlanarState,
+    pub free: Option<PlanarState>,
     pub bound: MotionBounds,
 }
 
@@ -104,7 +105,7 @@ pub(in crate::dynamics) fn alike([a, b]: [&UncoupledAxis; 2]) -> bool {
 /// differs from it. The root of its energy, `√(v² + ω²q²)`, grows by no more than that force.
 fn nearly(
     dofs: [&UncoupledAxis; 2],
-    [p, q]: [&Planar; 2],
+    [p, q]: [&PlanarState; 2],
     i: usize,
     push: [f64; 2],
     second: &MotionBounds,
@@ -113,7 +114,8 @@ fn nearly(
     let dof = UncoupledAxis { steady: (0.0, 0.0), amplitude: 0.0, ..*dofs[0] };
     let [one, other] = dofs.map(|dof| dof.oscillator);
     let force = (one.omega2 - other.omega2).abs() * second.reach + 2.0 * (one.gamma - other.gamma).abs() * second.speed;
-    let [reach, speed, acceleration] = dof.limits([p[i] - q[i], p[3 + i] - q[3 + i]], 0.0, push[0] - push[1], horizon);
+    let ([p, u], [q, v]) = (part(p, i), part(q, i));
+    let [reach, speed, acceleration] = dof.limits([p - q, u - v], 0.0, push[0] - push[1], horizon);
     let (omega, more) = (one.omega(), force * horizon);
     let further = if omega > 0.0 { (more / omega).min(more * horizon) } else { more * horizon };
     [reach + further, speed + more, acceleration + (2.0 * one.gamma + omega) * more + force]
@@ -126,11 +128,6 @@ fn drive(system: &FreeMotion) -> f64 {
 /// The phasors' difference as an amplitude \[m\].
 fn amplitude([a, b]: [&UncoupledAxis; 2]) -> f64 {
     (a.steady.0 - b.steady.0).hypot(a.steady.1 - b.steady.1)
-}
-
-/// Displacement and speed of one direction.
-fn part(state: &Planar, i: usize) -> [f64; 2] {
-    [state[i], state[3 + i]]
 }
 
 /// Bounds on the difference of two flights along one direction, from the free parts of both: displacement, speed,

@@ -8,11 +8,11 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::matrix_exponential;
 use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::Oscillator;
 use crate::dynamics::model::body::Body;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES};
 use crate::motion::{Ground, LinearPiece};
 
 /// One stretch of sliding, within one piece of a record.
@@ -89,19 +89,19 @@ impl SlidingFace {
         (girder, ground): (&Body, &Ground),
         [s, d]: [DVec2; 2],
         piece: &LinearPiece,
-        (t, state): (f64, &Planar),
+        (t, state): (f64, &PlanarState),
         longest: f64,
     ) -> Self {
-        let place = DVec3::new(state[0], state[1], state[2]);
+        let place = planar::positions(state);
         let felt = ProjectedForces::of(girder, place, s, d, ground);
-        let speed = DVec2::new(state[3], state[4]).dot(s);
+        let speed = planar::rates(state).truncate().dot(s);
         let fastest = felt.omega2.abs().sqrt().max(felt.damping.abs());
         let law = SlidingForm::of(&felt, ground, piece, t, speed, longest);
         Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law }
     }
 
     /// State at `t`.
-    pub fn state(&self, t: f64) -> Planar {
+    pub fn state(&self, t: f64) -> PlanarState {
         let [u, v] = self.law.at(self.from, t);
         let [q, rate] = [self.along * u, self.along * v];
         [self.place.x + q.x, self.place.y + q.y, self.place.z, rate.x, rate.y, 0.0]
@@ -143,7 +143,7 @@ impl SlidingForm {
                 let c = glam::DMat3::from_diagonal(c);
                 let system = CoupledPropagator::new(k, c, along(felt.force), along(felt.ground), drive, longest);
                 let mut start = Box::new([0.0; matrix_exponential::SIZE]);
-                (start[3], start[matrix_exponential::ONE]) = (speed, 1.0);
+                (start[RATES], start[matrix_exponential::ONE]) = (speed, 1.0);
                 (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, piece.slope);
                 if drive > 0.0 {
                     (start[matrix_exponential::SIN], start[matrix_exponential::SIN + 1]) =
@@ -164,7 +164,7 @@ impl SlidingForm {
             }
             Self::Matrix { system, start, .. } => {
                 let z = system.advance(start, tau.max(0.0));
-                [z[0], z[3]]
+                [z[0], z[RATES]]
             }
         }
     }

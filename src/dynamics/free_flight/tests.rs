@@ -4,18 +4,19 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::Body;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{FreeMotion, Planar};
+use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::free_flight::oscillator::Oscillator;
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
-use crate::dynamics::model::rigid_body::{Wrench, planar_slope};
+use crate::dynamics::model::coordinates::planar::{self, PlanarState};
+use crate::dynamics::model::wrench::Wrench;
 use crate::motion::Ground;
 use crate::scene::presets;
 
-const START: Planar = [0.012, -0.02, 0.03, 0.1, 0.15, -0.2];
+const START: PlanarState = [0.012, -0.02, 0.03, 0.1, 0.15, -0.2];
 
 /// A planar girder of unit mass with this stiffness and damping per mass (per `m i²` for θ).
 fn girder(stiffness: DMat3, damping: DMat3) -> Body {
@@ -64,7 +65,7 @@ struct Equation<'a> {
 
 impl System for Equation<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        planar_slope(self.body, y, &Wrench::default(), self.ground.acceleration(t), out);
+        planar::slope(self.body, y, &Wrench::default(), self.ground.acceleration(t), out);
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
@@ -195,7 +196,7 @@ fn a_face_slides_by_the_forces_felt_along_its_direction() {
         let slide = SlidingFace::new((&body, &ground), [s, d], &ground.piece(0), (0.2, &state), 1.0);
         let (t, h) = (0.55, 1e-5);
         let [before, here, after] = [t - h, t, t + h].map(|t| slide.state(t));
-        let along = |z: &Planar| s.dot(glam::DVec2::new(z[3], z[4]));
+        let along = |z: &PlanarState| s.dot(glam::DVec2::new(z[3], z[4]));
         let q = DVec3::new(here[0], here[1], 0.0);
         let v = DVec3::new(here[3], here[4], 0.0);
         let force = -(body.planar.stiffness * q + body.planar.damping * v) / body.mass - ground.acceleration(t);

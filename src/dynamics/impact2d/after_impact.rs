@@ -1,7 +1,6 @@
 //! After the impulses of an instant: contact modes, projected states, trajectories in force, log of state changes.
 
 use crate::dynamics::Body;
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::State;
 use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, ROTATION_ROUND_OFF, TOUCH};
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
@@ -18,6 +17,7 @@ use crate::dynamics::impact2d::run::Run;
 use crate::dynamics::impact2d::tables::Row;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 
 /// Selects contact modes and starts the trajectories from here on. `to` holds the states among a–f that the hits lead to, by
 /// place, `energy` the kinetic energy that they left \[J\]; `ending` is what has ended a lasting contact at this instant.
@@ -68,8 +68,8 @@ fn modes(world: &World, instant: &mut ImpactInstant, ending: Option<Ending>, gro
 
 /// Energy in the bearings of the bodies of an instant \[J\].
 fn strain_energy(world: &World, instant: &ImpactInstant) -> f64 {
-    let body = |(&body, state): (&usize, &Planar)| {
-        let q = glam::DVec3::new(state[0], state[1], state[2]);
+    let body = |(&body, state): (&usize, &PlanarState)| {
+        let q = planar::positions(state);
         0.5 * q.dot(world.model.bodies[body].planar.stiffness * q)
     };
     instant.kinematics.bodies.iter().zip(&instant.states).map(body).sum()
@@ -108,7 +108,7 @@ fn end_trajectories(run: &mut Run, instant: &ImpactInstant) {
 
 fn start_lasting(run: &mut Run, instant: &ImpactInstant, (places, modes): (Vec<usize>, Vec<ContactMode>)) {
     let bodies: Vec<usize> = places.iter().map(|&place| instant.kinematics.bodies[place]).collect();
-    let states: Vec<Planar> = places.iter().map(|&place| instant.states[place]).collect();
+    let states: Vec<PlanarState> = places.iter().map(|&place| instant.states[place]).collect();
     let lasting = &mut run.world.lasting;
     let number = lasting.iter().position(Option::is_none).unwrap_or(lasting.len());
     if number == lasting.len() {
@@ -195,5 +195,5 @@ fn turns_without_contact(body: &Body) -> bool {
         x.abs() > ROTATION_ROUND_OFF * (m.x_axis.x * m.z_axis.z).sqrt()
             || y.abs() > ROTATION_ROUND_OFF * (m.y_axis.y * m.z_axis.z).sqrt()
     };
-    body.free[5] && (body.moment != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
+    planar::free(body)[2] && (body.moment != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
 }

@@ -9,9 +9,9 @@
 use glam::{DVec2, DVec3};
 
 use crate::contact::{Frame, locate};
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::SPEED_ROUND_OFF;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 use crate::dynamics::{Body, Model};
 
 /// A point where the two sides of a pair touch or may touch.
@@ -105,8 +105,8 @@ pub fn inverse_mass(body: &Body) -> DVec3 {
 }
 
 /// The rates in a planar state.
-pub fn rates(state: &Planar) -> DVec3 {
-    DVec3::new(state[3], state[4], state[5])
+pub fn rates(state: &PlanarState) -> DVec3 {
+    planar::rates(state)
 }
 
 /// The corner, or the middle of the face.

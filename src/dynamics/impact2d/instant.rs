@@ -2,7 +2,6 @@
 
 use smallvec::smallvec;
 
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::constants::{SPEED_ROUND_OFF_OF_RUN, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::impulse::collision::ContactManifold;
@@ -10,6 +9,7 @@ use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::impact2d::{InlineVec, State};
+use crate::dynamics::model::coordinates::planar::{PlanarState, RATES};
 
 /// Bodies joined by touching pairs and lasting contacts at one instant. A *place* is the position of a body in these lists.
 pub(in crate::dynamics::impact2d) struct ImpactInstant {
@@ -17,7 +17,7 @@ pub(in crate::dynamics::impact2d) struct ImpactInstant {
     pub t: f64,
     /// Slots, rising; so are the numbers in the model.
     pub slots: InlineVec<usize>,
-    pub states: InlineVec<Planar>,
+    pub states: InlineVec<PlanarState>,
     pub kinematics: Kinematics,
     /// States among a–f before.
     pub before: InlineVec<State>,
@@ -31,7 +31,7 @@ impl ImpactInstant {
     /// The instant `t` of all bodies joined to the seeds.
     pub(in crate::dynamics::impact2d) fn new(world: &World, t: f64, seeds: &[usize]) -> Self {
         let slots = connected(world, t, seeds);
-        let states: InlineVec<Planar> = slots.iter().map(|&slot| world.state(slot, t)).collect();
+        let states: InlineVec<PlanarState> = slots.iter().map(|&slot| world.state(slot, t)).collect();
         let bodies: InlineVec<usize> = slots.iter().map(|&slot| world.bodies[slot].body).collect();
         let ground = &world.model.ground;
         let piece = ground.piece(ground.piece_number(t));
@@ -46,7 +46,7 @@ impl ImpactInstant {
     /// Writes the velocities after impulses into the states.
     pub(in crate::dynamics::impact2d) fn take_velocities(&mut self) {
         for (state, v) in self.states.iter_mut().zip(&self.kinematics.cluster.velocity) {
-            state[3..].copy_from_slice(&v.to_array());
+            state[RATES..].copy_from_slice(&v.to_array());
         }
     }
 }

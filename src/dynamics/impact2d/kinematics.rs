@@ -5,11 +5,11 @@
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::InlineVec;
 use crate::dynamics::impact2d::constants::FORCE_ROUND_OFF;
 use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint, inverse_mass, rates};
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
+use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::{Body, Model};
 use crate::motion::{Ground, LinearPiece};
 
@@ -30,7 +30,7 @@ pub struct Kinematics {
 
 impl Kinematics {
     /// Bodies in these states under this acceleration of the ground \[m/s²\].
-    pub fn new(model: &Model, bodies: &[usize], states: &[Planar], ground: DVec3) -> Self {
+    pub fn new(model: &Model, bodies: &[usize], states: &[PlanarState], ground: DVec3) -> Self {
         let mut kinematics = Self {
             bodies: bodies.into(),
             frames: InlineVec::with_capacity(bodies.len()),
@@ -43,11 +43,11 @@ impl Kinematics {
         };
         for (&number, state) in bodies.iter().zip(states) {
             let body = &model.bodies[number];
-            let mut rate = [0.0; 6];
-            rigid_body::planar_slope(body, state, &rigid_body::Wrench::default(), ground, &mut rate);
+            let mut rate = [0.0; WIDTH];
+            planar::slope(body, state, &Wrench::default(), ground, &mut rate);
             kinematics.frames.push(body.planar_frame(state));
             kinematics.cluster.velocity.push(rates(state));
-            kinematics.free.push(DVec3::new(rate[3], rate[4], rate[5]));
+            kinematics.free.push(planar::rates(&rate));
             kinematics.sizes.push(acceleration_size(body, state, ground));
         }
         kinematics
@@ -80,8 +80,8 @@ impl Kinematics {
 }
 
 /// Sum of the magnitudes of the accelerations that act on a body \[m/s²\].
-fn acceleration_size(body: &Body, state: &Planar, ground: DVec3) -> f64 {
-    let (q, v) = (DVec3::new(state[0], state[1], state[2]), DVec3::new(state[3], state[4], state[5]));
+fn acceleration_size(body: &Body, state: &PlanarState, ground: DVec3) -> f64 {
+    let (q, v) = (planar::positions(state), planar::rates(state));
     let push = DVec3::new(body.push.x, body.push.y, body.moment);
     let at_corner = |force: DVec3| {
         let a = inverse_mass(body) * force;

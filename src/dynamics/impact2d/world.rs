@@ -6,14 +6,14 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{FreeMotion, Planar};
+use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::closing::planar_gap::PlanarSite;
 use crate::dynamics::impact2d::constants::{KEPT_TOUCH, LIFTED_DEPTH, TOUCH};
 use crate::dynamics::impact2d::delassus::ContactPoint;
 use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
 use crate::dynamics::impact2d::tracks::{BodyTrack, Motion, PairTrack, SiteTrack};
 use crate::dynamics::impact2d::{InlineVec, State};
-use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// Bodies, pairs and declared contacts of a group, with their motions in force. A *slot* is the place of a body here.
@@ -120,12 +120,12 @@ impl World {
     }
 
     /// State of a body at `t` on the motion in force.
-    pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> Planar {
+    pub(in crate::dynamics::impact2d) fn state(&self, slot: usize, t: f64) -> PlanarState {
         let track = &self.bodies[slot];
         match &track.motion {
             Motion::Flight(flight) => track.system.state(flight, t),
             Motion::Lasting(number, place) => {
-                self.lasting[*number].as_ref().map_or([0.0; 6], |contact| contact.state(*place, t))
+                self.lasting[*number].as_ref().map_or([0.0; WIDTH], |contact| contact.state(*place, t))
             }
         }
     }
@@ -135,10 +135,11 @@ impl World {
     }
 
     /// Includes a state in the largest speed and displacement.
-    pub(in crate::dynamics::impact2d) fn update_peaks(&mut self, slot: usize, state: &Planar) {
+    pub(in crate::dynamics::impact2d) fn update_peaks(&mut self, slot: usize, state: &PlanarState) {
         let radius = self.model.bodies[self.bodies[slot].body].radius;
-        self.peak_speed = self.peak_speed.max(state[3].hypot(state[4]) + radius * state[5].abs());
-        self.peak_displacement = self.peak_displacement.max(state[0].hypot(state[1]) + radius * state[2].abs());
+        let farthest = |v: DVec3| v.x.hypot(v.y) + radius * v.z.abs();
+        self.peak_speed = self.peak_speed.max(farthest(planar::rates(state)));
+        self.peak_displacement = self.peak_displacement.max(farthest(planar::positions(state)));
     }
 
     /// Radius of the smaller girder of a pair \[m\].
@@ -179,8 +180,8 @@ impl World {
 
 fn body_track(model: &Model, body: usize) -> BodyTrack {
     let system = FreeMotion::new(&model.bodies[body], &model.ground, model.duration);
-    let initial = rigid_body::initial(model.kind, &model.bodies[body]);
-    let state: Planar = std::array::from_fn(|i| initial[i]);
+    let initial = model.bodies[body].initial();
+    let state: PlanarState = std::array::from_fn(|i| initial[i]);
     let motion = Motion::Flight(system.fly(0.0, state));
     let (segments, pairs) = (Vec::new(), Vec::new());
     BodyTrack { body, system, motion, segments, since: 0.0, state: State::Free, pairs }

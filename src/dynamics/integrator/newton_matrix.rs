@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use crate::dynamics::integrator::dense_lu::{Lu, Scalar};
 use crate::dynamics::integrator::radau_tableaus::RadauTableau;
-use crate::dynamics::integrator::system::ImplicitSystem;
+use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock};
 
 /// A component of a place that a speed carries: `B` by its entries.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,7 @@ struct PositionRate {
 /// A Jacobian, by what is left when the places are eliminated.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Jacobian {
+    blocks: Vec<PositionBlock>,
     /// Components of the state that are unknowns.
     speeds: Vec<usize>,
     /// The others.
@@ -44,11 +45,15 @@ impl Jacobian {
 
     /// Numbers of the unknowns among `n` components, and that nothing answers to anything.
     pub(in crate::dynamics) fn quiet(&mut self, system: &impl ImplicitSystem, n: usize) {
-        let (width, places) = system.position_blocks().unwrap_or((1, 0));
+        self.blocks.clear();
+        self.blocks.extend(system.position_blocks());
+        if self.blocks.is_empty() {
+            self.blocks.push(PositionBlock { from: 0, velocities: 0, until: n });
+        }
         self.speeds.clear();
-        self.speeds.extend((0..n).filter(|i| i % width >= places));
+        self.speeds.extend(self.blocks.iter().flat_map(|block| block.velocities..block.until));
         self.places.clear();
-        self.places.extend((0..n).filter(|i| i % width < places));
+        self.places.extend(self.blocks.iter().flat_map(|block| block.from..block.velocities));
         let m = self.size();
         self.carry.clear();
         self.inverse.clear();
@@ -70,8 +75,8 @@ impl Jacobian {
         n: usize,
     ) {
         self.quiet(system, n);
-        let (m, small, (width, places)) =
-            (self.size(), f64::EPSILON.sqrt(), system.position_blocks().unwrap_or((1, 0)));
+        let (m, small) = (self.size(), f64::EPSILON.sqrt());
+        let mut block = 0;
         state.copy_from_slice(y);
         for j in 0..m {
             let at = self.speeds[j];
@@ -82,8 +87,11 @@ impl Jacobian {
             for (i, &to) in self.speeds.iter().enumerate() {
                 self.damping[i * m + j] = change(to);
             }
-            let first = at - at % width;
-            let carried = (first..first + places).map(|place| PositionRate { place, speed: j, value: change(place) });
+            while at >= self.blocks[block].until {
+                block += 1;
+            }
+            let PositionBlock { from, velocities, .. } = self.blocks[block];
+            let carried = (from..velocities).map(|place| PositionRate { place, speed: j, value: change(place) });
             self.carry.extend(carried.filter(|c| c.value != 0.0));
             state[at] = y[at];
         }
@@ -314,8 +322,8 @@ mod tests {
     }
 
     impl ImplicitSystem for Springs {
-        fn position_blocks(&self) -> Option<(usize, usize)> {
-            Some((2, 1))
+        fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
+            [0, 2].into_iter().map(|from| PositionBlock { from, velocities: from + 1, until: from + 2 })
         }
     }
 

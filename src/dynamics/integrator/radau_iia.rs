@@ -182,9 +182,7 @@ impl Radau {
                 return false;
             }
             // Elimination leaves rounding where nothing may move.
-            for i in (0..self.leading).filter(|&i| system.is_constant(i)) {
-                (0..stages).for_each(|stage| self.scratch.correction[stage * n + i] = 0.0);
-            }
+            self.scratch.correction.chunks_exact_mut(n).for_each(|stage| system.hold(stage));
             let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
             let size = (size2 / stages as f64).sqrt();
             if !size.is_finite() {

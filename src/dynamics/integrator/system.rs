@@ -26,15 +26,13 @@ pub trait ImplicitSystem: System {
     fn increment_scale(&self, _i: usize, y: f64) -> f64 {
         y.abs().max(1.0)
     }
-    /// Whether component `i` never changes.
-    fn is_constant(&self, _i: usize) -> bool {
-        false
-    }
-    /// Width of the equal blocks of the leading components and how many positions each begins with, if the system is of second
-    /// order: the rates of a block's positions are linear in its velocities, `ṗ = B v` with orthogonal columns of `B`, and
-    /// `f` does not depend on changes of positions outside of the range of `B`.
-    fn position_blocks(&self) -> Option<(usize, usize)> {
-        None
+    /// Sets components of a difference of states to 0 that never change.
+    fn hold(&self, _difference: &mut [f64]) {}
+    /// The blocks of the leading components, if the system is of second order: the rates of a block's positions are linear in
+    /// its velocities, `ṗ = B v` with orthogonal columns of `B`, and `f` does not depend on changes of positions outside of
+    /// the range of `B`.
+    fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
+        std::iter::empty()
     }
     /// Bound on the rates of the system without its auxiliary components and ports, not exceeded by much \[1/s\].
     fn rate_bound(&self) -> f64 {
@@ -66,6 +64,17 @@ pub trait ImplicitSystem: System {
     /// The columns of `B` and the rows of `W` of a port at `y`, over the leading components: two of each, all 0 as given, and 0
     /// for positions.
     fn port(&self, _port: usize, _y: &[f64], _input: &mut [f64], _output: &mut [f64]) {}
+}
+
+/// Neighbouring components: positions, then the velocities that carry them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PositionBlock {
+    /// First position.
+    pub from: usize,
+    /// First velocity.
+    pub velocities: usize,
+    /// What follows the last velocity.
+    pub until: usize,
 }
 
 /// A rank-one part of the response of a port's input to its output, `du = input · z`, where `z = output · dw`, or where `z` is

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::contact::parameters::reduced_mass;
 use crate::contact::{PairNumbers, law_of_pair};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
-use crate::dynamics::model::body::Body;
+use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Model;
 use crate::dynamics::model::contact_sites;
 use crate::dynamics::model::pair::{ContactSite, Pair};
@@ -112,6 +112,10 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
     Body {
         rate_bounds: RateBounds::of(&prism, girder.mass, [radius, gyration2], free, &bearings),
         name: girder.name.clone(),
+        coordinates: match scene.kind {
+            Kind::Planar => BodyCoordinates::Planar,
+            Kind::Spatial => BodyCoordinates::Spatial,
+        },
         home: girder.position.into(),
         mass: girder.mass,
         planar: PlanarBearings::gather(&bearings, axes),

@@ -1,10 +1,20 @@
-//! A girder as constant data: mass, inertia, bearings over `(x, y, θ)`, degrees of freedom and initial state.
+//! A body as constant data: mass, inertia, bearings over `(x, y, θ)`, initial state; and what its degrees of freedom answer.
+//!
+//! Nothing outside of [`coordinates`](crate::dynamics::model::coordinates) knows how a state is laid out: it is asked through
+//! [`Coordinates`] for poses, rates, bounds and energies.
 
-use glam::{DMat3, DVec3};
+use std::fmt::Debug;
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::Prism;
 
 /// A girder, compiled.
@@ -12,6 +22,8 @@ use crate::geometry::Prism;
 pub struct Body {
     /// The girder's name.
     pub name: String,
+    /// Its degrees of freedom.
+    pub coordinates: BodyCoordinates,
     /// Its shape.
     pub prism: Prism,
     /// Where G is placed \[m\].
@@ -53,25 +65,113 @@ impl Body {
     pub fn quantities(&self) -> BearingQuantities {
         BearingQuantities::of(&self.bearings, self.mass, self.gyration2)
     }
+}
 
-    /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
-    #[inline]
-    pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.
-        let turned = if state[2] == 0.0 {
-            DMat3::ZERO
-        } else {
-            let (s, c) = (0.5 * state[2]).sin_cos();
-            let (sine, less) = (2.0 * s * c, -2.0 * s * s);
-            DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO)
-        };
-        Frame {
-            home: self.home,
-            shift: DVec3::new(state[0], state[1], self.start[2]),
-            turned,
-            velocity: DVec3::new(state[3], state[4], 0.0),
-            spin: DVec3::new(0.0, 0.0, state[5]),
-            level: true,
-        }
+/// The degrees of freedom of a body: one of those that exist.
+#[derive(Clone, Debug)]
+pub enum BodyCoordinates {
+    /// A rigid girder in plan: `x, y, θ`.
+    Planar,
+    /// A rigid girder in space: displacement and quaternion.
+    Spatial,
+    /// Those of a body from outside this package.
+    Custom(Arc<dyn Coordinates>),
+}
+
+/// How a body's state is laid out, and what moves it.
+///
+/// A state has [`width`](Self::width) components: [`positions`](Self::positions), then velocities that carry them. It is counted
+/// from where the body was placed, or, in contact, from a [`ReferencePose`]. Contact forces act at points of the body's one
+/// rigid section, whose pose and twist is [`frame`](Self::frame).
+pub trait Coordinates: Debug + Send + Sync {
+    /// Components of the state.
+    fn width(&self) -> usize;
+
+    /// How many of them are positions; they come first.
+    fn positions(&self) -> usize;
+
+    /// Components that are the displacement of G along x, y and, in space, z.
+    fn displacements(&self) -> Range<usize>;
+
+    /// State at t = 0.
+    fn initial(&self, body: &Body) -> Vec<f64>;
+
+    /// Pose and twist, of a state since the body was placed.
+    fn frame(&self, body: &Body, state: &[f64]) -> Frame;
+
+    /// Pose and twist counted from a reference pose, of a state that is.
+    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame;
+
+    /// Rotation about the vertical without jumps at ±π \[rad\], and attitude since the body was placed.
+    fn attitude(&self, state: &[f64]) -> (f64, DQuat);
+
+    /// Reference pose by its [`numbers`](ReferencePose::numbers); by none, where the body was placed.
+    fn reference(&self, body: &Body, numbers: &[f64]) -> ReferencePose;
+
+    /// Counts a state since the body was placed from its present pose on, and says what that is.
+    fn rebase(&self, body: &Body, state: &mut [f64]) -> ReferencePose;
+
+    /// Counts a state from where the body was placed that was counted from the reference pose of these numbers.
+    fn restore(&self, numbers: &[f64], state: &mut [f64]);
+
+    /// Rate of a state under contact forces and the ground's acceleration \[m/s²\]; bearings and given pushes are the body's own.
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]);
+
+    /// Whether a state has parts of given length, which [`normalise`](Self::normalise) restores.
+    fn has_unit_parts(&self) -> bool {
+        false
     }
+
+    /// Restores the length of parts that have length 1.
+    fn normalise(&self, _state: &mut [f64]) {}
+
+    /// Adds to a state that moved on by `dt` along `slope` what its positions gain by the accelerations, `½ a dt²`.
+    fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64);
+
+    /// Squared size of a difference of states: of its positions as lengths \[m²\], of its velocities \[m²/s²\]. NaN where a
+    /// component is.
+    fn size2(&self, body: &Body, difference: &[f64]) -> [f64; 2];
+
+    /// Sets components of a difference to 0 that never change.
+    fn hold(&self, _body: &Body, _difference: &mut [f64]) {}
+
+    /// Size of component `i` of bodies of size `place` \[m\] that swing at `omega` \[rad/s\], for difference quotients.
+    fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64;
+
+    /// How far a point at `arm` from G goes at most, where components `range` together go as far as `way(range)` \[m\].
+    fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64;
+
+    /// Bounds on the motion, where rate and second derivative of components `range` together are at most `rates(range)`.
+    fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds;
+
+    /// Acceleration of the point at `arm` from G by a force that acts there \[m/s²\].
+    fn acceleration(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3) -> DVec3;
+
+    /// What a force at `arm` from G adds to the rate of a state, and its generalised force: both state-wide, written over the
+    /// velocities.
+    fn port(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3, columns: [&mut [f64]; 2]);
+
+    /// Displacement along a world axis, 0 or 1, and its rate in the state of a rigid body that bearings, pushes and ground never
+    /// drive off that axis, nor turn.
+    fn along(&self, _body: &Body, _axis: usize) -> Option<[usize; 2]> {
+        None
+    }
+
+    /// Kinetic energy, strain energy of the bearings, potential of `gravity` \[m/s²\]; of a state since the body was placed
+    /// \[J\].
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3];
+
+    /// Powers of the ground's inertia force, of given pushes, and lost in the bearings \[W\].
+    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3];
+}
+
+/// A state, what it is counted from, and its frame counted from there.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<'a> {
+    /// Reference pose.
+    pub base: &'a ReferencePose,
+    /// [`frame_since`](Coordinates::frame_since) of the state.
+    pub frame: &'a Frame,
+    /// State.
+    pub state: &'a [f64],
 }

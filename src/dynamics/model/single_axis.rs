@@ -1,4 +1,4 @@
-//! Planar motion along one world axis: whether anything but contact leads a body off it, and whether a state is on it.
+//! Planar motion along one world axis: whether anything but contact leads a body off it.
 
 use glam::DMat3;
 
@@ -12,13 +12,6 @@ pub(in crate::dynamics) fn is_decoupled(body: &Body, ground: &Ground, axis: usiz
     let straight = |m: &DMat3| (held[0] || m.col(axis)[across] == 0.0) && (held[1] || m.col(axis)[2] == 0.0);
     let undriven = held[0] || (ground.axis()[across] == 0.0 && body.push[across] == 0.0);
     straight(&body.planar.stiffness) && straight(&body.planar.damping) && undriven && (held[1] || body.moment == 0.0)
-}
-
-/// Whether a planar state is in line with an axis.
-#[inline]
-pub(in crate::dynamics) fn is_along(state: &[f64], axis: usize) -> bool {
-    let across = 1 - axis;
-    state[across] == 0.0 && state[2] == 0.0 && state[3 + across] == 0.0 && state[5] == 0.0
 }
 
 #[cfg(test)]
@@ -43,11 +36,5 @@ mod tests {
         let mut eccentric = body.clone();
         eccentric.planar.damping.x_axis.z = 1e-3;
         assert!(!is_decoupled(&eccentric, &along_x, 0), "a dashpot that turns it");
-        assert!(is_along(&[0.1, 0.0, 0.0, 2.0, 0.0, 0.0], 0), "on the axis");
-        assert!((0..6).filter(|i| i % 3 > 0).all(|i| {
-            let mut state = [0.0; 6];
-            state[i] = 1e-300;
-            !is_along(&state, 0)
-        }));
     }
 }

@@ -10,12 +10,11 @@ use glam::DVec3;
 
 use crate::contact::{Frame, FrictionLaw, Measured, Mode, Normal, NormalLaw, measure};
 use crate::dynamics::Model;
+use crate::dynamics::model::coordinates::planar;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body::PLANAR;
-use crate::dynamics::model::single_axis::is_along;
 use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
-use crate::scene::Kind;
 
 /// Two sides that touch flush.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +33,8 @@ struct Joint {
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::dynamics) struct CollinearIsland {
     axis: usize,
+    /// Place and rate of each body along the axis in the vector.
+    components: Vec<[usize; 2]>,
     joints: Vec<Joint>,
     /// The first contact of each contact's joint.
     first: Vec<usize>,
@@ -55,20 +56,30 @@ impl CollinearIsland {
     pub(in crate::dynamics) fn of(
         model: &Model,
         bodies: &[usize],
+        layout: &StateLayout,
         bases: &[ReferencePose],
         active: &[ActiveContact],
     ) -> Option<Self> {
-        if model.kind != Kind::Planar || active.is_empty() {
+        if active.is_empty() {
             return None;
         }
-        let straight = |axis: usize| {
-            let mut both = bodies.iter().zip(bases);
-            both.all(|(&b, base)| model.bodies[b].straight[axis] && is_along(&base.state(), axis))
+        let components = |axis: usize| -> Option<Vec<[usize; 2]>> {
+            let along = |(i, (&b, base)): (usize, (&usize, &ReferencePose))| {
+                let own = model.bodies[b].along(axis).filter(|_| planar::is_base_along(base, axis))?;
+                Some(own.map(|component| layout.range(i).start + component))
+            };
+            bodies.iter().zip(bases).enumerate().map(along).collect()
         };
-        (0..2).filter(|&axis| straight(axis)).find_map(|axis| Self::across(model, bodies, active, axis))
+        (0..2).find_map(|axis| Self::across(model, bodies, components(axis)?, active, axis))
     }
 
-    fn across(model: &Model, bodies: &[usize], active: &[ActiveContact], axis: usize) -> Option<Self> {
+    fn across(
+        model: &Model,
+        bodies: &[usize],
+        components: Vec<[usize; 2]>,
+        active: &[ActiveContact],
+        axis: usize,
+    ) -> Option<Self> {
         let touches: Option<Vec<Touch>> = active.iter().map(|a| Touch::of(model, bodies, a, axis)).collect();
         let touches = touches?;
         let first: Vec<usize> =
@@ -78,13 +89,19 @@ impl CollinearIsland {
             let members = || (number..touches.len()).filter(|&n| first[n] == number).map(|n| &touches[n]);
             joints.push(Touch::together(&touches[number], members)?);
         }
-        Some(Self { axis, joints, first })
+        Some(Self { axis, components, joints, first })
     }
 
     /// Whether states in a row are in line.
     #[inline]
     pub(in crate::dynamics) fn holds(&self, y: &[f64]) -> bool {
-        y.chunks_exact(PLANAR).all(|state| is_along(state, self.axis))
+        planar::in_a_row(y).iter().all(|state| planar::is_along(state, self.axis))
+    }
+
+    /// Place and rate of one of its bodies along the axis in the vector.
+    #[inline]
+    pub(in crate::dynamics) fn components(&self, index: usize) -> [usize; 2] {
+        self.components[index]
     }
 
     /// The axis: 0 is x, 1 is y.
@@ -111,24 +128,24 @@ impl CollinearIsland {
         let axis = self.axis;
         out.fill(0.0);
         for joint in &self.joints {
-            let at = |side: Option<usize>, from: usize| side.map_or(0.0, |i| y[i * PLANAR + from + axis]);
-            let [node, face] = joint.sides;
+            let [node, face] = joint.sides.map(|side| side.map(|i| self.components[i]));
+            let at = |side: Option<[usize; 2]>, which: usize| side.map_or(0.0, |own| y[own[which]]);
             let gap = joint.rest + joint.normal * (at(node, 0) - at(face, 0));
-            let rate = joint.normal * (at(node, 3) - at(face, 3));
+            let rate = joint.normal * (at(node, 1) - at(face, 1));
             let force = joint.law.map_or(0.0, |law| joint.normal * (law.elastic(-gap) + law.damping(-gap, rate)));
             for (side, force) in [(node, force), (face, -force)] {
-                if let Some(i) = side {
-                    out[i * PLANAR + 3 + axis] += force;
+                if let Some([_, speed]) = side {
+                    out[speed] += force;
                 }
             }
         }
         for (i, &body) in bodies.iter().enumerate() {
-            let (body, from) = (&model.bodies[body], i * PLANAR + axis);
-            let (place, speed) = (bases[i].planar()[axis] + y[from], y[from + 3]);
+            let (body, [at, rate]) = (&model.bodies[body], self.components[i]);
+            let (place, speed) = (bases[i].planar()[axis] + y[at], y[rate]);
             let bearings = body.planar.stiffness.col(axis)[axis] * place + body.planar.damping.col(axis)[axis] * speed;
-            let force = out[from + 3] + body.push[axis] - bearings;
+            let force = out[rate] + body.push[axis] - bearings;
             let rates = [speed, force / body.mass - ground[axis]];
-            [out[from], out[from + 3]] = if body.free[axis] { rates } else { [0.0; 2] };
+            [out[at], out[rate]] = if body.free[axis] { rates } else { [0.0; 2] };
         }
     }
 }
@@ -185,10 +202,11 @@ mod tests {
     use super::*;
     use crate::contact::Law;
     use crate::contact::normal::Linear;
-    use crate::dynamics::ContactSite;
     use crate::dynamics::integrator::system::System;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::penalty3d::contact_state::ClosedContact;
     use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
+    use crate::dynamics::{Body, ContactSite};
     use crate::scene::{Motion, Scene, presets};
 
     /// Two straight girders and what they stick to, all nodes closed.
@@ -233,11 +251,21 @@ mod tests {
     }
 
     fn bases(model: &Model) -> Vec<ReferencePose> {
-        model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect()
+        model.bodies.iter().map(Body::placed).collect()
+    }
+
+    fn layout(model: &Model) -> StateLayout {
+        StateLayout::of(model.bodies.iter())
+    }
+
+    /// The line of all bodies of a model, where they are in one.
+    fn line(model: &Model, active: &[ActiveContact]) -> Option<CollinearIsland> {
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        CollinearIsland::of(model, &bodies, &layout(model), &bases(model), active)
     }
 
     fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {
-        body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
+        body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
     }
 
     fn slopes(model: &Model, active: &[ActiveContact], line: Option<&CollinearIsland>, y: &[f64]) -> Vec<f64> {
@@ -246,6 +274,7 @@ mod tests {
         let mut field = EquationsOfMotion {
             model,
             bodies: &bodies,
+            layout: &layout(model),
             bases: &bases(model),
             active,
             piece: model.ground.piece(model.ground.piece_number(0.3)),
@@ -266,9 +295,9 @@ mod tests {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        let line = CollinearIsland::of(&model, &bodies, &bases(&model), &active).expect("a straight row");
-        let mut y = vec![0.0; PLANAR * bodies.len()];
-        for (i, state) in y.chunks_exact_mut(PLANAR).enumerate() {
+        let line = line(&model, &active).expect("a straight row");
+        let mut y = vec![0.0; WIDTH * bodies.len()];
+        for (i, state) in y.chunks_exact_mut(WIDTH).enumerate() {
             (state[0], state[3]) = (1e-3 * (1.7 * i as f64).sin(), 0.2 * (2.9 * i as f64).cos());
         }
         let (short, whole) = (slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y));
@@ -286,28 +315,18 @@ mod tests {
     fn what_turns_or_slides_is_not_in_line() {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
-        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        assert!(CollinearIsland::of(&model, &bodies, &bases(&model), &active).is_some(), "all nodes of flush faces");
-        assert!(
-            CollinearIsland::of(&model, &bodies, &bases(&model), &active[1..]).is_none(),
-            "a corner alone turns its girder"
-        );
+        assert!(line(&model, &active).is_some(), "all nodes of flush faces");
+        assert!(line(&model, &active[1..]).is_none(), "a corner alone turns its girder");
         let mut dragged = active.clone();
         if let Mode::Stick { anchor } = &mut dragged[0].closed.mode {
             anchor.x += 1e-6;
         }
-        assert!(
-            CollinearIsland::of(&model, &bodies, &bases(&model), &dragged).is_none(),
-            "a stretched spring pulls sideways"
-        );
+        assert!(line(&model, &dragged).is_none(), "a stretched spring pulls sideways");
         let mut aslant = scene.clone();
         shake_along(&mut aslant, 1.0);
         let (model, active) = pressed(&aslant);
-        assert!(CollinearIsland::of(&model, &bodies, &bases(&model), &active).is_none(), "the ground drives it off");
+        assert!(line(&model, &active).is_none(), "the ground drives it off");
         let (model, active) = pressed(&presets::load("skew45-abutment").expect("a preset"));
-        assert!(
-            CollinearIsland::of(&model, &[0], &bases(&model), &active).is_none(),
-            "a skewed face is not square to its girder"
-        );
+        assert!(line(&model, &active).is_none(), "a skewed face is not square to its girder");
     }
 }

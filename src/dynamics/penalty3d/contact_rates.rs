@@ -3,8 +3,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::contact::{FrictionLaw, Mode, NormalLaw};
-use crate::dynamics::model::rigid_body::response;
+use crate::contact::{Frame, FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::{Body, Model};
 
@@ -54,8 +53,7 @@ fn yielding(body: &Body, contact: &ActiveContact, axes: &DMat3, arm: DVec3) -> f
     let pushes =
         [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.normal.damping_bound(contact.depth).sqrt()];
     let row = |push: DVec3| {
-        let (linear, turning) = response(body, &body.axes, push, arm);
-        let there = linear + turning.cross(arm);
+        let there = body.acceleration(&Frame::fixed(body.home), push, arm);
         pushes.iter().map(|other| there.dot(*other).abs()).sum::<f64>()
     };
     pushes.into_iter().map(row).fold(0.0, f64::max)

@@ -1,14 +1,17 @@
 //! The equations of motion of bodies in contact, as an integrator sees them: one vector of body states, then the angles
 //! of slips that turn.
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec3};
 
 use crate::contact::{Forces, Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
-use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm, System};
+use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
+use crate::dynamics::model::body::Counted;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
 use crate::dynamics::penalty3d::contact_force;
@@ -95,6 +98,8 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub model: &'a Model,
     /// Its bodies, numbers in the model.
     pub bodies: &'a [usize],
+    /// Where their states stand in the vector.
+    pub layout: &'a StateLayout,
     /// What their states are counted from.
     pub bases: &'a [ReferencePose],
     /// Its closed contacts.
@@ -243,7 +248,7 @@ impl EquationsOfMotion<'_> {
 
 impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        let (model, width) = (self.model, rigid_body::width(self.model.kind));
+        let model = self.model;
         self.frames.clear();
         self.wrenches.clear();
         self.rates.clear();
@@ -253,64 +258,42 @@ impl System for EquationsOfMotion<'_> {
             return;
         }
         for (i, &body) in self.bodies.iter().enumerate() {
-            self.frames.push(self.bases[i].since(&model.bodies[body], &y[i * width..]));
+            self.frames.push(model.bodies[body].frame_since(&y[self.layout.range(i)]));
             self.wrenches.push(Wrench::default());
         }
         self.contacts(y, out);
         let ground = self.ground(t);
         for (i, &body) in self.bodies.iter().enumerate() {
-            let (state, rate) = (&y[i * width..(i + 1) * width], &mut out[i * width..(i + 1) * width]);
-            let (body, wrench) = (&model.bodies[body], &self.wrenches[i]);
-            let base = &self.bases[i];
-            match model.kind {
-                Kind::Planar => rigid_body::planar_slope_from(body, base.planar(), state, wrench, ground, rate),
-                Kind::Spatial => {
-                    let here = base.whole(&self.frames[i]);
-                    rigid_body::spatial_slope(body, &here, state, wrench, ground, rate);
-                }
-            }
+            let part = self.layout.range(i);
+            let now = Counted { base: &self.bases[i], frame: &self.frames[i], state: &y[part.clone()] };
+            model.bodies[body].slope(now, &self.wrenches[i], ground, &mut out[part]);
         }
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
-        let width = rigid_body::width(self.model.kind);
         let omega2 = self.scale.omega * self.scale.omega;
         let mut sum = 0.0;
         for (i, &body) in self.bodies.iter().enumerate() {
-            let d = &d[i * width..(i + 1) * width];
-            let arm2 = self.model.bodies[body].gyration2;
-            let (place, speed) = match self.model.kind {
-                Kind::Planar => (square(&d[..2]) + arm2 * d[2] * d[2], square(&d[3..5]) + arm2 * d[5] * d[5]),
-                // A quaternion turns half the angle.
-                Kind::Spatial => {
-                    (square(&d[..3]) + 4.0 * arm2 * square(&d[3..7]), square(&d[7..10]) + arm2 * square(&d[10..13]))
-                }
-            };
+            let [place, speed] = self.model.bodies[body].size2(&d[self.layout.range(i)]);
             // Summed, not the largest: a NaN must come through and refuse the step.
             sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
         }
-        let angles = d[self.bodies.len() * width..].iter().zip(self.angles);
+        let angles = d[self.layout.len()..].iter().zip(self.angles);
         sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
     }
 }
 
 impl ImplicitSystem for EquationsOfMotion<'_> {
-    fn is_constant(&self, i: usize) -> bool {
-        let width = rigid_body::width(self.model.kind);
-        let Some(&body) = self.bodies.get(i / width) else { return false };
-        let free = &self.model.bodies[body].free;
-        match (self.model.kind, i % width) {
-            (Kind::Planar, i) => !free[[0, 1, 5][i % 3]],
-            (Kind::Spatial, 3..7) => false,
-            (Kind::Spatial, i @ 0..3) => !free[i],
-            (Kind::Spatial, i) => !free[i - 7],
+    fn hold(&self, difference: &mut [f64]) {
+        for (i, &body) in self.bodies.iter().enumerate() {
+            self.model.bodies[body].hold(&mut difference[self.layout.range(i)]);
         }
     }
 
-    fn position_blocks(&self) -> Option<(usize, usize)> {
-        Some(match self.model.kind {
-            Kind::Planar => (rigid_body::PLANAR, 3),
-            Kind::Spatial => (rigid_body::SPATIAL, 7),
+    fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
+        self.bodies.iter().enumerate().map(|(i, &body)| {
+            let Range { start: from, end: until } = self.layout.range(i);
+            PositionBlock { from, velocities: from + self.model.bodies[body].positions(), until }
         })
     }
 
@@ -348,10 +331,10 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         if self.model.kind == Kind::Planar {
             return;
         }
-        let (width, n) = (rigid_body::SPATIAL, push.len() / 2);
+        let n = push.len() / 2;
         let site = &self.model.contacts[active.site];
         let frame = |side: Option<usize>| {
-            side.map_or(site.stand, |i| self.bases[i].since(&self.model.bodies[self.bodies[i]], &y[i * width..]))
+            side.map_or(site.stand, |i| self.model.bodies[self.bodies[i]].frame_since(&y[self.layout.range(i)]))
         };
         let frames = [active.node, active.face].map(frame);
         let turned = active.turned(y);
@@ -362,33 +345,18 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
                 let body = &self.model.bodies[self.bodies[i]];
-                let rotation = self.bases[i].whole(&frames[which]).rotation(&body.axes);
-                let (linear, turning) = rigid_body::response(body, &rotation, along * sign, arm);
-                let from = axis * n + i * width + 7;
-                push[from..from + 6].copy_from_slice(&[linear.to_array(), turning.to_array()].concat());
-                let lever = arm.cross(along) * sign;
-                view[from..from + 6].copy_from_slice(&[(along * sign).to_array(), lever.to_array()].concat());
+                let here = self.bases[i].whole(&frames[which]);
+                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.layout.range(i)]);
+                body.port(&here, along * sign, arm, columns);
             }
         }
     }
 
     fn increment_scale(&self, i: usize, y: f64) -> f64 {
-        let width = rigid_body::width(self.model.kind);
-        let (places, turns) = match self.model.kind {
-            Kind::Planar => (2, 3),
-            Kind::Spatial => (3, 7),
-        };
-        let rate = if i % width < turns { 1.0 } else { self.scale.omega };
-        let length = |component: usize| if component < places { self.scale.place } else { 1.0 };
-        if i >= self.bodies.len() * width {
-            return 1.0;
-        }
-        y.abs().max(rate * length(i % width % turns))
+        let Some((index, component)) = self.layout.body_of(i) else { return 1.0 };
+        let body = &self.model.bodies[self.bodies[index]];
+        y.abs().max(body.increment_scale(component, self.scale.place, self.scale.omega))
     }
-}
-
-fn square(v: &[f64]) -> f64 {
-    v.iter().map(|x| x * x).sum()
 }
 
 #[cfg(test)]

@@ -1,11 +1,8 @@
 //! What a step of an island may err by, and what its contacts are where it begins.
 
-use glam::DVec3;
-
 use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::RESOLVED_DECAY;
-use crate::dynamics::model::rigid_body;
 use crate::dynamics::penalty3d::constants::{
     EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
     IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, NEAR_BASE, REST_SPEED, REVERSAL_SPEED,
@@ -16,13 +13,11 @@ use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::event_location::is_at_face;
 use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::motion::Ground;
-use crate::scene::Kind;
 
 impl Island {
     /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
     /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
     pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
-        let (omega, width) = (self.omega.max(self.turning(model)), rigid_body::width(model.kind));
         let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near) = (0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
@@ -31,7 +26,7 @@ impl Island {
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let body = &model.bodies[b];
-            let here = self.bases[i].since(body, &self.y[i * width..]);
+            let here = body.frame_since(&self.y[self.layout.range(i)]);
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
             place = place.max(here.shift.length() + self.radii[i]);
@@ -51,6 +46,7 @@ impl Island {
             }
             self.frames.push(here);
         }
+        let omega = self.omega.max(self.turning());
         self.angles.clear();
         if !self.active.is_empty() {
             speed2 = 0.0;
@@ -95,26 +91,20 @@ impl Island {
         ErrorScale { speed, omega, place }
     }
 
-    /// How fast the fastest of its bodies turns, where nothing touches: what tumbles on no bearing swings by that alone, and
+    /// How fast the fastest of its bodies in `frames` turns, where nothing touches: what tumbles on no bearing swings by that alone, and
     /// an error of its attitude is one of its place a radian later \[rad/s\].
-    fn turning(&self, model: &Model) -> f64 {
-        if !self.active.is_empty() || model.kind == Kind::Planar {
+    fn turning(&self) -> f64 {
+        if !self.active.is_empty() {
             return 0.0;
         }
-        let states = self.y.chunks_exact(rigid_body::width(model.kind)).take(self.bodies.len());
-        states.map(|y| DVec3::from_slice(&y[10..13]).length()).fold(0.0, f64::max)
+        self.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
     }
 
     /// How fast one of its bodies gains speed where the next step begins \[m/s²\].
     fn gained(&self, model: &Model, index: usize) -> f64 {
-        let from = index * rigid_body::width(model.kind);
-        let slope = &self.stepper.slope()[from..];
-        let (linear, turning) = match model.kind {
-            Kind::Planar => (&slope[3..5], &slope[5..6]),
-            Kind::Spatial => (&slope[7..10], &slope[10..13]),
-        };
-        let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
-        (square(linear) + model.bodies[self.bodies[index]].gyration2 * square(turning)).sqrt()
+        let slope = &self.stepper.slope()[self.layout.range(index)];
+        let [_, gained2] = model.bodies[self.bodies[index]].size2(slope);
+        gained2.sqrt()
     }
 
     /// Where a step ends at the latest for the ground's sake. It drives what a stiff contact holds as slowly as itself, which

@@ -3,14 +3,13 @@
 use crate::contact::parameters::{is_over, sharers};
 use crate::contact::{Local, Mode, locate};
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::penalty3d::event_location::{Due, first_due};
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::{ContactSite, Model};
-use crate::scene::{Kind, Scene, format};
+use crate::dynamics::{Body, ContactSite, Model};
+use crate::scene::{Scene, format};
 
 /// Mass of a girder \[kg\].
 pub(super) const MASS: f64 = 2.0;
@@ -42,7 +41,7 @@ pub(super) fn row() -> Scene {
 pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Vec<ActiveContact>) {
     let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
     let frame = |body: Option<usize>, site: &ContactSite| {
-        body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; PLANAR]))
+        body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
     };
     let local = |site: &ContactSite| locate(&site.home, &frame(site.node_body, site), &frame(site.face_body, site));
     let active = (0..model.contacts.len()).filter_map(|number| {
@@ -67,7 +66,7 @@ pub(super) fn stick(here: &Local) -> Mode {
 /// All bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
 pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-    let bases = model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect();
+    let bases = model.bodies.iter().map(Body::placed).collect();
     let y = states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect();
     let contacts = active.into_iter().enumerate().collect();
     Island::new(model, bodies.clone(), (bodies, bases), contacts, y, 0.0, ControllerState::default())

@@ -5,9 +5,9 @@ use crate::dynamics::Model;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::{ControllerState, StepController, StepLimits};
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::{
     FIRST_PHASE, OVERSHOOT_EXPLICIT, OVERSHOOT_IMPLICIT, RETAKE_MARGIN, RETAKE_TOLERANCE, SMALLEST_PHASE,
@@ -20,7 +20,6 @@ use crate::dynamics::penalty3d::equations_of_motion::{
 use crate::dynamics::penalty3d::event_location::{Due, Reason};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
-use crate::scene::Kind;
 
 /// Bodies in one integrator, with the step that is planned but not yet committed.
 #[derive(Debug)]
@@ -29,6 +28,8 @@ pub(in crate::dynamics) struct Island {
     pub slots: Vec<usize>,
     /// Their numbers in the model.
     pub(in crate::dynamics) bodies: Vec<usize>,
+    /// Where their states stand in `y`.
+    pub(in crate::dynamics) layout: StateLayout,
     /// What their states in `y` are counted from.
     pub(in crate::dynamics) bases: Vec<ReferencePose>,
     /// Closed contacts between them.
@@ -45,8 +46,8 @@ pub(in crate::dynamics) struct Island {
     sloped: (f64, usize),
     /// Whether the planned step, taken again from its start alone, is the same.
     again: bool,
-    /// Spatial: the states that the slopes at the start of the planned step and of the next one are of, before quaternions
-    /// were given their length.
+    /// Where bodies have parts of given length: the states that the slopes at the start of the planned step and of the next one are of, before these were
+    /// restored to it.
     raw: Vec<f64>,
     next_raw: Vec<f64>,
     /// What is due at `until`, if anything but the next step.
@@ -114,9 +115,9 @@ impl Island {
                 y.push(angle);
             }
         }
-        let width = rigid_body::width(model.kind);
-        let frame = |(i, &b): (usize, &usize)| bases[i].since(&model.bodies[b], &y[i * width..]);
-        let frames: Vec<Frame> = bodies.iter().enumerate().map(frame).collect();
+        let layout = StateLayout::of(bodies.iter().map(|&b| &model.bodies[b]));
+        let states = bodies.iter().zip(layout.states(&y));
+        let frames: Vec<Frame> = states.map(|(&b, state)| model.bodies[b].frame_since(state)).collect();
         for a in &mut active {
             a.depth = a.expected_depth(model, &frames);
         }
@@ -132,6 +133,7 @@ impl Island {
             radii,
             slots,
             bodies,
+            layout,
             bases,
             contacts: contacts.into_iter().map(|(c, _)| c).collect(),
             active,
@@ -162,7 +164,7 @@ impl Island {
             island.stepper.expect_no_noise();
         }
         island.sliding = Sliding::of(&island.active);
-        island.line = CollinearIsland::of(model, &island.bodies, &island.bases, &island.active);
+        island.line = CollinearIsland::of(model, &island.bodies, &island.layout, &island.bases, &island.active);
         island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
         island.rewind(model, t);
         island
@@ -174,13 +176,13 @@ impl Island {
         let piece = model.ground.piece(self.sloped.1);
         let (mut stepper, y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         stepper.start(&mut self.field(model, piece, ErrorScale::default()), t, &y);
-        self.note_raw(model, &y);
+        self.note_raw(&y);
         (self.stepper, self.y) = (stepper, y);
     }
 
     /// Notes what the slope at the start of the next step is of.
-    fn note_raw(&mut self, model: &Model, y: &[f64]) {
-        if model.kind == Kind::Spatial {
+    fn note_raw(&mut self, y: &[f64]) {
+        if self.layout.has_unit_parts() {
             self.next_raw.clear();
             self.next_raw.extend_from_slice(y);
         }
@@ -190,6 +192,7 @@ impl Island {
         EquationsOfMotion {
             model,
             bodies: &self.bodies,
+            layout: &self.layout,
             bases: &self.bases,
             active: &self.active,
             piece,
@@ -233,8 +236,8 @@ impl Island {
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
-        self.note_raw(model, &y);
-        normalise(model, &self.bodies, &mut y);
+        self.note_raw(&y);
+        normalise(model, &self.bodies, &self.layout, &mut y);
         (self.stepper, self.y) = (stepper, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
         // The slope is asked for at the sum, which may be the end but for its last bit.
@@ -264,11 +267,11 @@ impl Island {
         let number = model.ground.piece_number(from);
         let piece = model.ground.piece(number);
         let mut stepper = std::mem::take(&mut self.stepper);
-        self.note_raw(model, &y);
+        self.note_raw(&y);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
         let dense = stepper.repeat_explicit(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
-        self.note_raw(model, &y);
-        normalise(model, &self.bodies, &mut y);
+        self.note_raw(&y);
+        normalise(model, &self.bodies, &self.layout, &mut y);
         self.sloped = (from + dense.step, number);
         (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
         true
@@ -285,7 +288,7 @@ impl Island {
         let dense = stepper.repeat_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
         let ended = dense.is_some();
         if let Some(dense) = dense {
-            normalise(model, &self.bodies, &mut y);
+            normalise(model, &self.bodies, &self.layout, &mut y);
             (self.y, self.until, self.dense) = (y, from + dense.step, Some(dense));
         }
         self.stepper = stepper;
@@ -296,7 +299,7 @@ impl Island {
     /// After everything is counted from elsewhere: the next step begins anew.
     pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
         (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
-        self.line = CollinearIsland::of(model, &self.bodies, &self.bases, &self.active);
+        self.line = CollinearIsland::of(model, &self.bodies, &self.layout, &self.bases, &self.active);
         self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
         self.stepper.forget();
         self.rewind(model, self.until);
@@ -312,12 +315,12 @@ impl Island {
         self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
     }
 
-    /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it
-    /// stands in it, and from where that is counted \[m\].
-    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, usize, f64)> {
-        let in_line = self.in_line && self.line.as_ref()?.axis() == axis;
+    /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it and its
+    /// rate stand in it, and from where that place is counted \[m\].
+    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
+        let line = self.line.as_ref().filter(|line| self.in_line && line.axis() == axis)?;
         let base = self.bases[index].planar()[axis];
-        self.dense.as_ref().filter(|_| in_line).map(|dense| (dense, index * rigid_body::PLANAR + axis, base))
+        self.dense.as_ref().map(|dense| (dense, line.components(index), base))
     }
 
     /// A contact's state with its slip direction as it is at `t`.
@@ -335,9 +338,8 @@ impl Island {
     }
 
     /// The planned step's continuous answer for one body.
-    pub(in crate::dynamics) fn path(&self, model: &Model, index: usize) -> Option<StepPolynomial> {
-        let part = |width: usize| index * width..(index + 1) * width;
-        let (part, base) = (part(rigid_body::width(model.kind)), Some(&self.bases[index]));
+    pub(in crate::dynamics) fn path(&self, index: usize) -> Option<StepPolynomial> {
+        let (part, base) = (self.layout.range(index), Some(&self.bases[index]));
         self.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
     }
 
@@ -345,12 +347,12 @@ impl Island {
     pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
         let mut start = dense.coefficients().iter().map(|c| c[0]);
-        if model.kind == Kind::Planar {
+        if !self.layout.has_unit_parts() {
             return Some((dense.step, start.collect()));
         }
         // What has its length already may get another by its last bit.
         let mut normal = self.raw.clone();
-        normalise(model, &self.bodies, &mut normal);
+        normalise(model, &self.bodies, &self.layout, &mut normal);
         let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
         same.then(|| (dense.step, self.raw.clone()))
     }
@@ -382,17 +384,10 @@ impl Island {
     }
 }
 
-/// Keeps the quaternions of spatial bodies at length 1.
-pub(in crate::dynamics) fn normalise(model: &Model, bodies: &[usize], y: &mut [f64]) {
-    if model.kind == Kind::Planar {
-        return;
-    }
-    for i in 0..bodies.len() {
-        let q = &mut y[i * rigid_body::SPATIAL + 3..i * rigid_body::SPATIAL + 7];
-        let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-        for x in q {
-            *x /= length;
-        }
+/// Restores the parts of given length of states in a row.
+pub(in crate::dynamics) fn normalise(model: &Model, bodies: &[usize], layout: &StateLayout, y: &mut [f64]) {
+    if layout.has_unit_parts() {
+        (bodies.iter().enumerate()).for_each(|(i, &body)| model.bodies[body].normalise(&mut y[layout.range(i)]));
     }
 }
 

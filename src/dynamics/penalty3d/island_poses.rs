@@ -1,23 +1,26 @@
 //! What the bodies of an island do within its planned step.
 
+use std::ops::Range;
+
 use crate::contact::Frame;
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::penalty3d::island::{Island, normalise};
-use crate::dynamics::{Body, Model};
-use crate::scene::Kind;
+use crate::dynamics::Model;
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::penalty3d::island::Island;
 
 impl Island {
+    fn body<'a>(&self, model: &'a Model, index: usize) -> &'a Body {
+        &model.bodies[self.bodies[index]]
+    }
+
     /// State of one of its bodies within the planned step, counted from its base.
     pub(in crate::dynamics) fn state_at(&self, model: &Model, index: usize, t: f64) -> Vec<f64> {
-        let width = rigid_body::width(model.kind);
-        let range = index * width..(index + 1) * width;
+        let range = self.layout.range(index);
         match &self.dense {
             Some(dense) if t < self.until => {
-                let mut out = vec![0.0; width];
+                let mut out = vec![0.0; range.len()];
                 dense.read(range, t, &mut out);
-                normalise(model, &self.bodies[index..=index], &mut out);
+                self.body(model, index).normalise(&mut out);
                 out
             }
             _ => self.y[range].to_vec(),
@@ -31,16 +34,14 @@ impl Island {
 
     /// The same, counted from its base.
     pub(in crate::dynamics) fn frame_since(&self, model: &Model, index: usize, t: f64) -> Frame {
-        let width = rigid_body::width(model.kind);
-        let range = index * width..(index + 1) * width;
-        let (base, body): (&ReferencePose, &Body) = (&self.bases[index], &model.bodies[self.bodies[index]]);
+        let (range, body) = (self.layout.range(index), self.body(model, index));
         match &self.dense {
             Some(dense) => {
-                let mut state = [0.0; rigid_body::SPATIAL];
-                dense.read(range, t, &mut state[..width]);
-                base.since(body, &state[..width])
+                let mut state = body.blank();
+                dense.read(range, t, &mut state);
+                body.frame_since(&state)
             }
-            None => base.since(body, &self.y[range]),
+            None => body.frame_since(&self.y[range]),
         }
     }
 
@@ -53,39 +54,32 @@ impl Island {
         frames
     }
 
+    /// Components of the vector that are these of one of its bodies.
+    fn components(&self, index: usize, own: Range<usize>) -> Range<usize> {
+        let from = self.layout.range(index).start;
+        from + own.start..from + own.end
+    }
+
     /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
     /// \[m\].
     pub(in crate::dynamics) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
-        let width = rigid_body::width(model.kind);
         let Some(dense) = &self.dense else { return 0.0 };
-        let span = |range: std::ops::Range<usize>| {
-            dense.displacement_bound(index * width + range.start..index * width + range.end)
-        };
-        let from_start = match model.kind {
-            Kind::Planar => span(0..2) + arm * span(2..3),
-            // A quaternion turns half the angle; the chord is not longer than the arc.
-            Kind::Spatial => span(0..3) + 2.0 * arm * span(3..7),
-        };
+        let way = |own: Range<usize>| dense.displacement_bound(self.components(index, own));
+        let from_start = self.body(model, index).excursion(arm, &way);
         if t > self.from { 2.0 * from_start } else { from_start }
     }
 
     /// What one of its bodies can do at most within the planned step.
     pub(in crate::dynamics) fn bound(&self, model: &Model, index: usize) -> MotionBounds {
         let Some(dense) = &self.dense else { return MotionBounds::still(f64::INFINITY) };
-        let [place, turn] = rigid_body::parts(model.kind, index);
-        let ([speed, acceleration], [turning, bending]) =
-            (dense.derivative_bounds(place), dense.derivative_bounds(turn));
-        let (spin, spin_rate) = match model.kind {
-            Kind::Planar => (turning, bending),
-            // A quaternion turns half the angle; its length differs from 1 by less than a tenth.
-            Kind::Spatial => (2.2 * turning, 2.2 * bending + 8.0 * turning * turning),
-        };
-        MotionBounds { speed, spin, acceleration, spin_rate, ..MotionBounds::still(f64::INFINITY) }
+        self.body(model, index).bounds(&|own| dense.derivative_bounds(self.components(index, own)))
     }
 
-    /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another.
-    pub(in crate::dynamics) fn apart(&self, model: &Model, [a, b]: [usize; 2]) -> [f64; 2] {
-        let [one, other] = [a, b].map(|index| rigid_body::parts(model.kind, index)[0].clone());
-        self.dense.as_ref().map_or([0.0; 2], |dense| dense.difference_derivative_bounds(one, other.start))
+    /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another; nothing where their
+    /// displacements have other directions.
+    pub(in crate::dynamics) fn apart(&self, model: &Model, pair: [usize; 2]) -> Option<[f64; 2]> {
+        let Some(dense) = &self.dense else { return Some([0.0; 2]) };
+        let [one, other] = pair.map(|index| self.components(index, self.body(model, index).displacements()));
+        (one.len() == other.len()).then(|| dense.difference_derivative_bounds(one, other.start))
     }
 }

@@ -6,12 +6,12 @@
 //! step is that of its start before quaternions were given their length, which is what is kept.
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{FreeMotion, Planar};
+use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853::Dop853;
-use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::rigid_body::PLANAR;
-use crate::dynamics::model::{reference_pose, rigid_body};
+use crate::dynamics::model::coordinates::planar::{PlanarState, WIDTH};
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::equations_of_motion::{ActiveContact, EquationsOfMotion, ErrorScale, Sliding};
 use crate::dynamics::penalty3d::island::normalise;
@@ -19,12 +19,9 @@ use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
-use crate::scene::Kind;
 
 /// No start is kept: the members' flights end in it.
 const FLOWN: u32 = u32::MAX;
-/// Most numbers of a base.
-const NUMBERS: usize = 7;
 /// Bit of a member's base that says where it stands.
 const KEPT: u32 = 1 << 31;
 
@@ -163,34 +160,33 @@ impl Replay {
 
     /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<StepPolynomial> {
-        let (dense, bases) = self.dense(number, from, past);
-        let width = rigid_body::width(past.model.kind);
-        let piece = |(place, base)| StepPolynomial::of(&dense, place * width..(place + 1) * width, Some(base));
+        let (dense, layout, bases) = self.dense(number, from, past);
+        let piece = |(place, base)| StepPolynomial::of(&dense, layout.range(place), Some(base));
         bases.iter().enumerate().map(piece).collect()
     }
 
-    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, Vec<ReferencePose>) {
+    fn dense(&self, number: u32, from: f64, past: &Past<'_>) -> (DenseOutput, StateLayout, Vec<ReferencePose>) {
         let Step { length, stretch, start } = self.steps[number as usize];
         let (members, logged_states) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
-        let (kind, width) = (past.model.kind, rigid_body::width(past.model.kind));
+        let layout = StateLayout::of(bodies.iter().map(|&body| &past.model.bodies[body]));
         // Where it was caught, and the speed that it had there where it flew.
         let caught = |member: &Member| {
             let body = &past.model.bodies[member.body as usize];
             if member.base & KEPT == 0 {
                 let mut state = landed(*member, past);
-                return (ReferencePose::of(kind, body, &mut state), state);
+                return (body.rebase(&mut state), state);
             }
-            let mut numbers = [0.0; NUMBERS];
-            let numbers = &mut numbers[..if kind == Kind::Planar { PLANAR / 2 } else { NUMBERS }];
-            self.starts.read(member.base & !KEPT, numbers);
-            (ReferencePose::from_kept(kind, body, numbers), [0.0; PLANAR])
+            let mut numbers = vec![0.0; body.placed().size()];
+            self.starts.read(member.base & !KEPT, &mut numbers);
+            (body.reference(&numbers), [0.0; WIDTH])
         };
-        let (bases, landed): (Vec<ReferencePose>, Vec<Planar>) = members.iter().map(caught).unzip();
+        let (bases, landed): (Vec<ReferencePose>, Vec<PlanarState>) = members.iter().map(caught).unzip();
         let active: Vec<ActiveContact> =
             logged_states.iter().filter_map(|logged| active(*logged, &bodies, &bases, past)).collect();
-        let mut y = vec![0.0; bodies.len() * width];
-        for ((i, landed), state) in (0..).zip(&landed).zip(y.chunks_exact_mut(width)) {
+        let mut y = vec![0.0; layout.len()];
+        for ((i, place), landed) in (0..).zip(0..).zip(&landed) {
+            let state = &mut y[layout.range(place)];
             if start == FLOWN {
                 state.copy_from_slice(landed);
             } else {
@@ -198,11 +194,12 @@ impl Replay {
             }
         }
         let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
-        let line = CollinearIsland::of(past.model, &bodies, &bases, &active);
+        let line = CollinearIsland::of(past.model, &bodies, &layout, &bases, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
             model: past.model,
             bodies: &bodies,
+            layout: &layout,
             bases: &bases,
             active: &active,
             piece,
@@ -214,7 +211,8 @@ impl Replay {
             rates: &mut rates,
             sliding: &mut Sliding::of(&active),
         };
-        (again(&mut field, from, &mut y, length), bases)
+        let dense = again(&mut field, from, &mut y, length);
+        (dense, layout, bases)
     }
 
     /// What it takes \[bytes\].
@@ -241,21 +239,21 @@ fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f6
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
-    normalise(field.model, field.bodies, y);
+    normalise(field.model, field.bodies, field.layout, y);
     // It was within the tolerance.
     let _ = rk.attempt(field, from, y, length);
     rk.accept(field, from, y, length)
 }
 
 /// Where a body's flight ended: where the next stretch of its path begins.
-fn landed(member: Member, past: &Past<'_>) -> Planar {
+fn landed(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(system)) => {
             system.state(&system.fly(from, state), until)
         }
         // Only flights kept as their start are left out, and only once something followed.
-        _ => [0.0; PLANAR],
+        _ => [0.0; WIDTH],
     }
 }
 

@@ -3,7 +3,6 @@
 //! A girder that is hit head-on moves along one axis and never turns: a third of its state is all there is to keep.
 
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
-use crate::dynamics::model::reference_pose;
 use crate::dynamics::model::reference_pose::ReferencePose;
 
 /// A body's continuous answer over one step.
@@ -36,15 +35,9 @@ impl StepPolynomial {
         Self { from: dense.from, step: dense.step, kept, coefficients, base }
     }
 
-    /// All components at `t`, written to `out`.
-    pub fn read(&self, t: f64, out: &mut [f64]) {
-        let base = self.read_since(t, out);
-        reference_pose::add(base, out);
-    }
-
-    /// All components at `t` as they are counted, written to `out`; and what they are counted from: place and attitude, or
-    /// nothing where that is where the body was placed.
-    pub fn read_since(&self, t: f64, out: &mut [f64]) -> &[f64] {
+    /// All components at `t` as they are counted, written to `out`; and the numbers of the reference pose that they are counted
+    /// from.
+    pub fn read(&self, t: f64, out: &mut [f64]) -> &[f64] {
         let x = (t - self.from) / self.step;
         let mut kept = self.coefficients.iter();
         for (i, value) in out.iter_mut().enumerate() {

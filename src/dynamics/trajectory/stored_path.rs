@@ -3,8 +3,9 @@
 //! A flight is its state at the start; a step is a polynomial, or in long runs the number of a step that is taken again
 //! ([`crate::dynamics::record::recomputed_steps`]). One stretch begins where the last one ended, so only the exceptions keep an end.
 
-use crate::dynamics::free_flight::flight::{Flight, Planar};
+use crate::dynamics::free_flight::flight::Flight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
+use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -44,7 +45,7 @@ pub struct TimeSpan {
 #[derive(Clone, Copy, Debug)]
 pub enum StoredMotion<'a> {
     /// A flight from this state on.
-    Start(Planar),
+    Start(PlanarState),
     /// A flight.
     Flight(&'a Flight),
     /// A face that slides along a wall.
@@ -104,7 +105,7 @@ impl StoredPath {
     }
 
     /// Number and state of the flight kept as its start, with when it began, where that is how the path ends at `t`.
-    pub fn flown_until(&self, t: f64) -> Option<(u32, f64, Planar)> {
+    pub fn flown_until(&self, t: f64) -> Option<(u32, f64, PlanarState)> {
         let (code, from) = (*self.codes.last()?, *self.from.last()?);
         let flown = code >> CODE_BITS == 0 && self.until == t;
         flown
@@ -210,6 +211,7 @@ mod tests {
     use crate::dynamics::Model;
     use crate::dynamics::free_flight::flight::FreeMotion;
     use crate::dynamics::integrator::dense_output::DenseOutput;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::motion::Ground;
     use crate::scene::presets;
 
@@ -233,12 +235,12 @@ mod tests {
         let state = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
         let motion = FreeMotion::new(body, &ground, 9.0);
         let flight = |start: f64| SegmentMotion::Flight(Box::new(motion.fly(start, state)));
-        let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; 6]);
+        let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; WIDTH]);
         let slide = SlidingFace::new((body, &ground), [DVec2::X; 2], &ground.piece(0), (4.0, &state), 1.0);
         let motions = [
             flight(0.0),
             flight(0.5),
-            SegmentMotion::Step(StepPolynomial::of(&dense, 0..6, None)),
+            SegmentMotion::Step(StepPolynomial::of(&dense, 0..WIDTH, None)),
             SegmentMotion::Again(17),
             SegmentMotion::Slide(Box::new(slide)),
         ];
@@ -246,10 +248,10 @@ mod tests {
         let path: StoredPath = (0..).zip(motions).map(segment).collect();
         assert!(matches!(path.kept(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
         assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start == 0.5), "begun before the stretch");
-        let mut place = [0.0; 6];
+        let mut place = [0.0; WIDTH];
         let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
         piece.read(2.5, &mut place);
-        assert_eq!(place, [7.5; 6], "half way");
+        assert_eq!(place, [7.5; WIDTH], "half way");
         assert!(matches!(path.kept(3), (3.0, StoredMotion::Again(17))), "by its number");
         assert!(matches!(path.kept(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
         let closed: Vec<bool> = path.spans().map(|span| span.flies).collect();

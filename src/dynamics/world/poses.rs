@@ -16,7 +16,7 @@ impl World {
             Trajectory::Island { island, index } => match &self.islands[*island] {
                 Some(island) => {
                     let mut state = island.state_at(&self.model, *index, t);
-                    island.bases[*index].add(&mut state);
+                    self.model.bodies[track.body].restore(&island.bases[*index].numbers(), &mut state);
                     state
                 }
                 None => Vec::new(),
@@ -34,7 +34,7 @@ impl World {
             return (island.bases[index], island.state_at(&self.model, index, t));
         }
         let mut state = self.state(slot, t);
-        (ReferencePose::of(self.model.kind, &self.model.bodies[track.body], &mut state), state)
+        (self.model.bodies[track.body].rebase(&mut state), state)
     }
 
     /// Pose of a body on its trajectory.
@@ -42,7 +42,7 @@ impl World {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
         match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => body.planar_frame(&system.state(flight, t)),
+            (Trajectory::Flight(flight), Some(system)) => body.frame(&system.state(flight, t)),
             (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
                 Some(island) => island.frame(&self.model, *index, t),
                 None => Frame::fixed(body.home),

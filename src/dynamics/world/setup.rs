@@ -13,7 +13,6 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, PairTrack, Trajectory};
-use crate::scene::Kind;
 
 /// Impact speed at which a pair's time scale is taken \[m/s\]; that of a linear law depends on no speed, that of Hertz's on its
 /// fifth root.
@@ -42,8 +41,7 @@ impl World {
         self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
-            let planar = model.kind == Kind::Planar;
-            let system = planar.then(|| FreeMotion::new(&model.bodies[body], &model.ground, model.duration));
+            let system = FreeMotion::of(&model.bodies[body], &model.ground, model.duration);
             let rest = Flight::at_rest();
             let now = Trajectory::Flight(rest);
             self.bodies.push(BodyTrack { body, system, now, path: StoredPath::default(), pairs: Vec::new() });

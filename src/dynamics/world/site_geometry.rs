@@ -2,9 +2,9 @@
 
 use crate::contact::Local;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
 use crate::dynamics::free_flight::relative_bounds::RelativeBounds;
 use crate::dynamics::locate::advancement::BoundedGap;
+use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// Where the two sides of a contact stand as placed.
 #[derive(Clone, Copy, Debug)]

@@ -3,21 +3,21 @@
 use glam::{DVec2, DVec3};
 
 use super::events::contact_state;
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
 use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, Reaction, solve_reactions};
 use crate::dynamics::impact2d::{LastingInterval, Record};
+use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::sim::{ContactNow, History};
 
 /// Where an interval's bodies are at `t`, and its reactions.
 fn reactions(history: &History, interval: &LastingInterval, t: f64) -> Option<(Kinematics, Vec<Reaction>)> {
     let model = history.model();
-    let state = |body: &usize| -> Planar {
+    let state = |body: &usize| -> PlanarState {
         let state = history.state(*body, t);
         std::array::from_fn(|i| state[i])
     };
-    let states: Vec<Planar> = interval.bodies.iter().map(state).collect();
+    let states: Vec<PlanarState> = interval.bodies.iter().map(state).collect();
     let piece = model.ground.piece(model.ground.piece_number(t));
     let kinematics = Kinematics::new(model, &interval.bodies, &states, ground_acceleration(&model.ground, &piece, t));
     let points: Vec<_> = interval.modes.iter().map(|mode| mode.points(model, &kinematics)).collect();

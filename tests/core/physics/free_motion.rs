@@ -4,7 +4,8 @@ use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
 use girderbench::dynamics::integrator::dop853::Dop853;
 use girderbench::dynamics::integrator::system::System;
-use girderbench::dynamics::model::rigid_body::{Wrench, planar_slope};
+use girderbench::dynamics::model::coordinates::planar;
+use girderbench::dynamics::model::wrench::Wrench;
 use girderbench::scene::Scene;
 
 fn girder(bearings: &str, rest: &str) -> Scene {
@@ -75,7 +76,7 @@ struct Equation(Model);
 
 impl System for Equation {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        planar_slope(&self.0.bodies[0], y, &Wrench::default(), self.0.ground.acceleration(t), out);
+        planar::slope(&self.0.bodies[0], y, &Wrench::default(), self.0.ground.acceleration(t), out);
     }
 
     fn size2(&self, d: &[f64]) -> f64 {

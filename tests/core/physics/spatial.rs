@@ -2,8 +2,9 @@
 
 use crate::support::{run, scene, within};
 use girderbench::dynamics::Model;
+use girderbench::dynamics::model::coordinates::spatial;
 use girderbench::dynamics::model::rigid_body;
-use girderbench::dynamics::model::rigid_body::Wrench;
+use girderbench::dynamics::model::wrench::Wrench;
 use girderbench::scene::{Bearings, Direction, FrictionLaw, Kind, Motion, Scene, presets};
 use girderbench::sim::EventKind;
 use glam::{DQuat, DVec3};
@@ -140,9 +141,9 @@ fn bearings_and_weight_act_as_all_their_forces_together() {
         let turn = DQuat::from_scaled_axis(DVec3::new(0.03, -0.02, 0.4));
         let mut state = vec![0.3, -0.2, 0.1, turn.x, turn.y, turn.z, turn.w];
         state.extend([0.5, -0.4, 0.2, 0.06, 0.05, -0.03]);
-        let here = rigid_body::frame(Kind::Spatial, body, &state);
-        let mut slope = [0.0; 13];
-        rigid_body::spatial_slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
+        let here = body.frame(&state);
+        let mut slope = [0.0; spatial::WIDTH];
+        spatial::slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
         let (mut force, mut moment) = (DVec3::NEG_Z * (body.mass * model.gravity), DVec3::ZERO);
         for (arm, part) in rigid_body::bearing_forces(body, &here) {
             (force, moment) = (force + part, moment + arm.cross(part));

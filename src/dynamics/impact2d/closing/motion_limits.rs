@@ -4,11 +4,12 @@
 //! homogeneous equation, so `½(ẇ² + ω²w²)` never grows and bounds that derivative for ever after; the steady response to a
 //! sine has the amplitudes `A, ΩA, Ω²A, Ω³A`.
 
-use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm, Planar};
-use crate::dynamics::free_flight::motion_bounds::MotionBounds;
+use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
+use crate::dynamics::model::coordinates::planar::{PlanarState, RATES, part};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::motion::Ground;
 
 /// Bounds `[displacement, speed, acceleration, jerk]` of a side.
@@ -33,9 +34,9 @@ impl MotionLimits {
 /// A side in free flight at an instant.
 pub(in crate::dynamics::impact2d) struct FlyingBody<'a> {
     pub system: &'a FreeMotion,
-    pub state: Planar,
+    pub state: PlanarState,
     /// State less the steady response to a sine; none where the directions are coupled.
-    pub free: Option<Planar>,
+    pub free: Option<PlanarState>,
     horizon: f64,
 }
 
@@ -49,7 +50,7 @@ impl<'a> FlyingBody<'a> {
     }
 
     /// Oscillators and free part, where the directions are uncoupled.
-    pub(in crate::dynamics::impact2d) fn uncoupled(&self) -> Option<(&'a [UncoupledAxis; 3], &Planar)> {
+    pub(in crate::dynamics::impact2d) fn uncoupled(&self) -> Option<(&'a [UncoupledAxis; 3], &PlanarState)> {
         match (&self.system.form, &self.free) {
             (FreeMotionForm::Split { dof, .. }, Some(free)) => Some((dof, free)),
             _ => None,
@@ -73,7 +74,7 @@ impl<'a> FlyingBody<'a> {
             let steady = -drive * drive * (self.state[i] - free[i]);
             let o = &dof[i].oscillator;
             if dof[i].free {
-                steady + self.system.push[i] - 2.0 * o.gamma * free[3 + i] - o.omega2 * free[i]
+                steady + self.system.push[i] - 2.0 * o.gamma * free[RATES + i] - o.omega2 * free[i]
             } else {
                 0.0
             }
@@ -89,9 +90,8 @@ impl<'a> FlyingBody<'a> {
     pub(in crate::dynamics::impact2d) fn limits(&self) -> Option<MotionLimits> {
         let (dof, free) = self.uncoupled()?;
         let drive = self.drive();
-        let limits = |i: usize| {
-            limits(&dof[i], dof[i].amplitude, [free[i], free[3 + i]], drive, self.system.push[i], self.horizon)
-        };
+        let limits =
+            |i: usize| limits(&dof[i], dof[i].amplitude, part(free, i), drive, self.system.push[i], self.horizon);
         let (x, y, rotation) = (limits(0), limits(1), limits(2));
         Some(MotionLimits { translation: std::array::from_fn(|k| norm(x[k], y[k])), rotation })
     }
@@ -131,11 +131,11 @@ pub(in crate::dynamics::impact2d) fn relative_limits(a: &FlyingBody<'_>, b: &Fly
         let steady = norm(one.steady.0 - other.steady.0, one.steady.1 - other.steady.1);
         let [push, pull] = [a.system.push[i], b.system.push[i]];
         if one.oscillator == other.oscillator && one.free && other.free {
-            let difference = [p[i] - q[i], p[3 + i] - q[3 + i]];
+            let difference = [p[i] - q[i], p[RATES + i] - q[RATES + i]];
             *limit = limits(one, steady, difference, drive, push - pull, a.horizon);
         } else {
-            let x = limits(one, 0.0, [p[i], p[3 + i]], drive, push, a.horizon);
-            let y = limits(other, 0.0, [q[i], q[3 + i]], drive, pull, a.horizon);
+            let x = limits(one, 0.0, part(p, i), drive, push, a.horizon);
+            let y = limits(other, 0.0, part(q, i), drive, pull, a.horizon);
             let driven = [steady, drive * steady, drive * drive * steady, drive * drive * drive * steady];
             *limit = std::array::from_fn(|k| x[k] + y[k] + driven[k]);
         }
@@ -190,7 +190,7 @@ mod tests {
         let at = |t: f64| FlyingBody::of(&world, 0, t, 1.0).expect("in flight");
         let (t, h) = (0.123, 1e-5);
         for (i, a) in at(t).acceleration().expect("uncoupled").into_iter().enumerate() {
-            let difference = (at(t + h).state[3 + i] - at(t - h).state[3 + i]) / (2.0 * h);
+            let difference = (at(t + h).state[RATES + i] - at(t - h).state[RATES + i]) / (2.0 * h);
             assert!((a - difference).abs() < 1e-6 * (1.0 + a.abs()), "component {i}: {a} against {difference}");
         }
     }

@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::Planar;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState};
 
 /// A declared contact as placed, in plan.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +25,7 @@ impl PlanarSite {
     pub(in crate::dynamics::impact2d) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let placed = |body: Option<usize>| match body {
-            Some(body) => model.bodies[body].planar_frame(&[0.0; 6]),
+            Some(body) => model.bodies[body].planar_frame(&[0.0; planar::WIDTH]),
             None => crate::contact::Frame::fixed(site.fixed),
         };
         let (node, face) = (placed(site.node_body), placed(site.face_body));
@@ -62,12 +62,13 @@ impl PlanarPose {
         Self { shift: DVec2::ZERO, turn: DVec2::X, velocity: DVec2::ZERO, spin: 0.0 };
 
     /// The pose in a planar state.
-    pub(in crate::dynamics::impact2d) fn of(state: &Planar) -> Self {
+    pub(in crate::dynamics::impact2d) fn of(state: &PlanarState) -> Self {
+        let (place, rate) = (planar::positions(state), planar::rates(state));
         Self {
-            shift: DVec2::new(state[0], state[1]),
-            turn: if state[2] == 0.0 { DVec2::X } else { DVec2::from_angle(state[2]) },
-            velocity: DVec2::new(state[3], state[4]),
-            spin: state[5],
+            shift: place.truncate(),
+            turn: if place.z == 0.0 { DVec2::X } else { DVec2::from_angle(place.z) },
+            velocity: rate.truncate(),
+            spin: rate.z,
         }
     }
 }

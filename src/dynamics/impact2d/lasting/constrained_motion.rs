@@ -218,6 +218,7 @@ pub(in crate::dynamics::impact2d) fn connected_groups(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::scene::format;
 
     /// A girder of 2 kg, 0.19 × 0.07 m, at a wall at +x under this push \[N\] and acceleration of the ground, at rest.
@@ -241,7 +242,7 @@ mod tests {
             "#
         );
         let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; 6]], DVec3::new(0.0, 0.5, 0.0));
+        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::new(0.0, 0.5, 0.0));
         (model, kinematics)
     }
 

@@ -8,7 +8,6 @@
 use glam::DVec3;
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::constants::{
     DIP_DIFFERENCE, DIP_FRACTION, FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH,
@@ -24,7 +23,7 @@ use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
 use crate::dynamics::locate::root::root;
-use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDTH};
 use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::{Ground, LinearPiece};
@@ -99,29 +98,34 @@ impl System for ConstrainedOde<'_> {
         // Without a solution the slope is not finite, and the step is rejected.
         for (i, &body) in self.bodies.iter().enumerate() {
             let a = motion.as_ref().map_or(DVec3::NAN, |motion| motion.accelerations[i]);
-            let free = self.model.bodies[body].free;
-            for (j, direction) in [0, 1, 5].into_iter().enumerate() {
-                out[PLANAR * i + j] = if free[direction] { y[PLANAR * i + 3 + j] } else { 0.0 };
-                out[PLANAR * i + 3 + j] = a[j];
+            let (state, rate) = (&y[component(i)], &mut out[component(i)]);
+            for (j, free) in planar::free(&self.model.bodies[body]).into_iter().enumerate() {
+                rate[j] = if free { state[RATES + j] } else { 0.0 };
+                rate[RATES + j] = a[j];
             }
         }
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
         let mut sum = 0.0;
-        for (d, &body) in d.chunks_exact(PLANAR).zip(self.bodies) {
+        for (d, &body) in planar::in_a_row(d).iter().zip(self.bodies) {
             let i2 = self.model.bodies[body].gyration2;
             let square = |d: &[f64]| d[0] * d[0] + d[1] * d[1] + i2 * d[2] * d[2];
-            sum += square(&d[..3]) / (self.allowed[0] * self.allowed[0])
-                + square(&d[3..]) / (self.allowed[1] * self.allowed[1]);
+            sum += square(&d[..RATES]) / (self.allowed[0] * self.allowed[0])
+                + square(&d[RATES..]) / (self.allowed[1] * self.allowed[1]);
         }
         sum
     }
 }
 
+/// Components of a body, by its place.
+fn component(place: usize) -> std::ops::Range<usize> {
+    place * WIDTH..(place + 1) * WIDTH
+}
+
 /// States body by body.
-fn states(y: &[f64]) -> Vec<Planar> {
-    y.chunks_exact(PLANAR).map(|c| [c[0], c[1], c[2], c[3], c[4], c[5]]).collect()
+fn states(y: &[f64]) -> Vec<PlanarState> {
+    planar::in_a_row(y).to_vec()
 }
 
 impl LastingContact {
@@ -129,7 +133,7 @@ impl LastingContact {
     pub(in crate::dynamics::impact2d) fn new(
         bodies: Vec<usize>,
         modes: Vec<ContactMode>,
-        states: &[Planar],
+        states: &[PlanarState],
         t: f64,
     ) -> Self {
         let y = states.iter().flatten().copied().collect();
@@ -139,7 +143,7 @@ impl LastingContact {
     /// Whether nothing moves: every contact is a face that sticks, and all bodies are at rest.
     fn is_at_rest(&self) -> bool {
         self.modes.iter().all(|mode| mode.is_flush() && mode.friction == FrictionMode::Stick)
-            && self.y.chunks_exact(PLANAR).all(|c| c[3..] == [0.0; 3])
+            && planar::in_a_row(&self.y).iter().all(|state| state[RATES..] == [0.0; RATES])
     }
 
     /// Whether any contact goes on without friction for want of a consistent mode: modes are then selected anew after every
@@ -216,12 +220,12 @@ impl LastingContact {
     }
 
     /// State of a body, by its place here, in the planned step.
-    pub(in crate::dynamics::impact2d) fn state(&self, place: usize, t: f64) -> Planar {
-        let mut state = [0.0; PLANAR];
+    pub(in crate::dynamics::impact2d) fn state(&self, place: usize, t: f64) -> PlanarState {
+        let mut state = [0.0; WIDTH];
         match &self.planned {
             Some(PlannedMotion::Slide(slide)) => state = slide.state(t),
-            Some(PlannedMotion::Step(dense)) => dense.read(place * PLANAR..(place + 1) * PLANAR, t, &mut state),
-            None => state.copy_from_slice(&self.y[place * PLANAR..(place + 1) * PLANAR]),
+            Some(PlannedMotion::Step(dense)) => dense.read(component(place), t, &mut state),
+            None => state.copy_from_slice(&self.y[component(place)]),
         }
         state
     }
@@ -230,9 +234,7 @@ impl LastingContact {
     pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<SegmentMotion> {
         self.planned.as_ref().map(|planned| match planned {
             PlannedMotion::Slide(slide) => SegmentMotion::Slide(slide.clone()),
-            PlannedMotion::Step(dense) => {
-                SegmentMotion::Step(StepPolynomial::of(dense, place * PLANAR..(place + 1) * PLANAR, None))
-            }
+            PlannedMotion::Step(dense) => SegmentMotion::Step(StepPolynomial::of(dense, component(place), None)),
         })
     }
 

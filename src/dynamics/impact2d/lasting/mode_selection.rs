@@ -193,6 +193,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::scene::format;
 
     /// Half length and half width of the block \[m\].
@@ -221,7 +222,7 @@ mod tests {
             2.0 * HALF[1]
         );
         let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; 6]], DVec3::ZERO);
+        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
         let mut touching: Vec<(usize, ContactPoint)> = (0..model.contacts.len())
             .map(|site| (site, kinematics.point(&model, site)))
             .filter(|(_, point)| point.gap.abs() < 1e-12)

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::Planar;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::lasting::constrained_motion::ContactMode;
+use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::motion::LinearPiece;
 
 /// The slide of one girder whose face lies on a wall, from `state` at `t` on, for at most `longest` \[s\]; none for any
@@ -16,7 +16,7 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
     model: &Model,
     (body, modes): (usize, &[ContactMode]),
     piece: &LinearPiece,
-    (t, state): (f64, &Planar),
+    (t, state): (f64, &PlanarState),
     longest: f64,
 ) -> Option<SlidingFace> {
     let [mode] = modes else { return None };
@@ -38,6 +38,7 @@ pub(in crate::dynamics::impact2d) fn slide_on_wall(
 mod tests {
     use super::*;
     use crate::dynamics::impact2d::lasting::constrained_motion::FrictionMode;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::scene::presets;
 
     /// Whether a straight girder at its wall, with this number of kept points, has a closed form.
@@ -46,12 +47,12 @@ mod tests {
         scene.abutments[0].gap = Some(0.0);
         let mut model = Model::compile(&scene).expect("a sound scene");
         change(&mut model);
-        let kinematics = Kinematics::new(&model, &[0], &[[0.0; 6]], DVec3::ZERO);
+        let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
         let mut sites: Vec<usize> = model.pairs[0].contacts.clone().collect();
         sites.retain(|&site| kinematics.point(&model, site).gap.abs() < 1e-12);
         sites.truncate(points);
         let mode = ContactMode { pair: 0, sites, friction };
-        slide_on_wall(&model, (0, &[mode]), &model.ground.piece(0), (0.0, &[0.0; 6]), 1.0)
+        slide_on_wall(&model, (0, &[mode]), &model.ground.piece(0), (0.0, &[0.0; WIDTH]), 1.0)
     }
 
     #[test]

@@ -5,16 +5,18 @@ use glam::DVec3;
 use super::*;
 use crate::contact::normal::Linear;
 use crate::contact::{Law, Normal};
-use crate::dynamics::model::rigid_body::PLANAR;
+use crate::dynamics::Body;
+use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::penalty3d::example::{MASS, closed, row, stick, wall};
 
 /// Rates of states counted from the placed poses, and of an error of such size its squared norm.
 fn rates(model: &Model, active: &[ActiveContact], y: &[f64], scale: ErrorScale) -> (Vec<f64>, f64) {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-    let bases: Vec<ReferencePose> = model.bodies.iter().map(|body| ReferencePose::placed(Kind::Planar, body)).collect();
+    let bases: Vec<ReferencePose> = model.bodies.iter().map(Body::placed).collect();
     let mut equations = EquationsOfMotion {
         model,
         bodies: &bodies,
+        layout: &StateLayout::of(model.bodies.iter()),
         bases: &bases,
         active,
         piece: model.ground.piece(model.ground.piece_number(0.0)),
@@ -56,7 +58,7 @@ fn contacts_between_two_bodies_keep_their_momentum() {
     let y = [1e-3, 2e-4, 0.0, 0.3, 0.1, 0.0, -5e-4, -1e-4, 0.0, -0.2, 0.05, 0.0];
     let (out, _) = rates(&model, &active, &y, ErrorScale::default());
     for axis in [3, 4] {
-        let (one, two) = (MASS * out[axis], MASS * out[PLANAR + axis]);
+        let (one, two) = (MASS * out[axis], MASS * out[WIDTH + axis]);
         assert!(one.abs() > 1.0, "a force acts");
         assert!((one + two).abs() <= 1e-13 * one.abs(), "{one} N and {two} N");
     }
@@ -66,10 +68,10 @@ fn contacts_between_two_bodies_keep_their_momentum() {
 fn an_error_of_the_allowed_speed_has_norm_one() {
     let (model, active) = closed(&wall(), stick);
     let scale = ErrorScale { speed: 1e-6, omega: 500.0, place: 1.0 };
-    let norm = |y: [f64; PLANAR]| rates(&model, &active, &y, scale).1;
+    let norm = |y: [f64; WIDTH]| rates(&model, &active, &y, scale).1;
     assert!((norm([0.0, 0.0, 0.0, 1e-6, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of velocity");
     assert!((norm([0.0, 1e-6 / 500.0, 0.0, 0.0, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of position, by ω");
-    assert!(norm([f64::NAN; PLANAR]).is_nan(), "NaN is not hidden");
+    assert!(norm([f64::NAN; WIDTH]).is_nan(), "NaN is not hidden");
 }
 
 fn slider(friction: FrictionLaw, direction: DVec2) -> ClosedContact {

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Law, Local, Mode, locate};
-use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::contact_force::{Action, act};
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::{ContactSite, Model};

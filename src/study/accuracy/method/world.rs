@@ -4,8 +4,8 @@ use glam::{DQuat, DVec3};
 
 use super::contacts::Contacts;
 use crate::contact::Frame;
-use crate::dynamics::model::rigid_body;
-use crate::dynamics::model::rigid_body::Wrench;
+use crate::dynamics::model::coordinates::{planar, spatial};
+use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::{Body, Model};
 use crate::scene::{Kind, Scene};
 use crate::study::accuracy::answer::Place;
@@ -28,8 +28,8 @@ impl World {
     pub(super) fn new(scene: &Scene) -> Result<Self, String> {
         crate::scene::validate::validate(scene).map_err(|errors| errors.to_string())?;
         let model = Model::compile(scene).map_err(|errors| errors.to_string())?;
-        let y = model.bodies.iter().flat_map(|body| rigid_body::initial(model.kind, body)).collect();
-        let (width, contacts) = (rigid_body::width(model.kind), Contacts::new(&model));
+        let y = model.bodies.iter().flat_map(Body::initial).collect();
+        let (width, contacts) = (model.bodies.first().map_or(0, Body::width), Contacts::new(&model));
         let mut world = Self { model, width, y, contacts, frames: Vec::new(), wrenches: Vec::new() };
         world.look();
         world.contacts.overlap(&world.model, &world.frames);
@@ -51,7 +51,7 @@ impl World {
     fn pose(&mut self, y: &[f64]) {
         self.frames.clear();
         for (i, body) in self.model.bodies.iter().enumerate() {
-            self.frames.push(rigid_body::frame(self.model.kind, body, &y[i * self.width..]));
+            self.frames.push(body.frame(&y[i * self.width..]));
         }
     }
 
@@ -66,9 +66,9 @@ impl World {
             let part = i * self.width..(i + 1) * self.width;
             let (state, rate, wrench) = (&y[part.clone()], &mut out[part], &self.wrenches[i]);
             match self.model.kind {
-                Kind::Planar => rigid_body::planar_slope(body, state, wrench, ground, rate),
+                Kind::Planar => planar::slope(body, state, wrench, ground, rate),
                 Kind::Spatial => {
-                    rigid_body::spatial_slope(body, &self.frames[i], state, wrench, ground, rate);
+                    spatial::slope(body, &self.frames[i], state, wrench, ground, rate);
                 }
             }
         }
@@ -77,8 +77,8 @@ impl World {
     /// Ends a step: attitudes of length 1, contacts brought up to date. Answers whether any contact changed its state.
     pub(super) fn settle(&mut self) -> bool {
         if self.model.kind == Kind::Spatial {
-            for state in self.y.chunks_mut(rigid_body::SPATIAL) {
-                let q = rigid_body::turn(state);
+            for state in self.y.chunks_mut(spatial::WIDTH) {
+                let q = spatial::turn(state);
                 state[3..7].copy_from_slice(&[q.x, q.y, q.z, q.w]);
             }
         }
@@ -93,7 +93,7 @@ impl World {
             match self.model.kind {
                 Kind::Planar => [state[0], state[1], body.start[2], state[2]],
                 Kind::Spatial => {
-                    let x = rigid_body::turn(state) * DVec3::X;
+                    let x = spatial::turn(state) * DVec3::X;
                     [state[0], state[1], state[2], x.y.atan2(x.x)]
                 }
             }

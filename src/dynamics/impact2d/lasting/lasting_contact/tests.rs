@@ -11,7 +11,7 @@ fn sliding(preset: &str, change: impl FnOnce(&mut Model), sign: f64) -> (Model, 
     scene.girders[0].push.force = [40.0, 3.0, 0.0];
     let mut model = Model::compile(&scene).expect("a sound scene");
     change(&mut model);
-    let home = Kinematics::new(&model, &[0], &[[0.0; PLANAR]], DVec3::ZERO);
+    let home = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
     let gap = |site: &usize| home.point(&model, *site).gap.abs() < 1e-12;
     let mut sites: Vec<usize> = model.pairs[0].contacts.clone().filter(gap).collect();
     sites.sort_by(|a, b| home.point(&model, *a).along.total_cmp(&home.point(&model, *b).along));
@@ -31,8 +31,8 @@ fn integrated(model: &Model, contact: &LastingContact, end: f64) -> Vec<f64> {
         let cap = end.min(piece.until);
         let dense = contact.integrate(model, piece, [1e-15; 2], cap).expect("a step");
         let to = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
-        let mut y = vec![0.0; PLANAR];
-        dense.read(0..PLANAR, to, &mut y);
+        let mut y = vec![0.0; WIDTH];
+        dense.read(0..WIDTH, to, &mut y);
         (contact.y, contact.from) = (y, to);
     }
     contact.y

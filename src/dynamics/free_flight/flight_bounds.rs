@@ -2,38 +2,14 @@
 
 use glam::DVec3;
 
-use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm, Planar};
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion, FreeMotionForm};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
-
-/// Bounds on a motion over `[t, t + window]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MotionBounds {
-    /// How long they hold \[s\].
-    pub window: f64,
-    /// Displacement of G \[m\].
-    pub reach: f64,
-    /// |θ| \[rad\].
-    pub turn: f64,
-    /// Speed of G \[m/s\].
-    pub speed: f64,
-    /// |θ̇| \[rad/s\].
-    pub spin: f64,
-    /// Acceleration of G \[m/s²\].
-    pub acceleration: f64,
-    /// |θ̈| \[rad/s²\].
-    pub spin_rate: f64,
-}
-
-impl MotionBounds {
-    /// Of what does not move.
-    pub fn still(window: f64) -> Self {
-        Self { window, reach: 0.0, turn: 0.0, speed: 0.0, spin: 0.0, acceleration: 0.0, spin_rate: 0.0 }
-    }
-}
+use crate::dynamics::model::coordinates::planar::{self, PlanarState};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 
 impl FreeMotion {
     /// State at `t` in `flight`, and what the motion can do from there for at most `horizon` \[s\].
-    pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (Planar, MotionBounds) {
+    pub fn state_and_bounds(&self, flight: &Flight, t: f64, horizon: f64) -> (PlanarState, MotionBounds) {
         let (state, free) = self.parts(flight, t);
         (state, self.bound_from(t, &state, free.as_ref(), horizon))
     }
@@ -42,7 +18,7 @@ impl FreeMotion {
     ///
     /// The energy per mass of a free part never grows, which bounds it for ever after; where the force is not split off,
     /// its work bounds it over a short window.
-    pub fn bound(&self, t: f64, state: &Planar, horizon: f64) -> MotionBounds {
+    pub fn bound(&self, t: f64, state: &PlanarState, horizon: f64) -> MotionBounds {
         self.bound_from(t, state, None, horizon)
     }
 
@@ -50,8 +26,8 @@ impl FreeMotion {
     pub(in crate::dynamics) fn bound_from(
         &self,
         t: f64,
-        state: &Planar,
-        free: Option<&Planar>,
+        state: &PlanarState,
+        free: Option<&PlanarState>,
         horizon: f64,
     ) -> MotionBounds {
         match (&self.form, free) {
@@ -64,17 +40,17 @@ impl FreeMotion {
                 let whole = self.bound_whole(state, horizon);
                 let Some(dof) = &self.plain else { return whole };
                 // The ground drives G, never the rotation.
-                let [turn, spin, spin_rate] = dof[2].limits([state[2], state[5]], 0.0, self.push[2], horizon);
+                let [turn, spin, spin_rate] = dof[2].limits(planar::part(state, 2), 0.0, self.push[2], horizon);
                 MotionBounds { turn, spin, spin_rate, ..whole }
             }
         }
     }
 
     /// From the free parts, three displacements and their rates.
-    fn bound_split(&self, dof: &[UncoupledAxis; 3], free: &Planar, horizon: f64) -> MotionBounds {
+    fn bound_split(&self, dof: &[UncoupledAxis; 3], free: &PlanarState, horizon: f64) -> MotionBounds {
         let drive = self.ground.drive();
         let limits: [[f64; 3]; 3] =
-            std::array::from_fn(|i| dof[i].limits([free[i], free[3 + i]], drive, self.push[i], horizon));
+            std::array::from_fn(|i| dof[i].limits(planar::part(free, i), drive, self.push[i], horizon));
         let plan = |k: usize| length(limits[0][k], limits[1][k]);
         MotionBounds {
             window: horizon,
@@ -87,14 +63,15 @@ impl FreeMotion {
         }
     }
 
-    fn bound_whole(&self, state: &Planar, horizon: f64) -> MotionBounds {
+    fn bound_whole(&self, state: &PlanarState, horizon: f64) -> MotionBounds {
         let [omega, damping] = self.rates;
         let window = horizon.min(0.5 / omega.max(damping).max(1e-9));
         let i = self.gyration;
         let push = DVec3::new(self.push[0], self.push[1], self.push[2] * i).length();
         let force = self.ground.peak() + push;
-        let speed0 = DVec3::new(state[3], state[4], state[5] * i).length();
-        let place = DVec3::new(state[0], state[1], state[2] * i).length();
+        let in_lengths = |v: DVec3| v * DVec3::new(1.0, 1.0, i);
+        let speed0 = in_lengths(planar::rates(state)).length();
+        let place = in_lengths(planar::positions(state)).length();
         let speed = speed0.hypot(omega * place) + force * window;
         let acceleration = (damping + omega) * speed + force;
         let reach = place + speed * window;

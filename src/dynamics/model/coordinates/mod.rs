@@ -1,0 +1,188 @@
+//! Degrees of freedom: how the state of a body is laid out and what moves it, for the bodies that exist.
+//!
+//! [`Coordinates`] says what is asked of them; here a [`Body`] answers by those that it has. A rigid girder has those of
+//! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
+
+pub mod planar;
+pub mod spatial;
+pub(in crate::dynamics) mod state_layout;
+
+use std::ops::Range;
+
+use glam::{DQuat, DVec3};
+use smallvec::SmallVec;
+
+use crate::contact::Frame;
+use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::model::wrench::Wrench;
+use planar::Planar;
+use spatial::Spatial;
+
+/// The state of one body; that of a rigid body takes no memory of the heap.
+pub type BodyState = SmallVec<[f64; spatial::WIDTH]>;
+
+/// The value of an expression for whichever degrees of freedom a body has.
+macro_rules! of_each {
+    ($body:expr, $coordinates:ident => $value:expr) => {
+        match &$body.coordinates {
+            BodyCoordinates::Planar => {
+                let $coordinates = &Planar;
+                $value
+            }
+            BodyCoordinates::Spatial => {
+                let $coordinates = &Spatial;
+                $value
+            }
+            BodyCoordinates::Custom($coordinates) => $value,
+        }
+    };
+}
+
+/// What [`Coordinates`] answer, by those of the body.
+impl Body {
+    /// [`Coordinates::width`].
+    #[inline]
+    pub fn width(&self) -> usize {
+        of_each!(self, c => c.width())
+    }
+
+    /// [`Coordinates::positions`].
+    #[inline]
+    pub fn positions(&self) -> usize {
+        of_each!(self, c => c.positions())
+    }
+
+    /// [`Coordinates::displacements`].
+    #[inline]
+    pub fn displacements(&self) -> Range<usize> {
+        of_each!(self, c => c.displacements())
+    }
+
+    /// [`Coordinates::initial`].
+    pub fn initial(&self) -> Vec<f64> {
+        of_each!(self, c => c.initial(self))
+    }
+
+    /// A state of zeros.
+    #[inline]
+    pub fn blank(&self) -> BodyState {
+        BodyState::from_elem(0.0, self.width())
+    }
+
+    /// [`Coordinates::frame`].
+    #[inline]
+    pub fn frame(&self, state: &[f64]) -> Frame {
+        of_each!(self, c => c.frame(self, state))
+    }
+
+    /// [`Coordinates::frame_since`].
+    #[inline]
+    pub fn frame_since(&self, state: &[f64]) -> Frame {
+        of_each!(self, c => c.frame_since(self, state))
+    }
+
+    /// [`Coordinates::attitude`].
+    pub fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
+        of_each!(self, c => c.attitude(state))
+    }
+
+    /// [`Coordinates::reference`] by no numbers.
+    pub fn placed(&self) -> ReferencePose {
+        self.reference(&[])
+    }
+
+    /// [`Coordinates::reference`].
+    pub fn reference(&self, numbers: &[f64]) -> ReferencePose {
+        of_each!(self, c => c.reference(self, numbers))
+    }
+
+    /// [`Coordinates::rebase`].
+    pub fn rebase(&self, state: &mut [f64]) -> ReferencePose {
+        of_each!(self, c => c.rebase(self, state))
+    }
+
+    /// [`Coordinates::restore`].
+    pub fn restore(&self, numbers: &[f64], state: &mut [f64]) {
+        of_each!(self, c => c.restore(numbers, state));
+    }
+
+    /// [`Coordinates::slope`].
+    #[inline]
+    pub fn slope(&self, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+        of_each!(self, c => c.slope(self, now, contact, ground, out));
+    }
+
+    /// [`Coordinates::has_unit_parts`].
+    #[inline]
+    pub fn has_unit_parts(&self) -> bool {
+        of_each!(self, c => c.has_unit_parts())
+    }
+
+    /// [`Coordinates::normalise`].
+    #[inline]
+    pub fn normalise(&self, state: &mut [f64]) {
+        of_each!(self, c => c.normalise(state));
+    }
+
+    /// [`Coordinates::add_accelerations`].
+    pub fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
+        of_each!(self, c => c.add_accelerations(state, slope, dt));
+    }
+
+    /// [`Coordinates::size2`].
+    #[inline]
+    pub fn size2(&self, difference: &[f64]) -> [f64; 2] {
+        of_each!(self, c => c.size2(self, difference))
+    }
+
+    /// [`Coordinates::hold`].
+    #[inline]
+    pub fn hold(&self, difference: &mut [f64]) {
+        of_each!(self, c => c.hold(self, difference));
+    }
+
+    /// [`Coordinates::increment_scale`].
+    #[inline]
+    pub fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64 {
+        of_each!(self, c => c.increment_scale(i, place, omega))
+    }
+
+    /// [`Coordinates::excursion`].
+    #[inline]
+    pub fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
+        of_each!(self, c => c.excursion(arm, way))
+    }
+
+    /// [`Coordinates::bounds`].
+    #[inline]
+    pub fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds {
+        of_each!(self, c => c.bounds(rates))
+    }
+
+    /// [`Coordinates::acceleration`].
+    pub fn acceleration(&self, here: &Frame, force: DVec3, arm: DVec3) -> DVec3 {
+        of_each!(self, c => c.acceleration(self, here, force, arm))
+    }
+
+    /// [`Coordinates::port`].
+    pub fn port(&self, here: &Frame, force: DVec3, arm: DVec3, columns: [&mut [f64]; 2]) {
+        of_each!(self, c => c.port(self, here, force, arm, columns));
+    }
+
+    /// [`Coordinates::along`].
+    pub fn along(&self, axis: usize) -> Option<[usize; 2]> {
+        of_each!(self, c => c.along(self, axis))
+    }
+
+    /// [`Coordinates::energies`].
+    pub fn energies(&self, state: &[f64], gravity: f64) -> [f64; 3] {
+        of_each!(self, c => c.energies(self, state, gravity))
+    }
+
+    /// [`Coordinates::powers`].
+    pub fn powers(&self, state: &[f64], ground: DVec3) -> [f64; 3] {
+        of_each!(self, c => c.powers(self, state, ground))
+    }
+}

@@ -1,0 +1,290 @@
+//! A rigid girder in plan: `x, y, θ` since it was placed, and their rates.
+
+use std::ops::Range;
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::contact::Frame;
+use crate::dynamics::model::body::{Body, Coordinates, Counted};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::wrench::Wrench;
+
+/// Components of a state.
+pub const WIDTH: usize = 6;
+/// Components that are positions; the rate of component `i` is component `RATES + i`.
+pub const RATES: usize = 3;
+/// World directions of [`Body::free`] that the positions are.
+const DIRECTIONS: [usize; RATES] = [0, 1, 5];
+
+/// `x, y, θ, ẋ, ẏ, θ̇`, relative to where the girder was placed.
+pub type PlanarState = [f64; WIDTH];
+
+/// The degrees of freedom `x, y, θ`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Planar;
+
+/// One coordinate of a state and its rate.
+#[inline]
+pub(in crate::dynamics) fn part(state: &PlanarState, i: usize) -> [f64; 2] {
+    [state[i], state[RATES + i]]
+}
+
+/// A state from its coordinates, each with its rate.
+#[inline]
+pub(in crate::dynamics) fn of_parts([x, y, turn]: [[f64; 2]; RATES]) -> PlanarState {
+    [x[0], y[0], turn[0], x[1], y[1], turn[1]]
+}
+
+/// `x, y, θ` of a state.
+#[inline]
+pub(in crate::dynamics) fn positions(state: &[f64]) -> DVec3 {
+    DVec3::new(state[0], state[1], state[2])
+}
+
+/// Their rates, in a state or in the rate of one.
+#[inline]
+pub(in crate::dynamics) fn rates(state: &[f64]) -> DVec3 {
+    DVec3::new(state[3], state[4], state[5])
+}
+
+/// States of girders in a row.
+#[inline]
+pub(in crate::dynamics) fn in_a_row(y: &[f64]) -> &[PlanarState] {
+    y.as_chunks().0
+}
+
+/// Whether a state is in line with a world axis, 0 or 1.
+#[inline]
+pub(in crate::dynamics) fn is_along(state: &PlanarState, axis: usize) -> bool {
+    let across = 1 - axis;
+    state[across] == 0.0 && state[2] == 0.0 && state[RATES + across] == 0.0 && state[5] == 0.0
+}
+
+/// Whether a reference pose is in line with a world axis.
+pub(in crate::dynamics) fn is_base_along(base: &ReferencePose, axis: usize) -> bool {
+    let place = base.planar();
+    place[1 - axis] == 0.0 && place.z == 0.0
+}
+
+/// Which directions a girder may move in.
+pub(in crate::dynamics) fn free(body: &Body) -> [bool; RATES] {
+    DIRECTIONS.map(|direction| body.free[direction])
+}
+
+/// What a rotation by `angle` adds to the identity.
+#[inline]
+fn turned(angle: f64) -> DMat3 {
+    // Most girders of a row never turn. Of half the angle, for the cosine less 1 without loss.
+    if angle == 0.0 {
+        return DMat3::ZERO;
+    }
+    let (s, c) = (0.5 * angle).sin_cos();
+    let (sine, less) = (2.0 * s * c, -2.0 * s * s);
+    DMat3::from_cols(DVec3::new(less, sine, 0.0), DVec3::new(-sine, less, 0.0), DVec3::ZERO)
+}
+
+impl Body {
+    /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
+    #[inline]
+    pub fn planar_frame(&self, state: &[f64]) -> Frame {
+        Frame {
+            home: self.home,
+            shift: DVec3::new(state[0], state[1], self.start[2]),
+            turned: turned(state[2]),
+            velocity: DVec3::new(state[3], state[4], 0.0),
+            spin: DVec3::new(0.0, 0.0, state[5]),
+            level: true,
+        }
+    }
+}
+
+/// Rate of a state since the girder was placed, under bearings, push, ground and contact (1).
+#[inline]
+pub fn slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    slope_from(body, DVec3::ZERO, state, contact, ground, out);
+}
+
+/// The same of a state counted from `x, y, θ`.
+#[inline]
+fn slope_from(body: &Body, base: DVec3, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    let q = base + positions(state);
+    let bearings = body.planar.stiffness * q + body.planar.damping * rates(state);
+    let force =
+        DVec3::new(contact.force.x + body.push.x, contact.force.y + body.push.y, contact.moment.z + body.moment);
+    let total = force - bearings;
+    let gains =
+        [total.x / body.mass - ground.x, total.y / body.mass - ground.y, total.z / (body.mass * body.gyration2)];
+    for (i, free) in free(body).into_iter().enumerate() {
+        out[i] = if free { state[RATES + i] } else { 0.0 };
+        out[RATES + i] = if free { gains[i] } else { 0.0 };
+    }
+}
+
+impl Coordinates for Planar {
+    #[inline]
+    fn width(&self) -> usize {
+        WIDTH
+    }
+
+    #[inline]
+    fn positions(&self) -> usize {
+        RATES
+    }
+
+    #[inline]
+    fn displacements(&self) -> Range<usize> {
+        0..2
+    }
+
+    fn initial(&self, body: &Body) -> Vec<f64> {
+        let ([x, y, _, turn], [vx, vy, _, spin]) = (body.start, body.start_rate);
+        vec![x, y, turn, vx, vy, spin]
+    }
+
+    #[inline]
+    fn frame(&self, body: &Body, state: &[f64]) -> Frame {
+        body.planar_frame(state)
+    }
+
+    #[inline]
+    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame {
+        let mut frame = body.planar_frame(state);
+        // The height is the reference pose's.
+        frame.shift.z = 0.0;
+        frame
+    }
+
+    fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
+        (state[2], DQuat::from_rotation_z(state[2]))
+    }
+
+    fn reference(&self, body: &Body, numbers: &[f64]) -> ReferencePose {
+        match *numbers {
+            [x, y, angle] if x != 0.0 || y != 0.0 || angle != 0.0 => {
+                ReferencePose::level(DVec3::new(x, y, body.start[2]), angle, turned(angle))
+            }
+            // A girder keeps the height that it started at.
+            _ => ReferencePose::level(DVec3::Z * body.start[2], 0.0, DMat3::ZERO),
+        }
+    }
+
+    fn rebase(&self, body: &Body, state: &mut [f64]) -> ReferencePose {
+        let DVec3 { x, y, z: angle } = positions(state);
+        state[..RATES].fill(0.0);
+        ReferencePose::level(DVec3::new(x, y, body.start[2]), angle, turned(angle))
+    }
+
+    fn restore(&self, numbers: &[f64], state: &mut [f64]) {
+        state.iter_mut().zip(numbers).for_each(|(component, base)| *component += base);
+    }
+
+    #[inline]
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+        slope_from(body, now.base.planar(), now.state, contact, ground, out);
+    }
+
+    fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
+        (0..RATES).for_each(|i| state[i] += 0.5 * dt * dt * slope[RATES + i]);
+    }
+
+    #[inline]
+    fn size2(&self, body: &Body, d: &[f64]) -> [f64; 2] {
+        let arm2 = body.gyration2;
+        let plan2 = |d: &[f64]| d[..2].iter().map(|x| x * x).sum::<f64>() + arm2 * d[2] * d[2];
+        [plan2(d), plan2(&d[RATES..])]
+    }
+
+    fn hold(&self, body: &Body, difference: &mut [f64]) {
+        for (i, free) in free(body).into_iter().enumerate() {
+            if !free {
+                (difference[i], difference[RATES + i]) = (0.0, 0.0);
+            }
+        }
+    }
+
+    fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64 {
+        let length = if i % RATES < 2 { place } else { 1.0 };
+        (if i < RATES { 1.0 } else { omega }) * length
+    }
+
+    #[inline]
+    fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
+        way(0..2) + arm * way(2..3)
+    }
+
+    #[inline]
+    fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds {
+        let ([speed, acceleration], [spin, spin_rate]) = (rates(0..2), rates(2..3));
+        MotionBounds { speed, spin, acceleration, spin_rate, ..MotionBounds::still(f64::INFINITY) }
+    }
+
+    fn acceleration(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3) -> DVec3 {
+        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
+        linear + turning.cross(arm)
+    }
+
+    fn port(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3, [response, load]: [&mut [f64]; 2]) {
+        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
+        response[RATES..].copy_from_slice(&[linear.x, linear.y, turning.z]);
+        load[RATES..].copy_from_slice(&[force.x, force.y, arm.cross(force).z]);
+    }
+
+    fn along(&self, body: &Body, axis: usize) -> Option<[usize; 2]> {
+        body.straight[axis].then_some([axis, RATES + axis])
+    }
+
+    fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
+        let here = body.planar_frame(state);
+        let inertia = body.mass * body.gyration2 * here.spin.z * here.spin.z;
+        let weight = body.mass * gravity;
+        let kinetic = 0.5 * (body.mass * here.velocity.length_squared() + inertia);
+        let q = positions(state);
+        [kinetic, 0.5 * q.dot(body.planar.stiffness * q), weight * here.shift.z]
+    }
+
+    fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
+        let here = body.planar_frame(state);
+        let inertia = -body.mass * ground.dot(here.velocity);
+        let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
+        let v = rates(state);
+        [inertia, push, v.dot(body.planar.damping * v)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Model;
+    use crate::scene::presets;
+
+    #[test]
+    fn a_planar_slope_is_newtons_law_in_the_free_directions() {
+        let model = Model::compile(&presets::load("skew45-abutment").expect("a preset")).expect("a scene");
+        let mut body = model.bodies[0].clone();
+        let state = [0.01, -0.02, 0.03, 0.4, 0.5, -0.6];
+        let contact = Wrench { force: DVec3::new(7.0, -3.0, 0.0), moment: DVec3::Z * 0.2 };
+        let ground = DVec3::new(1.5, -0.5, 0.0);
+        let mut rate = [0.0; WIDTH];
+        body.free[5] = false;
+        slope(&body, &state, &contact, ground, &mut rate);
+        assert_eq!([rate[0], rate[1]], [0.4, 0.5], "velocities");
+        assert_eq!([rate[2], rate[5]], [0.0; 2], "a held direction stands still");
+        let (k, c) = (&body.planar.stiffness, &body.planar.damping);
+        let row = |m: &DMat3, i: usize, from: usize| (0..3).map(|j| m.col(j)[i] * state[from + j]).sum::<f64>();
+        for i in 0..2 {
+            let wanted = (contact.force[i] + body.push[i] - row(k, i, 0) - row(c, i, 3)) / body.mass - ground[i];
+            assert!((rate[3 + i] - wanted).abs() < 1e-12 * wanted.abs().max(1.0), "{} against {wanted}", rate[3 + i]);
+        }
+    }
+    #[test]
+    fn a_state_is_in_line_where_all_else_is_zero() {
+        assert!(is_along(&[0.1, 0.0, 0.0, 2.0, 0.0, 0.0], 0), "on the axis");
+        assert!((0..WIDTH).filter(|i| i % RATES > 0).all(|i| {
+            let mut state = [0.0; WIDTH];
+            state[i] = 1e-300;
+            !is_along(&state, 0)
+        }));
+    }
+}
