@@ -56,7 +56,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
 fn top(scene: &Scene, complaints: &mut Complaints) {
     let mut at = complaints.at("", keys::TOP);
     if scene.format != VERSION {
-        at.add("format", scene.format, format!("this program reads format {}", VERSION));
+        at.add("format", scene.format, format!("this program reads format {VERSION}"));
     }
     if scene.name.trim().is_empty() {
         at.add("name", format!("\"{}\"", scene.name), "give the scene a name");
