@@ -105,6 +105,12 @@ impl Advancement {
         leap.min(here.window)
     }
 
+    /// A time from the last look at `from` up to the next one at which the gap is open, to bracket a crossing: the last look
+    /// itself, or, where the gap opens from 0 there, the middle of the leap, where the parabola that bounds it is highest.
+    pub(in crate::dynamics) fn last_open(&self, from: f64, next: f64) -> f64 {
+        if self.here.gap <= 0.0 && self.here.rate > 0.0 { f64::midpoint(from, next) } else { from }
+    }
+
     /// The next look, at `t`.
     pub(in crate::dynamics) fn advance(&mut self, there: BoundedGap, t: f64) -> AdvanceOutcome {
         if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
@@ -165,7 +171,10 @@ pub(in crate::dynamics) fn first_crossing_from(
         let there = sample(next);
         match advancement.advance(there, next) {
             AdvanceOutcome::Open => t = next,
-            AdvanceOutcome::Closed => return FirstZero::Crossing(root(|at| -sample(at).gap, t, next)),
+            AdvanceOutcome::Closed => {
+                let open = advancement.last_open(t, next);
+                return FirstZero::Crossing(root(|at| -sample(at).gap, open, next));
+            }
             AdvanceOutcome::Closing => return FirstZero::Crossing(polish(&mut sample, next, &there, to)),
         }
     }
@@ -278,5 +287,19 @@ mod tests {
         );
         assert_eq!(found, FirstZero::NoneUntil(10.0), "no motion, no touch");
         assert!(count < 20_000, "{count} looks");
+    }
+
+    #[test]
+    fn a_gap_that_opens_from_zero_closes_where_the_parabola_that_bounds_it_does() {
+        let parabola = |t: f64| BoundedGap {
+            gap: t * (1.0 - t),
+            rate: 1.0 - 2.0 * t,
+            curvature: 2.0,
+            window: f64::INFINITY,
+            out_of_reach: false,
+        };
+        let found = first_crossing(parabola, 0.0, 10.0, true, 1e-15);
+        let FirstZero::Crossing(t) = found else { panic!("missed: {found:?}") };
+        assert!((t - 1.0).abs() < 1e-15, "{t}: not where it opens");
     }
 }
