@@ -100,6 +100,15 @@ impl Forces {
         self.normal + self.normal_damping
     }
 
+    /// Powers dissipated by the normal dashpot, the tangential dashpot and friction \[W\].
+    pub fn dissipated_powers(&self) -> [f64; 3] {
+        [
+            -self.normal_damping * self.normal_velocity,
+            -self.tangential_damping.dot(self.sliding - self.anchor_rate),
+            -self.tangential_total().dot(self.anchor_rate),
+        ]
+    }
+
     /// Whole tangential force \[N\].
     pub fn tangential_total(&self) -> DVec2 {
         self.tangential + self.tangential_damping

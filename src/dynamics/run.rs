@@ -8,6 +8,7 @@ use crate::dynamics::event_loop::mechanics::{self, Mechanics};
 use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::event::{Event, Stop};
+use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::Replay;
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::{Model, impact2d};
@@ -26,6 +27,8 @@ pub struct Finished {
     pub replay: Replay,
     /// Number and states of every contact (contact model).
     pub contacts: Vec<(usize, ContactLog)>,
+    /// Number and phases of every link (contact model).
+    pub links: Vec<(usize, LinkLog)>,
     /// Events in order of time (contact model).
     pub events: Vec<Event>,
     /// Hits, transitions and lasting contacts (impact model).
@@ -93,6 +96,7 @@ impl Run for ContactRun {
             bodies: world.bodies.into_iter().map(|track| (track.body, track.path, track.system)).collect(),
             replay: store.replay,
             contacts: world.contacts.into_iter().map(|track| (track.site, track.log)).collect(),
+            links: world.links.into_iter().map(|track| (track.link, track.log)).collect(),
             events,
             record: None,
             effort: schedule.effort,
@@ -133,6 +137,7 @@ impl Run for impact2d::engine::Engine {
                 .collect(),
             replay: Replay::default(),
             contacts: Vec::new(),
+            links: Vec::new(),
             events: Vec::new(),
             record: Some(record),
             effort: schedule.effort,

@@ -39,6 +39,8 @@ pub(super) struct Books {
     pub(super) bodies: Vec<Account<3>>,
     /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
     pub(super) contacts: Vec<Account<3>>,
+    /// Per device: the loss in it.
+    pub(super) devices: Vec<Account<1>>,
     /// Per stretch of lasting contact of the impact model: the loss in friction.
     pub(super) lasting: Vec<Account<1>>,
     pub(super) initial: f64,

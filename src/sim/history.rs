@@ -13,6 +13,7 @@ use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -36,6 +37,7 @@ pub struct History {
     group_of: Vec<usize>,
     systems: Vec<Option<FreeMotion>>,
     pub(super) logs: Vec<ContactLog>,
+    pub(super) link_logs: Vec<LinkLog>,
     events: Vec<Event>,
     record: Option<Record>,
     /// The same scene by the other model.
@@ -55,6 +57,7 @@ impl History {
         let mut paths = vec![StoredPath::default(); model.bodies.len()];
         let mut systems: Vec<Option<FreeMotion>> = model.bodies.iter().map(|_| None).collect();
         let mut logs = vec![ContactLog::default(); model.contacts.len()];
+        let mut link_logs = vec![LinkLog::default(); model.links.len()];
         let mut events = Vec::new();
         let mut effort = Effort::default();
         let mut group_of = vec![0; model.bodies.len()];
@@ -68,6 +71,9 @@ impl History {
             }
             for (contact, log) in group.contacts {
                 logs[contact] = log;
+            }
+            for (link, log) in group.links {
+                link_logs[link] = log;
             }
             // The first group's stay where they are.
             if events.is_empty() {
@@ -93,6 +99,7 @@ impl History {
             group_of,
             systems,
             logs,
+            link_logs,
             events,
             record,
             beside: None,

@@ -9,7 +9,6 @@ use super::quadrature::integrate;
 use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
 use crate::dynamics::impact2d::LastingInterval;
-use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::motion::Ground;
 
@@ -30,6 +29,7 @@ impl Books {
         let mut books = Self {
             bodies: (0..history.paths.len()).map(|body| body_account(history, body)).collect(),
             contacts: (0..history.logs.len()).map(|contact| contact_account(history, contact)).collect(),
+            devices: (0..history.link_logs.len()).map(|link| device_account(history, link)).collect(),
             lasting: history.impact().map_or(Vec::new(), |record| {
                 record.lasting.iter().map(|interval| lasting_account(history, interval)).collect()
             }),
@@ -41,7 +41,7 @@ impl Books {
             let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.impulses.lost).sum::<f64>();
             hits + record.transitions.iter().take_while(|change| change.t <= 0.0).map(|change| change.lost).sum::<f64>()
         });
-        books.initial = start.kinetic + start.bearing + start.gravity + start.contact + hits;
+        books.initial = start.kinetic + start.bearing + start.gravity + start.contact + start.device + hits;
         books
     }
 
@@ -60,6 +60,11 @@ impl Books {
             ledger.loss_normal += normal;
             ledger.loss_tangential += tangential;
             ledger.loss_friction += friction;
+        }
+        for (link, account) in self.devices.iter().enumerate() {
+            let [loss] = account.at(t, |a, b| integrate(a, b, |s| [history.link_power(link, s)]));
+            ledger.loss_device += loss;
+            ledger.jump_device += history.link_logs[link].released(t);
         }
         if let Some(record) = history.impact() {
             for (interval, account) in record.lasting.iter().zip(&self.lasting) {
@@ -88,6 +93,7 @@ impl Books {
                 ledger.contact += closed.law.strain(&action.here, &action.forces);
             }
         }
+        ledger.device = (0..history.link_logs.len()).map(|link| history.link_energy(link, t)).sum();
         ledger
     }
 }
@@ -107,9 +113,9 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
 
 fn balance(ledger: &mut Ledger, initial: f64) {
     let l = &*ledger;
-    let stored = l.kinetic + l.bearing + l.gravity + l.contact;
-    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction + l.loss_hits;
-    let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry;
+    let stored = l.kinetic + l.bearing + l.gravity + l.contact + l.device;
+    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction + l.loss_hits + l.loss_device;
+    let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry + l.jump_device;
     let worked = l.work_ground + l.work_push;
     let scale =
         [stored, lost, initial, l.work_ground, l.work_push, l.kinetic].into_iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -154,13 +160,8 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
         if !matches!(state, Contact::Closed(_)) || until <= *from {
             continue;
         }
-        let mut borders = vec![*from, until];
-        for body in [site.node_body, site.face_body].into_iter().flatten() {
-            let begins = history.paths[body].spans_after(*from).map(|span| span.from);
-            borders.extend(begins.take_while(|t| *t < until).filter(|t| t > from));
-        }
-        borders.sort_by(f64::total_cmp);
-        for w in borders.windows(2).filter(|w| w[1] > w[0]) {
+        let bodies = [site.node_body, site.face_body].into_iter().flatten();
+        for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
             account.add(w[0], w[1], integrate(w[0], w[1], |t| contact_powers(history, contact, t)));
         }
         // An idle cell after the last, so that what follows is not integrated again.
@@ -169,15 +170,40 @@ fn contact_account(history: &History, contact: usize) -> Account<3> {
     account
 }
 
+/// Loss in a device while its force acts, step by step.
+fn device_account(history: &History, link: usize) -> Account<1> {
+    let mut account = Account::new();
+    let model = history.model();
+    let phases = history.link_logs[link].phases();
+    for (i, (from, phase)) in phases.iter().enumerate() {
+        let until = phases.get(i + 1).map_or(history.end(), |(t, _)| t.min(history.end()));
+        if !model.links[link].device.acts(phase) || until <= *from {
+            continue;
+        }
+        let bodies = model.links[link].bodies.into_iter().flatten();
+        for w in step_borders(history, bodies, *from, until).windows(2).filter(|w| w[1] > w[0]) {
+            account.add(w[0], w[1], integrate(w[0], w[1], |t| [history.link_power(link, t)]));
+        }
+        account.add(until, until, [0.0]);
+    }
+    account
+}
+
+/// Times in a stretch at which the steps of any of these bodies begin, with its ends.
+fn step_borders(history: &History, bodies: impl Iterator<Item = usize>, from: f64, until: f64) -> Vec<f64> {
+    let mut borders = vec![from, until];
+    for body in bodies {
+        let begins = history.paths[body].spans_after(from).map(|span| span.from);
+        borders.extend(begins.take_while(|t| *t < until).filter(|t| *t > from));
+    }
+    borders.sort_by(f64::total_cmp);
+    borders
+}
+
 /// Loss in the friction of a stretch of lasting contact, step by step.
 fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> {
     let mut account = Account::new();
-    let mut borders = vec![interval.from, interval.until];
-    for &body in &interval.bodies {
-        let begins = history.paths[body].spans_after(interval.from).map(|span| span.from);
-        borders.extend(begins.take_while(|t| *t < interval.until).filter(|t| *t > interval.from));
-    }
-    borders.sort_by(f64::total_cmp);
+    let borders = step_borders(history, interval.bodies.iter().copied(), interval.from, interval.until);
     for w in borders.windows(2).filter(|w| w[1] > w[0]) {
         account.add(w[0], w[1], integrate(w[0], w[1], |t| [forces::friction_power(history, interval, t)]));
     }
@@ -199,10 +225,5 @@ fn energies(history: &History, body: usize, t: f64) -> [f64; 3] {
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].
 fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 3] {
-    let Some((_, Action { forces, .. })) = history.acting(contact, t) else { return [0.0; 3] };
-    [
-        -forces.normal_damping * forces.normal_velocity,
-        -forces.tangential_damping.dot(forces.sliding - forces.anchor_rate),
-        -forces.tangential_total().dot(forces.anchor_rate),
-    ]
+    history.acting(contact, t).map_or([0.0; 3], |(_, action)| action.forces.dissipated_powers())
 }

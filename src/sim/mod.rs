@@ -9,6 +9,7 @@ mod digest;
 mod history;
 mod impact;
 mod ledger;
+pub mod links;
 mod quadrature;
 pub mod quantity;
 pub mod readings;
@@ -19,6 +20,7 @@ mod summary;
 mod touches;
 
 pub use history::History;
+pub use links::LinkNow;
 pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
 pub use session::{Reached, Session};

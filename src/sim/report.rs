@@ -135,6 +135,12 @@ pub struct Touch {
     pub slip: f64,
 }
 
+/// Whether a scene without devices leaves it out.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(energy: &f64) -> bool {
+    *energy == 0.0
+}
+
 /// Energy at one instant, and where it went since t = 0 (`docs/physics.md#energy-ledger`) \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Ledger {
@@ -146,6 +152,9 @@ pub struct Ledger {
     pub gravity: f64,
     /// Strain energy of the contacts.
     pub contact: f64,
+    /// Energy stored in devices.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub device: f64,
     /// Work of the ground's inertia forces.
     pub work_ground: f64,
     /// Work of given pushes.
@@ -160,12 +169,18 @@ pub struct Ledger {
     pub loss_friction: f64,
     /// Lost in hits (impact model).
     pub loss_hits: f64,
+    /// Lost in devices.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub loss_device: f64,
     /// Released by jumps of the anchor at breakaway and re-stick.
     pub jump_slip: f64,
     /// Released at opening.
     pub jump_open: f64,
     /// Released over an edge of the face.
     pub jump_edge: f64,
+    /// Released by changes of a device's phase.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub jump_device: f64,
     /// Brought in by a start or an entry with overlap (negative: energy that appeared).
     pub jump_entry: f64,
     /// What the balance leaves over: stored + lost − worked − initial. 0 but for rounding and integration error.

@@ -15,6 +15,7 @@ mod impact {
 }
 
 mod physics {
+    mod cable;
     mod contact_laws;
     mod drift;
     mod energy;

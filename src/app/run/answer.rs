@@ -111,7 +111,12 @@ impl Answer {
     /// Energy lost in dashpots, friction and hits until the end \[J\].
     pub fn lost(&self) -> f64 {
         let ledger = self.history.ledger(self.history.end());
-        ledger.loss_bearing + ledger.loss_normal + ledger.loss_tangential + ledger.loss_friction + ledger.loss_hits
+        ledger.loss_bearing
+            + ledger.loss_normal
+            + ledger.loss_tangential
+            + ledger.loss_friction
+            + ledger.loss_hits
+            + ledger.loss_device
     }
 
     /// Limits of the scene that were passed, the earliest first; reckoned when first asked for.

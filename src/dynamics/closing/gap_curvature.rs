@@ -3,6 +3,7 @@
 //! The other may fly in closed form or be in a step of its own; two bodies of one island share their step, so that what they
 //! do together cancels.
 
+use crate::dynamics::connection::SeparationBounds;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
@@ -43,6 +44,15 @@ impl GapCurvature {
             + (node.spin_rate + node.spin * node.spin) * arm
             + (face.spin_rate + face.spin * face.spin) * apart
             + 2.0 * face.spin * speed
+    }
+
+    /// Bounds on the motion of a point at `arms[0]` from G of the first body against one at `arms[1]` from G of the second,
+    /// `distance` apart at the start of the stretch \[m\].
+    pub(in crate::dynamics) fn separation(&self, arms: [f64; 2], distance: f64, stretch: f64) -> SeparationBounds {
+        let sum = |of: fn(&MotionBounds) -> f64| self.sides.iter().zip(arms).map(|(b, arm)| of(b) * arm).sum::<f64>();
+        let speed = self.speed + sum(|b| b.spin);
+        let acceleration = self.acceleration + sum(|b| b.spin_rate + b.spin * b.spin);
+        SeparationBounds { distance: distance + speed * stretch, speed, acceleration }
     }
 }
 

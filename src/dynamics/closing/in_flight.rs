@@ -20,22 +20,25 @@ use crate::dynamics::world::tracks::Trajectory;
 use crate::motion::Ground;
 
 /// What a search that was cut short counts against the work bound.
-const CUT_SHORT: usize = 5_000;
+pub(in crate::dynamics) const CUT_SHORT: usize = 5_000;
 /// Samples of a record that one search covers.
 const SAMPLES: f64 = 64.0;
 
-/// Both sides of a pair at an instant.
+/// Two bodies in flight at an instant, or one and the ground.
 #[derive(Clone, Copy)]
-struct View {
-    frames: [Frame; 2],
-    bounds: [MotionBounds; 2],
-    between: RelativeBounds,
+pub(in crate::dynamics) struct View {
+    /// Poses; one at rest for the ground.
+    pub frames: [Frame; 2],
+    /// What each can do from here on.
+    pub bounds: [MotionBounds; 2],
+    /// What they can do against each other.
+    pub between: RelativeBounds,
 }
 
 impl View {
-    fn of(world: &World, pair: usize, t: f64, until: f64) -> Self {
+    /// Of the bodies in two slots at `t`; bounds hold up to `until` at most.
+    pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
-        let slots = world.pairs[pair].slots;
         // One ground shakes both.
         let phase = world.model.ground.phase(t);
         let flyers = slots.map(|slot| slot.and_then(|slot| flyer(world, slot, t, phase, horizon)));
@@ -86,10 +89,10 @@ impl OpenContact<'_> {
 pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> NextClosing {
     let duration = world.model.duration;
     let until = horizon(&world.model.ground, t, duration);
-    remember(world, pair, until);
+    remember(world, world.pairs[pair].slots, until);
     let present = &*world;
     let mut looks = 1;
-    let first = View::of(present, pair, t, duration);
+    let first = View::of(present, present.pairs[pair].slots, t, duration);
     let mut open_contacts = open(present, pair, t, &first);
     // Those that are in front now; a hunt may find others come out later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
@@ -128,8 +131,8 @@ pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f6
 }
 
 /// Lets flights under a record keep the states that looks up to `until` start from.
-fn remember(world: &mut World, pair: usize, until: f64) {
-    for slot in world.pairs[pair].slots.into_iter().flatten() {
+pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
+    for slot in slots.into_iter().flatten() {
         let track = &mut world.bodies[slot];
         if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
             system.remember(flight, until);
@@ -210,7 +213,7 @@ impl Views<'_> {
         if let Some((_, view)) = self.seen.iter().find(|(at, _)| *at == t) {
             return *view;
         }
-        let view = View::of(self.world, self.pair, t, self.until);
+        let view = View::of(self.world, self.world.pairs[self.pair].slots, t, self.until);
         self.seen.push((t, view));
         view
     }
@@ -229,7 +232,10 @@ fn arrive(
     let mut ask = |at: f64| open_contact.bounded_gap(&views.at(at));
     match sight {
         AdvanceOutcome::Open => None,
-        AdvanceOutcome::Closed => Some((open_contact.contact, root(|at| -ask(at).gap, t, next))),
+        AdvanceOutcome::Closed => {
+            let open = open_contact.advancement.last_open(t, next);
+            Some((open_contact.contact, root(|at| -ask(at).gap, open, next)))
+        }
         AdvanceOutcome::Closing => Some((open_contact.contact, polish(&mut ask, next, &look, until))),
     }
 }
@@ -244,7 +250,7 @@ fn with_simultaneous(
 ) -> Vec<(usize, f64)> {
     if closed.len() < open_contacts.len() {
         let at = first + world.pairs[pair].together;
-        let view = View::of(world, pair, at, at);
+        let view = View::of(world, world.pairs[pair].slots, at, at);
         for open_contact in open_contacts.iter().filter(|q| q.advancement.armed()) {
             if closed.iter().all(|(contact, _)| *contact != open_contact.contact) && open_contact.look(&view).gap < 0.0
             {

@@ -3,4 +3,5 @@
 pub(in crate::dynamics) mod collinear_pair;
 pub(in crate::dynamics) mod gap_curvature;
 pub(in crate::dynamics) mod in_flight;
+pub(in crate::dynamics) mod link_closing;
 pub mod next_closing;

@@ -13,11 +13,11 @@ use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::Trajectory;
 
 /// Rounding of a speed, in parts of it, with room.
-const SPEED: f64 = 64.0 * f64::EPSILON;
+pub(in crate::dynamics) const SPEED: f64 = 64.0 * f64::EPSILON;
 /// Time over which a contact shows how it closes, in units of that within which contacts of its pair close together.
 pub(in crate::dynamics) const INSTANT: f64 = 100.0;
 /// Looks at a gap per planned step.
-const LOOKS: usize = 5;
+pub(in crate::dynamics) const LOOKS: usize = 5;
 
 /// What a search for the next closing of a pair found.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ pub(in crate::dynamics) struct NextClosing {
 }
 
 impl NextClosing {
-    fn at(due: f64) -> Self {
+    pub(in crate::dynamics) fn at(due: f64) -> Self {
         Self { due, looks: 0, work: 0 }
     }
 }
@@ -41,16 +41,16 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     for contact in world.pairs[pair].contacts.clone() {
         world.contacts[contact].take_note(t);
     }
-    collinear_pair::search(world, pair, t).unwrap_or_else(|| match planned(world, pair) {
+    collinear_pair::search(world, pair, t).unwrap_or_else(|| match planned(world, world.pairs[pair].slots) {
         Some(until) => NextClosing::at(in_steps(world, pair, t, until)),
         None => in_flight::search(world, pair, t),
     })
 }
 
-/// Where the first planned step of a pair's bodies ends; nothing when both fly or stand \[s\].
-fn planned(world: &World, pair: usize) -> Option<f64> {
+/// Where the first planned step of bodies in two slots ends; nothing when both fly or stand \[s\].
+pub(in crate::dynamics) fn planned(world: &World, slots: [Option<usize>; 2]) -> Option<f64> {
     let mut first = None;
-    for slot in world.pairs[pair].slots.into_iter().flatten() {
+    for slot in slots.into_iter().flatten() {
         if let Trajectory::Island { island, .. } = &world.bodies[slot].now
             && let Some(island) = &world.islands[*island]
         {

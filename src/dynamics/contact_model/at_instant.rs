@@ -64,6 +64,11 @@ impl EventInstant {
         self.slots.binary_search(&slot).ok()
     }
 
+    /// Pose of a body in the world.
+    pub(in crate::dynamics) fn pose(&self, slot: usize) -> Option<Frame> {
+        self.frames.get(self.place(slot)?).copied()
+    }
+
     /// Reference pose of a body; nothing for an abutment.
     pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
         self.bases.get(self.place(slot?)?)

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::transitions;
@@ -20,7 +21,7 @@ impl ContactRun {
     pub(in crate::dynamics) fn end_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.world.islands[number].take() else { return };
         self.commit_island(&mut island, t);
-        if island.due.is_empty() {
+        if island.due.is_empty() && island.link_due.is_none() {
             self.go_on(number, island, t);
             return;
         }
@@ -34,6 +35,9 @@ impl ContactRun {
             let contact = island.contacts[number];
             self.transitions(&now).change(contact, reason);
             alternates |= self.world.contacts[contact].counted.2 > ALTERNATES;
+        }
+        if let Some(due) = island.link_due.take() {
+            self.change_link(island.links[due.index].track, Switch::Function(due.switch), &now);
         }
         self.islands.take_back(number, &mut island);
         // Where neither stick nor slip lasts over a long step, the step follows from the contact's own period.
@@ -101,7 +105,7 @@ impl ContactRun {
 
     /// Ends the trajectories of bodies, and of all in an island with them, at `t`: the bodies as they are then, and the step
     /// that their integrators would have taken.
-    fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
+    pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
         let mut all = BTreeSet::new();
         let mut pace = ControllerState::default();
         for &slot in slots {

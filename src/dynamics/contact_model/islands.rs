@@ -5,10 +5,11 @@ use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
-use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::Trajectory;
+use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
 
 /// Numbers and integrators that ended islands leave to the next ones.
 #[derive(Debug, Default)]
@@ -91,9 +92,27 @@ pub(in crate::dynamics) fn assemble(
         })
         .collect();
     let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();
-    let mut island = Island::new(&world.model, members.to_vec(), (bodies, bases), active, y, t, pace);
+    let mut island = Island::new(
+        &world.model,
+        members.to_vec(),
+        (bodies, bases),
+        (active, acting_links(world, members)),
+        y,
+        t,
+        pace,
+    );
     island.taken = members.iter().map(|&slot| world.bodies[slot].path.len()).max().unwrap_or(0);
     island
+}
+
+/// Devices whose force acts on these bodies.
+fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
+    let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
+    let active = |track: usize| {
+        let LinkTrack { link, slots, phase, .. } = &world.links[track];
+        ActiveLink { number: *link, track, ends: slots.map(index), phase: *phase }
+    };
+    world.links_of(members).into_iter().filter(|&link| world.link_acts(link)).map(active).collect()
 }
 
 /// Writes the flight of a body into its path, as far as `t`.

@@ -5,6 +5,7 @@ pub(in crate::dynamics) mod contact_law;
 pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod handlers;
 pub(in crate::dynamics) mod islands;
+pub(in crate::dynamics) mod link_handlers;
 pub mod run;
 pub(in crate::dynamics) mod step_store;
 pub(in crate::dynamics) mod transitions;

@@ -7,7 +7,8 @@
 use std::sync::Arc;
 
 use crate::dynamics::Model;
-use crate::dynamics::closing::next_closing;
+use crate::dynamics::closing::link_closing;
+use crate::dynamics::closing::next_closing::{self, NextClosing};
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::event_forecast::soonest;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
@@ -21,6 +22,7 @@ use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
+use crate::dynamics::penalty3d::link_events;
 use crate::dynamics::record::event::Event;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::world::World;
@@ -29,6 +31,11 @@ use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
 /// Planned steps, meetings and searches per body before the run gives up: more than the million that an hour of a stiff contact
 /// may take, and as many steps as memory should hold.
 const WORK: usize = 10_000_000;
+
+/// Ranks of the sources of events: at one time an island's comes first, then a pair's, then a link's.
+const ISLAND: usize = 0;
+const PAIR: usize = 1;
+const LINK: usize = 2;
 
 /// The run of one group of bodies under the contact model.
 #[derive(Debug)]
@@ -43,12 +50,17 @@ pub struct ContactRun {
 impl ContactRun {
     /// An island as a source of events: its planned step ends, or an event of its contacts is due.
     pub(in crate::dynamics) fn island(number: usize) -> Source {
-        Source { rank: 0, number }
+        Source { rank: ISLAND, number }
     }
 
     /// A pair as a source of events: it closes, or its search goes on.
     pub(in crate::dynamics) fn pair(number: usize) -> Source {
-        Source { rank: 1, number }
+        Source { rank: PAIR, number }
+    }
+
+    /// A link as a source of events: its force begins, or its search goes on.
+    pub(in crate::dynamics) fn link(number: usize) -> Source {
+        Source { rank: LINK, number }
     }
 
     /// Sets up a group of bodies, by its number in the model, at t = 0.
@@ -75,6 +87,7 @@ impl ContactRun {
         };
         let (bases, states) = self.world.bodies.iter().map(start).unzip();
         let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
+        self.begin_links(&now);
         self.transitions(&now).close_overlapping();
         self.form(now, ControllerState::default());
     }
@@ -100,9 +113,9 @@ impl ContactRun {
     pub(in crate::dynamics) fn form(&mut self, now: EventInstant, pace: ControllerState) {
         let EventInstant { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
-        for members in self.world.touching(&slots) {
+        for members in self.world.joined(&slots) {
             let first = slots[members[0]];
-            let alone = members.len() == 1 && !self.world.is_touching(first);
+            let alone = members.len() == 1 && !self.world.is_joined(first);
             let start = if alone {
                 let state = &mut states[members[0]];
                 let body = &self.world.model.bodies[self.world.bodies[first].body];
@@ -149,27 +162,44 @@ impl ContactRun {
         let pace = island.pace();
         let going_on = pace.stiff && pace.step > 0.0;
         let soon = if going_on { soonest(&self.world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
-        let mut due_at = None;
-        match island.plan(&model, cap, soon) {
+        let due = match island.plan(&model, cap, soon) {
             Err(error) => {
                 let reason = format!(
                     "the step fell to {:.1e} s; a lower stiffness or a larger tolerance would be followed",
                     error.step
                 );
                 self.schedule.give_up(from, self.names(&island.slots), reason);
+                island.until
             }
-            Ok(()) => {
-                if let Some((t, due)) = self.first_due(&mut island) {
-                    island.due = due;
-                    due_at = Some(t.max(from));
-                }
-            }
-        }
-        self.schedule.queue.set(Self::island(number), due_at.unwrap_or(island.until));
+            Ok(()) => self.find_due(&mut island).map_or(island.until, |t| t.max(from)),
+        };
+        self.schedule.queue.set(Self::island(number), due);
         self.world.islands[number] = Some(island);
     }
 
-    /// What is due first within an island's planned step, and when.
+    /// Notes the first event within an island's planned step; its time. Of a contact and a device at one time the contact changes
+    /// first, and the device where the next step begins.
+    fn find_due(&mut self, island: &mut Island) -> Option<f64> {
+        let contacts = self.first_due(island);
+        let link = link_events::first_due(&self.world.model, island);
+        match (contacts, link) {
+            (Some((t, _)), Some((earlier, due))) if earlier < t => {
+                island.link_due = Some(due);
+                Some(earlier)
+            }
+            (Some((t, due)), _) => {
+                island.due = due;
+                Some(t)
+            }
+            (None, Some((t, due))) => {
+                island.link_due = Some(due);
+                Some(t)
+            }
+            (None, None) => None,
+        }
+    }
+
+    /// What is due first of an island's contacts within its planned step, and when.
     fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<event_location::Due>)> {
         let (model, together) = (Arc::clone(&self.world.model), 1e-9 / island.omega());
         let (t, due) = event_location::first_due(&model, island, together)?;
@@ -185,18 +215,32 @@ impl ContactRun {
         for pair in self.world.pairs_of(slots) {
             self.search(pair, t);
         }
+        for link in self.world.links_of(slots) {
+            self.search_link(link, t);
+        }
     }
 
     /// Searches the next closing of a pair from `t` on and enters it in the queue.
     pub(in crate::dynamics) fn search(&mut self, pair: usize, t: f64) {
         let found = next_closing::search(&mut self.world, pair, t);
+        self.enter(Self::pair(pair), found);
+    }
+
+    /// Searches the beginning of a link's force from `t` on and enters it in the queue.
+    pub(in crate::dynamics) fn search_link(&mut self, link: usize, t: f64) {
+        let found = link_closing::search(&mut self.world, link, t);
+        self.enter(Self::link(link), found);
+    }
+
+    /// Enters in the queue when a source is due by a search, and counts the search.
+    fn enter(&mut self, source: Source, found: NextClosing) {
         self.schedule.effort.searches += 1;
         self.schedule.effort.looks += found.looks;
         self.schedule.work += found.work;
         if found.due.is_finite() {
-            self.schedule.queue.set(Self::pair(pair), found.due);
+            self.schedule.queue.set(source, found.due);
         } else {
-            self.schedule.queue.remove(Self::pair(pair));
+            self.schedule.queue.remove(source);
         }
     }
 
@@ -242,7 +286,7 @@ impl ContactRun {
     }
 
     /// Names of bodies by their slots.
-    fn names(&self, slots: &[usize]) -> String {
+    pub(in crate::dynamics) fn names(&self, slots: &[usize]) -> String {
         let name = |&slot: &usize| self.world.model.bodies[self.world.bodies[slot].body].name.as_str();
         slots.iter().map(name).collect::<Vec<_>>().join(", ")
     }
@@ -266,10 +310,12 @@ impl Mechanics for ContactRun {
     }
 
     fn excess(&self, source: Source) -> (String, String) {
-        let slots = if source.rank == Self::pair(0).rank {
-            self.world.pairs[source.number].slots.into_iter().flatten().collect()
-        } else {
-            self.world.islands[source.number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()
+        let slots: Vec<usize> = match source {
+            Source { rank: ISLAND, number } => {
+                self.world.islands[number].as_ref().map(|island| island.slots.clone()).unwrap_or_default()
+            }
+            Source { rank: PAIR, number } => self.world.pairs[number].slots.into_iter().flatten().collect(),
+            Source { number, .. } => self.world.links[number].slots.into_iter().flatten().collect(),
         };
         let reason = format!(
             "{} steps and looks are more than any answer is worth: a contact, a bearing or the ground is far too fast for \
@@ -280,7 +326,11 @@ impl Mechanics for ContactRun {
     }
 
     fn handle(&mut self, source: Source, t: f64) {
-        if source.rank == Self::pair(0).rank { self.meet(source.number, t) } else { self.end_step(source.number, t) }
+        match source {
+            Source { rank: ISLAND, number } => self.end_step(number, t),
+            Source { rank: PAIR, number } => self.meet(number, t),
+            Source { number, .. } => self.begin_force(number, t),
+        }
     }
 
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)> {

@@ -75,7 +75,7 @@ impl StepStore {
 
 /// An island's contacts by what their logs say; nothing where these do not say all.
 fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
-    let logged = |(active, &contact): (&crate::dynamics::penalty3d::equations_of_motion::ActiveContact, &usize)| {
+    let logged = |(active, &contact): (&crate::dynamics::penalty3d::active_contact::ActiveContact, &usize)| {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;

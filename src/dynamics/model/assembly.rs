@@ -47,9 +47,7 @@ impl Model {
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
         }
-        let groups = groups(bodies.len(), &pairs);
-        let group_pairs = group_pairs(bodies.len(), &groups, &pairs);
-        Ok(Self {
+        let mut model = Self {
             kind: scene.kind,
             duration: scene.duration,
             tolerance: scene.solver.tolerance,
@@ -60,9 +58,13 @@ impl Model {
             bodies,
             pairs,
             contacts,
-            groups,
-            group_pairs,
-        })
+            links: Vec::new(),
+            groups: Vec::new(),
+            group_pairs: Vec::new(),
+            group_links: Vec::new(),
+        };
+        model.regroup();
+        Ok(model)
     }
 }
 
@@ -175,47 +177,4 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
         contact: facing.contact,
         gap: facing.gap,
     }
-}
-
-/// Connected groups of bodies, by union of the pairs.
-fn groups(count: usize, pairs: &[Pair]) -> Vec<Vec<usize>> {
-    let mut root: Vec<usize> = (0..count).collect();
-    for pair in pairs {
-        if let [Some(a), Some(b)] = pair.bodies {
-            let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
-            root[a.max(b)] = a.min(b);
-        }
-    }
-    let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for body in 0..count {
-        groups[root_of(&mut root, body)].push(body);
-    }
-    groups.retain(|group| !group.is_empty());
-    groups
-}
-
-/// The pairs of each group: those of its bodies.
-fn group_pairs(count: usize, groups: &[Vec<usize>], pairs: &[Pair]) -> Vec<Vec<usize>> {
-    let mut home = vec![0; count];
-    for (group, bodies) in groups.iter().enumerate() {
-        for &body in bodies {
-            home[body] = group;
-        }
-    }
-    let mut found = vec![Vec::new(); groups.len()];
-    for (number, pair) in pairs.iter().enumerate() {
-        // Two bodies of one pair are in one group.
-        if let Some(body) = pair.bodies.into_iter().flatten().next() {
-            found[home[body]].push(number);
-        }
-    }
-    found
-}
-
-fn root_of(root: &mut [usize], mut i: usize) -> usize {
-    while root[i] != i {
-        root[i] = root[root[i]];
-        i = root[i];
-    }
-    i
 }

@@ -6,6 +6,8 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::dynamics::connection::{Connection, Separation};
+
 /// Eccentricity below this part of the matrix is rounding of the legs' places.
 const DECOUPLED: f64 = 1e-14;
 /// What bearings leave of a weight, or of its moment, is rounding of [`carry`] below this part of it.
@@ -22,6 +24,36 @@ pub struct Bearing {
     pub damping: DVec3,
     /// Force at rest, which carries the girder's weight (spatial) \[N\].
     pub preload: DVec3,
+}
+
+/// A Voigt element between a point of a girder and the ground, in the girder's axes as placed; the preload, which is constant,
+/// is apart.
+impl Connection for Bearing {
+    type State = ();
+    type Motion = Separation;
+
+    #[inline]
+    fn force(&self, (): &(), motion: &Separation) -> DVec3 {
+        -self.stiffness * motion.moved - self.damping * motion.rate
+    }
+
+    #[inline]
+    fn stored_energy(&self, (): &(), motion: &Separation) -> f64 {
+        0.5 * motion.moved.dot(self.stiffness * motion.moved)
+    }
+
+    #[inline]
+    fn dissipated_power(&self, (): &(), motion: &Separation) -> f64 {
+        motion.rate.dot(self.damping * motion.rate)
+    }
+
+    fn stiffness_bound(&self, (): &()) -> f64 {
+        self.stiffness.max_element()
+    }
+
+    fn damping_bound(&self, (): &()) -> f64 {
+        self.damping.max_element()
+    }
 }
 
 /// What bearings leave of a girder's weight. Adding up their preloads against it in every evaluation would leave a rounding

@@ -1,5 +1,6 @@
 //! A scene as constant data: what [`assembly`](crate::dynamics::model::assembly) compiles and every solver reads.
 
+use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
@@ -28,8 +29,12 @@ pub struct Model {
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces.
     pub contacts: Vec<ContactSite>,
-    /// Groups of bodies that a chain of pairs joins, each in rising order: they never feel one another.
+    /// Links: devices between two points.
+    pub links: Vec<Link>,
+    /// Groups of bodies that a chain of pairs and links joins, each in rising order: they never feel one another.
     pub groups: Vec<Vec<usize>>,
     /// Pairs of each group, in rising order.
     pub group_pairs: Vec<Vec<usize>>,
+    /// Links of each group, in rising order.
+    pub group_links: Vec<Vec<usize>>,
 }

@@ -6,6 +6,7 @@ pub mod body;
 pub mod compiled_model;
 pub(in crate::dynamics) mod contact_sites;
 pub mod coordinates;
+pub mod groups;
 pub mod motion_bounds;
 pub mod pair;
 pub(in crate::dynamics) mod rate_bounds;

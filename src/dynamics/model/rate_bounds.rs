@@ -1,5 +1,6 @@
 //! Upper bounds of a body's mobility at its corners and of the spectral radius of `M⁻¹ K` on its bearings (Gershgorin sums).
 
+use crate::dynamics::connection::Connection;
 use crate::dynamics::model::bearing::Bearing;
 use crate::geometry::Prism;
 
@@ -25,8 +26,8 @@ impl RateBounds {
         let smallest = (prism.width.powi(2) + prism.thickness.powi(2)) / 12.0;
         let tilts = free[3] || free[4];
         let mobility = (1.0 + if tilts { arm2 / smallest } else { arm2 / gyration2 }) / mass;
-        let sum = bearings.iter().map(|b| b.stiffness.max_element()).sum::<f64>();
-        let damping = bearings.iter().map(|b| b.damping.max_element()).sum::<f64>() / mass;
+        let sum = bearings.iter().map(|b| b.stiffness_bound(&())).sum::<f64>();
+        let damping = bearings.iter().map(|b| b.damping_bound(&())).sum::<f64>() / mass;
         let swing = if tilts { sum / mass * (1.0 + arm2 / smallest) } else { 3.0 * sum / mass };
         Self { mobility, stiffest: swing.max(damping * damping) }
     }

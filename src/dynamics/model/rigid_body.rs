@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::contact::Frame;
+use crate::dynamics::connection::{Connection, Separation};
 use crate::dynamics::model::bearing::Bearing;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::wrench::Wrench;
@@ -42,23 +43,31 @@ fn in_axes(body: &Body, turned: &DMat3, [shift, velocity, spin]: [DVec3; 3]) -> 
     for b in &body.bearings {
         let swung = *turned * b.place;
         let arm = b.place + swung;
-        let (moved, speed) = (shift + swung, velocity + spin.cross(arm));
-        sum.push(-b.stiffness * moved - b.damping * speed, arm);
+        let motion = Separation { moved: shift + swung, rate: velocity + spin.cross(arm), ..Separation::default() };
+        sum.push(b.force(&(), &motion), arm);
     }
     sum
 }
 
-/// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.
-pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = (DVec3, DVec3)> + 'a {
+/// Motion of every bearing's point in the girder's axes as placed, and its arm from G in the world.
+pub fn bearing_motions<'a>(
+    body: &'a Body,
+    here: &'a Frame,
+) -> impl Iterator<Item = (&'a Bearing, Separation, DVec3)> + 'a {
     let into_axes = body.axes.transpose();
     body.bearings.iter().map(move |b| {
         let placed = body.axes * b.place;
         let swung = here.turned * placed;
         let arm = placed + swung;
         let moved = into_axes * (here.shift + swung);
-        let speed = into_axes * here.velocity_at(arm);
-        (arm, b.preload + body.axes * (-b.stiffness * moved - b.damping * speed))
+        let rate = into_axes * here.velocity_at(arm);
+        (b, Separation { moved, rate, ..Separation::default() }, arm)
     })
+}
+
+/// Arm from G and force of every bearing: `preload − K (p − p0) − C ṗ`.
+pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item = (DVec3, DVec3)> + 'a {
+    bearing_motions(body, here).map(|(b, motion, arm)| (arm, b.preload + body.axes * b.force(&(), &motion)))
 }
 
 /// Acceleration of G and rate of spin of a body by a force that acts at `arm` from G.
@@ -108,24 +117,14 @@ pub(in crate::dynamics) fn kinetic_energy(body: &Body, here: &Frame) -> f64 {
 
 /// Strain energy of the bearings \[J\]. The preloads are constant vertical forces; they pay for the weight \[N\].
 pub(in crate::dynamics) fn strain_energy(body: &Body, here: &Frame, weight: f64) -> f64 {
-    let into_axes = body.axes.transpose();
-    let strain = |b: &Bearing| {
-        let moved = into_axes * (here.shift + here.turned * (body.axes * b.place));
-        0.5 * moved.dot(b.stiffness * moved)
-    };
     let turned = here.turned * (body.axes * body.standing.first_moment);
     let paid = (weight + body.standing.left) * here.shift.z + turned.z;
-    body.bearings.iter().map(strain).sum::<f64>() - paid
+    bearing_motions(body, here).map(|(b, motion, _)| b.stored_energy(&(), &motion)).sum::<f64>() - paid
 }
 
 /// Power lost in the bearings \[W\].
 pub(in crate::dynamics) fn bearing_loss(body: &Body, here: &Frame) -> f64 {
-    let into_axes = body.axes.transpose();
-    let lost = |((arm, _), b): ((DVec3, DVec3), &Bearing)| {
-        let v = into_axes * here.velocity_at(arm);
-        v.dot(b.damping * v)
-    };
-    bearing_forces(body, here).zip(&body.bearings).map(lost).sum()
+    bearing_motions(body, here).map(|(b, motion, _)| b.dissipated_power(&(), &motion)).sum()
 }
 
 /// Inertia about G in world axes \[kg·m²\].

@@ -13,8 +13,8 @@ use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
-use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 
 /// Two sides that touch flush.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -277,6 +277,7 @@ mod tests {
             layout: &layout(model),
             bases: &bases(model),
             active,
+            links: &[],
             piece: model.ground.piece(model.ground.piece_number(0.3)),
             scale: ErrorScale::default(),
             angles: &[],

@@ -4,34 +4,45 @@
 use glam::{DMat3, DVec3};
 
 use crate::contact::{Frame, FrictionLaw, Mode, NormalLaw};
-use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
+use crate::dynamics::connection::Connection;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::{Body, Model};
 
 /// Circular frequency that no contact or bearing of these bodies exceeds by much \[rad/s\].
-pub(in crate::dynamics) fn fastest(model: &Model, bodies: &[usize], active: &[ActiveContact]) -> f64 {
-    let contacts = active.iter().map(|a| {
-        let pair = &model.pairs[model.contacts[a.site].pair];
-        let law = &a.closed.law;
-        law.normal.stiffness_bound(a.depth).max(law.k_t)
-            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
-    });
+pub(in crate::dynamics) fn fastest(
+    model: &Model,
+    bodies: &[usize],
+    active: &[ActiveContact],
+    links: &[ActiveLink],
+) -> f64 {
+    let contacts = active.iter().map(|a| a.stiffness_bound(&a.closed.mode) * mobility(model, a));
+    let links = links.iter().map(|link| link.of(model).device.stiffness_bound(&link.phase) * link.mobility(model));
     let bearings = bodies.iter().map(|&b| model.bodies[b].rate_bounds.stiffest);
-    contacts.chain(bearings).fold(1e-6, f64::max).sqrt()
+    contacts.chain(links).chain(bearings).fold(1e-6, f64::max).sqrt()
 }
 
 /// Rate that no dashpot of these contacts decays by much faster than \[1/s\].
-pub(in crate::dynamics) fn quickest(model: &Model, active: &[ActiveContact]) -> f64 {
-    let contacts = active.iter().map(|a| {
-        let (pair, law) = (&model.pairs[model.contacts[a.site].pair], &a.closed.law);
-        law.normal.damping_bound(a.depth).max(law.c_t)
-            * pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
-    });
-    contacts.fold(0.0, f64::max)
+pub(in crate::dynamics) fn quickest(model: &Model, active: &[ActiveContact], links: &[ActiveLink]) -> f64 {
+    let contacts = active.iter().map(|a| a.damping_bound(&a.closed.mode) * mobility(model, a));
+    let links = links.iter().map(|link| link.of(model).device.damping_bound(&link.phase) * link.mobility(model));
+    contacts.chain(links).fold(0.0, f64::max)
+}
+
+/// Acceleration of node and face against each other per unit force, from above \[1/kg\].
+fn mobility(model: &Model, active: &ActiveContact) -> f64 {
+    let pair = &model.pairs[model.contacts[active.site].pair];
+    pair.bodies.iter().flatten().map(|&b| model.bodies[b].rate_bounds.mobility).sum::<f64>()
 }
 
 /// Rate that the dashpots of these contacts of an island's bodies decay by at most, all together, with the levers that they
 /// had as placed \[1/s\].
-pub(in crate::dynamics) fn decay(model: &Model, bodies: &[usize], active: &[ActiveContact]) -> f64 {
+pub(in crate::dynamics) fn decay(
+    model: &Model,
+    bodies: &[usize],
+    active: &[ActiveContact],
+    links: &[ActiveLink],
+) -> f64 {
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
         let home = &model.contacts[a.site].home;
@@ -41,8 +52,14 @@ pub(in crate::dynamics) fn decay(model: &Model, bodies: &[usize], active: &[Acti
             }
         }
     }
-    let apart = |a: &ActiveContact| [a.node, a.face].into_iter().flatten().map(|i| sums[i]).sum::<f64>();
-    active.iter().map(apart).fold(0.0, f64::max)
+    for link in links {
+        let device = &link.of(model).device;
+        let rate = device.damping_bound(&link.phase) * link.mobility(model);
+        link.ends.into_iter().flatten().for_each(|i| sums[i] += rate);
+    }
+    let apart = |sides: [Option<usize>; 2]| sides.into_iter().flatten().map(|i| sums[i]).sum::<f64>();
+    let sides = active.iter().map(|a| [a.node, a.face]).chain(links.iter().map(|link| link.ends));
+    sides.map(apart).fold(0.0, f64::max)
 }
 
 /// How fast the dashpots of one contact, with the face's axes and a lever from G, slow a body down at most \[1/s\].

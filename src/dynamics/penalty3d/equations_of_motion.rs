@@ -5,13 +5,15 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use crate::contact::{Forces, Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
+use crate::contact::{Forces, Frame, Local, Mode};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Counted;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
 use crate::dynamics::penalty3d::contact_force;
@@ -20,65 +22,6 @@ use crate::dynamics::penalty3d::contact_rates::quickest;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
-
-/// A closed contact between bodies of one island.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::dynamics) struct ActiveContact {
-    /// Its number in the model.
-    pub site: usize,
-    /// Which of the island's bodies owns the node; nothing for an abutment.
-    pub node: Option<usize>,
-    /// Which owns the face.
-    pub face: Option<usize>,
-    /// Its state.
-    pub closed: ClosedContact,
-    /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
-    pub home: Home,
-    /// Where its slip angle stands in the vector, if it is a state.
-    pub angle: Option<usize>,
-    /// Penetration that it is expected not to exceed by much \[m\].
-    pub depth: f64,
-}
-
-impl ActiveContact {
-    /// The node against the face, with the island's bodies in `frames`, counted from their bases.
-    pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
-        let site = &model.contacts[self.site];
-        let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
-        locate(&self.home, frame(self.node), frame(self.face))
-    }
-
-    /// Penetration that its present one and its normal speed lead to, with the lighter of its bodies behind it \[m\].
-    pub(in crate::dynamics) fn expected_depth(&self, model: &Model, frames: &[Frame]) -> f64 {
-        let here = self.look(model, frames);
-        let pair = &model.pairs[model.contacts[self.site].pair];
-        let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
-        here.gap.abs().max(self.closed.law.normal.depth(mass, here.gap_rate.abs()))
-    }
-
-    /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
-    pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
-        let law = &self.closed.law;
-        let slips = matches!(self.closed.mode, Mode::Slip { .. });
-        slips && law.friction == FrictionLaw::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
-    }
-
-    /// The contact with its slip direction as the vector has it.
-    #[inline]
-    pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> ClosedContact {
-        let mut closed = self.closed;
-        if let Some(at) = self.angle {
-            closed.mode = Mode::Slip { direction: direction(y[at]) };
-        }
-        closed
-    }
-}
-
-/// The unit vector at an angle.
-pub(in crate::dynamics) fn direction(angle: f64) -> DVec2 {
-    let (sin, cos) = angle.sin_cos();
-    DVec2::new(cos, sin)
-}
 
 /// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -104,6 +47,8 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub bases: &'a [ReferencePose],
     /// Its closed contacts.
     pub active: &'a [ActiveContact],
+    /// Its devices whose force acts.
+    pub links: &'a [ActiveLink],
     /// The stretch of ground motion that the step stays in.
     pub piece: LinearPiece,
     /// Error scale.
@@ -262,6 +207,9 @@ impl System for EquationsOfMotion<'_> {
             self.wrenches.push(Wrench::default());
         }
         self.contacts(y, out);
+        for link in self.links {
+            link.push(model, self.bases, self.frames, self.wrenches);
+        }
         let ground = self.ground(t);
         for (i, &body) in self.bodies.iter().enumerate() {
             let part = self.layout.range(i);
@@ -298,7 +246,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn rate_bound(&self) -> f64 {
-        self.scale.omega.max(quickest(self.model, self.active))
+        self.scale.omega.max(quickest(self.model, self.active, self.links))
     }
 
     fn relative_tolerance(&self) -> f64 {

@@ -41,14 +41,14 @@ impl Island {
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
             }
-            if self.active.is_empty() {
+            if self.is_free() {
                 gained = gained.max(self.gained(model, i));
             }
             self.frames.push(here);
         }
         let omega = self.omega.max(self.turning());
         self.angles.clear();
-        if !self.active.is_empty() {
+        if !self.is_free() {
             speed2 = 0.0;
         }
         for (number, active) in self.active.iter().enumerate() {
@@ -67,6 +67,11 @@ impl Island {
                 self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
             }
         }
+        for link in &self.links {
+            let (motion, _) = link.motion(model, &self.bases, &self.frames);
+            let [gap, rate] = link.of(model).device.gap(&link.phase, &motion);
+            speed2 = speed2.max((omega * gap).powi(2) + rate * rate);
+        }
         // From rest nothing is moving yet: what the ground and a push do to it in one radian.
         let floor = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
         let speed = speed2.sqrt().max(REST_SPEED * floor).max(REVERSAL_SPEED * gained / omega);
@@ -74,14 +79,11 @@ impl Island {
         // frequency, and that of its speed.
         let pace = self.stepper.state();
         let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
-        let (long, finest) = if self.active.is_empty() {
-            (LONG_RUN_FREE, FINEST_TOLERANCE_FREE)
-        } else {
-            (LONG_RUN_CONTACT, FINEST_TOLERANCE)
-        };
+        let (long, finest) =
+            if self.is_free() { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
         let asked = model.tolerance * (long / self.taken as f64).min(1.0);
         let tolerance = asked.max(model.tolerance.min(finest));
-        let strayed = !self.active.is_empty() && farthest > near && rounding * omega * farthest > tolerance * speed;
+        let strayed = !self.is_free() && farthest > near && rounding * omega * farthest > tolerance * speed;
         self.distance = if strayed { Distance::Strayed } else { Distance::Near };
         let speed = tolerance * speed + rounding * (bits + floor);
         // A direction counts by the place that it puts p at.
@@ -94,7 +96,7 @@ impl Island {
     /// How fast the fastest of its bodies in `frames` turns, where nothing touches: what tumbles on no bearing swings by that alone, and
     /// an error of its attitude is one of its place a radian later \[rad/s\].
     fn turning(&self) -> f64 {
-        if !self.active.is_empty() {
+        if !self.is_free() {
             return 0.0;
         }
         self.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
@@ -111,7 +113,7 @@ impl Island {
     /// no error measured by the contact's own speed would show; and where nothing touches, little else may ask for short steps.
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
-        if self.active.is_empty() {
+        if self.is_free() {
             cap.min(self.until + GROUND_PHASE_FREE / omega)
         } else if self.stepper.state().stiff {
             cap.min(self.until + GROUND_PHASE_CONTACT / omega)
@@ -124,11 +126,11 @@ impl Island {
     pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
         // Seldom near: first by what no contact alone exceeds.
-        let crude = self.quickest * self.active.len() as f64;
+        let crude = self.quickest * (self.active.len() + self.links.len()) as f64;
         if pace.stiff || pace.step > 0.0 && pace.step * crude < RESOLVED_DECAY {
             return f64::INFINITY;
         }
-        let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active));
+        let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links));
         if decay > 0.0 { RESOLVED_DECAY / decay } else { f64::INFINITY }
     }
 

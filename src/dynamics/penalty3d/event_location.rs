@@ -87,13 +87,25 @@ pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Itera
 /// The first events within the planned step and when; contacts whose event comes within `together` of the first change
 /// with it.
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island, together: f64) -> Option<(f64, Vec<Due>)> {
+    match sample_count(island) {
+        SAMPLES_EXPLICIT => first_of::<SAMPLES_EXPLICIT>(model, island, together),
+        SAMPLES_MEDIUM => first_of::<SAMPLES_MEDIUM>(model, island, together),
+        _ => first_of::<SAMPLES_IMPLICIT>(model, island, together),
+    }
+}
+
+/// Samples of an implicit step of middling length.
+const SAMPLES_MEDIUM: usize = 2 * SAMPLES_EXPLICIT - 1;
+
+/// Samples of switching functions within the planned step.
+pub(in crate::dynamics) fn sample_count(island: &Island) -> usize {
     let phase = (island.until - island.from) * island.omega();
     if !island.pace().stiff || phase <= SHORT_PHASES[0] {
-        first_of::<SAMPLES_EXPLICIT>(model, island, together)
+        SAMPLES_EXPLICIT
     } else if phase <= SHORT_PHASES[1] {
-        first_of::<{ 2 * SAMPLES_EXPLICIT - 1 }>(model, island, together)
+        SAMPLES_MEDIUM
     } else {
-        first_of::<SAMPLES_IMPLICIT>(model, island, together)
+        SAMPLES_IMPLICIT
     }
 }
 

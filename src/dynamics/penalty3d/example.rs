@@ -4,8 +4,8 @@ use crate::contact::parameters::{is_over, sharers};
 use crate::contact::{Local, Mode, locate};
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::coordinates::planar::WIDTH;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
 use crate::dynamics::penalty3d::event_location::{Due, first_due};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{Body, ContactSite, Model};
@@ -68,8 +68,8 @@ pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases = model.bodies.iter().map(Body::placed).collect();
     let y = states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect();
-    let contacts = active.into_iter().enumerate().collect();
-    Island::new(model, bodies.clone(), (bodies, bases), contacts, y, 0.0, ControllerState::default())
+    let contacts: Vec<_> = active.into_iter().enumerate().collect();
+    Island::new(model, bodies.clone(), (bodies, bases), (contacts, Vec::new()), y, 0.0, ControllerState::default())
 }
 
 /// Steps until the first event and all within 1 ps of it, their time \[s\], and what they are.

@@ -8,16 +8,15 @@ use crate::dynamics::integrator::step_control::{ControllerState, StepController,
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
-use crate::dynamics::penalty3d::constants::{
-    FIRST_PHASE, OVERSHOOT_EXPLICIT, OVERSHOOT_IMPLICIT, RETAKE_MARGIN, RETAKE_TOLERANCE, SMALLEST_PHASE,
-};
+use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
 use crate::dynamics::penalty3d::contact_rates::{fastest, quickest};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::penalty3d::equations_of_motion::{
-    ActiveContact, EquationsOfMotion, ErrorScale, Sliding, direction,
-};
-use crate::dynamics::penalty3d::event_location::{Due, Reason};
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
+use crate::dynamics::penalty3d::event_location::Due;
+use crate::dynamics::penalty3d::link_events::LinkDue;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 
@@ -36,6 +35,8 @@ pub(in crate::dynamics) struct Island {
     pub active: Vec<ActiveContact>,
     /// Numbers of those contacts in the engine.
     pub contacts: Vec<usize>,
+    /// Devices whose force acts on them.
+    pub links: Vec<ActiveLink>,
     /// Where the planned step begins \[s\].
     pub from: f64,
     /// Where it ends \[s\].
@@ -43,22 +44,24 @@ pub(in crate::dynamics) struct Island {
     /// Its number among the stretches whose steps are taken again, once it has one.
     pub stretch: Option<u32>,
     /// Time and stretch of the ground motion that the slope at the start of the next step is of.
-    sloped: (f64, usize),
+    pub(super) sloped: (f64, usize),
     /// Whether the planned step, taken again from its start alone, is the same.
     again: bool,
     /// Where bodies have parts of given length: the states that the slopes at the start of the planned step and of the next one are of, before these were
     /// restored to it.
-    raw: Vec<f64>,
-    next_raw: Vec<f64>,
-    /// What is due at `until`, if anything but the next step.
+    pub(super) raw: Vec<f64>,
+    pub(super) next_raw: Vec<f64>,
+    /// Events of contacts that end the planned step.
     pub due: Vec<Due>,
+    /// End of a device's phase that ends it.
+    pub link_due: Option<LinkDue>,
     pub(in crate::dynamics) dense: Option<DenseOutput>,
     pub(in crate::dynamics) y: Vec<f64>,
     /// Stretches in the longest of its bodies' paths, with the planned step.
     pub taken: usize,
-    explicit: bool,
+    pub(super) explicit: bool,
     /// What the error of the planned step was measured against.
-    measure: ErrorScale,
+    pub(super) measure: ErrorScale,
     pub(in crate::dynamics) stepper: StepController,
     pub(in crate::dynamics) omega: f64,
     /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
@@ -103,7 +106,7 @@ impl Island {
         model: &Model,
         slots: Vec<usize>,
         (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
-        contacts: Vec<(usize, ActiveContact)>,
+        (contacts, links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
         mut y: Vec<f64>,
         t: f64,
         pace: ControllerState,
@@ -123,11 +126,12 @@ impl Island {
         }
         // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
         let turns = active.iter().any(|a| a.angle.is_some());
-        let pace = ControllerState { stiff: pace.stiff && !active.is_empty() || turns, ..pace };
+        let joined = !active.is_empty() || !links.is_empty();
+        let pace = ControllerState { stiff: pace.stiff && joined || turns, ..pace };
         let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
         let mut island = Self {
-            omega: fastest(model, &bodies, &active),
-            quickest: quickest(model, &active),
+            omega: fastest(model, &bodies, &active, &links),
+            quickest: quickest(model, &active, &links),
             decay: None,
             moved: vec![0.0; radii.len()],
             radii,
@@ -137,9 +141,11 @@ impl Island {
             bases,
             contacts: contacts.into_iter().map(|(c, _)| c).collect(),
             active,
+            links,
             from: t,
             until: t,
             due: Vec::new(),
+            link_due: None,
             stretch: None,
             sloped: (t, 0),
             again: false,
@@ -160,12 +166,11 @@ impl Island {
             line: None,
             in_line: false,
         };
-        if island.active.is_empty() {
+        if island.is_free() {
             island.stepper.expect_no_noise();
         }
         island.sliding = Sliding::of(&island.active);
-        island.line = CollinearIsland::of(model, &island.bodies, &island.layout, &island.bases, &island.active);
-        island.in_line = island.line.as_ref().is_some_and(|line| line.holds(&island.y));
+        island.find_line(model);
         island.rewind(model, t);
         island
     }
@@ -181,20 +186,26 @@ impl Island {
     }
 
     /// Notes what the slope at the start of the next step is of.
-    fn note_raw(&mut self, y: &[f64]) {
+    pub(super) fn note_raw(&mut self, y: &[f64]) {
         if self.layout.has_unit_parts() {
             self.next_raw.clear();
             self.next_raw.extend_from_slice(y);
         }
     }
 
-    fn field<'a>(&'a mut self, model: &'a Model, piece: LinearPiece, scale: ErrorScale) -> EquationsOfMotion<'a> {
+    pub(super) fn field<'a>(
+        &'a mut self,
+        model: &'a Model,
+        piece: LinearPiece,
+        scale: ErrorScale,
+    ) -> EquationsOfMotion<'a> {
         EquationsOfMotion {
             model,
             bodies: &self.bodies,
             layout: &self.layout,
             bases: &self.bases,
             active: &self.active,
+            links: &self.links,
             piece,
             scale,
             angles: &self.angles,
@@ -224,10 +235,10 @@ impl Island {
         let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
         let loose = self.active.iter().any(|active| active.closed.solver.at_face);
         self.explicit = !self.stepper.state().stiff;
-        self.again = known && !loose && self.explicit;
+        self.again = known && !loose && self.explicit && self.links.is_empty();
         // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
         // estimate to be judged by, which tells little far beyond stability.
-        let together = (2.0 / self.active.len().clamp(2, 4) as f64).sqrt();
+        let together = (2.0 / (self.active.len() + self.links.len()).clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
@@ -246,63 +257,26 @@ impl Island {
         Ok(())
     }
 
-    /// Takes the planned step again so that it ends just beyond `t`, well inside it: between its ends the continuous answer is
-    /// an order less exact than at them, and what happens at `t` is to start from its end. Whether it did.
-    pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64, due: &[Due]) -> bool {
-        let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
-        let part = (t - self.from) / dense.step;
-        if !(RETAKE_MARGIN..1.0 - RETAKE_MARGIN).contains(&part) {
-            return false;
-        }
-        let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
-        if !self.explicit {
-            let turns = |due: &Due| match due.reason {
-                Reason::Opening => self.active[due.number].angle.is_some(),
-                Reason::Switching => self.active[due.number].turns_at_once(),
-                Reason::Edge | Reason::Kink => false,
-            };
-            return model.tolerance < RETAKE_TOLERANCE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
-        }
-        let (from, h, mut y) = (self.from, (t - self.from) * (1.0 + OVERSHOOT_EXPLICIT), y);
-        let number = model.ground.piece_number(from);
-        let piece = model.ground.piece(number);
-        let mut stepper = std::mem::take(&mut self.stepper);
-        self.note_raw(&y);
-        std::mem::swap(&mut self.raw, &mut self.next_raw);
-        let dense = stepper.repeat_explicit(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
-        self.note_raw(&y);
-        normalise(model, &self.bodies, &self.layout, &mut y);
-        self.sloped = (from + dense.step, number);
-        (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
-        true
-    }
-
-    /// The same of an implicit step from `y` in which a touch ends whose slip turns, or sliding stops that turns at once: a
-    /// direction bends sharply there, and the continuous answer of a step across that is right on neither side.
-    fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
-        let (from, h) = (self.from, (t - self.from) * (1.0 + OVERSHOOT_IMPLICIT));
-        let number = model.ground.piece_number(from);
-        let piece = model.ground.piece(number);
-        let mut stepper = std::mem::take(&mut self.stepper);
-        let measure = self.measure;
-        let dense = stepper.repeat_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
-        let ended = dense.is_some();
-        if let Some(dense) = dense {
-            normalise(model, &self.bodies, &self.layout, &mut y);
-            (self.y, self.until, self.dense) = (y, from + dense.step, Some(dense));
-        }
-        self.stepper = stepper;
-        self.rewind(model, self.until);
-        ended
-    }
-
     /// After everything is counted from elsewhere: the next step begins anew.
     pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
         (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
-        self.line = CollinearIsland::of(model, &self.bodies, &self.layout, &self.bases, &self.active);
-        self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
+        self.find_line(model);
         self.stepper.forget();
         self.rewind(model, self.until);
+    }
+
+    /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.
+    pub(in crate::dynamics) fn is_free(&self) -> bool {
+        self.active.is_empty() && self.links.is_empty()
+    }
+
+    /// Finds the axis along which its bodies move, if they do.
+    fn find_line(&mut self, model: &Model) {
+        let contacts_alone = self.links.is_empty();
+        let line =
+            contacts_alone.then(|| CollinearIsland::of(model, &self.bodies, &self.layout, &self.bases, &self.active));
+        self.line = line.flatten();
+        self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
     }
 
     /// Whether its bodies move along one axis: nothing slides and nothing turns.

@@ -1,5 +1,7 @@
 //! The contact-friction model: states and forces of closed contacts, the equations of motion of bodies that touch.
 
+pub(in crate::dynamics) mod active_contact;
+pub(in crate::dynamics) mod active_link;
 pub(in crate::dynamics) mod collinear_island;
 pub(in crate::dynamics) mod constants;
 pub mod contact_force;
@@ -11,6 +13,8 @@ pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod island;
 pub(in crate::dynamics) mod island_poses;
 pub(in crate::dynamics) mod island_rebase;
+pub(in crate::dynamics) mod island_retake;
+pub(in crate::dynamics) mod link_events;
 
 #[cfg(test)]
 mod example;

@@ -184,7 +184,7 @@ impl ContactLog {
         {
             let mut angle = [0.0];
             self.angles[i].1.read(0..1, t, &mut angle);
-            *direction = crate::dynamics::penalty3d::equations_of_motion::direction(angle[0]);
+            *direction = crate::dynamics::penalty3d::active_contact::direction(angle[0]);
         }
         Contact::Closed(closed)
     }

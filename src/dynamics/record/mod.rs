@@ -2,4 +2,5 @@
 
 pub mod contact_log;
 pub mod event;
+pub mod link_log;
 pub mod recomputed_steps;

@@ -12,8 +12,9 @@ use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::model::coordinates::planar::{PlanarState, WIDTH};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
-use crate::dynamics::penalty3d::equations_of_motion::{ActiveContact, EquationsOfMotion, ErrorScale, Sliding};
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
 use crate::dynamics::penalty3d::island::normalise;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
@@ -197,6 +198,7 @@ impl Replay {
         let line = CollinearIsland::of(past.model, &bodies, &layout, &bases, &active);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
+            links: &[],
             model: past.model,
             bodies: &bodies,
             layout: &layout,

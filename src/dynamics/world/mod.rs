@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use crate::dynamics::Model;
 use crate::dynamics::penalty3d::island::Island;
-use tracks::{BodyTrack, ContactTrack, PairTrack};
+use tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack};
 
 /// Bodies, pairs, contacts and islands of one group.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub(in crate::dynamics) struct World {
     pub pairs: Vec<PairTrack>,
     /// Contacts, those of one pair side by side.
     pub contacts: Vec<ContactTrack>,
+    /// Links.
+    pub links: Vec<LinkTrack>,
     /// Bodies that are integrated together; nothing at a number that is not in use.
     pub islands: Vec<Option<Box<Island>>>,
 }

@@ -29,7 +29,7 @@ impl World {
         let track = &self.bodies[slot];
         if let Trajectory::Island { island, index } = track.now
             && let Some(island) = &self.islands[island]
-            && !island.active.is_empty()
+            && !island.is_free()
         {
             return (island.bases[index], island.state_at(&self.model, index, t));
         }

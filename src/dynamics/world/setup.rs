@@ -8,11 +8,12 @@ use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, PairTrack, Trajectory};
+use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack, Trajectory};
 
 /// Impact speed at which a pair's time scale is taken \[m/s\]; that of a linear law depends on no speed, that of Hertz's on its
 /// fifth root.
@@ -26,6 +27,7 @@ impl World {
             bodies: Vec::new(),
             pairs: Vec::new(),
             contacts: Vec::new(),
+            links: Vec::new(),
             islands: Vec::new(),
         };
         world.gather(group);
@@ -44,7 +46,14 @@ impl World {
             let system = FreeMotion::of(&model.bodies[body], &model.ground, model.duration);
             let rest = Flight::at_rest();
             let now = Trajectory::Flight(rest);
-            self.bodies.push(BodyTrack { body, system, now, path: StoredPath::default(), pairs: Vec::new() });
+            self.bodies.push(BodyTrack {
+                body,
+                system,
+                now,
+                path: StoredPath::default(),
+                pairs: Vec::new(),
+                links: Vec::new(),
+            });
         }
         for &number in pairs {
             let pair = &model.pairs[number];
@@ -75,6 +84,24 @@ impl World {
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, axial });
         }
         self.find_rivals(pairs);
+        for &number in &model.group_links[number] {
+            self.add_link(&model, number, model.links[number].bodies.map(slot));
+        }
+    }
+
+    fn add_link(&mut self, model: &Model, number: usize, slots: [Option<usize>; 2]) {
+        for slot in slots.into_iter().flatten() {
+            self.bodies[slot].links.push(self.links.len());
+        }
+        let link = &model.links[number];
+        let frames = link.frames(|_| None);
+        let phase = link.device.initial(&link.motion([&frames[0], &frames[1]]).0);
+        let stiffness = link.device.stiffness_bound(&phase);
+        let mass = link.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
+        // A device without stiffness changes in no time scale of its own; that of a unit frequency then.
+        let frequency = if stiffness > 0.0 { (stiffness / mass).sqrt() } else { 1.0 };
+        let (together, log) = (1e-9 / frequency, LinkLog::default());
+        self.links.push(LinkTrack { link: number, slots, phase, begins: None, together, log });
     }
 
     /// Tells the contacts of each node of one another, where a side is in more than one pair.
@@ -104,15 +131,39 @@ impl World {
         pairs
     }
 
-    /// Groups of positions in `slots` whose bodies a chain of closed contacts joins.
-    pub(in crate::dynamics) fn touching(&self, slots: &[usize]) -> Vec<Vec<usize>> {
+    /// The links that bodies are at, rising.
+    pub(in crate::dynamics) fn links_of(&self, slots: &[usize]) -> Vec<usize> {
+        let mut links: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].links.iter().copied()).collect();
+        links.sort_unstable();
+        links.dedup();
+        links
+    }
+
+    /// Whether a link's force acts.
+    pub(in crate::dynamics) fn link_acts(&self, link: usize) -> bool {
+        let LinkTrack { link, phase, .. } = &self.links[link];
+        self.model.links[*link].device.acts(phase)
+    }
+
+    fn pair_acts(&self, pair: usize) -> bool {
+        self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some())
+    }
+
+    /// Slots at both ends of every connection of a body whose force acts: pairs that touch, then links.
+    fn joined_at(&self, slot: usize) -> impl Iterator<Item = [Option<usize>; 2]> + '_ {
+        let body = &self.bodies[slot];
+        let pairs = body.pairs.iter().filter(|&&pair| self.pair_acts(pair)).map(|&pair| self.pairs[pair].slots);
+        let links = body.links.iter().filter(|&&link| self.link_acts(link)).map(|&link| self.links[link].slots);
+        pairs.chain(links)
+    }
+
+    /// Groups of positions in `slots` whose bodies a chain of connections joins whose forces act.
+    pub(in crate::dynamics) fn joined(&self, slots: &[usize]) -> Vec<Vec<usize>> {
         let mut label: Vec<usize> = (0..slots.len()).collect();
         let position = |slot: usize| slots.binary_search(&slot).ok();
         for &slot in slots {
-            for &pair in &self.bodies[slot].pairs {
-                let track = &self.pairs[pair];
-                let closed = track.contacts.clone().any(|c| self.contacts[c].state.closed().is_some());
-                if let (true, [Some(a), Some(b)]) = (closed, track.slots.map(|s| s.and_then(position))) {
+            for ends in self.joined_at(slot) {
+                if let [Some(a), Some(b)] = ends.map(|s| s.and_then(position)) {
                     let (low, high) = (label[a].min(label[b]), label[a].max(label[b]));
                     label.iter_mut().filter(|l| **l == high).for_each(|l| *l = low);
                 }
@@ -126,10 +177,8 @@ impl World {
         groups
     }
 
-    pub(in crate::dynamics) fn is_touching(&self, slot: usize) -> bool {
-        self.bodies[slot]
-            .pairs
-            .iter()
-            .any(|&pair| self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some()))
+    /// Whether any connection's force acts on a body.
+    pub(in crate::dynamics) fn is_joined(&self, slot: usize) -> bool {
+        self.joined_at(slot).next().is_some()
     }
 }

@@ -1,9 +1,11 @@
 //! What one group of bodies is made of while it is computed: bodies, facing pairs, contacts, with their states and the
 //! predictions in force.
 
+use crate::dynamics::connection::Phase;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::axial_gap::AxialGap;
@@ -31,6 +33,8 @@ pub(in crate::dynamics) struct BodyTrack {
     pub path: StoredPath,
     /// The pairs it is in.
     pub pairs: Vec<usize>,
+    /// The links it is at.
+    pub links: Vec<usize>,
 }
 
 impl BodyTrack {
@@ -59,6 +63,23 @@ pub(in crate::dynamics) struct PairTrack {
     pub together: f64,
     /// Its one gap, where it has one as long as its bodies move along an axis.
     pub axial: Option<AxialGap>,
+}
+
+/// A link of the group.
+#[derive(Debug)]
+pub(in crate::dynamics) struct LinkTrack {
+    /// Its number in the model.
+    pub link: usize,
+    /// Slots of the bodies at its ends; nothing for the ground.
+    pub slots: [Option<usize>; 2],
+    /// Its phase now.
+    pub phase: Phase,
+    /// When its force begins on the trajectories in force \[s\].
+    pub begins: Option<f64>,
+    /// Time within which a change of its phase is over \[s\].
+    pub together: f64,
+    /// Its phases so far.
+    pub log: LinkLog,
 }
 
 /// A contact of the group.

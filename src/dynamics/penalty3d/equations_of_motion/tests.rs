@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::contact::normal::Linear;
-use crate::contact::{Law, Normal};
+use crate::contact::{FrictionLaw, Law, Normal};
 use crate::dynamics::Body;
 use crate::dynamics::model::coordinates::planar::WIDTH;
 use crate::dynamics::penalty3d::example::{MASS, closed, row, stick, wall};
@@ -19,6 +19,7 @@ fn rates(model: &Model, active: &[ActiveContact], y: &[f64], scale: ErrorScale) 
         layout: &StateLayout::of(model.bodies.iter()),
         bases: &bases,
         active,
+        links: &[],
         piece: model.ground.piece(model.ground.piece_number(0.0)),
         scale,
         angles: &[],

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::*;
 use crate::contact::Normal;
 use crate::contact::normal::Linear;
-use crate::dynamics::penalty3d::equations_of_motion::ActiveContact;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, first_event, island, stick, wall};
 
 const SPEED: f64 = 0.5;

@@ -1,0 +1,132 @@
+//! When the force of a device that does not act begins next: the first zero of its gap, on the trajectories that the bodies at
+//! its ends are on.
+
+use glam::DVec3;
+
+use crate::contact::Frame;
+use crate::dynamics::closing::gap_curvature::GapCurvature;
+use crate::dynamics::closing::in_flight::{CUT_SHORT, View, horizon, remember};
+use crate::dynamics::closing::next_closing::{INSTANT, LOOKS, NextClosing, SPEED, planned};
+use crate::dynamics::connection::{Separation, SeparationBounds};
+use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::LinkTrack;
+
+/// Searches the beginning of a link's force from `t` on, and enters it in the link's track.
+pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
+    world.links[link].begins = None;
+    if world.link_acts(link) {
+        return NextClosing::at(f64::INFINITY);
+    }
+    let slots = world.links[link].slots;
+    match planned(world, slots) {
+        Some(until) => {
+            world.links[link].begins = in_steps(world, link, t, until);
+            NextClosing::at(world.links[link].begins.unwrap_or(f64::INFINITY))
+        }
+        None => in_flight(world, link, t),
+    }
+}
+
+/// Both ends fly or stand: conservative advancement.
+fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
+    let (duration, slots) = (world.model.duration, world.links[link].slots);
+    let until = horizon(&world.model.ground, t, duration);
+    remember(world, slots, until);
+    let present = &*world;
+    let (mut looks, size) = (1, resolution(present, link, t));
+    let here = bounded_gap(present, link, t, duration);
+    let sample = |at: f64| {
+        looks += 1;
+        bounded_gap(present, link, at, until)
+    };
+    let found = if here.out_of_reach && here.window >= duration - t {
+        FirstZero::NoneUntil(duration)
+    } else {
+        first_crossing_from(here, sample, [t, until], true, size)
+    };
+    match found {
+        FirstZero::Crossing(at) => {
+            world.links[link].begins = Some(at);
+            NextClosing { due: at, looks, work: 0 }
+        }
+        FirstZero::NoneUntil(end) if end >= duration => NextClosing { due: f64::INFINITY, looks, work: 0 },
+        FirstZero::NoneUntil(end) => NextClosing { due: end, looks, work: if end < until { CUT_SHORT } else { 0 } },
+    }
+}
+
+/// Gap of a device in flight at `t`, with what bounds it up to `until` at most.
+fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
+    let LinkTrack { link, slots, phase, .. } = &world.links[link];
+    let (view, link) = (View::of(world, *slots, t, until), &world.model.links[*link]);
+    let frames = link.frames(|end| slots[end].map(|_| view.frames[end]));
+    let (motion, _) = link.motion([&frames[0], &frames[1]]);
+    let arms = link.arms.map(DVec3::length);
+    let sum =
+        |of: fn(&MotionBounds) -> f64| view.bounds.iter().zip(arms).map(|(bound, arm)| of(bound) * arm).sum::<f64>();
+    let between = &view.between;
+    let bounds = SeparationBounds {
+        distance: motion.placed.length() + between.reach + sum(|bound| bound.turn),
+        speed: between.speed + sum(|bound| bound.spin),
+        acceleration: between.acceleration + sum(|bound| bound.spin_rate + bound.spin * bound.spin),
+    };
+    let [gap, rate] = link.device.gap(phase, &motion);
+    let curvature = link.device.gap_curvature(phase, &bounds);
+    BoundedGap { gap, rate, curvature, window: between.window, out_of_reach: link.device.stays_idle(phase, &bounds) }
+}
+
+/// An end is in a planned step: subdivision up to where the first of the steps ends.
+fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
+    if until <= t {
+        return None;
+    }
+    let LinkTrack { link, slots, phase, together, .. } = &world.links[number];
+    let link = &world.model.links[*link];
+    let resolution = resolution(world, number, t);
+    let gap = |at: f64| {
+        let [gap, rate] = link.device.gap(phase, &motion(world, number, at));
+        GapSample { t: at, gap, rate }
+    };
+    let noise = |at: f64| {
+        let frames = frames(world, number, at);
+        let speed = |i: usize| frames[i].velocity.length() + frames[i].spin.length() * link.arms[i].length();
+        world.model.tolerance.max(SPEED) * (speed(0) + speed(1))
+    };
+    let bend = |from: &GapSample, to: f64| {
+        let curvature = GapCurvature::of(world, *slots, from.t, to);
+        if !curvature.holds(to - from.t) {
+            return f64::INFINITY;
+        }
+        let distance = motion(world, number, from.t).vector().length();
+        let bounds = curvature.separation(link.arms.map(DVec3::length), distance, to - from.t);
+        link.device.gap_curvature(phase, &bounds)
+    };
+    let first = gap(t);
+    if first.gap <= resolution && first.rate < -noise(t) {
+        return Some(t);
+    }
+    let part = |i: usize| if i == LOOKS - 1 { until } else { t + (until - t) * i as f64 / (LOOKS - 1) as f64 };
+    let looks: [GapSample; LOOKS] = std::array::from_fn(|i| gap(part(i)));
+    Subdivision::new((gap, bend, noise), true, resolution, INSTANT * together).first_closing(&looks)
+}
+
+/// Poses of a link's ends at `t`.
+fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
+    let LinkTrack { link, slots, .. } = &world.links[number];
+    world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, t)))
+}
+
+/// Motion of a link's points at `t`.
+pub(in crate::dynamics) fn motion(world: &World, number: usize, t: f64) -> Separation {
+    let frames = frames(world, number, t);
+    world.model.links[world.links[number].link].motion([&frames[0], &frames[1]]).0
+}
+
+/// Depth of a dip of the gap that is rounding at `t` \[m\].
+fn resolution(world: &World, number: usize, t: f64) -> f64 {
+    let moved: f64 = frames(world, number, t).iter().map(|frame| frame.shift.length()).sum();
+    RESOLUTION * (world.model.links[world.links[number].link].size() + moved)
+}

@@ -1,0 +1,63 @@
+//! A device between two points whose force sets in, changes its law and ends: phases, switching functions, gap.
+
+use glam::DVec3;
+
+use crate::dynamics::connection::{Connection, Separation, SeparationBounds};
+
+/// State of a device: which law is in force, and what that law remembers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Phase {
+    /// Number of the law in force, by the device's own count.
+    pub law: u32,
+    /// What the law remembers: a plastic displacement, an elongation at rupture (units of the device).
+    pub memory: [f64; 3],
+}
+
+/// A connection with phases. While no force acts, its bodies are integrated without each other, and the search for the
+/// beginning of the force uses [`gap`](Device::gap) and [`gap_curvature`](Device::gap_curvature); while the force acts, its
+/// bodies are one island, and the end of the phase is a zero of a switching function on their dense output.
+pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Debug + Send + Sync {
+    /// Phase at the start of a run.
+    fn initial(&self, motion: &Separation) -> Phase;
+
+    /// Whether a force acts in this phase.
+    fn acts(&self, phase: &Phase) -> bool;
+
+    /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
+    /// measured by \[m, m/s\].
+    fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];
+
+    /// Upper bound of the second derivative of the gap while the motion keeps to `bounds` \[m/s²\].
+    fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64;
+
+    /// Whether no force can begin while the motion keeps to `bounds`.
+    fn stays_idle(&self, phase: &Phase, bounds: &SeparationBounds) -> bool {
+        let _ = (phase, bounds);
+        false
+    }
+
+    /// Number of switching functions of a phase in which a force acts.
+    fn switches(&self, phase: &Phase) -> usize;
+
+    /// A switching function of such a phase, in the unit of the gap \[m\]: negative while the phase lasts.
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64;
+
+    /// Phase that begins where the gap closes (from a phase without force) or a switching function rises through 0; energy
+    /// that the change releases \[J\].
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64);
+
+    /// Centre line for a drawing between its points, world axes \[m\]: a straight line unless the device hangs or bends.
+    fn centre_line(&self, phase: &Phase, ends: [DVec3; 2]) -> Vec<DVec3> {
+        let _ = phase;
+        ends.to_vec()
+    }
+}
+
+/// What ends a phase of a device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    /// The gap closes: the force begins.
+    Closing,
+    /// The switching function of this number rises through 0.
+    Function(usize),
+}

@@ -1,0 +1,72 @@
+//! A link: a device between two points of a model.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::contact::Frame;
+use crate::dynamics::connection::{Device, Separation};
+
+/// One end of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Anchor {
+    /// A point of a body, in its own axes from G \[m\].
+    Body {
+        /// Number of the body in the model.
+        body: usize,
+        /// The point.
+        point: DVec3,
+    },
+    /// A point of the ground, world axes \[m\].
+    Ground(DVec3),
+}
+
+impl Anchor {
+    /// The body; nothing for the ground.
+    pub fn body(&self) -> Option<usize> {
+        match self {
+            Self::Body { body, .. } => Some(*body),
+            Self::Ground(_) => None,
+        }
+    }
+}
+
+/// A device between two points of a model, which has its bodies' places.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Name in tables.
+    pub name: String,
+    /// Bodies of its ends; nothing for the ground.
+    pub bodies: [Option<usize>; 2],
+    /// Arms of its points from G as placed, world axes; 0 for the ground \[m\].
+    pub arms: [DVec3; 2],
+    /// Origins of its ends as placed: G, or the point of the ground \[m\].
+    pub homes: [DVec3; 2],
+    /// Axes that the device sees its motion in, in the columns, in the world.
+    pub axes: DMat3,
+    /// Law of the force.
+    pub device: Arc<dyn Device>,
+}
+
+impl Link {
+    /// Vector from the second point to the first as placed, in the link's axes \[m\].
+    pub fn placed(&self) -> DVec3 {
+        let [first, second] = [0, 1].map(|i| self.homes[i] + self.arms[i]);
+        self.axes.transpose() * (first - second)
+    }
+
+    /// Poses of its ends, the ground's where an end is fixed.
+    pub fn frames(&self, frame: impl Fn(usize) -> Option<Frame>) -> [Frame; 2] {
+        [0, 1].map(|i| frame(i).unwrap_or_else(|| Frame::fixed(self.homes[i])))
+    }
+
+    /// Motion of its points with its ends in these poses since they were placed, and their arms, world axes.
+    pub fn motion(&self, frames: [&Frame; 2]) -> (Separation, [DVec3; 2]) {
+        Separation::between(frames, self.arms, self.placed(), &self.axes)
+    }
+
+    /// Size that its coordinates round with \[m\].
+    pub(in crate::dynamics) fn size(&self) -> f64 {
+        self.placed().length() + self.arms.iter().map(|arm| arm.length()).sum::<f64>()
+    }
+}

@@ -1,0 +1,136 @@
+//! Groups of bodies that connections join, and links put into a compiled model.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::dynamics::connection::{Anchor, Device, Link};
+use crate::dynamics::model::compiled_model::Model;
+use crate::scene::Kind;
+
+/// Why a link cannot be put into a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LinkError {
+    /// An end names a body that the model does not have.
+    #[error("the link ends at body {0}, which is not in the model: give a number below the number of its bodies")]
+    NoBody(usize),
+    /// Both ends are at one body, or both at the ground.
+    #[error("both ends of the link are at one body or at the ground: give two bodies, or one body and the ground")]
+    SameBody,
+    /// In a planar model the ends differ in height.
+    #[error("the ends of a link of a planar model differ in height: give both ends the same height")]
+    OutOfPlane,
+}
+
+impl Model {
+    /// Puts a device between two points of the bodies as placed; the device sees their motion in `axes`, whose columns are in
+    /// the world.
+    ///
+    /// # Errors
+    /// When an end is at no body of the model, both ends are at one body, or, in a planar model, they differ in height.
+    pub fn link(
+        &mut self,
+        name: &str,
+        ends: [Anchor; 2],
+        axes: DMat3,
+        device: Arc<dyn Device>,
+    ) -> Result<(), LinkError> {
+        let bodies = ends.map(|end| end.body());
+        if let Some(missing) = bodies.into_iter().flatten().find(|&body| body >= self.bodies.len()) {
+            return Err(LinkError::NoBody(missing));
+        }
+        if bodies[0] == bodies[1] {
+            return Err(LinkError::SameBody);
+        }
+        let (homes, arms) = (ends.map(|end| self.home_of(&end)), ends.map(|end| self.arm_of(&end)));
+        let link = Link { name: name.into(), bodies, arms, homes, axes, device };
+        if self.kind == Kind::Planar && (homes[0] + arms[0] - homes[1] - arms[1]).z != 0.0 {
+            return Err(LinkError::OutOfPlane);
+        }
+        self.links.push(link);
+        self.regroup();
+        Ok(())
+    }
+
+    fn home_of(&self, end: &Anchor) -> DVec3 {
+        match *end {
+            Anchor::Body { body, .. } => self.bodies[body].home,
+            Anchor::Ground(point) => point,
+        }
+    }
+
+    fn arm_of(&self, end: &Anchor) -> DVec3 {
+        match *end {
+            Anchor::Body { body, point } => self.bodies[body].axes * point,
+            Anchor::Ground(_) => DVec3::ZERO,
+        }
+    }
+
+    /// Forms the groups of bodies by union over all connections that can act between two of them.
+    pub(in crate::dynamics) fn regroup(&mut self) {
+        let count = self.bodies.len();
+        let [pairs, links] = [
+            self.pairs.iter().map(|pair| pair.bodies).collect::<Vec<_>>(),
+            self.links.iter().map(|link| link.bodies).collect(),
+        ];
+        self.groups = groups(count, pairs.iter().chain(&links));
+        self.group_pairs = members(count, &self.groups, &pairs);
+        self.group_links = members(count, &self.groups, &links);
+    }
+}
+
+/// Connected groups of bodies, by union over connections with these bodies.
+fn groups<'a>(count: usize, connections: impl Iterator<Item = &'a [Option<usize>; 2]>) -> Vec<Vec<usize>> {
+    let mut root: Vec<usize> = (0..count).collect();
+    for bodies in connections {
+        if let [Some(a), Some(b)] = *bodies {
+            let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
+            root[a.max(b)] = a.min(b);
+        }
+    }
+    let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for body in 0..count {
+        groups[root_of(&mut root, body)].push(body);
+    }
+    groups.retain(|group| !group.is_empty());
+    groups
+}
+
+/// Numbers of the connections of each group: those of its bodies.
+fn members(count: usize, groups: &[Vec<usize>], connections: &[[Option<usize>; 2]]) -> Vec<Vec<usize>> {
+    let mut home = vec![0; count];
+    for (group, bodies) in groups.iter().enumerate() {
+        for &body in bodies {
+            home[body] = group;
+        }
+    }
+    let mut found = vec![Vec::new(); groups.len()];
+    for (number, bodies) in connections.iter().enumerate() {
+        // Two bodies of one connection are in one group.
+        if let Some(body) = bodies.iter().flatten().next() {
+            found[home[*body]].push(number);
+        }
+    }
+    found
+}
+
+fn root_of(root: &mut [usize], mut i: usize) -> usize {
+    while root[i] != i {
+        root[i] = root[root[i]];
+        i = root[i];
+    }
+    i
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chain_of_connections_is_one_group_and_the_ground_joins_nothing() {
+        let joined = [[Some(0), Some(2)], [Some(2), Some(3)], [Some(1), None], [None, Some(4)]];
+        let groups = groups(5, joined.iter());
+        assert_eq!(groups, [vec![0, 2, 3], vec![1], vec![4]]);
+        assert_eq!(members(5, &groups, &joined), [vec![0, 1], vec![2], vec![3]]);
+    }
+}

@@ -1,0 +1,71 @@
+//! A device that acts between bodies of one island, or one of them and the ground.
+
+use glam::DVec3;
+
+use crate::contact::Frame;
+use crate::dynamics::Model;
+use crate::dynamics::connection::{Link, Phase, Separation};
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::model::wrench::Wrench;
+
+/// A link whose force acts.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct ActiveLink {
+    /// Its number in the model.
+    pub number: usize,
+    /// Its number in the group.
+    pub track: usize,
+    /// Which of the island's bodies its ends are at; nothing for the ground.
+    pub ends: [Option<usize>; 2],
+    /// Its phase.
+    pub phase: Phase,
+}
+
+impl ActiveLink {
+    pub(in crate::dynamics) fn of<'a>(&self, model: &'a Model) -> &'a Link {
+        &model.links[self.number]
+    }
+
+    /// Motion of its points, and their arms, with the island's bodies in `frames`, counted from `bases`.
+    pub(in crate::dynamics) fn motion(
+        &self,
+        model: &Model,
+        bases: &[ReferencePose],
+        frames: &[Frame],
+    ) -> (Separation, [DVec3; 2]) {
+        let link = self.of(model);
+        let whole = |end: usize| self.ends[end].map(|body| bases[body].whole(&frames[body]));
+        let frames = link.frames(whole);
+        link.motion([&frames[0], &frames[1]])
+    }
+
+    /// Adds its force to what pushes the island's bodies.
+    pub(in crate::dynamics) fn push(
+        &self,
+        model: &Model,
+        bases: &[ReferencePose],
+        frames: &[Frame],
+        wrenches: &mut [Wrench],
+    ) {
+        let (link, (motion, arms)) = (self.of(model), self.motion(model, bases, frames));
+        let force = link.axes * link.device.force(&self.phase, &motion);
+        for ((body, arm), force) in self.ends.into_iter().zip(arms).zip([force, -force]) {
+            if let Some(body) = body {
+                wrenches[body].push(force, arm);
+            }
+        }
+    }
+
+    /// Acceleration of its points against each other per unit force along it, from above, summed over its bodies \[1/kg\].
+    /// An arm `p` beyond the corners' `r` adds no more than `(p/r)²` of their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`.
+    pub(in crate::dynamics) fn mobility(&self, model: &Model) -> f64 {
+        let link = self.of(model);
+        link.bodies.iter().zip(link.arms).filter_map(|(body, arm)| Some((&model.bodies[(*body)?], arm))).fold(
+            0.0,
+            |sum, (body, arm)| {
+                let beyond = (arm.length() / body.radius).max(1.0);
+                sum + body.rate_bounds.mobility * (beyond * beyond)
+            },
+        )
+    }
+}

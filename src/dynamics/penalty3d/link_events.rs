@@ -1,0 +1,48 @@
+//! Ends of phases of devices within a planned step: zeros of their switching functions on the continuous answer.
+
+use crate::contact::Frame;
+use crate::dynamics::Model;
+use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
+use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
+use crate::dynamics::penalty3d::event_location::sample_count;
+use crate::dynamics::penalty3d::island::Island;
+
+/// End of a device's phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::dynamics) struct LinkDue {
+    /// Number of the link in the island.
+    pub index: usize,
+    /// Number of the switching function.
+    pub switch: usize,
+}
+
+/// The first end of a phase of the island's devices within its planned step, and when \[s\].
+pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
+    if island.links.is_empty() {
+        return None;
+    }
+    let last = sample_count(island) - 1;
+    let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
+    let times: Vec<f64> = (0..=last).map(|i| if i == last { island.until } else { island.from + part(i) }).collect();
+    let bodies = island.slots.len();
+    let frames = island.frames_since(model, &times);
+    let mut found: Option<(f64, LinkDue)> = None;
+    for (index, active) in island.links.iter().enumerate() {
+        let link = active.of(model);
+        let motions: Vec<_> = frames.chunks_exact(bodies).map(|f| active.motion(model, &island.bases, f).0).collect();
+        let size = motions.iter().map(|m| link.device.gap(&active.phase, m)[0].abs()).fold(0.0, f64::max);
+        let zero = ZERO_BAND * size + POSITION_ROUNDING * link.size();
+        for number in 0..link.device.switches(&active.phase) {
+            let switch = |frames: &[Frame]| {
+                link.device.switch(number, &active.phase, &active.motion(model, &island.bases, frames).0)
+            };
+            let values: Vec<f64> = motions.iter().map(|m| link.device.switch(number, &active.phase, m)).collect();
+            let ask = |t: f64| switch(&island.frames_since(model, &[t]));
+            let Some(t) = first_rise([&times, &values], zero, false, EarliestEvent::UNKNOWN, ask) else { continue };
+            if found.is_none_or(|(first, _)| t < first) {
+                found = Some((t, LinkDue { index, switch: number }));
+            }
+        }
+    }
+    found
+}

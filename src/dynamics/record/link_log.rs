@@ -1,0 +1,59 @@
+//! The phases that a device went through, as a history keeps them.
+
+use crate::dynamics::connection::Phase;
+
+/// Phases in order of time.
+#[derive(Clone, Debug, Default)]
+pub struct LinkLog {
+    phases: Vec<(f64, Phase)>,
+    released: Vec<(f64, f64)>,
+}
+
+impl LinkLog {
+    /// Enters the phase from `t` on \[s\], with the energy that the change released \[J\].
+    pub fn push(&mut self, t: f64, phase: Phase, released: f64) {
+        self.phases.push((t, phase));
+        if released != 0.0 {
+            self.released.push((t, released));
+        }
+    }
+
+    /// The phase at `t`; that before the first change is the first.
+    pub fn at(&self, t: f64) -> Option<Phase> {
+        let after = self.phases.partition_point(|(from, _)| *from <= t);
+        self.phases.get(after.max(1) - 1).map(|(_, phase)| *phase)
+    }
+
+    /// Phases with the times that they hold from \[s\].
+    pub fn phases(&self) -> &[(f64, Phase)] {
+        &self.phases
+    }
+
+    /// Energy that changes up to `t` released \[J\].
+    pub fn released(&self, t: f64) -> f64 {
+        self.released.iter().take_while(|(at, _)| *at <= t).map(|(_, energy)| energy).sum()
+    }
+
+    /// How many changes there were at `t`, the latest time.
+    pub(in crate::dynamics) fn changes_at(&self, t: f64) -> usize {
+        self.phases.iter().rev().take_while(|(at, _)| *at == t).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_phase_at_a_time_is_the_last_that_began() {
+        let phase = |law: u32| Phase { law, ..Phase::default() };
+        let mut log = LinkLog::default();
+        assert_eq!(log.at(1.0), None, "nothing was entered");
+        log.push(0.0, phase(0), 0.0);
+        log.push(2.0, phase(1), 0.5);
+        log.push(2.0, phase(2), 0.25);
+        assert_eq!([0.0, 1.9, 2.0, 9.0].map(|t| log.at(t).map(|p| p.law)), [Some(0), Some(0), Some(2), Some(2)]);
+        assert_eq!([log.released(1.0), log.released(2.0)], [0.0, 0.75]);
+        assert_eq!((log.changes_at(2.0), log.changes_at(1.0)), (2, 0));
+    }
+}

@@ -1,0 +1,78 @@
+//! Devices at any instant: phase, force, energy, and the line to draw.
+
+use glam::DVec3;
+
+use super::History;
+use crate::contact::Frame;
+use crate::dynamics::connection::{Link, Phase, Separation};
+
+/// A device at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkNow {
+    /// Its number in the model.
+    pub link: usize,
+    /// Its phase.
+    pub phase: Phase,
+    /// Whether its force acts.
+    pub acts: bool,
+    /// Its points, world axes \[m\].
+    pub ends: [DVec3; 2],
+    /// Centre line from the first point to the second, world axes \[m\].
+    pub line: Vec<DVec3>,
+    /// Force on the first point, world axes; the second feels its opposite \[N\].
+    pub force: DVec3,
+    /// Distance to the beginning of its force; less the deformation while the force acts \[m\].
+    pub gap: f64,
+    /// Stored energy \[J\].
+    pub stored: f64,
+    /// Dissipated power \[W\].
+    pub dissipated: f64,
+}
+
+impl History {
+    /// A device at `t`, clamped to what was computed; nothing where the model has no link of that number or the impact model
+    /// computed the run.
+    pub fn link(&self, number: usize, t: f64) -> Option<LinkNow> {
+        let (link, phase, frames, motion) = self.link_motion(number, t.clamp(0.0, self.end()))?;
+        let device = &link.device;
+        let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
+        let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
+        let (force, stored, dissipated) = if acts {
+            let force = link.axes * device.force(&phase, &motion);
+            (force, device.stored_energy(&phase, &motion), device.dissipated_power(&phase, &motion))
+        } else {
+            (DVec3::ZERO, device.stored_energy(&phase, &motion), 0.0)
+        };
+        let line = device.centre_line(&phase, ends);
+        Some(LinkNow { link: number, phase, acts, ends, line, force, gap, stored, dissipated })
+    }
+
+    /// Devices at `t`, in the order of their numbers.
+    pub fn links(&self, t: f64) -> Vec<LinkNow> {
+        (0..self.model().links.len()).filter_map(|link| self.link(link, t)).collect()
+    }
+
+    /// Changes of a device's phase in order of time: when \[s\], and the phase from then on.
+    pub fn link_phases(&self, number: usize) -> &[(f64, Phase)] {
+        self.link_logs.get(number).map_or(&[], |log| log.phases())
+    }
+
+    fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
+        let phase = self.link_logs.get(number)?.at(t)?;
+        let link = &self.model().links[number];
+        let frames = link.frames(|end| link.bodies[end].map(|body| self.frame(body, t)));
+        let (motion, _) = link.motion([&frames[0], &frames[1]]);
+        Some((link, phase, frames, motion))
+    }
+
+    /// Stored energy of a device \[J\].
+    pub(super) fn link_energy(&self, number: usize, t: f64) -> f64 {
+        self.link_motion(number, t).map_or(0.0, |(link, phase, _, motion)| link.device.stored_energy(&phase, &motion))
+    }
+
+    /// Power that a device dissipates \[W\].
+    pub(super) fn link_power(&self, number: usize, t: f64) -> f64 {
+        let acting = self.link_motion(number, t).filter(|(link, phase, ..)| link.device.acts(phase));
+        acting.map_or(0.0, |(link, phase, _, motion)| link.device.dissipated_power(&phase, &motion))
+    }
+}
