@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::mechanics::{self, Mechanics};
-use crate::dynamics::free_flight::flight::FreeMotion;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
+use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::event::{Event, Stop};
 use crate::dynamics::record::link_log::LinkLog;
@@ -22,7 +23,7 @@ pub struct Finished {
     /// Why it stopped early.
     pub stop: Option<Stop>,
     /// Number, path and free motion of every body.
-    pub bodies: Vec<(usize, StoredPath, Option<FreeMotion>)>,
+    pub bodies: Vec<(usize, StoredPath, Option<BodyMotion>)>,
     /// Steps that are kept by their starts.
     pub replay: Replay,
     /// Number and states of every contact (contact model).
@@ -60,9 +61,14 @@ pub trait Run: std::fmt::Debug + Send + Sync {
 
 /// Sets up a group of bodies, by its number in the model, at t = 0; where both models are asked for, under the contact model.
 pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> {
+    let planar =
+        model.groups[group].iter().all(|&body| matches!(model.bodies[body].coordinates, BodyCoordinates::Planar));
     match kind {
         ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
-        ModelKind::Impact => Box::new(impact2d::engine::Engine::new(model, group)),
+        ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
+        ModelKind::Impact => {
+            Box::new(ContactRun::refused(model, group, "the impact model knows rigid girders in plan only"))
+        }
     }
 }
 
@@ -133,7 +139,10 @@ impl Run for impact2d::engine::Engine {
             stop: schedule.stop().cloned(),
             bodies: bodies
                 .into_iter()
-                .map(|track| (track.body, track.segments.into_iter().collect(), Some(track.system)))
+                .map(|track| {
+                    let motion = BodyMotion::Girder(Box::new(track.system));
+                    (track.body, track.segments.into_iter().collect(), Some(motion))
+                })
                 .collect(),
             replay: Replay::default(),
             contacts: Vec::new(),

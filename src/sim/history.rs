@@ -9,7 +9,7 @@ use super::{Event, Motion, Stop, Touch};
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::event_loop::effort::Effort;
-use crate::dynamics::free_flight::flight::FreeMotion;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::contact_log::ContactLog;
@@ -35,7 +35,7 @@ pub struct History {
     pub(super) replayed: Vec<Replayed>,
     /// The group of each body.
     group_of: Vec<usize>,
-    systems: Vec<Option<FreeMotion>>,
+    systems: Vec<Option<BodyMotion>>,
     pub(super) logs: Vec<ContactLog>,
     pub(super) link_logs: Vec<LinkLog>,
     events: Vec<Event>,
@@ -55,7 +55,7 @@ impl History {
         let end = groups.iter().map(|g| g.end).fold(model.duration, f64::min);
         let stop = groups.iter().filter_map(|g| g.stop.clone()).min_by(|a, b| a.t.total_cmp(&b.t));
         let mut paths = vec![StoredPath::default(); model.bodies.len()];
-        let mut systems: Vec<Option<FreeMotion>> = model.bodies.iter().map(|_| None).collect();
+        let mut systems: Vec<Option<BodyMotion>> = model.bodies.iter().map(|_| None).collect();
         let mut logs = vec![ContactLog::default(); model.contacts.len()];
         let mut link_logs = vec![LinkLog::default(); model.links.len()];
         let mut events = Vec::new();
@@ -171,11 +171,9 @@ impl History {
         let mut state = own.blank();
         match (self.paths[body].at(t), &self.systems[body]) {
             (Some((from, StoredMotion::Start(start))), Some(system)) => {
-                state.copy_from_slice(&system.state(&system.fly(from, start), t));
+                return system.state(&system.fly(from, &start), t);
             }
-            (Some((_, StoredMotion::Flight(flight))), Some(system)) => {
-                state.copy_from_slice(&system.state(flight, t));
-            }
+            (Some((_, StoredMotion::Flight(flight))), Some(system)) => return system.state(flight, t),
             (Some((_, StoredMotion::Start(_) | StoredMotion::Flight(_))), None) => {}
             (Some((_, StoredMotion::Slide(slide))), _) => state.copy_from_slice(&slide.state(t)),
             (Some((_, StoredMotion::Step(piece))), _) => own.restore(piece.read(t, &mut state), &mut state),

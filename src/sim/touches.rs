@@ -163,11 +163,7 @@ pub(super) fn looks(history: &History, body: usize) -> Vec<f64> {
 pub(super) fn flight_rate(history: &History, body: usize) -> f64 {
     use crate::motion::Ground;
     let model = history.model();
-    let body = &model.bodies[body];
-    let quantities = body.quantities();
-    let inertia = [body.mass, body.mass, body.mass * body.gyration2];
-    let decay = (0..3).map(|i| body.planar.damping.col(i)[i] / inertia[i]);
-    let omega = quantities.omega.into_iter().chain(decay).fold(0.0, f64::max);
+    let omega = model.bodies[body].fastest();
     let drive = match &model.ground {
         Ground::Still => 0.0,
         Ground::Sine { omega, .. } => *omega,

@@ -27,6 +27,7 @@ mod physics {
     mod spatial;
     mod stick_slip;
     mod symmetry;
+    mod two_coordinates;
 }
 
 mod scene {

@@ -13,7 +13,6 @@ use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
-use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
@@ -187,17 +186,16 @@ impl<'a> Mover<'a> {
         let track = &world.bodies[slot];
         match (&track.now, &track.system) {
             (Trajectory::Flight(flight), Some(system)) => {
-                let straight =
-                    world.model.bodies[track.body].along(axis).is_some() && planar::is_along(&flight.state, axis);
-                let (dof, part) = straight.then(|| system.along(flight, axis)).flatten()?;
-                Some(Self::Flies { dof, part, start: flight.start, push: system.push[axis] })
+                let straight = world.model.bodies[track.body].along(axis).is_some();
+                let (dof, part, push) = straight.then(|| system.along(flight, axis)).flatten()?;
+                Some(Self::Flies { dof, part, start: flight.start(), push })
             }
             (&Trajectory::Island { island: number, index }, _) => {
                 let island = world.islands[number].as_ref()?;
                 let (dense, components, base) = island.along(index, axis)?;
                 Some(Self::Steps { island: number, dense, components, base, from: island.from, until: island.until })
             }
-            (Trajectory::Flight(_), None) => None,
+            (Trajectory::Placed, _) | (Trajectory::Flight(_), None) => None,
         }
     }
 

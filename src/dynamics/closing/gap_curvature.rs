@@ -60,7 +60,7 @@ impl GapCurvature {
 fn together(world: &World, slots: [Option<usize>; 2]) -> Option<[f64; 2]> {
     let [a, b] = slots.map(|slot| match world.bodies[slot?].now {
         Trajectory::Island { island, index } => Some((island, index)),
-        Trajectory::Flight(_) => None,
+        Trajectory::Placed | Trajectory::Flight(_) => None,
     });
     let ((island, a), (other, b)) = (a?, b?);
     (island == other).then(|| world.islands[island].as_ref()?.apart(&world.model, [a, b]))?
@@ -72,7 +72,7 @@ fn bound(world: &World, slot: usize, from: f64, to: f64) -> MotionBounds {
         (Trajectory::Island { island, index }, _) => world.islands[*island]
             .as_ref()
             .map_or(MotionBounds::still(f64::INFINITY), |island| island.bound(&world.model, *index)),
-        (Trajectory::Flight(flight), Some(system)) => system.state_and_bounds(flight, from, to - from).1,
+        (Trajectory::Flight(flight), Some(system)) => system.bounds(flight, from, to - from),
         _ => MotionBounds::still(f64::INFINITY),
     }
 }

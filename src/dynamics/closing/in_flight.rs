@@ -3,10 +3,13 @@
 //! All open contacts of the pair are searched together: each look asks both flights once, and the leap is the shortest
 //! that any contact allows. A pair whose gaps are out of reach for good is not looked at again until somebody is hit.
 
+use glam::DVec3;
+
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::closing::next_closing::NextClosing;
-use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
+use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
@@ -41,24 +44,29 @@ impl View {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         // One ground shakes both.
         let phase = world.model.ground.phase(t);
-        let flyers = slots.map(|slot| slot.and_then(|slot| flyer(world, slot, t, phase, horizon)));
-        let frame = |side: usize| match (slots[side], &flyers[side]) {
-            (Some(slot), Some(flyer)) => world.model.bodies[world.bodies[slot].body].frame(&flyer.state),
-            // An abutment's frame is that of its contact.
-            _ => Frame::fixed(glam::DVec3::ZERO),
-        };
-        let frames = [frame(0), frame(1)];
+        // An abutment's frame is that of its contact.
+        let mut frames = [Frame::fixed(DVec3::ZERO); 2];
+        let flyers = [0, 1].map(|side| {
+            let (frame, flyer) = flyer(world, slots[side]?, t, phase, horizon)?;
+            frames[side] = frame;
+            Some(flyer)
+        });
         let bound = |side: usize| flyers[side].as_ref().map_or(MotionBounds::still(horizon), |flyer| flyer.bound);
         Self { frames, bounds: [bound(0), bound(1)], between: RelativeBounds::of(&flyers, horizon) }
     }
 }
 
-fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<BodyInFlight<'_>> {
+fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<(Frame, BodyInFlight<'_>)> {
     let track = &world.bodies[slot];
-    let (Trajectory::Flight(flight), Some(system)) = (&track.now, &track.system) else { return None };
-    let (state, free) = system.parts_in(flight, t, phase);
-    let bound = system.bound_from(t, &state, free.as_ref(), horizon);
-    Some(BodyInFlight { system, state, free, bound })
+    let body = &world.model.bodies[track.body];
+    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
+    if let (BodyMotion::Girder(system), BodyFlight::Girder(flight)) = (motion, flight) {
+        let (state, free) = system.parts_in(flight, t, phase);
+        let bound = system.bound_from(t, &state, free.as_ref(), horizon);
+        let girder = Some(GirderInFlight { system, state, free });
+        return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
+    }
+    Some((motion.frame(body, flight, t), BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None }))
 }
 
 /// An open contact under search.

@@ -203,7 +203,7 @@ fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64
             world.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&world.model, *index, arm, from))
         }
         (Trajectory::Flight(flight), Some(system)) => {
-            let (_, bound) = system.state_and_bounds(flight, from, until - from);
+            let bound = system.bounds(flight, from, until - from);
             if bound.window < until - from {
                 return f64::INFINITY;
             }

@@ -110,7 +110,7 @@ impl ContactRun {
         let mut pace = ControllerState::default();
         for &slot in slots {
             match self.world.bodies[slot].now {
-                Trajectory::Flight(_) => {
+                Trajectory::Placed | Trajectory::Flight(_) => {
                     all.insert(slot);
                 }
                 Trajectory::Island { island, .. } => {

@@ -119,7 +119,7 @@ fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
 pub(in crate::dynamics) fn end_flight(world: &mut World, slot: usize, t: f64) {
     let track = &mut world.bodies[slot];
     if let Trajectory::Flight(flight) = &track.now
-        && t > flight.start
+        && t > flight.start()
     {
         let segment = track.flown(flight, t);
         track.path.push(segment);

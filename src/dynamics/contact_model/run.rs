@@ -19,7 +19,6 @@ use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::constants::WORTHWHILE_CUT;
 use crate::dynamics::integrator::step_control::ControllerState;
-use crate::dynamics::model::coordinates::planar;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::penalty3d::link_events;
@@ -73,6 +72,15 @@ impl ContactRun {
             store: StepStore::default(),
         };
         run.begin();
+        run
+    }
+
+    /// A run that stops at t = 0, and why.
+    pub(in crate::dynamics) fn refused(model: &Arc<Model>, group: usize, reason: &str) -> Self {
+        let mut run = Self::new(model, group);
+        let slots: Vec<usize> = (0..run.world.bodies.len()).collect();
+        let names = run.names(&slots);
+        run.schedule.give_up(0.0, names, reason.to_owned());
         run
     }
 
@@ -142,8 +150,8 @@ impl ContactRun {
     fn fly(&mut self, slot: usize, state: &[f64], t: f64) {
         end_flight(&mut self.world, slot, t);
         let track = &mut self.world.bodies[slot];
-        if let (Some(system), [state]) = (&track.system, planar::in_a_row(state)) {
-            track.now = Trajectory::Flight(system.fly(t, *state));
+        if let Some(system) = &track.system {
+            track.now = Trajectory::Flight(system.fly(t, state));
         }
     }
 

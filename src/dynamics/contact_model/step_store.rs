@@ -7,6 +7,7 @@ use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
+use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::world::World;
 
 /// Steps of a run that are kept by their starts, and what the polynomials of the others take.
@@ -26,7 +27,9 @@ impl StepStore {
 
     /// Keeps an island's planned step by its start, where that gives the same step; its number.
     pub(in crate::dynamics) fn keep_again(&mut self, world: &World, island: &mut Island) -> Option<u32> {
-        if !self.keeps_starts(world) {
+        if !self.keeps_starts(world)
+            || island.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
+        {
             return None;
         }
         let (length, states) = island.again(&world.model)?;
@@ -65,7 +68,7 @@ impl StepStore {
     ) -> Option<u32> {
         let track = &world.bodies[slot];
         let ((number, from, start), system) = (track.path.flown_until(t)?, track.system.as_ref()?);
-        let mut there = system.state(&system.fly(from, start), t);
+        let mut there = system.girder_state(from, start, t)?;
         let other = world.model.bodies[track.body].rebase(&mut there);
         let place = |base: &ReferencePose| base.planar().to_array().map(f64::to_bits);
         let bits = |state: &[f64]| state.iter().map(|x| x.to_bits()).collect::<Vec<_>>();

@@ -13,7 +13,7 @@ use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::{FreeResponse, Oscillator};
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::model::bearing::is_diagonal;
-use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
 use crate::motion::{Ground, LinearPiece};
 
@@ -63,11 +63,6 @@ enum FlightForm {
 }
 
 impl Flight {
-    /// At home and at rest, before the run begins.
-    pub fn at_rest() -> Self {
-        Self { start: 0.0, state: [0.0; WIDTH], form: FlightForm::Split([[0.0; 2]; 3]) }
-    }
-
     /// Whether it keeps states beyond its start, for looking up a record's answer fast.
     pub(in crate::dynamics) fn has_anchors(&self) -> bool {
         matches!(self.form, FlightForm::Record { .. })
@@ -78,19 +73,9 @@ impl Flight {
         let anchors = if let FlightForm::Record { anchors, .. } = &self.form { anchors.len() } else { 0 };
         size_of::<Self>() + anchors * size_of::<PlanarState>()
     }
-
-    /// Every number that the flight's answer depends on, for hashing.
-    pub fn numbers(&self) -> impl Iterator<Item = f64> {
-        std::iter::once(self.start).chain(self.state)
-    }
 }
 
 impl FreeMotion {
-    /// The free motion of a body, where it has a closed form.
-    pub fn of(body: &Body, ground: &Ground, duration: f64) -> Option<Self> {
-        matches!(body.coordinates, BodyCoordinates::Planar).then(|| Self::new(body, ground, duration))
-    }
-
     /// Prepares a girder's free motion under a ground motion that lasts `duration` \[s\].
     pub fn new(body: &Body, ground: &Ground, duration: f64) -> Self {
         let inverse = DVec3::new(1.0 / body.mass, 1.0 / body.mass, 1.0 / (body.mass * body.gyration2));

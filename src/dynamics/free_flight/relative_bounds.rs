@@ -10,12 +10,17 @@ use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::coordinates::planar::{PlanarState, part};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
-/// A girder in flight: its system, its state, and the free part of it where that is split off.
+/// A body in flight: bounds on its motion, and more where it is a rigid girder in plan.
 pub(in crate::dynamics) struct BodyInFlight<'a> {
+    pub bound: MotionBounds,
+    pub girder: Option<GirderInFlight<'a>>,
+}
+
+/// A girder in flight: its system, its state, and the free part of it where that is split off.
+pub(in crate::dynamics) struct GirderInFlight<'a> {
     pub system: &'a FreeMotion,
     pub state: PlanarState,
     pub free: Option<PlanarState>,
-    pub bound: MotionBounds,
 }
 
 /// Bounds on the difference of two motions of G over `[t, t + window]`. Rotations have bounds of their own, which hold as
@@ -52,7 +57,8 @@ impl RelativeBounds {
     }
 
     /// Two girders in flight; nothing where more than a sum cannot be said.
-    fn between(a: &BodyInFlight<'_>, b: &BodyInFlight<'_>, horizon: f64) -> Option<Self> {
+    fn between(one: &BodyInFlight<'_>, other: &BodyInFlight<'_>, horizon: f64) -> Option<Self> {
+        let (a, b) = (one.girder.as_ref()?, other.girder.as_ref()?);
         let (first, second) = (a.dofs()?, b.dofs()?);
         let (mut limits, mut window) = ([[0.0; 3]; 2], horizon);
         for (i, limit) in limits.iter_mut().enumerate() {
@@ -73,8 +79,8 @@ impl RelativeBounds {
                     difference(plain, [part(&a.state, i), part(&b.state, i)], pushes, 0.0, horizon)
                 }
                 _ if free && alike(dofs) => {
-                    window = window.min(b.bound.window);
-                    nearly(dofs, [&a.state, &b.state], i, pushes, &b.bound, window)
+                    window = window.min(other.bound.window);
+                    nearly(dofs, [&a.state, &b.state], i, pushes, &other.bound, window)
                 }
                 (Some(p), Some(q)) => both(dofs, [part(p, i), part(q, i)], pushes, drive(a.system), horizon),
                 _ => return None,
@@ -85,7 +91,7 @@ impl RelativeBounds {
     }
 }
 
-impl BodyInFlight<'_> {
+impl GirderInFlight<'_> {
     /// Its directions, where nothing couples them.
     fn dofs(&self) -> Option<&[UncoupledAxis; 3]> {
         match &self.system.form {

@@ -6,7 +6,7 @@ use crate::dynamics::Body;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::flight::FreeMotion;
 use crate::dynamics::free_flight::oscillator::Oscillator;
-use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
@@ -146,12 +146,8 @@ fn two_girders_stay_within_their_relative_bounds() {
     let flights = [motions[0].fly(0.0, START), motions[1].fly(0.0, other)];
     let flyer = |i: usize| {
         let (state, free) = motions[i].parts(&flights[i], 0.0);
-        Some(BodyInFlight {
-            system: &motions[i],
-            state,
-            free,
-            bound: motions[i].bound_from(0.0, &state, free.as_ref(), 1.0),
-        })
+        let bound = motions[i].bound_from(0.0, &state, free.as_ref(), 1.0);
+        Some(BodyInFlight { bound, girder: Some(GirderInFlight { system: &motions[i], state, free }) })
     };
     let bounds = RelativeBounds::of(&[flyer(0), flyer(1)], 1.0);
     for k in 0..=500 {

@@ -2,6 +2,7 @@
 
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
 use crate::dynamics::impact2d::constants::{EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE};
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
@@ -98,7 +99,7 @@ impl Run {
         }
         self.world.remember(slot, t);
         let path = match &self.world.bodies[slot].motion {
-            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(flight.clone()))),
+            Motion::Flight(flight) => Some(SegmentMotion::Flight(Box::new(BodyFlight::Girder(flight.clone())))),
             Motion::Lasting(number, place) => {
                 self.world.lasting[*number].as_ref().and_then(|contact| contact.path(*place))
             }

@@ -11,11 +11,13 @@ use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
+use crate::dynamics::model::closed_form::ClosedForm;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
 use crate::geometry::Prism;
+use crate::motion::Ground;
 
 /// A girder, compiled.
 #[derive(Clone, Debug)]
@@ -74,7 +76,7 @@ pub enum BodyCoordinates {
     Planar,
     /// A rigid girder in space: displacement and quaternion.
     Spatial,
-    /// Those of a body from outside this package.
+    /// Those of a body from outside this package; the impact model knows none.
     Custom(Arc<dyn Coordinates>),
 }
 
@@ -156,6 +158,14 @@ pub trait Coordinates: Debug + Send + Sync {
     fn along(&self, _body: &Body, _axis: usize) -> Option<[usize; 2]> {
         None
     }
+
+    /// The free motion under a ground motion, where it has a closed form; a body without one is integrated alone.
+    fn free_motion(&self, _ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+        None
+    }
+
+    /// Fastest circular frequency or decay rate of the free motion \[rad/s\].
+    fn fastest(&self, body: &Body) -> f64;
 
     /// Kinetic energy, strain energy of the bearings, potential of `gravity` \[m/s²\]; of a state since the body was placed
     /// \[J\].

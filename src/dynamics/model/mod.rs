@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod bearing;
 pub mod body;
+pub mod closed_form;
 pub mod compiled_model;
 pub(in crate::dynamics) mod contact_sites;
 pub mod coordinates;

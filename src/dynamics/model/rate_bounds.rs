@@ -8,9 +8,9 @@ use crate::geometry::Prism;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateBounds {
     /// Acceleration at a corner per unit force \[1/kg\].
-    pub(in crate::dynamics) mobility: f64,
+    pub mobility: f64,
     /// Largest stiffness per inertia on its bearings \[1/s²\].
-    pub(in crate::dynamics) stiffest: f64,
+    pub stiffest: f64,
 }
 
 impl RateBounds {

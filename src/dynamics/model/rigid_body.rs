@@ -109,6 +109,13 @@ fn free_inverse(body: &Body, rotation: &DMat3, moment: DVec3) -> DVec3 {
     matrix.inverse() * right
 }
 
+/// Fastest circular frequency or decay rate of a body on its bearings, direction by direction \[rad/s\].
+pub(in crate::dynamics) fn fastest(body: &Body) -> f64 {
+    let inertia = [body.mass, body.mass, body.mass * body.gyration2];
+    let decay = (0..3).map(|i| body.planar.damping.col(i)[i] / inertia[i]);
+    body.quantities().omega.into_iter().chain(decay).fold(0.0, f64::max)
+}
+
 /// Kinetic energy \[J\].
 pub(in crate::dynamics) fn kinetic_energy(body: &Body, here: &Frame) -> f64 {
     let spin = here.spin.dot(world_inertia(body, &here.rotation(&body.axes)) * here.spin);

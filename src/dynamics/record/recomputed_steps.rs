@@ -6,7 +6,7 @@
 //! step is that of its start before quaternions were given their length, which is what is kept.
 
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::FreeMotion;
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::model::coordinates::planar::{PlanarState, WIDTH};
@@ -88,7 +88,7 @@ pub struct Past<'a> {
     /// Paths of all bodies.
     pub paths: &'a [StoredPath],
     /// Their free motions.
-    pub systems: &'a [Option<FreeMotion>],
+    pub systems: &'a [Option<BodyMotion>],
     /// States of all contacts.
     pub logs: &'a [ContactLog],
 }
@@ -252,7 +252,7 @@ fn landed(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(system)) => {
-            system.state(&system.fly(from, state), until)
+            system.girder_state(from, state, until).unwrap_or(state)
         }
         // Only flights kept as their start are left out, and only once something followed.
         _ => [0.0; WIDTH],

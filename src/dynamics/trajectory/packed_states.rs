@@ -23,8 +23,14 @@ const REST_STATE: [f64; MOST_COMPONENTS] = {
 };
 
 impl PackedStates {
-    /// Puts a state of at most 16 components in; its number. Nothing where more numbers are kept than can be counted.
+    /// Whether states of so many components can be kept.
+    pub fn fits(width: usize) -> bool {
+        width <= MOST_COMPONENTS
+    }
+
+    /// Puts a state in that [`fits`](Self::fits); its number. Nothing where more numbers are kept than can be counted.
     pub fn push(&mut self, state: &[f64]) -> Option<u32> {
+        debug_assert!(Self::fits(state.len()), "a mask has no bit for every component");
         let number = u32::try_from(self.masks.len()).ok()?;
         let at = u32::try_from(self.numbers.len()).ok()?;
         // By its bits: −0 is kept.

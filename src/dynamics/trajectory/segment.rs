@@ -1,6 +1,6 @@
 //! A stretch of a body's trajectory: its interval of time and the representation of its motion.
 
-use crate::dynamics::free_flight::flight::Flight;
+use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
@@ -19,7 +19,7 @@ pub struct Segment {
 #[derive(Clone, Debug)]
 pub enum SegmentMotion {
     /// Closed form.
-    Flight(Box<Flight>),
+    Flight(Box<BodyFlight>),
     /// Closed form of a face that slides along a wall (impact model).
     Slide(Box<SlidingFace>),
     /// Continuous answer of an integrator's step.

@@ -5,6 +5,9 @@
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::model::reference_pose::ReferencePose;
 
+/// Components that may be left out: those of every rigid body, and the first of others.
+const MASKED: usize = u32::BITS as usize;
+
 /// A body's continuous answer over one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepPolynomial {
@@ -12,15 +15,15 @@ pub struct StepPolynomial {
     from: f64,
     /// Its length \[s\].
     step: f64,
-    /// Which components are kept, lowest bit first; the others stay 0.
-    kept: u16,
+    /// Which of the first [`MASKED`] components are kept, lowest bit first; the others of them stay 0. All further ones are.
+    kept: u32,
     coefficients: Box<[[f64; DENSE_TERMS]]>,
     /// What they are counted from, if not from where the body was placed.
     base: Box<[f64]>,
 }
 
 impl StepPolynomial {
-    /// Components `range`, at most 16, of a continuous answer that is counted from a base.
+    /// Components `range` of a continuous answer that is counted from a base.
     pub(in crate::dynamics) fn of(
         dense: &DenseOutput,
         range: std::ops::Range<usize>,
@@ -28,9 +31,10 @@ impl StepPolynomial {
     ) -> Self {
         let all = &dense.coefficients()[range];
         let moves = |c: &&[f64; DENSE_TERMS]| c.iter().any(|x| *x != 0.0);
-        let bit = |(i, c): (usize, &[f64; DENSE_TERMS])| u16::from(moves(&c)) << i;
-        let kept = all.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
-        let coefficients = all.iter().filter(moves).copied().collect();
+        let (masked, whole) = all.split_at(all.len().min(MASKED));
+        let bit = |(i, c): (usize, &[f64; DENSE_TERMS])| u32::from(moves(&c)) << i;
+        let kept = masked.iter().enumerate().map(bit).fold(0, |all, bit| all | bit);
+        let coefficients = masked.iter().filter(moves).chain(whole).copied().collect();
         let base = base.map(ReferencePose::numbers).unwrap_or_default();
         Self { from: dense.from, step: dense.step, kept, coefficients, base }
     }
@@ -41,7 +45,7 @@ impl StepPolynomial {
         let x = (t - self.from) / self.step;
         let mut kept = self.coefficients.iter();
         for (i, value) in out.iter_mut().enumerate() {
-            let moving = self.kept & (1 << i) != 0;
+            let moving = i >= MASKED || self.kept & (1 << i) != 0;
             *value = if moving { kept.next().map_or(0.0, |c| DenseOutput::value(c, x)) } else { 0.0 };
         }
         &self.base
@@ -76,5 +80,17 @@ mod tests {
             assert_eq!(whole, part, "at {t}");
         }
         assert_eq!(piece.coefficients.len(), 2, "two components move");
+    }
+    #[test]
+    fn of_a_wide_body_the_components_beyond_the_mask_are_kept_as_they_are() {
+        let coefficients = |i: usize| [[0.0; DENSE_TERMS], [i as f64; DENSE_TERMS]][i % 2];
+        let width = MASKED + 5;
+        let dense = DenseOutput::new(0.0, 1.0, (0..width).map(coefficients).collect());
+        let piece = StepPolynomial::of(&dense, 0..width, None);
+        let (mut whole, mut part) = (vec![0.0; width], vec![9.0; width]);
+        dense.read(0..width, 0.3, &mut whole);
+        piece.read(0.3, &mut part);
+        assert_eq!(whole, part, "every component");
+        assert_eq!(piece.coefficients.len(), MASKED / 2 + 5, "half of the masked ones move");
     }
 }

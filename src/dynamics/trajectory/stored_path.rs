@@ -3,7 +3,7 @@
 //! A flight is its state at the start; a step is a polynomial, or in long runs the number of a step that is taken again
 //! ([`crate::dynamics::record::recomputed_steps`]). One stretch begins where the last one ended, so only the exceptions keep an end.
 
-use crate::dynamics::free_flight::flight::Flight;
+use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::model::coordinates::planar::PlanarState;
 use crate::dynamics::trajectory::packed_states::PackedStates;
@@ -25,7 +25,7 @@ pub struct StoredPath {
     breaks: Vec<(usize, f64)>,
     starts: PackedStates,
     /// Flights that keep more than their start.
-    flights: Vec<Flight>,
+    flights: Vec<BodyFlight>,
     slides: Vec<SlidingFace>,
     pieces: Vec<StepPolynomial>,
 }
@@ -44,10 +44,10 @@ pub struct TimeSpan {
 /// What a stretch's motion is given back from.
 #[derive(Clone, Copy, Debug)]
 pub enum StoredMotion<'a> {
-    /// A flight from this state on.
+    /// A flight of a rigid girder in plan from this state on.
     Start(PlanarState),
     /// A flight.
-    Flight(&'a Flight),
+    Flight(&'a BodyFlight),
     /// A face that slides along a wall.
     Slide(&'a SlidingFace),
     /// A step's polynomial.
@@ -97,11 +97,9 @@ impl StoredPath {
     }
 
     /// The number of a flight kept as its start; nothing where that would not do.
-    fn start(&mut self, flight: &Flight, from: f64) -> Option<u32> {
-        if flight.has_anchors() || flight.start.to_bits() != from.to_bits() {
-            return None;
-        }
-        self.starts.push(&flight.state)
+    fn start(&mut self, flight: &BodyFlight, from: f64) -> Option<u32> {
+        let state = flight.as_girder_start().filter(|_| flight.start().to_bits() == from.to_bits())?;
+        self.starts.push(state)
     }
 
     /// Number and state of the flight kept as its start, with when it began, where that is how the path ends at `t`.
@@ -177,7 +175,7 @@ impl StoredPath {
     /// What it takes \[bytes\].
     pub fn bytes(&self) -> usize {
         let pieces: usize = self.pieces.iter().map(StepPolynomial::bytes).sum();
-        let flights: usize = self.flights.iter().map(Flight::bytes).sum();
+        let flights: usize = self.flights.iter().map(BodyFlight::bytes).sum();
         let slides = self.slides.len() * size_of::<SlidingFace>();
         let stretches = self.len() * (size_of::<f64>() + size_of::<u32>());
         stretches + self.breaks.len() * size_of::<(usize, f64)>() + self.starts.bytes() + flights + slides + pieces
@@ -234,7 +232,7 @@ mod tests {
         let (body, ground) = (&model.bodies[0], Ground::Still);
         let state = [0.1, -0.2, 0.3, 1.0, 2.0, -3.0];
         let motion = FreeMotion::new(body, &ground, 9.0);
-        let flight = |start: f64| SegmentMotion::Flight(Box::new(motion.fly(start, state)));
+        let flight = |start: f64| SegmentMotion::Flight(Box::new(BodyFlight::Girder(motion.fly(start, state))));
         let dense = DenseOutput::new(2.0, 1.0, vec![[7.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]; WIDTH]);
         let slide = SlidingFace::new((body, &ground), [DVec2::X; 2], &ground.piece(0), (4.0, &state), 1.0);
         let motions = [
@@ -247,7 +245,7 @@ mod tests {
         let segment = |(i, path): (u32, SegmentMotion)| Segment { from: f64::from(i), until: f64::from(i + 1), path };
         let path: StoredPath = (0..).zip(motions).map(segment).collect();
         assert!(matches!(path.kept(0), (0.0, StoredMotion::Start(kept)) if kept == state), "by its start alone");
-        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start == 0.5), "begun before the stretch");
+        assert!(matches!(path.kept(1), (1.0, StoredMotion::Flight(f)) if f.start() == 0.5), "begun before the stretch");
         let mut place = [0.0; WIDTH];
         let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
         piece.read(2.5, &mut place);

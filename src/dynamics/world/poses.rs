@@ -10,9 +10,11 @@ impl World {
     pub(in crate::dynamics) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
         let track = &self.bodies[slot];
         match &track.now {
-            Trajectory::Flight(flight) => {
-                track.system.as_ref().map_or(flight.state, |system| system.state(flight, t)).to_vec()
-            }
+            Trajectory::Placed => self.model.bodies[track.body].initial(),
+            Trajectory::Flight(flight) => match &track.system {
+                Some(system) => system.state(flight, t).into_vec(),
+                None => flight.state().to_vec(),
+            },
             Trajectory::Island { island, index } => match &self.islands[*island] {
                 Some(island) => {
                     let mut state = island.state_at(&self.model, *index, t);
@@ -42,7 +44,7 @@ impl World {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
         match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => body.frame(&system.state(flight, t)),
+            (Trajectory::Flight(flight), Some(system)) => system.frame(body, flight, t),
             (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
                 Some(island) => island.frame(&self.model, *index, t),
                 None => Frame::fixed(body.home),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::contact::NormalLaw;
 use crate::dynamics::Model;
-use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
+use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
@@ -43,13 +43,11 @@ impl World {
         self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
-            let system = FreeMotion::of(&model.bodies[body], &model.ground, model.duration);
-            let rest = Flight::at_rest();
-            let now = Trajectory::Flight(rest);
+            let system = BodyMotion::of(&model.bodies[body], &model.ground, model.duration);
             self.bodies.push(BodyTrack {
                 body,
                 system,
-                now,
+                now: Trajectory::Placed,
                 path: StoredPath::default(),
                 pairs: Vec::new(),
                 links: Vec::new(),

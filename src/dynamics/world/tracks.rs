@@ -2,7 +2,7 @@
 //! predictions in force.
 
 use crate::dynamics::connection::Phase;
-use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
+use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
@@ -14,8 +14,10 @@ use crate::dynamics::world::site_geometry::SiteGeometry;
 /// How a body moves from now on.
 #[derive(Debug)]
 pub(in crate::dynamics) enum Trajectory {
+    /// Not yet begun.
+    Placed,
     /// In closed form, until something happens.
-    Flight(Flight),
+    Flight(BodyFlight),
     /// With others, as that island's body of that number.
     Island { island: usize, index: usize },
 }
@@ -26,7 +28,7 @@ pub(in crate::dynamics) struct BodyTrack {
     /// Its number in the model.
     pub body: usize,
     /// Its free motion, where that has a closed form.
-    pub system: Option<FreeMotion>,
+    pub system: Option<BodyMotion>,
     /// What it does now.
     pub now: Trajectory,
     /// What it did.
@@ -39,12 +41,12 @@ pub(in crate::dynamics) struct BodyTrack {
 
 impl BodyTrack {
     /// A flight as a segment of the path that ends at `t`, with the states that a record's samples are counted from.
-    pub(in crate::dynamics) fn flown(&self, flight: &Flight, t: f64) -> Segment {
+    pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> Segment {
         let mut flight = flight.clone();
         if let Some(system) = &self.system {
             system.remember(&mut flight, t);
         }
-        Segment { from: flight.start, until: t, path: SegmentMotion::Flight(Box::new(flight)) }
+        Segment { from: flight.start(), until: t, path: SegmentMotion::Flight(Box::new(flight)) }
     }
 }
 

@@ -4,7 +4,7 @@
 //! record, and where bearings couple the directions, the bounds of the contact model hold for a while, and the third
 //! derivative has none.
 
-use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, RelativeBounds};
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::impact2d::closing::cubic_advancement::CubicBound;
 use crate::dynamics::impact2d::closing::motion_limits::{FlyingBody, MotionLimits, relative_limits};
 use crate::dynamics::impact2d::closing::planar_gap::{PlanarPose, PlanarSite, RelativeNode};
@@ -90,7 +90,10 @@ impl PairMotion {
         let bound = |side: &Option<FlyingBody<'_>>| side.as_ref().map(|s| s.bound(t));
         let bounds = [bound(&flying[0]), bound(&flying[1])];
         let flyers = [0, 1].map(|i| match (&flying[i], bounds[i]) {
-            (Some(s), Some(bound)) => Some(BodyInFlight { system: s.system, state: s.state, free: s.free, bound }),
+            (Some(s), Some(bound)) => {
+                let girder = GirderInFlight { system: s.system, state: s.state, free: s.free };
+                Some(BodyInFlight { bound, girder: Some(girder) })
+            }
             _ => None,
         });
         let apart = RelativeBounds::of(&flyers, horizon);

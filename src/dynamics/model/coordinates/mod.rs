@@ -176,6 +176,11 @@ impl Body {
         of_each!(self, c => c.along(self, axis))
     }
 
+    /// [`Coordinates::fastest`].
+    pub fn fastest(&self) -> f64 {
+        of_each!(self, c => c.fastest(self))
+    }
+
     /// [`Coordinates::energies`].
     pub fn energies(&self, state: &[f64], gravity: f64) -> [f64; 3] {
         of_each!(self, c => c.energies(self, state, gravity))

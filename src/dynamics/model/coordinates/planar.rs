@@ -235,6 +235,10 @@ impl Coordinates for Planar {
         body.straight[axis].then_some([axis, RATES + axis])
     }
 
+    fn fastest(&self, body: &Body) -> f64 {
+        rigid_body::fastest(body)
+    }
+
     fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
         let here = body.planar_frame(state);
         let inertia = body.mass * body.gyration2 * here.spin.z * here.spin.z;

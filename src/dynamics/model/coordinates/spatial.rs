@@ -212,6 +212,10 @@ impl Coordinates for Spatial {
         view[SPIN].copy_from_slice(&arm.cross(force).to_array());
     }
 
+    fn fastest(&self, body: &Body) -> f64 {
+        rigid_body::fastest(body)
+    }
+
     fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
         let (here, weight) = (self.frame(body, state), body.mass * gravity);
         let strain = rigid_body::strain_energy(body, &here, weight);

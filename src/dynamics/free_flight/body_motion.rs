@@ -1,0 +1,151 @@
+//! The free motion of a body of any degrees of freedom, where it has a closed form.
+
+use std::sync::Arc;
+
+use crate::contact::Frame;
+use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
+use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::closed_form::ClosedForm;
+use crate::dynamics::model::coordinates::BodyState;
+use crate::dynamics::model::coordinates::planar::{PlanarState, in_a_row, is_along};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::motion::Ground;
+
+/// A body's free equation of motion, prepared once.
+#[derive(Clone, Debug)]
+pub enum BodyMotion {
+    /// Of a rigid girder in plan.
+    Girder(Box<FreeMotion>),
+    /// Of a body from outside this package.
+    Custom(Arc<dyn ClosedForm>),
+}
+
+/// One stretch of free motion of a body.
+#[derive(Clone, Debug)]
+pub enum BodyFlight {
+    /// Of a rigid girder in plan.
+    Girder(Flight),
+    /// Of a body from outside this package: its state at the start \[s\].
+    Custom(f64, BodyState),
+}
+
+impl BodyMotion {
+    /// Of a body under a ground motion that lasts `duration` \[s\]; nothing where there is no closed form.
+    pub fn of(body: &Body, ground: &Ground, duration: f64) -> Option<Self> {
+        match &body.coordinates {
+            BodyCoordinates::Planar => Some(Self::Girder(Box::new(FreeMotion::new(body, ground, duration)))),
+            BodyCoordinates::Spatial => None,
+            BodyCoordinates::Custom(coordinates) => coordinates.free_motion(ground).map(Self::Custom),
+        }
+    }
+
+    /// Begins a flight.
+    pub fn fly(&self, start: f64, state: &[f64]) -> BodyFlight {
+        match (self, in_a_row(state)) {
+            (Self::Girder(motion), [state]) => BodyFlight::Girder(motion.fly(start, *state)),
+            _ => BodyFlight::Custom(start, state.into()),
+        }
+    }
+
+    /// State at `t` in `flight`.
+    pub fn state(&self, flight: &BodyFlight, t: f64) -> BodyState {
+        match (self, flight) {
+            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state(flight, t).as_slice().into(),
+            (Self::Custom(form), BodyFlight::Custom(start, from)) => custom_state(&**form, *start, from, t),
+            // A flight is begun by its own motion.
+            _ => flight.state().into(),
+        }
+    }
+
+    /// Pose and twist of the body at `t` in `flight`.
+    pub(in crate::dynamics) fn frame(&self, body: &Body, flight: &BodyFlight, t: f64) -> Frame {
+        match (self, flight) {
+            (Self::Girder(motion), BodyFlight::Girder(flight)) => body.planar_frame(&motion.state(flight, t)),
+            _ => body.frame(&self.state(flight, t)),
+        }
+    }
+
+    /// State at `t` of a girder that was in this state at `start`; nothing of another body.
+    pub(in crate::dynamics) fn girder_state(&self, start: f64, from: PlanarState, t: f64) -> Option<PlanarState> {
+        let Self::Girder(motion) = self else { return None };
+        Some(motion.state(&motion.fly(start, from), t))
+    }
+
+    /// Bounds on the motion from `t` on for at most `horizon` \[s\].
+    pub(in crate::dynamics) fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
+        match (self, flight) {
+            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state_and_bounds(flight, t, horizon).1,
+            (Self::Custom(form), _) => form.bounds(t, &self.state(flight, t), horizon),
+            (Self::Girder(_), BodyFlight::Custom(..)) => MotionBounds::still(horizon),
+        }
+    }
+
+    /// Keeps the states that later look-ups up to `t` start from.
+    pub(in crate::dynamics) fn remember(&self, flight: &mut BodyFlight, t: f64) {
+        if let (Self::Girder(motion), BodyFlight::Girder(flight)) = (self, flight) {
+            motion.remember(flight, t);
+        }
+    }
+
+    /// One direction of a flight that moves along that world axis alone: its oscillator, the free part at the start, the push per unit mass;
+    /// nothing where there is no such part.
+    pub(in crate::dynamics) fn along(
+        &self,
+        flight: &BodyFlight,
+        axis: usize,
+    ) -> Option<(&UncoupledAxis, [f64; 2], f64)> {
+        let (Self::Girder(motion), BodyFlight::Girder(flight)) = (self, flight) else { return None };
+        let (dof, part) = is_along(&flight.state, axis).then(|| motion.along(flight, axis)).flatten()?;
+        Some((dof, part, motion.push[axis]))
+    }
+}
+
+fn custom_state(form: &dyn ClosedForm, start: f64, from: &[f64], t: f64) -> BodyState {
+    let mut out = BodyState::from_elem(0.0, from.len());
+    form.state(start, from, t, &mut out);
+    out
+}
+
+impl BodyFlight {
+    /// When it begins \[s\].
+    #[inline]
+    pub fn start(&self) -> f64 {
+        match self {
+            Self::Girder(flight) => flight.start,
+            Self::Custom(start, _) => *start,
+        }
+    }
+
+    /// State at its beginning.
+    #[inline]
+    pub fn state(&self) -> &[f64] {
+        match self {
+            Self::Girder(flight) => &flight.state,
+            Self::Custom(_, state) => state,
+        }
+    }
+
+    /// The flight of a girder that its state at the start says all of.
+    pub(in crate::dynamics) fn as_girder_start(&self) -> Option<&PlanarState> {
+        match self {
+            Self::Girder(flight) if !flight.has_anchors() => Some(&flight.state),
+            _ => None,
+        }
+    }
+
+    /// What it takes \[bytes\].
+    pub fn bytes(&self) -> usize {
+        let more = match self {
+            Self::Girder(flight) => flight.bytes() - size_of::<Flight>(),
+            Self::Custom(_, state) if state.spilled() => size_of_val(state.as_slice()),
+            Self::Custom(..) => 0,
+        };
+        size_of::<Self>() + more
+    }
+
+    /// Every number that the flight's answer depends on, for hashing.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        std::iter::once(self.start()).chain(self.state().iter().copied())
+    }
+}
