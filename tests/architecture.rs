@@ -77,10 +77,6 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
     ("run", &["model", "free_flight", "trajectory", "record", "event_loop", "contact_model", "impact2d"]),
 ];
 
-/// Circles of files that are still there: where all their files lie, and how many files one holds at the most. The list
-/// only shrinks: a place without a circle is struck.
-const KNOWN_CIRCLES: &[(&str, usize)] = &[("src/dynamics/", 30)];
-
 /// Rooms whose answer depends on their input alone, to the last bit.
 const PHYSICS: &[&str] = &["geometry", "contact", "motion", "scene", "dynamics", "sim"];
 
@@ -219,14 +215,8 @@ fn imports_inside_of_dynamics_run_one_way() {
 #[test]
 fn files_do_not_import_each_other_in_a_circle() {
     let circles = Imports::of(&sources("src", "rs")).circles();
-    let lies_in = |circle: &BTreeSet<String>, place: &str| circle.iter().all(|file| file.starts_with(place));
-    let known = |circle: &BTreeSet<String>| {
-        KNOWN_CIRCLES.iter().any(|(place, most)| circle.len() <= *most && lies_in(circle, place))
-    };
-    let new = circles.iter().filter(|circle| !known(circle));
-    let mut complaints: Vec<String> = new.map(|circle| format!("a circle of {}: {circle:?}", circle.len())).collect();
-    let gone = KNOWN_CIRCLES.iter().filter(|(place, _)| !circles.iter().any(|circle| lies_in(circle, place)));
-    complaints.extend(gone.map(|(place, _)| format!("{place} has no circle any more: strike it from KNOWN_CIRCLES")));
+    let complaints: Vec<String> =
+        circles.iter().map(|circle| format!("a circle of {}: {circle:?}", circle.len())).collect();
     expect_none(&complaints, "files do not import each other in a circle");
 }
 

@@ -5,8 +5,8 @@
 //! ([`search`], [`subdivision`](crate::dynamics::locate::subdivision)). Pairs of which a side turns or moves across, or of which some contacts are
 //! closed or behind the face, are for [`predict`](crate::dynamics::closing).
 
-use crate::dynamics::closing::in_flight;
-use crate::dynamics::closing::next_closing::NextClosing;
+use crate::dynamics::closing::flight_view::horizon;
+use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::free_flight::relative_bounds;
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::integrator::dense_output::DenseOutput;
@@ -144,7 +144,7 @@ impl<'a> Gauge<'a> {
     /// In flight: when the pair is due, when it closes if that is why, and how many looks it took.
     fn in_flight(&self, t: f64, resolution: f64) -> (f64, Option<f64>, u64) {
         let model = &self.world.model;
-        let until = in_flight::horizon(&model.ground, t, model.duration);
+        let until = horizon(&model.ground, t, model.duration);
         let here = self.bounded_gap(t, model.duration);
         if here.out_of_reach {
             return (f64::INFINITY, None, 1);

@@ -3,13 +3,11 @@
 //! All open contacts of the pair are searched together: each look asks both flights once, and the leap is the shortest
 //! that any contact allows. A pair whose gaps are out of reach for good is not looked at again until somebody is hit.
 
-use glam::DVec3;
-
-use crate::contact::{Frame, Local, locate};
+use crate::contact::{Local, locate};
 use crate::dynamics::ContactSite;
-use crate::dynamics::closing::next_closing::NextClosing;
-use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
-use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
+use crate::dynamics::closing::constants::CUT_SHORT;
+use crate::dynamics::closing::flight_view::{View, horizon, remember};
+use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
@@ -19,55 +17,6 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::Trajectory;
-use crate::motion::Ground;
-
-/// What a search that was cut short counts against the work bound.
-pub(in crate::dynamics) const CUT_SHORT: usize = 5_000;
-/// Samples of a record that one search covers.
-const SAMPLES: f64 = 64.0;
-
-/// Two bodies in flight at an instant, or one and the ground.
-#[derive(Clone, Copy)]
-pub(in crate::dynamics) struct View {
-    /// Poses; one at rest for the ground.
-    pub frames: [Frame; 2],
-    /// What each can do from here on.
-    pub bounds: [MotionBounds; 2],
-    /// What they can do against each other.
-    pub between: RelativeBounds,
-}
-
-impl View {
-    /// Of the bodies in two slots at `t`; bounds hold up to `until` at most.
-    pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
-        let horizon = (until - t).max(f64::MIN_POSITIVE);
-        // One ground shakes both.
-        let phase = world.model.ground.phase(t);
-        // An abutment's frame is that of its contact.
-        let mut frames = [Frame::fixed(DVec3::ZERO); 2];
-        let flyers = [0, 1].map(|side| {
-            let (frame, flyer) = flyer(world, slots[side]?, t, phase, horizon)?;
-            frames[side] = frame;
-            Some(flyer)
-        });
-        let bound = |side: usize| flyers[side].as_ref().map_or(MotionBounds::still(horizon), |flyer| flyer.bound);
-        Self { frames, bounds: [bound(0), bound(1)], between: RelativeBounds::of(&flyers, horizon) }
-    }
-}
-
-fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<(Frame, BodyInFlight<'_>)> {
-    let track = &world.bodies[slot];
-    let body = &world.model.bodies[track.body];
-    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
-    if let (BodyMotion::Girder(system), BodyFlight::Girder(flight)) = (motion, flight) {
-        let (state, free) = system.parts_in(flight, t, phase);
-        let bound = system.bound_from(t, &state, free.as_ref(), horizon);
-        let girder = Some(GirderInFlight { system, state, free });
-        return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
-    }
-    Some((motion.frame(body, flight, t), BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None }))
-}
 
 /// An open contact under search.
 struct OpenContact<'a> {
@@ -126,26 +75,6 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
         world.contacts[contact].closing = Some(at);
     }
     NextClosing { due, looks, work: if cut { CUT_SHORT } else { 0 } }
-}
-
-/// How far one search goes \[s\].
-pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
-    let stretch = match ground {
-        Ground::Still => duration,
-        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => SAMPLES * dt,
-    };
-    (t + stretch).min(duration)
-}
-
-/// Lets flights under a record keep the states that looks up to `until` start from.
-pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
-    for slot in slots.into_iter().flatten() {
-        let track = &mut world.bodies[slot];
-        if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
-            system.remember(flight, until);
-        }
-    }
 }
 
 /// The open contacts of a pair; a node that has come out in front is armed again.

@@ -4,9 +4,10 @@
 use glam::DVec3;
 
 use crate::contact::Frame;
+use crate::dynamics::closing::constants::{CUT_SHORT, INSTANT, LOOKS, SPEED};
+use crate::dynamics::closing::flight_view::{View, horizon, remember};
+use crate::dynamics::closing::found::{NextClosing, planned};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
-use crate::dynamics::closing::in_flight::{CUT_SHORT, View, horizon, remember};
-use crate::dynamics::closing::next_closing::{INSTANT, LOOKS, NextClosing, SPEED, planned};
 use crate::dynamics::connection::{Separation, SeparationBounds};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;

@@ -5,7 +5,7 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
-use crate::dynamics::closing::next_closing::INSTANT;
+use crate::dynamics::closing::constants::INSTANT;
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;

@@ -5,7 +5,8 @@ use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
 use crate::dynamics::penalty3d::constants::{CONFIRMED_RISE, FORECAST_PHASE, SLOPE_PHASE};
 use crate::dynamics::penalty3d::contact_state::Contact;
-use crate::dynamics::penalty3d::event_location::{Reason, function, reasons};
+use crate::dynamics::penalty3d::due::Reason;
+use crate::dynamics::penalty3d::event_location::{function, reasons};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 

@@ -9,7 +9,7 @@ use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::transitions;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::penalty3d::contact_state::Contact;
-use crate::dynamics::penalty3d::event_location::Due;
+use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::dynamics::world::tracks::Trajectory;
 

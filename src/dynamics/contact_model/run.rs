@@ -7,8 +7,8 @@
 use std::sync::Arc;
 
 use crate::dynamics::Model;
-use crate::dynamics::closing::link_closing;
-use crate::dynamics::closing::next_closing::{self, NextClosing};
+use crate::dynamics::closing::found::NextClosing;
+use crate::dynamics::closing::{link_closing, next_closing};
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::event_forecast::soonest;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
@@ -19,6 +19,7 @@ use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::constants::WORTHWHILE_CUT;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::penalty3d::link_events;
@@ -208,7 +209,7 @@ impl ContactRun {
     }
 
     /// What is due first of an island's contacts within its planned step, and when.
-    fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<event_location::Due>)> {
+    fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<Due>)> {
         let (model, together) = (Arc::clone(&self.world.model), 1e-9 / island.omega());
         let (t, due) = event_location::first_due(&model, island, together)?;
         if !island.end_beyond(&model, t, &due) {

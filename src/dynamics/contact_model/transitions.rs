@@ -10,7 +10,7 @@ use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::FREE_RETRIES;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
-use crate::dynamics::penalty3d::event_location::Reason;
+use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::{Event, EventKind};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::ContactTrack;

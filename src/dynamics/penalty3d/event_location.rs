@@ -12,30 +12,9 @@ use crate::dynamics::penalty3d::constants::{
     SAMPLES_IMPLICIT, SHORT_PHASES, SPEED_ROUNDING_PHASE, WIDEST_STICK_BAND, ZERO_BAND,
 };
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::due::{Due, Reason};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::{ContactSite, Model};
-
-/// What ends a contact's state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::dynamics) enum Reason {
-    /// δ returns to 0.
-    Opening,
-    /// Breakaway, or sliding stops.
-    Switching,
-    /// The projection leaves the polygon, or the node comes out behind the body.
-    Edge,
-    /// The normal force reaches 0, or leaves it, under `clamp`.
-    Kink,
-}
-
-/// An event that is due.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics) struct Due {
-    /// Number of the contact in the island.
-    pub number: usize,
-    /// Which.
-    pub reason: Reason,
-}
 
 /// A node against a face within an island's planned step.
 pub(in crate::dynamics) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Local {

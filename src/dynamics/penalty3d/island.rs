@@ -14,9 +14,9 @@ use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
 use crate::dynamics::penalty3d::contact_rates::{fastest, quickest};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::due::Due;
+use crate::dynamics::penalty3d::due::LinkDue;
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
-use crate::dynamics::penalty3d::event_location::Due;
-use crate::dynamics::penalty3d::link_events::LinkDue;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 

@@ -3,8 +3,8 @@
 
 use crate::dynamics::Model;
 use crate::dynamics::penalty3d::constants::{OVERSHOOT_EXPLICIT, OVERSHOOT_IMPLICIT, RETAKE_MARGIN, RETAKE_TOLERANCE};
+use crate::dynamics::penalty3d::due::{Due, Reason};
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
-use crate::dynamics::penalty3d::event_location::{Due, Reason};
 use crate::dynamics::penalty3d::island::{Island, normalise};
 
 impl Island {

@@ -4,17 +4,9 @@ use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
+use crate::dynamics::penalty3d::due::LinkDue;
 use crate::dynamics::penalty3d::event_location::sample_count;
 use crate::dynamics::penalty3d::island::Island;
-
-/// End of a device's phase.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::dynamics) struct LinkDue {
-    /// Number of the link in the island.
-    pub index: usize,
-    /// Number of the switching function.
-    pub switch: usize,
-}
 
 /// The first end of a phase of the island's devices within its planned step, and when \[s\].
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {

@@ -1,7 +1,7 @@
 //! The one gap of a facing pair whose faces are all square to one axis and whose nodes are all equally far from them.
 
 use crate::dynamics::Model;
-use crate::dynamics::world::tracks::ContactTrack;
+use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::scene::Kind;
 
 /// Gaps as placed that differ by less than this part of what moves are one: rounding.
@@ -21,29 +21,24 @@ pub(in crate::dynamics) struct AxialGap {
 }
 
 impl AxialGap {
-    /// Of a pair's contacts, where the pair is so placed.
-    pub(in crate::dynamics) fn of(model: &Model, pair: usize, contacts: &[ContactTrack]) -> Option<Self> {
+    /// Of a pair's contact sites, by their numbers in the model, where the pair is so placed.
+    pub(in crate::dynamics) fn of(model: &Model, pair: usize, sites: &[(usize, SiteGeometry)]) -> Option<Self> {
         let first = model.pairs[pair].bodies[0];
-        let one = |track: &ContactTrack, axis: usize| {
-            let site = &model.contacts[track.site];
+        let one = |(site, spot): &(usize, SiteGeometry), axis: usize| {
+            let site = &model.contacts[*site];
             let normal = site.home.axes.z_axis;
             let square = site.face.is_upright() && normal[axis].abs() == 1.0 && normal[1 - axis] == 0.0;
             let side = if site.node_body == first { 1.0 } else { -1.0 };
-            square.then(|| Self {
-                axis,
-                rest: track.spot.home_gap,
-                towards: side * normal[axis],
-                size: track.spot.size,
-            })
+            square.then(|| Self { axis, rest: spot.home_gap, towards: side * normal[axis], size: spot.size })
         };
         let all = |axis: usize| {
-            let whole = one(contacts.first()?, axis)?;
-            let like = |track: &ContactTrack| {
-                one(track, axis).is_some_and(|other| {
+            let whole = one(sites.first()?, axis)?;
+            let like = |site: &(usize, SiteGeometry)| {
+                one(site, axis).is_some_and(|other| {
                     other.towards == whole.towards && (other.rest - whole.rest).abs() <= ROUNDING * whole.size
                 })
             };
-            contacts.iter().all(like).then_some(whole)
+            sites.iter().all(like).then_some(whole)
         };
         (model.kind == Kind::Planar).then(|| all(0).or_else(|| all(1))).flatten()
     }

@@ -78,7 +78,8 @@ impl World {
             let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
             let together = 1e-9 / pair.law.normal.frequency(mass, NOMINAL_SPEED);
             let contacts = from..self.contacts.len();
-            let axial = AxialGap::of(&model, number, &self.contacts[from..]);
+            let sites: Vec<_> = self.contacts[from..].iter().map(|track| (track.site, track.spot)).collect();
+            let axial = AxialGap::of(&model, number, &sites);
             self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, axial });
         }
         self.find_rivals(pairs);

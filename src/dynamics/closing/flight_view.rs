@@ -1,0 +1,74 @@
+//! Two bodies in flight at an instant, with bounds on what they can do from then on.
+
+use glam::DVec3;
+
+use crate::contact::Frame;
+use crate::dynamics::closing::constants::SAMPLES;
+use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Trajectory;
+use crate::motion::Ground;
+
+/// Two bodies in flight at an instant, or one and the ground.
+#[derive(Clone, Copy)]
+pub(in crate::dynamics) struct View {
+    /// Poses; one at rest for the ground.
+    pub frames: [Frame; 2],
+    /// What each can do from here on.
+    pub bounds: [MotionBounds; 2],
+    /// What they can do against each other.
+    pub between: RelativeBounds,
+}
+
+impl View {
+    /// Of the bodies in two slots at `t`; bounds hold up to `until` at most.
+    pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+        let horizon = (until - t).max(f64::MIN_POSITIVE);
+        // One ground shakes both.
+        let phase = world.model.ground.phase(t);
+        // An abutment's frame is that of its contact.
+        let mut frames = [Frame::fixed(DVec3::ZERO); 2];
+        let flyers = [0, 1].map(|side| {
+            let (frame, flyer) = flyer(world, slots[side]?, t, phase, horizon)?;
+            frames[side] = frame;
+            Some(flyer)
+        });
+        let bound = |side: usize| flyers[side].as_ref().map_or(MotionBounds::still(horizon), |flyer| flyer.bound);
+        Self { frames, bounds: [bound(0), bound(1)], between: RelativeBounds::of(&flyers, horizon) }
+    }
+}
+
+fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<(Frame, BodyInFlight<'_>)> {
+    let track = &world.bodies[slot];
+    let body = &world.model.bodies[track.body];
+    let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
+    if let (BodyMotion::Girder(system), BodyFlight::Girder(flight)) = (motion, flight) {
+        let (state, free) = system.parts_in(flight, t, phase);
+        let bound = system.bound_from(t, &state, free.as_ref(), horizon);
+        let girder = Some(GirderInFlight { system, state, free });
+        return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
+    }
+    Some((motion.frame(body, flight, t), BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None }))
+}
+
+/// How far one search goes \[s\].
+pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
+    let stretch = match ground {
+        Ground::Still => duration,
+        Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
+        Ground::Record { dt, .. } => SAMPLES * dt,
+    };
+    (t + stretch).min(duration)
+}
+
+/// Lets flights under a record keep the states that looks up to `until` start from.
+pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
+    for slot in slots.into_iter().flatten() {
+        let track = &mut world.bodies[slot];
+        if let (Trajectory::Flight(flight), Some(system)) = (&mut track.now, &track.system) {
+            system.remember(flight, until);
+        }
+    }
+}
