@@ -44,6 +44,15 @@ impl Moment {
         for contact in &mut self.contacts {
             contact.point = place(contact.contact, contact.point);
         }
+        for device in &mut self.devices {
+            let link = &model.links[device.link];
+            let end = |i: usize| match link.bodies[i].and_then(|body| Some((moved.get(body)?, &model.bodies[body]))) {
+                Some((motion, body)) => motion.place + motion.attitude * (body.axes.transpose() * link.arms[i]),
+                None => link.homes[i] + link.arms[i],
+            };
+            device.ends = [end(0), end(1)];
+            device.line = link.device.centre_line(&device.phase, device.ends);
+        }
         for opened in &mut self.opened {
             opened.point = place(opened.contact, opened.point);
         }

@@ -11,6 +11,7 @@ mod bodies;
 mod bounds;
 mod camera;
 mod crowd;
+mod devices;
 mod exaggerated;
 mod forces;
 mod friction_circle;
@@ -58,6 +59,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let bounds = Bounds::of_scene(input.scene);
     let bodies = bodies::bodies(input, moment, &palette);
     let forces = forces::forces(input, moment, &palette);
+    let devices = devices::lines(input, moment, &palette);
     let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
     let real = |i: usize, g: &gap::GapNow| moment.true_gaps.get(i).copied().flatten().unwrap_or(g.gap);
     let gaps = gaps.into_iter().enumerate();
@@ -73,7 +75,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
         solids: bodies.solids,
         ghosts: bodies.ghosts,
         lines: bodies.lines,
-        xray_lines: bodies.outline.into_iter().chain(gap_lines).chain(forces.lines).collect(),
+        xray_lines: bodies.outline.into_iter().chain(gap_lines).chain(forces.lines).chain(devices).collect(),
         cones: forces.cones,
         arrows: forces.arrows,
         marks,

@@ -6,7 +6,7 @@ use super::ViewInput;
 use super::scale::{auto_force_scale, auto_impulse_scale};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
-use crate::sim::{ContactNow, History, Hit, Motion, State};
+use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, State};
 
 /// Impulses that fade at once, at most: the latest.
 const MOST_IMPULSES: usize = 24;
@@ -53,6 +53,8 @@ pub struct Moment {
     pub facings: Vec<Facing>,
     /// Closed contacts.
     pub contacts: Vec<ContactNow>,
+    /// Devices between two points.
+    pub devices: Vec<LinkNow>,
     /// Contacts that opened a moment ago.
     pub opened: Vec<Opened>,
     /// The friction laws in use, by name; empty where nothing can touch.
@@ -104,6 +106,7 @@ impl Moment {
             facings: model.pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
+            devices: history.links(t),
             laws: match history.impact() {
                 Some(_) => Vec::new(),
                 None => law_names(model.pairs.iter().map(|p| p.contact.law)),
@@ -121,6 +124,7 @@ impl Moment {
             motions: scene.girders.iter().map(at_rest).collect(),
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
+            devices: Vec::new(),
             opened: Vec::new(),
             laws: law_names(pairs.iter().map(|p| p.contact.law)),
             ghosts: Vec::new(),

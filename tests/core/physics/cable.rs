@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Connection, Device, Phase, Separation, SeparationBounds, Switch};
-use girderbench::scene::Scene;
+use girderbench::scene::{Scene, ViewPreset};
 use girderbench::sim::{History, Session};
+use girderbench::view::{Background, Bounds, Camera, ViewInput, draw_list};
 use glam::{DMat3, DVec3};
 
 use crate::support::{scene, within};
@@ -232,6 +233,39 @@ fn a_cable_beside_the_axes_turns_the_girders_and_keeps_angular_momentum_and_ener
             within(&format!("{kind}: ledger at {t}"), books.residual / books.scale, 1e-8);
         }
     }
+}
+
+#[test]
+fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut() {
+    let scene = two_girders("planar", [SPEED, 0.0], 1.0);
+    let history = run(&scene, undamped(), 0.03);
+    let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(&scene), 1.5);
+    let strokes = |t: f64| {
+        let input = ViewInput {
+            scene: &scene,
+            history: Some(&history),
+            t,
+            camera: &camera,
+            overlays: scene.view.overlays,
+            force_scale: None,
+            selected: &[],
+            kept: &[],
+            exaggeration: 1.0,
+            size: [900, 600],
+            pixels_per_point: 1.0,
+            background: Background::Studio,
+            title: None,
+        };
+        let lines = draw_list(&input).xray_lines;
+        lines.into_iter().filter(|line| line.group == "device").collect::<Vec<_>>()
+    };
+    let taut = history.link_phases(0)[1].0 + 1e-3;
+    let ([slack], [tight]) = (&strokes(0.5)[..], &strokes(taut)[..]) else { panic!("one stroke each") };
+    assert!(tight.width > 2.0 * slack.width && tight.color != slack.color, "{tight:?} against {slack:?}");
+    let [west, east] = [0, 1].map(|girder| history.motion(girder, taut).place + DVec3::Y * 0.03);
+    let turned = 1e-3;
+    within("its west end", f64::from(tight.from.x) - (west.x + 0.2), turned);
+    within("its east end", f64::from(tight.to.x) - (east.x - 0.2), turned);
 }
 
 #[test]
