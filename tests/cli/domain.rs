@@ -22,6 +22,9 @@ const BEYOND: &[(&str, &[&str], &str)] = &[
     ("hard turn", &["girder.deck.push.moment_n_m=20"], "girder.deck.push.moment_n_m"),
     ("fast start", &["girder.deck.initial.velocity_m_s=[110, 0]"], "girder.deck.initial.velocity_m_s"),
     ("spinning start", &["girder.deck.initial.spin_deg_s=7e4"], "girder.deck.initial.spin_deg_s"),
+    ("far away", &["girder.deck.initial.displacement_m=[-10, 0]"], "girder.deck.initial.displacement_m"),
+    ("pressed in", &["girder.deck.initial.displacement_m=[0.4, 0]"], "girder.deck.initial.displacement_m"),
+    ("wound up", &["girder.deck.initial.rotation_deg=190"], "girder.deck.initial.rotation_deg"),
     ("much friction", &["contact.mu_static=2.1"], "contact.mu_static"),
 ];
 

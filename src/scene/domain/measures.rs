@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use crate::scene::{Direction, Girder, Kind, ResolvedBearing};
+use crate::scene::facing::{Facing, Side};
+use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, placed};
 
 /// The fastest rate that bearings give a girder, `max(√(k/m), c/m)` over its translations and rotations each by itself; 0
 /// without bearings \[rad/s\].
@@ -45,6 +46,25 @@ pub(super) fn spin(girder: &Girder) -> f64 {
 /// Speed of G at the start, and of the farthest corner about G \[m/s\].
 pub(super) fn start_speeds(girder: &Girder) -> [f64; 2] {
     [DVec3::from(girder.initial.velocity).length(), spin(girder) * radius(girder)]
+}
+
+/// Displacement of G at the start, and of the farthest corner about G \[m\].
+pub(super) fn start_displacements(girder: &Girder) -> [f64; 2] {
+    let turn = girder.initial.rotation_deg.to_radians().abs();
+    [DVec3::from(girder.initial.displacement).length(), turn * radius(girder)]
+}
+
+/// How deep the starts of two girders, or of one before an abutment, press their ends into each other along the first one's axis,
+/// turns left out; 0 where they do not \[m\].
+pub(super) fn pressed_by(scene: &Scene, facing: &Facing) -> f64 {
+    let Side::Girder(first, end) = facing.first else { return 0.0 };
+    let displacement = |side: Side| match side {
+        Side::Girder(n, _) => DVec3::from(scene.girders[n].initial.displacement),
+        Side::Abutment(_) => DVec3::ZERO,
+    };
+    let outward = placed::axes(&scene.girders[first]).x_axis * end.sign();
+    let closer = (displacement(facing.first) - displacement(facing.second)).dot(outward);
+    (closer - facing.gap).max(0.0)
 }
 
 /// Acceleration of G by the constant force, and of the farthest corner about G by the constant moment \[m/s²\].

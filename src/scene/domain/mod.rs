@@ -110,13 +110,22 @@ pub const ACCELERATION: Limit = Limit {
     beyond: [NOTHING, "girders may come to tumble so fast that the errors of their steps add up"],
     remedy: "lower the push, gravity or the amplitude of the ground",
 };
-/// Of G by the velocity, and of the farthest corner by the spin: what seeds cover.
+/// Of G by the velocity, of the farthest corner by the spin; and what a displaced start comes to, `ω (|d| + |θ| r)` by the fastest
+/// bearing and `√(K/M) δ` by a face that is pressed in: what seeds cover.
 pub const SPEED: Limit = Limit {
-    quantity: "speed of a corner at the start",
+    quantity: "speed of a corner at the start, or that its start leads to",
     unit: "m/s",
     range: [0.0, 100.0],
     beyond: [NOTHING, UNCHECKED],
-    remedy: "lower velocity_m_s or spin_deg_s",
+    remedy: "lower velocity_m_s, spin_deg_s, displacement_m or rotation_deg",
+};
+/// A whole turn more is the same place, but bearings in plan are wound up by it, and the angle rounds.
+pub const TURN: Limit = Limit {
+    quantity: "turn of a girder at the start",
+    unit: "°",
+    range: [0.0, 180.0],
+    beyond: [NOTHING, UNCHECKED],
+    remedy: "take whole turns away from rotation_deg",
 };
 /// What seeds cover.
 pub const FRICTION: Limit = Limit {
@@ -129,7 +138,7 @@ pub const FRICTION: Limit = Limit {
 
 /// All of them.
 pub const LIMITS: &[Limit] =
-    &[TOLERANCE, MASS, SIZE, SKEW, STIFFNESS, CONTACT_PHASE, MOTION_PHASE, ACCELERATION, SPEED, FRICTION];
+    &[TOLERANCE, MASS, SIZE, SKEW, STIFFNESS, CONTACT_PHASE, MOTION_PHASE, ACCELERATION, SPEED, TURN, FRICTION];
 
 /// A quantity of a scene that lies outside the domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -230,6 +239,11 @@ fn look_at_girder(scene: &Scene, girder: &Girder, found: &mut Departures) {
     found.look(at("initial.velocity_m_s"), speed, SPEED);
     found.look(at("initial.spin_deg_s"), corner_speed, SPEED);
     found.look(at("initial.spin_deg_s"), measures::spin(girder) * scene.duration, MOTION_PHASE);
+    found.look(at("initial.rotation_deg"), girder.initial.rotation_deg.abs(), TURN);
+    let [shifted, turned] = measures::start_displacements(girder);
+    let rate = measures::bearing_rate(girder, scene.kind);
+    found.look(at("initial.displacement_m"), rate * shifted, SPEED);
+    found.look(at("initial.rotation_deg"), rate * turned, SPEED);
     let [force, moment] = measures::push_accelerations(girder);
     found.look(at("push.force_n"), force, ACCELERATION);
     found.look(at("push.moment_n_m"), moment, ACCELERATION);
@@ -250,6 +264,11 @@ fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
     let place = "contact.stiffness_n_per_m";
     found.look_of(place, name, stiffness, STIFFNESS);
     found.look_of(place, name, stiffness.sqrt() * scene.duration, CONTACT_PHASE);
+    if let Side::Girder(n, _) = facing.first {
+        let pressed = measures::pressed_by(scene, facing);
+        let place = format!("girder.{}.initial.displacement_m", scene.girders[n].name);
+        found.look_of(place, name, stiffness.sqrt() * pressed, SPEED);
+    }
 }
 
 fn look_at_ground(scene: &Scene, found: &mut Departures) {

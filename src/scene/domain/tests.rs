@@ -155,6 +155,34 @@ fn the_ground_is_measured_by_its_peak_and_its_samples() {
 }
 
 #[test]
+fn a_displaced_start_counts_by_the_speed_that_it_leads_to() {
+    let alone = |change: fn(&mut Girder)| {
+        with(|s| {
+            s.abutments.clear();
+            change(&mut s.girders[0]);
+        })
+    };
+    // The fastest rate of the bearings is that of turning, below 25 rad/s.
+    assert_eq!(alone(|g| g.initial.displacement = [0.0, 4.0, 0.0]), []);
+    let found = alone(|g| g.initial.displacement = [0.0, 7.0, 0.0]);
+    assert_eq!((only(&found).0, only(&found).2), ("girder.deck.initial.displacement_m", SPEED));
+    let found = alone(|g| g.initial.rotation_deg = -181.0);
+    assert_eq!(only(&found), ("girder.deck.initial.rotation_deg", 181.0, TURN));
+    let long = alone(|g| {
+        g.length = 40.0;
+        g.bearings =
+            Some(Bearings::Each(vec![Bearing { at: [20.0, 0.0], stiffness: [0.0, 8e2, 0.0], damping: [0.0; 3] }]));
+        g.initial.rotation_deg = 170.0;
+    });
+    assert_eq!((only(&long).0, only(&long).2), ("girder.deck.initial.rotation_deg", SPEED));
+    // 278 rad/s: 100 m/s at a depth of 0.36 m.
+    let pressed = |x: f64| with(|s| s.girders[0].initial.displacement[0] = x);
+    assert_eq!((pressed(0.35), pressed(-0.4)), (Vec::new(), Vec::new()), "less deep, or off the wall");
+    let found = pressed(0.37);
+    assert_eq!((only(&found).0, found[0].pair.as_deref()), ("girder.deck.initial.displacement_m", Some("deck+x|wall")));
+}
+
+#[test]
 fn gravity_counts_in_a_spatial_scene() {
     assert_eq!(with(|s| s.gravity = -200.0), [], "a planar scene has none");
     let mut deck = presets::load("deck-30m").unwrap_or_else(|errors| panic!("{errors}"));
