@@ -1,9 +1,9 @@
-//! Two bodies in flight at an instant, with bounds on what they can do from then on.
+//! Poses of two bodies in flight at one time, with bounds on their later motion.
 
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::closing::constants::SAMPLES;
+use crate::dynamics::closing::constants::RECORD_SAMPLES_PER_SEARCH;
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -11,24 +11,24 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 use crate::motion::Ground;
 
-/// Two bodies in flight at an instant, or one and the ground.
+/// Two bodies in flight at one time, or one and the ground, with bounds on their motion from then on.
 #[derive(Clone, Copy)]
-pub(in crate::dynamics) struct View {
-    /// Poses; one at rest for the ground.
+pub(in crate::dynamics) struct FlightSample {
+    /// Poses; the fixed pose for the ground.
     pub frames: [Frame; 2],
-    /// What each can do from here on.
+    /// Bounds on the motion of each.
     pub bounds: [MotionBounds; 2],
-    /// What they can do against each other.
+    /// Bounds on the relative motion.
     pub between: RelativeBounds,
 }
 
-impl View {
-    /// Of the bodies in two slots at `t`; bounds hold up to `until` at most.
+impl FlightSample {
+    /// Sample of the bodies in two slots at `t`; its bounds hold up to `until` at most.
     pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
-        // One ground shakes both.
+        // Both sides have the same ground motion: its phase is evaluated once.
         let phase = world.model.ground.phase(t);
-        // An abutment's frame is that of its contact.
+        // The pose of an abutment is that of the contact's site, which replaces this one.
         let mut frames = [Frame::fixed(DVec3::ZERO); 2];
         let flyers = [0, 1].map(|side| {
             let (frame, flyer) = flyer(world, slots[side]?, t, phase, horizon)?;
@@ -53,17 +53,18 @@ fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> O
     Some((motion.frame(body, flight, t), BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None }))
 }
 
-/// How far one search goes \[s\].
+/// End of one search \[s\]: a period of a sine, [`RECORD_SAMPLES_PER_SEARCH`] samples of a record, or the end of the
+/// run.
 pub(in crate::dynamics) fn horizon(ground: &Ground, t: f64, duration: f64) -> f64 {
     let stretch = match ground {
         Ground::Still => duration,
         Ground::Sine { omega, .. } => std::f64::consts::TAU / omega,
-        Ground::Record { dt, .. } => SAMPLES * dt,
+        Ground::Record { dt, .. } => RECORD_SAMPLES_PER_SEARCH * dt,
     };
     (t + stretch).min(duration)
 }
 
-/// Lets flights under a record keep the states that looks up to `until` start from.
+/// Stores in flights under a record the states at its samples up to `until`, from which later states are computed.
 pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2], until: f64) {
     for slot in slots.into_iter().flatten() {
         let track = &mut world.bodies[slot];

@@ -1,27 +1,27 @@
-//! What a search for the next closing found, and where planned steps bound it.
+//! Result of a search for the next closing, and the end of the planned steps that bound it.
 
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
-/// What a search for the next closing of a pair found.
+/// Result of a search for the next closing of a pair.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct NextClosing {
-    /// When the pair closes or is to be searched on; infinite when neither is needed \[s\].
+    /// Time of the closing or of the end of the search; infinite without either \[s\].
     pub due: f64,
     /// Evaluations of the gap in flight.
-    pub looks: u64,
-    /// Counted against the work bound: searches that were cut short.
+    pub evaluations: u64,
+    /// Contribution to the work of the run, where the search ended at its bound of advances.
     pub work: usize,
 }
 
 impl NextClosing {
     pub(in crate::dynamics) fn at(due: f64) -> Self {
-        Self { due, looks: 0, work: 0 }
+        Self { due, evaluations: 0, work: 0 }
     }
 }
 
-/// Where the first planned step of bodies in two slots ends; nothing when both fly or stand \[s\].
-pub(in crate::dynamics) fn planned(world: &World, slots: [Option<usize>; 2]) -> Option<f64> {
+/// End of the first planned step of the bodies in two slots; `None` where neither is in a step \[s\].
+pub(in crate::dynamics) fn first_step_end(world: &World, slots: [Option<usize>; 2]) -> Option<f64> {
     let mut first = None;
     for slot in slots.into_iter().flatten() {
         if let Trajectory::Island { island, .. } = &world.bodies[slot].now

@@ -1,12 +1,13 @@
-//! When a pair of which both sides fly or stand closes next: leaps over everything that cannot close a gap.
+//! The next closing of a pair in flight, by conservative advancement.
 //!
-//! All open contacts of the pair are searched together: each look asks both flights once, and the leap is the shortest
-//! that any contact allows. A pair whose gaps are out of reach for good is not looked at again until somebody is hit.
+//! All open contacts of the pair are advanced together: each evaluation takes the states of both flights once, and
+//! the advance is the smallest that a contact allows. A pair whose gaps stay positive for the rest of the run is
+//! searched again only after an event of one of its bodies.
 
 use crate::contact::{Local, locate};
 use crate::dynamics::ContactSite;
-use crate::dynamics::closing::constants::CUT_SHORT;
-use crate::dynamics::closing::flight_view::{View, horizon, remember};
+use crate::dynamics::closing::constants::CUT_SEARCH_WORK;
+use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
@@ -22,51 +23,52 @@ use crate::dynamics::world::site_geometry::SiteGeometry;
 struct OpenContact<'a> {
     contact: usize,
     site: &'a ContactSite,
-    spot: SiteGeometry,
-    /// Which side of the pair owns the node, and which the face.
+    geometry: SiteGeometry,
+    /// Side of the pair that owns the node, and side that owns the face; `None` for an abutment.
     sides: [Option<usize>; 2],
     advancement: Advancement,
 }
 
 impl OpenContact<'_> {
-    fn look(&self, view: &View) -> Local {
-        let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &view.frames[side]);
+    fn local(&self, sample: &FlightSample) -> Local {
+        let frame = |which: usize| self.sides[which].map_or(&self.site.stand, |side| &sample.frames[side]);
         locate(&self.site.home, frame(0), frame(1))
     }
 
-    fn bounded_gap(&self, view: &View) -> BoundedGap {
-        let still = MotionBounds::still(view.between.window);
-        let bound = |which: usize| self.sides[which].map_or(&still, |side| &view.bounds[side]);
-        self.spot.bounded_gap(&self.look(view), bound(0), bound(1), &view.between)
+    fn bounded_gap(&self, sample: &FlightSample) -> BoundedGap {
+        let still = MotionBounds::still(sample.between.window);
+        let bound = |which: usize| self.sides[which].map_or(&still, |side| &sample.bounds[side]);
+        self.geometry.bounded_gap(&self.local(sample), bound(0), bound(1), &sample.between)
     }
 }
 
-/// Searches a pair from `t` on: enters the closing of each contact that closes first, and returns when the pair is to be
-/// met or searched on; infinite when neither is needed \[s\].
+/// Searches a pair from `t` on: enters the closings of the contacts that close first, and returns the time of the
+/// closing or of the end of the search, infinite without either \[s\].
 pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> NextClosing {
     let duration = world.model.duration;
     let until = horizon(&world.model.ground, t, duration);
     remember(world, world.pairs[pair].slots, until);
     let present = &*world;
-    let mut looks = 1;
-    let first = View::of(present, present.pairs[pair].slots, t, duration);
+    let mut evaluations = 1;
+    let first = FlightSample::of(present, present.pairs[pair].slots, t, duration);
     let mut open_contacts = open(present, pair, t, &first);
-    // Those that are in front now; a hunt may find others come out later.
+    // Contacts armed at `t`; the search can arm others later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
-    let out = !open_contacts.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
-    let (due, closing) = if out {
+    let never_closes =
+        !open_contacts.iter().any(|q| !(q.advancement.out_of_reach() && first.between.window >= duration - t));
+    let (due, closing) = if never_closes {
         (f64::INFINITY, Vec::new())
     } else {
-        advance_all(present, pair, &mut open_contacts, [t, until], &mut looks)
+        advance_all(present, pair, &mut open_contacts, [t, until], &mut evaluations)
     };
     let cut = closing.is_empty() && due < until;
-    let out: Vec<(usize, Option<f64>)> =
+    let rearmed: Vec<(usize, Option<f64>)> =
         open_contacts.iter().map(|q| (q.contact, q.advancement.rearmed_at())).collect();
     for contact in world.pairs[pair].contacts.clone() {
         world.contacts[contact].closing = None;
     }
-    for (contact, at) in out {
-        world.contacts[contact].out = at;
+    for (contact, at) in rearmed {
+        world.contacts[contact].rearmed_at = at;
     }
     for contact in armed {
         world.contacts[contact].state = Contact::Open { armed: true };
@@ -74,22 +76,22 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     for (contact, at) in closing {
         world.contacts[contact].closing = Some(at);
     }
-    NextClosing { due, looks, work: if cut { CUT_SHORT } else { 0 } }
+    NextClosing { due, evaluations, work: if cut { CUT_SEARCH_WORK } else { 0 } }
 }
 
-/// The open contacts of a pair; a node that has come out in front is armed again.
-fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<OpenContact<'a>> {
+/// The open contacts of a pair; a disarmed one whose gap is positive is armed again.
+fn open<'a>(world: &'a World, pair: usize, t: f64, sample: &FlightSample) -> Vec<OpenContact<'a>> {
     let slots = world.pairs[pair].slots;
-    let moved: f64 = view.frames.iter().map(|frame| frame.shift.length()).sum();
+    let moved: f64 = sample.frames.iter().map(|frame| frame.shift.length()).sum();
     let open_contact = |contact: usize| {
         let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
-        let (site, spot) = (&world.model.contacts[track.site], track.spot);
-        let unseen = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
-        let advancement = Advancement::begin(unseen, false, 0.0);
-        let mut open_contact = OpenContact { contact, site, spot, sides: track.slots.map(side), advancement };
-        let (here, resolution) = (open_contact.bounded_gap(view), RESOLUTION * (spot.size + moved));
+        let (site, geometry) = (&world.model.contacts[track.site], track.geometry);
+        let unsampled = BoundedGap { gap: 0.0, rate: 0.0, curvature: 0.0, window: 0.0, out_of_reach: false };
+        let advancement = Advancement::begin(unsampled, false, 0.0);
+        let mut open_contact = OpenContact { contact, site, geometry, sides: track.slots.map(side), advancement };
+        let (here, resolution) = (open_contact.bounded_gap(sample), RESOLUTION * (geometry.size + moved));
         let armed = armed || is_positive_again(here.gap, here.rate, t, resolution);
         open_contact.advancement = Advancement::begin(here, armed, resolution);
         Some(open_contact)
@@ -97,38 +99,40 @@ fn open<'a>(world: &'a World, pair: usize, t: f64, view: &View) -> Vec<OpenConta
     world.pairs[pair].contacts.clone().filter_map(open_contact).collect()
 }
 
-/// Leaps until a contact closes or the search has come to its end: when the pair is due, and who closes then.
+/// Advances until a contact closes or the search ends: the due time of the pair \[s\] and the contacts that close
+/// then.
 fn advance_all(
     world: &World,
     pair: usize,
     open_contacts: &mut [OpenContact<'_>],
     [mut t, until]: [f64; 2],
-    looks: &mut u64,
+    evaluations: &mut u64,
 ) -> (f64, Vec<(usize, f64)>) {
     let at_once: Vec<(usize, f64)> =
         open_contacts.iter().filter(|q| q.advancement.crosses_now()).map(|q| (q.contact, t)).collect();
     if !at_once.is_empty() {
         return (t, at_once);
     }
-    let mut views = Views { world, pair, until, seen: Vec::new() };
+    let mut samples = FlightSamples { world, pair, until, taken: Vec::new() };
     for _ in 0..MAX_ADVANCES {
         if t >= until {
             break;
         }
-        let leap =
+        let advance =
             open_contacts.iter_mut().map(|q| q.advancement.step()).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-        let Some((shortest, leap)) = leap else { break };
-        let next = (t + leap).min(until);
+        let Some((shortest, advance)) = advance else { break };
+        let next = (t + advance).min(until);
         if next <= t {
-            // Less than the clock can tell.
-            let stuck = &open_contacts[shortest];
-            return (t, if stuck.advancement.armed() { vec![(stuck.contact, t)] } else { Vec::new() });
+            // The advance is below the resolution of the time: the gap is zero to rounding, and a contact that is
+            // armed closes.
+            let contact_at = &open_contacts[shortest];
+            return (t, if contact_at.advancement.armed() { vec![(contact_at.contact, t)] } else { Vec::new() });
         }
-        views.seen.clear();
-        let there = views.at(next);
+        samples.taken.clear();
+        let there = samples.at(next);
         let closed: Vec<(usize, f64)> =
-            open_contacts.iter_mut().filter_map(|q| arrive(q, &there, [t, next], &mut views)).collect();
-        *looks += views.seen.len() as u64;
+            open_contacts.iter_mut().filter_map(|q| closing_at(q, &there, [t, next], &mut samples)).collect();
+        *evaluations += samples.taken.len() as u64;
         if let Some(first) = closed.iter().map(|(_, at)| *at).min_by(f64::total_cmp) {
             return (first, with_simultaneous(world, pair, open_contacts, closed, first));
         }
@@ -137,47 +141,47 @@ fn advance_all(
     (if t >= world.model.duration { f64::INFINITY } else { t }, Vec::new())
 }
 
-/// Looks at a pair about one instant: contacts of a flush face ask for the same ones.
-struct Views<'a> {
+/// Samples of a pair's flights near one time, kept because the contacts of a flush face ask for equal times.
+struct FlightSamples<'a> {
     world: &'a World,
     pair: usize,
     until: f64,
-    seen: Vec<(f64, View)>,
+    taken: Vec<(f64, FlightSample)>,
 }
 
-impl Views<'_> {
-    fn at(&mut self, t: f64) -> View {
-        if let Some((_, view)) = self.seen.iter().find(|(at, _)| *at == t) {
-            return *view;
+impl FlightSamples<'_> {
+    fn at(&mut self, t: f64) -> FlightSample {
+        if let Some((_, sample)) = self.taken.iter().find(|(at, _)| *at == t) {
+            return *sample;
         }
-        let view = View::of(self.world, self.world.pairs[self.pair].slots, t, self.until);
-        self.seen.push((t, view));
-        view
+        let sample = FlightSample::of(self.world, self.world.pairs[self.pair].slots, t, self.until);
+        self.taken.push((t, sample));
+        sample
     }
 }
 
-/// When a contact closes, if the look at `next` shows that it does.
-fn arrive(
+/// Closing of a contact if its sample at `next` shows one: number of the contact and time \[s\].
+fn closing_at(
     open_contact: &mut OpenContact<'_>,
-    there: &View,
+    there: &FlightSample,
     [t, next]: [f64; 2],
-    views: &mut Views<'_>,
+    samples: &mut FlightSamples<'_>,
 ) -> Option<(usize, f64)> {
-    let look = open_contact.bounded_gap(there);
-    let sight = open_contact.advancement.advance(look, next);
-    let (open_contact, until) = (&*open_contact, views.until);
-    let mut ask = |at: f64| open_contact.bounded_gap(&views.at(at));
-    match sight {
+    let gap_there = open_contact.bounded_gap(there);
+    let outcome = open_contact.advancement.advance(gap_there, next);
+    let (open_contact, until) = (&*open_contact, samples.until);
+    let mut bounded_gap_at = |at: f64| open_contact.bounded_gap(&samples.at(at));
+    match outcome {
         AdvanceOutcome::Open => None,
         AdvanceOutcome::Closed => {
             let open = open_contact.advancement.last_open(t, next);
-            Some((open_contact.contact, root(|at| -ask(at).gap, open, next)))
+            Some((open_contact.contact, root(|at| -bounded_gap_at(at).gap, open, next)))
         }
-        AdvanceOutcome::Closing => Some((open_contact.contact, polish(&mut ask, next, &look, until))),
+        AdvanceOutcome::Closing => Some((open_contact.contact, polish(&mut bounded_gap_at, next, &gap_there, until))),
     }
 }
 
-/// Contacts that close within rounding of the first close with it.
+/// Adds the contacts that close within the simultaneity interval of the first.
 fn with_simultaneous(
     world: &World,
     pair: usize,
@@ -186,10 +190,11 @@ fn with_simultaneous(
     first: f64,
 ) -> Vec<(usize, f64)> {
     if closed.len() < open_contacts.len() {
-        let at = first + world.pairs[pair].together;
-        let view = View::of(world, world.pairs[pair].slots, at, at);
+        let at = first + world.pairs[pair].simultaneity;
+        let sample = FlightSample::of(world, world.pairs[pair].slots, at, at);
         for open_contact in open_contacts.iter().filter(|q| q.advancement.armed()) {
-            if closed.iter().all(|(contact, _)| *contact != open_contact.contact) && open_contact.look(&view).gap < 0.0
+            if closed.iter().all(|(contact, _)| *contact != open_contact.contact)
+                && open_contact.local(&sample).gap < 0.0
             {
                 closed.push((open_contact.contact, at));
             }

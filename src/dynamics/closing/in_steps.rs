@@ -1,7 +1,7 @@
 //! The first closing of a pair within planned steps: subdivision with a bound on the gap's second derivative.
 
 use crate::contact::{Frame, Local, gap, locate};
-use crate::dynamics::closing::constants::{INSTANT, LOOKS, SPEED};
+use crate::dynamics::closing::constants::{CLOSING_INTERVAL, SPEED_ROUNDING, STEP_SAMPLES};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
@@ -11,58 +11,60 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::Trajectory;
 
-/// The first closing of a pair within planned steps.
+/// Searches the first closing of a pair from `t` to `until`, the end of the first planned step; enters the closing of
+/// each contact and returns the first, infinite without one \[s\].
 pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until: f64) -> f64 {
     let contacts = world.pairs[pair].contacts.clone();
     for contact in contacts.clone() {
-        (world.contacts[contact].closing, world.contacts[contact].out) = (None, None);
+        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
     }
     if contacts.clone().all(|c| world.contacts[c].state.closed().is_some()) {
         return f64::INFINITY;
     }
-    let mut views = Views::begin(world, pair, t, until);
-    if too_short(world, pair, &views) {
+    let mut samples = StepSamples::begin(world, pair, t, until);
+    if cannot_close(world, pair, &samples) {
         return f64::INFINITY;
     }
     let mut first = f64::INFINITY;
     for contact in contacts {
         let (closing, out) =
-            open(world, contact, t).map_or((None, None), |armed| in_step(world, contact, &mut views, armed));
-        (world.contacts[contact].closing, world.contacts[contact].out) = (closing, out);
+            open(world, contact, t).map_or((None, None), |armed| in_step(world, contact, &mut samples, armed));
+        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, out);
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
     first
 }
 
-/// Whether the planned steps are too short for any open contact of the pair to close, by one look at all of them.
-fn too_short(world: &World, pair: usize, views: &Views) -> bool {
+/// Whether the gap of every open contact exceeds the bound on the excursion of both bodies, by one sample.
+fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
     let slots = world.pairs[pair].slots;
-    let (mut least, mut longest) = (f64::INFINITY, [0.0f64; 2]);
+    let (mut least_gap, mut longest_arm) = (f64::INFINITY, [0.0f64; 2]);
     for contact in world.pairs[pair].contacts.clone() {
         let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { continue };
         if !armed {
             return false;
         }
-        let here = views.look(world, contact, 0);
-        least = least.min(here.gap);
+        let here = samples.local(world, contact, 0);
+        least_gap = least_gap.min(here.gap);
         for (slot, arm) in track.slots.into_iter().zip(world.model.contacts[track.site].levers(&here)) {
             let side = usize::from(slot == slots[1]);
-            longest[side] = longest[side].max(arm);
+            longest_arm[side] = longest_arm[side].max(arm);
         }
     }
-    let [t, until] = [views.times[0], views.times[LOOKS - 1]];
-    let far = |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, longest[side], t, until));
-    least > far(0) + far(1)
+    let [t, until] = [samples.times[0], samples.times[STEP_SAMPLES - 1]];
+    let excursions = |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, longest_arm[side], t, until));
+    least_gap > excursions(0) + excursions(1)
 }
 
-/// Whether an open contact is armed; nothing for a closed one. A node that has come out in front is armed again.
+/// Whether an open contact is armed; `None` for a closed one. A disarmed contact whose gap is positive is armed
+/// again.
 fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
     let Contact::Open { armed } = world.contacts[contact].state else { return None };
     if armed {
         return Some(true);
     }
-    let here = look(world, contact, t);
+    let here = local_at(world, contact, t);
     let out = is_positive_again(here.gap, here.gap_rate, t, resolution(world, contact, t));
     if out {
         world.contacts[contact].state = Contact::Open { armed: true };
@@ -70,43 +72,43 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
     Some(out)
 }
 
-fn look(world: &World, contact: usize, t: f64) -> Local {
+fn local_at(world: &World, contact: usize, t: f64) -> Local {
     let site = &world.model.contacts[world.contacts[contact].site];
     locate(&site.home, &world.side(contact, 0, t), &world.side(contact, 1, t))
 }
 
-/// Depth of a dip of a contact's gap that is rounding from `t` on \[m\].
+/// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     let track = &world.contacts[contact];
-    // Places round with how far the bodies have come, too.
+    // The round-off of positions grows with the displacement of the bodies.
     let moved: f64 = track.slots.into_iter().flatten().map(|slot| world.frame(slot, t).shift.length()).sum();
-    RESOLUTION * (track.spot.size + moved)
+    RESOLUTION * (track.geometry.size + moved)
 }
 
-/// Poses of a pair's bodies at the looks of a planned step, for all of its contacts.
-struct Views {
-    times: [f64; LOOKS],
-    frames: [[Frame; 2]; LOOKS],
-    /// Whether the frames are those of all looks, not of the first alone.
+/// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
+struct StepSamples {
+    times: [f64; STEP_SAMPLES],
+    frames: [[Frame; 2]; STEP_SAMPLES],
+    /// Whether the poses of all sample times are computed, not of the first alone.
     filled: bool,
     slots: [Option<usize>; 2],
 }
 
-impl Views {
-    /// With the first look only.
+impl StepSamples {
+    /// With the poses of the first sample time.
     fn begin(world: &World, pair: usize, t: f64, until: f64) -> Self {
         let slots = world.pairs[pair].slots;
-        let part = |i: usize| (until - t) * i as f64 / (LOOKS - 1) as f64;
-        let times = std::array::from_fn(|i| if i == LOOKS - 1 { until } else { t + part(i) });
-        Self { times, frames: [Self::frames(world, slots, t); LOOKS], filled: false, slots }
+        let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
+        let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
+        Self { times, frames: [Self::frames(world, slots, t); STEP_SAMPLES], filled: false, slots }
     }
 
-    /// The other looks.
+    /// Computes the poses of the other sample times.
     fn fill(&mut self, world: &World) {
         if std::mem::replace(&mut self.filled, true) {
             return;
         }
-        for i in 1..LOOKS {
+        for i in 1..STEP_SAMPLES {
             self.frames[i] = Self::frames(world, self.slots, self.times[i]);
         }
     }
@@ -115,24 +117,24 @@ impl Views {
         slots.map(|slot| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| world.frame(slot, t)))
     }
 
-    /// Pose of one of the pair's bodies at a look.
+    /// Pose of one of the pair's bodies at sample `i`.
     fn side(&self, slot: Option<usize>, i: usize) -> &Frame {
         &self.frames[i][usize::from(slot == self.slots[1])]
     }
 
-    /// Poses of a contact's node and face at a look.
+    /// Poses of node's and face's body of a contact at sample `i`.
     fn sides<'a>(&'a self, world: &'a World, contact: usize, i: usize) -> [&'a Frame; 2] {
         let track = &world.contacts[contact];
         let site = &world.model.contacts[track.site];
         track.slots.map(|slot| if slot.is_some() { self.side(slot, i) } else { &site.stand })
     }
 
-    fn look(&self, world: &World, contact: usize, i: usize) -> Local {
+    fn local(&self, world: &World, contact: usize, i: usize) -> Local {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
         locate(&site.home, node, face)
     }
 
-    /// The gap alone.
+    /// Gap and rate of a contact at sample `i`.
     fn gap(&self, world: &World, contact: usize, i: usize) -> GapSample {
         let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
         let [gap, rate] = gap(&site.home, node, face);
@@ -140,14 +142,16 @@ impl Views {
     }
 }
 
-/// What the rate of a contact's gap may err by: its bodies' steps, or their rounding \[m/s\].
-fn noise(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
-    let SiteGeometry { arm, apart, .. } = world.contacts[contact].spot;
+/// Error bound of the rate of a contact's gap \[m/s\]: the tolerance of the run, at least round-off, times the speeds
+/// of node and face.
+fn rate_error(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
+    let SiteGeometry { arm, apart, .. } = world.contacts[contact].geometry;
     let speed = |(side, arm): (&Frame, f64)| side.velocity.length() + side.spin.length() * arm;
-    world.model.tolerance.max(SPEED) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
+    world.model.tolerance.max(SPEED_ROUNDING) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
 }
 
-/// How far a point at `arm` from a body's G can go within its planned step, at most \[m\].
+/// Bound on the displacement of a point at `arm` \[m\] from a body's G from `from` to `until` \[m\]; infinite where
+/// no bound holds.
 fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
     match (&world.bodies[slot].now, &world.bodies[slot].system) {
         (Trajectory::Island { island, index }, _) => {
@@ -164,54 +168,61 @@ fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64
     }
 }
 
-/// A side is in a planned step: looks at gap and rate, as many as it takes to know that nothing hides between two; one
-/// look where the steps are too short to close the gap. When it closes, and when it comes out in front if it was behind.
-fn in_step(world: &World, contact: usize, views: &mut Views, armed: bool) -> (Option<f64>, Option<f64>) {
-    let (t, until) = (views.times[0], views.times[LOOKS - 1]);
+/// Closing of a contact, and time from which it is armed if it was not \[s\], where a body is in a planned step: from
+/// the first sample alone where the bounds on excursion or curvature exclude a closing, otherwise by subdivision with
+/// the curvature bound.
+fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool) -> (Option<f64>, Option<f64>) {
+    let (t, until) = (samples.times[0], samples.times[STEP_SAMPLES - 1]);
     if until <= t {
         return (None, None);
     }
-    let before = views.look(world, contact, 0);
+    let before = samples.local(world, contact, 0);
     let track = &world.contacts[contact];
     let arms = world.model.contacts[track.site].levers(&before);
-    let far =
+    let excursions =
         track.slots.into_iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until)));
-    if armed && before.gap > far.sum::<f64>() {
+    if armed && before.gap > excursions.sum::<f64>() {
         return (None, None);
     }
-    let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| views.side(slot, 0).shift.length())).sum();
-    let resolution = RESOLUTION * (track.spot.size + moved);
-    if armed && before.gap <= resolution && before.gap_rate < -noise(world, contact, views.sides(world, contact, 0)) {
+    let moved: f64 = track.slots.iter().map(|&slot| slot.map_or(0.0, |_| samples.side(slot, 0).shift.length())).sum();
+    let resolution = RESOLUTION * (track.geometry.size + moved);
+    if armed
+        && before.gap <= resolution
+        && before.gap_rate < -rate_error(world, contact, samples.sides(world, contact, 0))
+    {
         return (Some(t), None);
     }
-    let node = usize::from(track.slots[0] == views.slots[1]);
-    let slots = views.slots;
-    let whole = GapCurvature::of(world, slots, t, until);
+    let node = usize::from(track.slots[0] == samples.slots[1]);
+    let slots = samples.slots;
+    let bounds = GapCurvature::of(world, slots, t, until);
     let span = until - t;
-    // Over the whole step a node is no further from its face's G than that and all its way.
-    let most = whole.curvature(node, arms, span);
-    if armed && whole.holds(span) && before.gap > resolution + span * ((-before.gap_rate).max(0.0) + 0.5 * most * span)
+    // Over the whole step the distance of the node from the face's G is at most its distance at the start plus its
+    // excursion.
+    let curvature_bound = bounds.curvature(node, arms, span);
+    if armed
+        && bounds.holds(span)
+        && before.gap > resolution + span * ((-before.gap_rate).max(0.0) + 0.5 * curvature_bound * span)
     {
         return (None, None);
     }
-    let bend = |from: &GapSample, to: f64| {
-        if whole.holds(span) {
-            return most;
+    let curvature = |from: &GapSample, to: f64| {
+        if bounds.holds(span) {
+            return curvature_bound;
         }
         let part = GapCurvature::of(world, slots, from.t, to);
-        let arms = world.model.contacts[track.site].levers(&look(world, contact, from.t));
+        let arms = world.model.contacts[track.site].levers(&local_at(world, contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };
     let site = &world.model.contacts[track.site];
-    let ask = |at: f64| {
+    let gap_at = |at: f64| {
         let [gap, rate] = gap(&site.home, &world.side(contact, 0, at), &world.side(contact, 1, at));
         GapSample { t: at, gap, rate }
     };
-    let noise = |at: f64| noise(world, contact, [&world.side(contact, 0, at), &world.side(contact, 1, at)]);
-    views.fill(world);
-    let looks: [GapSample; LOOKS] = std::array::from_fn(|i| views.gap(world, contact, i));
-    let instant = INSTANT * world.pairs[track.pair].together;
-    let mut subdivision = Subdivision::new((ask, bend, noise), armed, resolution, instant);
-    let closing = subdivision.first_closing(&looks);
+    let rate_error = |at: f64| rate_error(world, contact, [&world.side(contact, 0, at), &world.side(contact, 1, at)]);
+    samples.fill(world);
+    let gaps: [GapSample; STEP_SAMPLES] = std::array::from_fn(|i| samples.gap(world, contact, i));
+    let interval = CLOSING_INTERVAL * world.pairs[track.pair].simultaneity;
+    let mut subdivision = Subdivision::new((gap_at, curvature, rate_error), armed, resolution, interval);
+    let closing = subdivision.first_closing(&gaps);
     (closing, subdivision.rearmed_at())
 }

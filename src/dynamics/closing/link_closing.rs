@@ -1,12 +1,12 @@
-//! When the force of a device that does not act begins next: the first zero of its gap, on the trajectories that the bodies at
-//! its ends are on.
+//! The next beginning of a device's force: the first zero of its gap on the present trajectories of the bodies at its
+//! ends.
 
 use glam::DVec3;
 
 use crate::contact::Frame;
-use crate::dynamics::closing::constants::{CUT_SHORT, INSTANT, LOOKS, SPEED};
-use crate::dynamics::closing::flight_view::{View, horizon, remember};
-use crate::dynamics::closing::found::{NextClosing, planned};
+use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPEED_ROUNDING, STEP_SAMPLES};
+use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
+use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::connection::{Separation, SeparationBounds};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
@@ -16,14 +16,14 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
-/// Searches the beginning of a link's force from `t` on, and enters it in the link's track.
+/// Searches the beginning of a link's force from `t` on and enters it in the link's track.
 pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
     world.links[link].begins = None;
     if world.link_acts(link) {
         return NextClosing::at(f64::INFINITY);
     }
     let slots = world.links[link].slots;
-    match planned(world, slots) {
+    match first_step_end(world, slots) {
         Some(until) => {
             world.links[link].begins = in_steps(world, link, t, until);
             NextClosing::at(world.links[link].begins.unwrap_or(f64::INFINITY))
@@ -32,16 +32,16 @@ pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> Nex
     }
 }
 
-/// Both ends fly or stand: conservative advancement.
+/// Conservative advancement where neither end is in a planned step.
 fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     let (duration, slots) = (world.model.duration, world.links[link].slots);
     let until = horizon(&world.model.ground, t, duration);
     remember(world, slots, until);
     let present = &*world;
-    let (mut looks, size) = (1, resolution(present, link, t));
+    let (mut evaluations, size) = (1, resolution(present, link, t));
     let here = bounded_gap(present, link, t, duration);
     let sample = |at: f64| {
-        looks += 1;
+        evaluations += 1;
         bounded_gap(present, link, at, until)
     };
     let found = if here.out_of_reach && here.window >= duration - t {
@@ -52,23 +52,25 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     match found {
         FirstZero::Crossing(at) => {
             world.links[link].begins = Some(at);
-            NextClosing { due: at, looks, work: 0 }
+            NextClosing { due: at, evaluations, work: 0 }
         }
-        FirstZero::NoneUntil(end) if end >= duration => NextClosing { due: f64::INFINITY, looks, work: 0 },
-        FirstZero::NoneUntil(end) => NextClosing { due: end, looks, work: if end < until { CUT_SHORT } else { 0 } },
+        FirstZero::NoneUntil(end) if end >= duration => NextClosing { due: f64::INFINITY, evaluations, work: 0 },
+        FirstZero::NoneUntil(end) => {
+            NextClosing { due: end, evaluations, work: if end < until { CUT_SEARCH_WORK } else { 0 } }
+        }
     }
 }
 
-/// Gap of a device in flight at `t`, with what bounds it up to `until` at most.
+/// Gap of a device in flight at `t` with a bound on its second derivative, valid up to `until` at most.
 fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
     let LinkTrack { link, slots, phase, .. } = &world.links[link];
-    let (view, link) = (View::of(world, *slots, t, until), &world.model.links[*link]);
-    let frames = link.frames(|end| slots[end].map(|_| view.frames[end]));
+    let (sample, link) = (FlightSample::of(world, *slots, t, until), &world.model.links[*link]);
+    let frames = link.frames(|end| slots[end].map(|_| sample.frames[end]));
     let (motion, _) = link.motion([&frames[0], &frames[1]]);
     let arms = link.arms.map(DVec3::length);
     let sum =
-        |of: fn(&MotionBounds) -> f64| view.bounds.iter().zip(arms).map(|(bound, arm)| of(bound) * arm).sum::<f64>();
-    let between = &view.between;
+        |of: fn(&MotionBounds) -> f64| sample.bounds.iter().zip(arms).map(|(bound, arm)| of(bound) * arm).sum::<f64>();
+    let between = &sample.between;
     let bounds = SeparationBounds {
         distance: motion.placed.length() + between.reach + sum(|bound| bound.turn),
         speed: between.speed + sum(|bound| bound.spin),
@@ -79,24 +81,24 @@ fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
     BoundedGap { gap, rate, curvature, window: between.window, out_of_reach: link.device.stays_idle(phase, &bounds) }
 }
 
-/// An end is in a planned step: subdivision up to where the first of the steps ends.
+/// Subdivision up to the end of the first planned step of the ends.
 fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     if until <= t {
         return None;
     }
-    let LinkTrack { link, slots, phase, together, .. } = &world.links[number];
+    let LinkTrack { link, slots, phase, simultaneity, .. } = &world.links[number];
     let link = &world.model.links[*link];
     let resolution = resolution(world, number, t);
     let gap = |at: f64| {
         let [gap, rate] = link.device.gap(phase, &motion(world, number, at));
         GapSample { t: at, gap, rate }
     };
-    let noise = |at: f64| {
+    let rate_error = |at: f64| {
         let frames = frames(world, number, at);
         let speed = |i: usize| frames[i].velocity.length() + frames[i].spin.length() * link.arms[i].length();
-        world.model.tolerance.max(SPEED) * (speed(0) + speed(1))
+        world.model.tolerance.max(SPEED_ROUNDING) * (speed(0) + speed(1))
     };
-    let bend = |from: &GapSample, to: f64| {
+    let curvature_bound = |from: &GapSample, to: f64| {
         let curvature = GapCurvature::of(world, *slots, from.t, to);
         if !curvature.holds(to - from.t) {
             return f64::INFINITY;
@@ -106,12 +108,14 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         link.device.gap_curvature(phase, &bounds)
     };
     let first = gap(t);
-    if first.gap <= resolution && first.rate < -noise(t) {
+    if first.gap <= resolution && first.rate < -rate_error(t) {
         return Some(t);
     }
-    let part = |i: usize| if i == LOOKS - 1 { until } else { t + (until - t) * i as f64 / (LOOKS - 1) as f64 };
-    let looks: [GapSample; LOOKS] = std::array::from_fn(|i| gap(part(i)));
-    Subdivision::new((gap, bend, noise), true, resolution, INSTANT * together).first_closing(&looks)
+    let part =
+        |i: usize| if i == STEP_SAMPLES - 1 { until } else { t + (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64 };
+    let samples: [GapSample; STEP_SAMPLES] = std::array::from_fn(|i| gap(part(i)));
+    Subdivision::new((gap, curvature_bound, rate_error), true, resolution, CLOSING_INTERVAL * simultaneity)
+        .first_closing(&samples)
 }
 
 /// Poses of a link's ends at `t`.
@@ -120,13 +124,13 @@ fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
     world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, t)))
 }
 
-/// Motion of a link's points at `t`.
+/// Relative motion of a link's points at `t`.
 pub(in crate::dynamics) fn motion(world: &World, number: usize, t: f64) -> Separation {
     let frames = frames(world, number, t);
     world.model.links[world.links[number].link].motion([&frames[0], &frames[1]]).0
 }
 
-/// Depth of a dip of the gap that is rounding at `t` \[m\].
+/// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 fn resolution(world: &World, number: usize, t: f64) -> f64 {
     let moved: f64 = frames(world, number, t).iter().map(|frame| frame.shift.length()).sum();
     RESOLUTION * (world.model.links[world.links[number].link].size() + moved)

@@ -1,4 +1,4 @@
-//! When an open gap closes next: in flight, inside a planned step, and for a pair that moves along one axis.
+//! Search for the next closing of an open gap: in flight, within planned steps, and for a pair on one axis.
 
 pub(in crate::dynamics) mod collinear_pair;
 pub(in crate::dynamics) mod constants;
