@@ -106,6 +106,14 @@ pub(in crate::dynamics) const RETRY_DOUBLINGS: u32 = 36;
 /// away again and again in one touch exceeds its cone. Tuned.
 pub(in crate::dynamics) const WIDEST_STICK_BAND: f64 = 5e-9;
 
+// Simultaneous events
+
+/// Interval within which equal events of contacts change state together, in radians of the fastest motion \[rad\]
+/// (`docs/physics.md#simultaneous-events`). Tuned: far above the rounding of an event's time, far below a period.
+pub(in crate::dynamics) const SIMULTANEOUS_PHASE: f64 = 1e-9;
+/// Radian per simultaneity interval \[1/rad\], the reciprocal of [`SIMULTANEOUS_PHASE`].
+pub(in crate::dynamics) const SIMULTANEOUS_PER_RADIAN: f64 = 1e9;
+
 // Forecast and differences
 
 /// Time over which switching functions are differenced for the forecast, in radians of the fastest motion \[rad\].

@@ -1,9 +1,11 @@
 //! The state of one group of bodies while a run under the contact model is computed.
 //!
-//! [`World`] holds bodies, facing pairs, contacts and islands at the present time with the trajectories and predictions in
-//! force. It has no queue and no record: closing reads it, the contact model changes it.
+//! [`World`] holds bodies, facing pairs, contacts, links and islands at the present time, with their present
+//! trajectories and the times found by searches on these. The event queue and the record are elsewhere; `closing`
+//! reads a world and enters what it finds, `contact_model` changes it.
 
 pub(in crate::dynamics) mod axial_gap;
+mod constants;
 pub(in crate::dynamics) mod poses;
 pub(in crate::dynamics) mod setup;
 pub(in crate::dynamics) mod site_geometry;
@@ -15,19 +17,19 @@ use crate::dynamics::Model;
 use crate::dynamics::penalty3d::island::Island;
 use tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack};
 
-/// Bodies, pairs, contacts and islands of one group.
+/// Bodies, pairs, contacts, links and islands of one group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct World {
-    /// The constant data.
+    /// Constant data of the scene.
     pub model: Arc<Model>,
-    /// Bodies of the group; a body's place here is its slot.
+    /// Bodies of the group; the index of a body is its slot.
     pub bodies: Vec<BodyTrack>,
     /// Facing pairs.
     pub pairs: Vec<PairTrack>,
-    /// Contacts, those of one pair side by side.
+    /// Contacts, those of one pair in succession.
     pub contacts: Vec<ContactTrack>,
     /// Links.
     pub links: Vec<LinkTrack>,
-    /// Bodies that are integrated together; nothing at a number that is not in use.
+    /// Bodies that are integrated together; `None` at a vacant number.
     pub islands: Vec<Option<Box<Island>>>,
 }

@@ -1,4 +1,4 @@
-//! Where the bodies of a group are on the trajectories that they are on.
+//! States and poses of the bodies of a group on their present trajectories.
 
 use crate::contact::Frame;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -6,7 +6,7 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
 impl World {
-    /// State of a body on its trajectory.
+    /// State of a body at `t` on its trajectory, relative to its placed pose.
     pub(in crate::dynamics) fn state(&self, slot: usize, t: f64) -> Vec<f64> {
         let track = &self.bodies[slot];
         match &track.now {
@@ -26,8 +26,9 @@ impl World {
         }
     }
 
-    /// State of a body that is about to touch, and what it is counted from: where it is, unless it touches already.
-    pub(in crate::dynamics) fn caught(&self, slot: usize, t: f64) -> (ReferencePose, Vec<f64>) {
+    /// Reference pose of a body at `t` and its state relative to that pose: those of its island, or the pose at `t`
+    /// for a body in flight or integrated alone.
+    pub(in crate::dynamics) fn state_from_reference(&self, slot: usize, t: f64) -> (ReferencePose, Vec<f64>) {
         let track = &self.bodies[slot];
         if let Trajectory::Island { island, index } = track.now
             && let Some(island) = &self.islands[island]
@@ -39,7 +40,7 @@ impl World {
         (self.model.bodies[track.body].rebase(&mut state), state)
     }
 
-    /// Pose of a body on its trajectory.
+    /// Pose of a body at `t` on its trajectory, relative to its placed pose.
     pub(in crate::dynamics) fn frame(&self, slot: usize, t: f64) -> Frame {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
@@ -53,7 +54,7 @@ impl World {
         }
     }
 
-    /// Pose of one side of a contact.
+    /// Pose of the node's (`side` 0) or the face's (1) body of a contact; the fixed pose of an abutment.
     pub(in crate::dynamics) fn side(&self, contact: usize, side: usize, t: f64) -> Frame {
         let track = &self.contacts[contact];
         match track.slots[side] {

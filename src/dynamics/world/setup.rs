@@ -1,4 +1,5 @@
-//! A group of bodies at t = 0, at rest as placed, with its facing pairs and open contacts; which of them belong together.
+//! A group of bodies at t = 0, at rest as placed, with its facing pairs, open contacts and links; connected
+//! components of bodies whose connections act.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,21 +7,19 @@ use std::sync::Arc;
 use crate::contact::NormalLaw;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
+use crate::dynamics::penalty3d::constants::SIMULTANEOUS_PHASE;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
+use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::{BodyTrack, ContactTrack, LinkTrack, PairTrack, Trajectory};
-
-/// Impact speed at which a pair's time scale is taken \[m/s\]; that of a linear law depends on no speed, that of Hertz's on its
-/// fifth root.
-const NOMINAL_SPEED: f64 = 1.0;
+use crate::dynamics::world::tracks::{BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
 
 impl World {
-    /// A group of bodies by its number in the model.
+    /// The group of this number in the model.
     pub(in crate::dynamics) fn of(model: &Arc<Model>, group: usize) -> Self {
         let mut world = Self {
             model: Arc::clone(model),
@@ -63,24 +62,24 @@ impl World {
                     site,
                     pair: self.pairs.len(),
                     slots: owners,
-                    spot: SiteGeometry::of(&model, site),
+                    geometry: SiteGeometry::of(&model, site),
                     rivals: Vec::new(),
                     state: Contact::Open { armed: true },
                     closing: None,
-                    out: None,
+                    rearmed_at: None,
                     log: ContactLog::default(),
-                    counted: (0, -1.0, 0),
+                    changes: ChangeCount::default(),
                 });
             }
             for slot in slots.into_iter().flatten() {
                 self.bodies[slot].pairs.push(self.pairs.len());
             }
             let mass = pair.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
-            let together = 1e-9 / pair.law.normal.frequency(mass, NOMINAL_SPEED);
+            let simultaneity = SIMULTANEOUS_PHASE / pair.law.normal.frequency(mass, NOMINAL_IMPACT_SPEED);
             let contacts = from..self.contacts.len();
-            let sites: Vec<_> = self.contacts[from..].iter().map(|track| (track.site, track.spot)).collect();
+            let sites: Vec<_> = self.contacts[from..].iter().map(|track| (track.site, track.geometry)).collect();
             let axial = AxialGap::of(&model, number, &sites);
-            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, together, axial });
+            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, simultaneity, axial });
         }
         self.find_rivals(pairs);
         for &number in &model.group_links[number] {
@@ -97,13 +96,13 @@ impl World {
         let phase = link.device.initial(&link.motion([&frames[0], &frames[1]]).0);
         let stiffness = link.device.stiffness_bound(&phase);
         let mass = link.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);
-        // A device without stiffness changes in no time scale of its own; that of a unit frequency then.
-        let frequency = if stiffness > 0.0 { (stiffness / mass).sqrt() } else { 1.0 };
-        let (together, log) = (1e-9 / frequency, LinkLog::default());
-        self.links.push(LinkTrack { link: number, slots, phase, begins: None, together, log });
+        // A device without stiffness has no time scale; a nominal frequency stands for it.
+        let frequency = if stiffness > 0.0 { (stiffness / mass).sqrt() } else { NOMINAL_FREQUENCY };
+        let (simultaneity, log) = (SIMULTANEOUS_PHASE / frequency, LinkLog::default());
+        self.links.push(LinkTrack { link: number, slots, phase, begins: None, simultaneity, log });
     }
 
-    /// Tells the contacts of each node of one another, where a side is in more than one pair.
+    /// Enters in each contact the other contacts of its node, where an end is in more than one pair.
     fn find_rivals(&mut self, pairs: &[usize]) {
         let model = Arc::clone(&self.model);
         let mut sides: Vec<_> = pairs.iter().flat_map(|&n| [model.pairs[n].first, model.pairs[n].second]).collect();
@@ -122,7 +121,7 @@ impl World {
         }
     }
 
-    /// The pairs that bodies are in, rising.
+    /// Numbers of the pairs of these bodies, ascending.
     pub(in crate::dynamics) fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
         let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
         pairs.sort_unstable();
@@ -130,7 +129,7 @@ impl World {
         pairs
     }
 
-    /// The links that bodies are at, rising.
+    /// Numbers of the links of these bodies, ascending.
     pub(in crate::dynamics) fn links_of(&self, slots: &[usize]) -> Vec<usize> {
         let mut links: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].links.iter().copied()).collect();
         links.sort_unstable();
@@ -148,7 +147,7 @@ impl World {
         self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some())
     }
 
-    /// Slots at both ends of every connection of a body whose force acts: pairs that touch, then links.
+    /// Slots at both ends of every connection of a body whose force acts: pairs with a closed contact, then links.
     fn joined_at(&self, slot: usize) -> impl Iterator<Item = [Option<usize>; 2]> + '_ {
         let body = &self.bodies[slot];
         let pairs = body.pairs.iter().filter(|&&pair| self.pair_acts(pair)).map(|&pair| self.pairs[pair].slots);
@@ -156,7 +155,7 @@ impl World {
         pairs.chain(links)
     }
 
-    /// Groups of positions in `slots` whose bodies a chain of connections joins whose forces act.
+    /// Connected components of `slots` under connections whose force acts, as positions in `slots`.
     pub(in crate::dynamics) fn joined(&self, slots: &[usize]) -> Vec<Vec<usize>> {
         let mut label: Vec<usize> = (0..slots.len()).collect();
         let position = |slot: usize| slots.binary_search(&slot).ok();

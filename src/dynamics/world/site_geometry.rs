@@ -6,16 +6,16 @@ use crate::dynamics::free_flight::relative_bounds::RelativeBounds;
 use crate::dynamics::locate::advancement::BoundedGap;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
-/// Where the two sides of a contact stand as placed.
+/// Geometry of a contact site as placed.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct SiteGeometry {
-    /// Gap \[m\].
+    /// Gap as placed \[m\].
     pub home_gap: f64,
-    /// Node from its G \[m\].
+    /// Distance of the node from G of its own body \[m\].
     pub arm: f64,
-    /// Node from the face body's G \[m\].
+    /// Distance of the node from G of the face's body as placed \[m\].
     pub apart: f64,
-    /// Size of what moves, which its places round with \[m\].
+    /// Size of the contact geometry, to which round-off of positions is proportional \[m\].
     pub size: f64,
 }
 
@@ -26,7 +26,8 @@ impl SiteGeometry {
         Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size() }
     }
 
-    /// What the gap can do at most.
+    /// The gap `here` with a bound on `|g̈|` from bounds on the motion of both bodies and on their relative motion,
+    /// and whether these exclude a closing.
     pub(in crate::dynamics) fn bounded_gap(
         &self,
         here: &Local,
@@ -36,7 +37,7 @@ impl SiteGeometry {
     ) -> BoundedGap {
         let apart = self.apart + between.reach + node.turn * self.arm;
         let turn = |spin: f64, spin_rate: f64, arm: f64| (spin_rate + spin * spin) * arm;
-        // g = n·r, r from the face's G to the node: n turns with the face.
+        // g = n·r, r from the face's G to the node, n fixed to the face: g̈ = n·r̈ + 2 ṅ·ṙ + n̈·r.
         let curvature = between.acceleration
             + turn(node.spin, node.spin_rate, self.arm)
             + turn(face.spin, face.spin_rate, apart)

@@ -1,5 +1,5 @@
-//! What one group of bodies is made of while it is computed: bodies, facing pairs, contacts, with their states and the
-//! predictions in force.
+//! Bodies, facing pairs, links and contacts of one group during a run: present states, trajectories, and times found
+//! by searches.
 
 use crate::dynamics::connection::Phase;
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
@@ -11,36 +11,36 @@ use crate::dynamics::trajectory::stored_path::StoredPath;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
-/// How a body moves from now on.
+/// Present trajectory of a body.
 #[derive(Debug)]
 pub(in crate::dynamics) enum Trajectory {
-    /// Not yet begun.
+    /// At rest as placed, before t = 0 is handled.
     Placed,
-    /// In closed form, until something happens.
+    /// In closed form until the next event of the body.
     Flight(BodyFlight),
-    /// With others, as that island's body of that number.
+    /// Member `index` of the island of number `island`.
     Island { island: usize, index: usize },
 }
 
 /// A body of the group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct BodyTrack {
-    /// Its number in the model.
+    /// Number in the model.
     pub body: usize,
-    /// Its free motion, where that has a closed form.
+    /// Free motion of the body; `None` where that has no closed form.
     pub system: Option<BodyMotion>,
-    /// What it does now.
+    /// Present trajectory.
     pub now: Trajectory,
-    /// What it did.
+    /// Past trajectory.
     pub path: StoredPath,
-    /// The pairs it is in.
+    /// Numbers of its pairs in the group, ascending.
     pub pairs: Vec<usize>,
-    /// The links it is at.
+    /// Numbers of its links in the group, ascending.
     pub links: Vec<usize>,
 }
 
 impl BodyTrack {
-    /// A flight as a segment of the path that ends at `t`, with the states that a record's samples are counted from.
+    /// A flight as a segment of the path that ends at `t`, with its states at the samples of a record.
     pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> Segment {
         let mut flight = flight.clone();
         if let Some(system) = &self.system {
@@ -53,66 +53,93 @@ impl BodyTrack {
 /// A pair of the group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct PairTrack {
-    /// Its number in the model.
+    /// Number in the model.
     pub pair: usize,
-    /// Slots of its bodies; nothing for an abutment.
+    /// Slots of its bodies; `None` for an abutment.
     pub slots: [Option<usize>; 2],
-    /// Its contacts in the engine.
+    /// Numbers of its contacts in the group.
     pub contacts: std::ops::Range<usize>,
-    /// Nodes that share K and C while it is closed; 0 while it is open.
+    /// Number of nodes that share K and C while a contact of the pair is closed; 0 while all are open.
     pub sharers: usize,
-    /// Two events closer than this are one \[s\].
-    pub together: f64,
-    /// Its one gap, where it has one as long as its bodies move along an axis.
+    /// Simultaneity interval: equal events of the pair's contacts within it change state together \[s\]
+    /// (`docs/physics.md#simultaneous-events`).
+    pub simultaneity: f64,
+    /// Common gap of all nodes of a pair on one axis; `None` for others.
     pub axial: Option<AxialGap>,
 }
 
 /// A link of the group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct LinkTrack {
-    /// Its number in the model.
+    /// Number in the model.
     pub link: usize,
-    /// Slots of the bodies at its ends; nothing for the ground.
+    /// Slots of the bodies at its ends; `None` for the ground.
     pub slots: [Option<usize>; 2],
-    /// Its phase now.
+    /// Present phase of its device.
     pub phase: Phase,
-    /// When its force begins on the trajectories in force \[s\].
+    /// Beginning of its force on the present trajectories; `None` without one before the end of the search \[s\].
     pub begins: Option<f64>,
-    /// Time within which a change of its phase is over \[s\].
-    pub together: f64,
-    /// Its phases so far.
+    /// Simultaneity interval \[s\], from the stiffness of its device.
+    pub simultaneity: f64,
+    /// Phases since t = 0.
     pub log: LinkLog,
 }
 
 /// A contact of the group.
 #[derive(Debug)]
 pub(in crate::dynamics) struct ContactTrack {
-    /// Its number in the model.
+    /// Number of its site in the model.
     pub site: usize,
-    /// Its pair in the engine.
+    /// Number of its pair in the group.
     pub pair: usize,
-    /// Slots of the node's and the face's body.
+    /// Slots of the node's and the face's body; `None` for an abutment.
     pub slots: [Option<usize>; 2],
-    /// Its state now.
+    /// Present state.
     pub state: Contact,
-    /// Other contacts of the same node: it touches one face at a time.
+    /// Other contacts of the node, which touches one face at a time.
     pub rivals: Vec<usize>,
-    /// Where its two sides stand as placed.
-    pub spot: SiteGeometry,
-    /// Its next closing on the trajectories in force \[s\].
+    /// Geometry of its site as placed.
+    pub geometry: SiteGeometry,
+    /// Next closing on the present trajectories; `None` without one before the end of the search \[s\].
     pub closing: Option<f64>,
-    /// When it comes out in front of the face on them, after it was behind \[s\].
-    pub out: Option<f64>,
-    /// Its states so far.
+    /// Time from which a disarmed contact has a positive gap on the present trajectories \[s\].
+    pub rearmed_at: Option<f64>,
+    /// States since t = 0.
     pub log: ContactLog,
-    /// Events of the touch in hand, and the time and number of those at one instant.
-    pub counted: (usize, f64, usize),
+    /// Changes of state, counted.
+    pub changes: ChangeCount,
+}
+
+/// Changes of a contact's state, counted: too many end the run, and several at one instant widen dead bands.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct ChangeCount {
+    /// Changes since the touch began.
+    pub of_touch: usize,
+    /// Time of the last change; −1 before the first \[s\].
+    pub t: f64,
+    /// Changes at that time.
+    pub at_instant: usize,
+}
+
+impl Default for ChangeCount {
+    fn default() -> Self {
+        Self { of_touch: 0, t: -1.0, at_instant: 0 }
+    }
+}
+
+impl ChangeCount {
+    /// Counts a change at `t`.
+    pub(in crate::dynamics) fn count(&mut self, t: f64) {
+        self.of_touch += 1;
+        self.at_instant = if self.t == t { self.at_instant + 1 } else { 1 };
+        self.t = t;
+    }
 }
 
 impl ContactTrack {
-    /// At `t`, before the trajectories are looked at anew: a node that has come out on the old ones is armed.
-    pub(in crate::dynamics) fn take_note(&mut self, t: f64) {
-        if self.out.take().is_some_and(|at| at <= t) && self.state.closed().is_none() {
+    /// Arms a disarmed contact whose gap has become positive before `t` on the trajectories of the last search.
+    pub(in crate::dynamics) fn rearm_if_positive(&mut self, t: f64) {
+        if self.rearmed_at.take().is_some_and(|at| at <= t) && self.state.closed().is_none() {
             self.state = Contact::Open { armed: true };
         }
     }
