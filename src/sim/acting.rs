@@ -29,7 +29,7 @@ impl History {
         let mut state = own.blank();
         let base = match self.paths[body].at(t)? {
             (_, StoredMotion::Step(piece)) => own.reference(piece.read(t, &mut state)),
-            (from, StoredMotion::Again(number)) => {
+            (from, StoredMotion::Recomputed(number)) => {
                 self.stepped(body, (number, from), |piece| own.reference(piece.read(t, &mut state)))
             }
             _ => return None,

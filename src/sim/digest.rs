@@ -29,7 +29,7 @@ fn digest(history: &History) -> u64 {
                 StoredMotion::Flight(flight) => flight.numbers().for_each(&mut add),
                 StoredMotion::Slide(slide) => slide.numbers().for_each(&mut add),
                 StoredMotion::Step(piece) => piece.numbers().for_each(&mut add),
-                StoredMotion::Again(step) => {
+                StoredMotion::Recomputed(step) => {
                     history.stepped(body, (step, from), |piece| piece.numbers().for_each(&mut add));
                 }
             }

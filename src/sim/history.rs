@@ -177,7 +177,7 @@ impl History {
             (Some((_, StoredMotion::Start(_) | StoredMotion::Flight(_))), None) => {}
             (Some((_, StoredMotion::Slide(slide))), _) => state.copy_from_slice(&slide.state(t)),
             (Some((_, StoredMotion::Step(piece))), _) => own.restore(piece.read(t, &mut state), &mut state),
-            (Some((from, StoredMotion::Again(number))), _) => {
+            (Some((from, StoredMotion::Recomputed(number))), _) => {
                 self.stepped(body, (number, from), |piece| own.restore(piece.read(t, &mut state), &mut state));
             }
             // Nothing was computed: the run gave up at its start.

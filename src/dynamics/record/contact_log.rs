@@ -1,4 +1,5 @@
-//! The states that a contact went through, as a history keeps them: a touch's law once, not with every change of state.
+//! States of one contact over time as stored in a history: the law once per touch, vectors and origins once where
+//! they repeat.
 
 use std::num::NonZeroU32;
 
@@ -8,50 +9,51 @@ use crate::contact::{FrictionLaw, Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
-/// A state, in twelve bytes.
+/// A state, stored in twelve bytes.
 #[derive(Clone, Copy, Debug)]
 enum Kept {
     Open { armed: bool },
     Closed { touch: u32, hold: Hold, passing_stop: bool, held_at_zero: bool },
 }
 
-/// A [`Mode`], its vector by its number.
+/// A [`Mode`] with the number of its vector.
 #[derive(Clone, Copy, Debug)]
 enum Hold {
     Stick(u32),
     Slip(u32),
 }
 
-/// What all states of a touch have in common, as long as they are counted from the same bases.
+/// Properties common to all states of a touch with the same reference poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Touch {
-    /// Number of its law.
+    /// Number of the law.
     law: u32,
-    /// From where anchors are counted: how far the node had come along the face since it was placed \[m\].
+    /// Origin of anchors: displacement of the node along the face from the placed to the reference poses \[m\].
     way: DVec2,
-    /// Number of where the node is there, where that was carried on.
+    /// Number of the node's position at the reference poses, where these were replaced during the touch.
     at: Option<NonZeroU32>,
 }
 
-/// A contact's states in order of time, and the turning of its slip where that is a state of the integrator.
+/// States of a contact in order of time, and the angle of its slip direction where that is a state of the integrator.
 #[derive(Clone, Debug, Default)]
 pub struct ContactLog {
-    /// When each state began \[s\].
+    /// Beginning of each state \[s\].
     from: Vec<f64>,
     states: Vec<Kept>,
-    /// Anchors \[m\] and directions, one after another.
+    /// Anchors \[m\] and slip directions \[–\] in order of entry.
     vectors: Vec<DVec2>,
-    /// The pair's numbers as shared in each touch, and the length below which a turning slip is eased \[m\].
+    /// Law of each touch with the pair's stiffness and dashpots as shared, and its regularisation length \[m\].
     laws: Vec<(Law, f64)>,
     touches: Vec<Touch>,
-    /// Places of the node, in the face's axes, that were carried on \[m\].
+    /// Positions of the node in the face's axes at replaced reference poses \[m\].
     carried: Vec<DVec3>,
-    /// Angle of the slip direction in the face's axes, step by step, with the time each holds from.
+    /// Angle of the slip direction in the face's axes \[rad\] per step, with the beginning of the step \[s\].
     pub angles: Vec<(f64, DenseOutput)>,
 }
 
 impl ContactLog {
-    /// Enters the state from `from` on \[s\], whose anchor is counted from that way of the node along the face \[m\].
+    /// Enters the state from `from` on \[s\]; `way` is the origin of its anchor, the displacement of the node along
+    /// the face from the placed to the reference poses \[m\].
     pub fn push(&mut self, from: f64, state: Contact, way: DVec2) {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
@@ -60,7 +62,7 @@ impl ContactLog {
                 if self.laws.last() != Some(&(law, regularisation)) {
                     self.laws.push((law, regularisation));
                 }
-                // More touches of one contact than a u32 counts would not fit into memory.
+                // Memory ends before a u32 overflows: four billion touches of one contact.
                 let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
                 let at = rebased_node.and_then(|at| self.carry(at));
                 let touch = Touch { law: last(self.laws.len()), way, at };
@@ -78,7 +80,8 @@ impl ContactLog {
         self.states.push(kept);
     }
 
-    /// Keeps an anchor or a direction, once where it is the last one again: a straight row's are all the same; its number.
+    /// Stores an anchor or a slip direction unless it equals the last one bit for bit (those of a straight row do);
+    /// its number.
     fn vector(&mut self, vector: DVec2) -> u32 {
         let bits = |v: &DVec2| v.to_array().map(f64::to_bits);
         if self.vectors.last().map(bits) != Some(bits(&vector)) {
@@ -87,7 +90,7 @@ impl ContactLog {
         u32::try_from(self.vectors.len() - 1).unwrap_or(u32::MAX)
     }
 
-    /// Keeps a place of the node; its number, from 1 on.
+    /// Stores a position of the node; its number, from 1 on.
     fn carry(&mut self, at: DVec3) -> Option<NonZeroU32> {
         if self.carried.last() != Some(&at) {
             self.carried.push(at);
@@ -95,27 +98,29 @@ impl ContactLog {
         u32::try_from(self.carried.len()).ok().and_then(NonZeroU32::new)
     }
 
-    /// States with the times that they hold from, a turning slip in the direction that it began with.
+    /// States with their beginnings \[s\], anchors relative to the placed poses; a slip direction that turns at its
+    /// initial angle.
     pub fn states(&self) -> impl ExactSizeIterator<Item = (f64, Contact)> + '_ {
         self.from.iter().zip(&self.states).map(|(from, kept)| (*from, self.whole(*kept)))
     }
 
-    /// From where anchors of the last touch are counted: a way along the face \[m\].
+    /// Origin of the anchors of the last touch: a displacement along the face \[m\].
     pub fn way(&self) -> DVec2 {
         self.touches.last().map_or(DVec2::ZERO, |touch| touch.way)
     }
 
-    /// Number of the latest state.
+    /// Number of the latest state; `None` without states.
     pub fn latest(&self) -> Option<u32> {
         u32::try_from(self.states.len().checked_sub(1)?).ok()
     }
 
-    /// A closed state by its number as it was entered, a turning slip in the direction that it began with.
+    /// The closed state of this number, its anchor relative to the reference poses, a slip direction that turns at
+    /// its initial angle; `None` for an open state.
     pub fn closed(&self, number: u32) -> Option<ClosedContact> {
         self.entered(*self.states.get(number as usize)?).closed().copied()
     }
 
-    /// What it takes \[bytes\].
+    /// Memory of the log \[bytes\].
     pub fn bytes(&self) -> usize {
         let angles: usize = self.angles.iter().map(|(_, dense)| size_of_val(dense.coefficients())).sum();
         self.states.len() * (size_of::<f64>() + size_of::<Kept>())
@@ -127,7 +132,7 @@ impl ContactLog {
             + angles
     }
 
-    /// A state whose anchor is counted from where the node was placed.
+    /// A state with its anchor relative to the placed poses.
     fn whole(&self, kept: Kept) -> Contact {
         let mut contact = self.entered(kept);
         if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept) {
@@ -157,7 +162,7 @@ impl ContactLog {
         }
     }
 
-    /// The state at `t`; of several at one instant, the last.
+    /// The state at `t`, its anchor relative to the placed poses; of several entered at `t`, the last.
     pub fn at(&self, t: f64) -> Contact {
         match self.holding_at(t) {
             Some(kept) => self.turned(self.whole(kept), t),
@@ -165,12 +170,12 @@ impl ContactLog {
         }
     }
 
-    /// The closed state at `t`, its anchor counted from where the bases of its bodies are.
+    /// The closed state at `t`, its anchor relative to the reference poses of its bodies; `None` for an open state.
     pub fn since(&self, t: f64) -> Option<ClosedContact> {
         self.turned(self.entered(self.holding_at(t)?), t).closed().copied()
     }
 
-    /// What was entered last at `t` or before.
+    /// The state entered last at `t` or before.
     fn holding_at(&self, t: f64) -> Option<Kept> {
         let begun = self.from.partition_point(|from| *from <= t);
         self.states.get(begun.checked_sub(1)?).copied()
@@ -189,7 +194,7 @@ impl ContactLog {
         Contact::Closed(closed)
     }
 
-    /// Gives back the memory that more states would have taken.
+    /// Releases reserved memory.
     pub fn shrink(&mut self) {
         self.from.shrink_to_fit();
         self.states.shrink_to_fit();

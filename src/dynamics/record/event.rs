@@ -1,28 +1,28 @@
-//! What happens to contacts, and what can end a run early.
+//! Events of contacts as recorded, and the reason of an early stop.
 
-/// What happened to a contact.
+/// Kind of a contact's event (`docs/physics.md#contact-events`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum EventKind {
-    /// Touched, and the anchor holds.
+    /// Closing in stick.
     OpenToStick,
-    /// Touched, and slides at once.
+    /// Closing in slip.
     OpenToSlip,
-    /// Broke away.
+    /// Breakaway.
     StickToSlip,
-    /// Came to hold.
+    /// Stop of sliding.
     SlipToStick,
-    /// Parted from the face.
+    /// Opening: the gap becomes positive.
     Opened,
-    /// Left over the edge of the face.
+    /// The projection leaves the polygon, or the node comes out behind the body.
     LeftFace,
-    /// Went behind the plane of the face beside the polygon; no contact.
+    /// The node crosses the plane of the face outside the polygon; no contact.
     Missed,
-    /// Was hit by an impulse (impact model).
+    /// Hit by an impulse (impact model).
     Hit,
 }
 
 impl EventKind {
-    /// The word used in tables.
+    /// Name in tables.
     pub fn label(self) -> &'static str {
         match self {
             Self::OpenToStick => "open->stick",
@@ -36,12 +36,12 @@ impl EventKind {
         }
     }
 
-    /// Whether a touch begins here.
+    /// Whether a touch begins with this event.
     pub fn is_touch(self) -> bool {
         matches!(self, Self::OpenToStick | Self::OpenToSlip | Self::Hit)
     }
 
-    /// Whether a touch ends here.
+    /// Whether a touch ends with this event.
     pub fn is_parting(self) -> bool {
         matches!(self, Self::Opened | Self::LeftFace | Self::Hit)
     }
@@ -50,23 +50,23 @@ impl EventKind {
 /// One event of one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
-    /// The contact: half a `usize`, because a row of girders has millions of events.
+    /// Number of the contact in the model, in 4 bytes: a row of girders has millions of events.
     contact: u32,
-    /// What.
+    /// Kind.
     pub kind: EventKind,
-    /// Energy that a jump of the anchor released (`docs/physics.md#energy-ledger`), or that a hit lost \[J\].
+    /// Energy released by a jump of the anchor (`docs/physics.md#energy-ledger`), or lost in a hit \[J\].
     pub released: f64,
 }
 
 impl Event {
     pub(crate) fn new(t: f64, contact: usize, kind: EventKind, released: f64) -> Self {
-        // More contacts than a u32 counts would not fit into memory.
+        // Memory ends before a u32 overflows: four billion contacts.
         Self { t, contact: u32::try_from(contact).unwrap_or(u32::MAX), kind, released }
     }
 
-    /// Number of the contact in the model, which knows its pair.
+    /// Number of the contact in the model.
     pub fn contact(&self) -> usize {
         self.contact as usize
     }
@@ -75,10 +75,10 @@ impl Event {
 /// Why a run stopped before its end.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Stop {
-    /// When \[s\].
+    /// Time \[s\].
     pub t: f64,
-    /// Where: the pair or body.
+    /// Pair or bodies concerned.
     pub place: String,
-    /// What was met, and what would help.
+    /// Cause, and a change of the scene that would avoid it.
     pub reason: String,
 }

@@ -1,4 +1,4 @@
-//! The phases that a device went through, as a history keeps them.
+//! Phases of one device over time as stored in a history.
 
 use crate::dynamics::connection::Phase;
 
@@ -10,7 +10,7 @@ pub struct LinkLog {
 }
 
 impl LinkLog {
-    /// Enters the phase from `t` on \[s\], with the energy that the change released \[J\].
+    /// Enters the phase from `t` on \[s\], with the energy released by the change \[J\].
     pub fn push(&mut self, t: f64, phase: Phase, released: f64) {
         self.phases.push((t, phase));
         if released != 0.0 {
@@ -18,23 +18,23 @@ impl LinkLog {
         }
     }
 
-    /// The phase at `t`; that before the first change is the first.
+    /// The phase at `t`; before the first entry that of the first entry, `None` without entries.
     pub fn at(&self, t: f64) -> Option<Phase> {
         let after = self.phases.partition_point(|(from, _)| *from <= t);
         self.phases.get(after.max(1) - 1).map(|(_, phase)| *phase)
     }
 
-    /// Phases with the times that they hold from \[s\].
+    /// Phases with their beginnings \[s\].
     pub fn phases(&self) -> &[(f64, Phase)] {
         &self.phases
     }
 
-    /// Energy that changes up to `t` released \[J\].
+    /// Energy released by changes up to `t` \[J\].
     pub fn released(&self, t: f64) -> f64 {
         self.released.iter().take_while(|(at, _)| *at <= t).map(|(_, energy)| energy).sum()
     }
 
-    /// How many changes there were at `t`, the latest time.
+    /// Number of changes at `t`; 0 unless `t` is the time of the latest change.
     pub(in crate::dynamics) fn changes_at(&self, t: f64) -> usize {
         self.phases.iter().rev().take_while(|(at, _)| *at == t).count()
     }

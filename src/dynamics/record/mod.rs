@@ -1,4 +1,5 @@
-//! What a run leaves besides trajectories: events, contact states over time, steps to be computed again.
+//! Record of a run besides trajectories: events, contact states and device phases over time, steps that are
+//! recomputed when read.
 
 pub mod contact_log;
 pub mod event;

@@ -1,9 +1,9 @@
-//! Steps that a long run does not keep as polynomials: their starts, from which the same step is taken again.
+//! Steps of long runs that are stored by their initial states instead of polynomials, and recomputed when read.
 //!
-//! An explicit step of an island depends on the state at its start, its length and the states of its contacts, which are
-//! logged anyway. Evaluated anew it is the same to the last bit. A step that follows on flights needs no start either: they
-//! end in it, and what states in contact are counted from is where the flight before them ended. The first slope of a spatial
-//! step is that of its start before quaternions were given their length, which is what is kept.
+//! An explicit step of an island is a function of its initial state, its length and the states of its contacts, which
+//! are in their logs; evaluated with equal inputs it is equal to the last bit. A step whose bodies come from flights
+//! needs no initial state: it is the end of the flights, and the reference poses are the poses there. The slope at
+//! the start of a spatial step is evaluated before quaternions are normalised, and the state before that is stored.
 
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
@@ -21,9 +21,9 @@ use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 
-/// No start is kept: the members' flights end in it.
+/// In place of the number of an initial state: the state is the end of the members' flights.
 const FLOWN: u32 = u32::MAX;
-/// Bit of a member's base that says where it stands.
+/// Bit of [`Member::base`] that marks the number of a stored reference pose.
 const KEPT: u32 = 1 << 31;
 
 /// Steps of a group of bodies.
@@ -36,40 +36,42 @@ pub struct Replay {
     starts: PackedStates,
 }
 
-/// Bodies that go on with the same contacts for some steps: where its members and contacts begin.
+/// Consecutive steps of one island with the same contact states: indices of the first member and the first contact
+/// state.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     members: u32,
     logged_states: u32,
 }
 
-/// A body, and what its states are counted from.
+/// A body of a step and its reference pose.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Member {
-    /// Its number in the model.
+    /// Number of the body in the model.
     pub body: u32,
-    /// Number of the flight that ended there, or with [`KEPT`] that of where it is among the starts.
+    /// Number of the flight that ends at the reference pose, or with [`KEPT`] the number of the stored reference
+    /// pose.
     base: u32,
 }
 
 impl Member {
-    /// A body that flew to its base; a path has fewer stretches than [`KEPT`].
+    /// A body whose reference pose is the end of flight `number`, less than [`KEPT`].
     pub(in crate::dynamics) fn flown(body: u32, number: u32) -> Self {
         Self { body, base: number & !KEPT }
     }
 
-    /// A body whose base is kept.
+    /// A body whose reference pose is stored under `number`.
     pub(in crate::dynamics) fn kept(body: u32, number: u32) -> Self {
         Self { body, base: number | KEPT }
     }
 }
 
-/// A closed contact, and its state's number in the contact's log.
+/// A closed contact and the number of its state in its log.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct LoggedState {
-    /// Its number in the model.
+    /// Number of the contact's site in the model.
     pub site: u32,
-    /// The entry.
+    /// Number of the state in the contact's log.
     pub entry: u32,
 }
 
@@ -80,16 +82,16 @@ struct Step {
     start: u32,
 }
 
-/// What a step is taken again from.
+/// Data from which a step is recomputed.
 #[derive(Clone, Copy, Debug)]
 pub struct Past<'a> {
-    /// The scene.
+    /// Constant data of the scene.
     pub model: &'a Model,
     /// Paths of all bodies.
     pub paths: &'a [StoredPath],
-    /// Their free motions.
+    /// Free motions of all bodies; `None` for one without a closed form.
     pub systems: &'a [Option<BodyMotion>],
-    /// States of all contacts.
+    /// State logs of all contacts.
     pub logs: &'a [ContactLog],
 }
 
@@ -98,7 +100,7 @@ fn count(n: usize) -> Option<u32> {
 }
 
 impl Replay {
-    /// Opens a stretch; its number.
+    /// Begins a stretch of steps; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn open(&mut self, members: Vec<Member>, logged_states: Vec<LoggedState>) -> Option<u32> {
         let stretch = Stretch { members: count(self.members.len())?, logged_states: count(self.logged_states.len())? };
         let number = count(self.stretches.len())?;
@@ -108,19 +110,20 @@ impl Replay {
         Some(number)
     }
 
-    /// Keeps what states of a body are counted from; its number.
+    /// Stores a reference pose; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn keep(&mut self, base: &ReferencePose) -> Option<u32> {
         self.starts.push(&base.numbers()).filter(|number| number & KEPT == 0)
     }
 
-    /// Adds a step of a stretch, which begins with `start`, or where its members' flights ended; its number.
+    /// Adds a step of `length` \[s\] to a stretch, with its initial state, or `None` where that is the end of the
+    /// members' flights; its number, `None` where numbers are exhausted.
     pub(in crate::dynamics) fn push<'a>(
         &mut self,
         stretch: u32,
         length: f64,
         start: Option<impl ExactSizeIterator<Item = &'a [f64]>>,
     ) -> Option<u32> {
-        // A code of a path has 30 bits for it.
+        // A stored path has 29 bits for the number; 30 are checked here.
         let number = count(self.steps.len()).filter(|n| *n < 1 << 30)?;
         let first = match start {
             None => FLOWN,
@@ -136,12 +139,12 @@ impl Replay {
         Some(number)
     }
 
-    /// How many steps there are.
+    /// Number of steps.
     pub fn len(&self) -> usize {
         self.steps.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no steps.
     pub fn is_empty(&self) -> bool {
         self.steps.is_empty()
     }
@@ -154,12 +157,12 @@ impl Replay {
         (&self.members[members as usize..to], &self.logged_states[logged_states as usize..end])
     }
 
-    /// The bodies that take a step together.
+    /// Numbers in the model of the bodies of a step.
     pub fn bodies(&self, number: u32) -> impl Iterator<Item = usize> + '_ {
         self.of(self.steps[number as usize].stretch as usize).0.iter().map(|member| member.body as usize)
     }
 
-    /// Takes step `number`, which begins at `from`, again: the answer for each of its bodies.
+    /// Recomputes step `number`, which begins at `from` \[s\]: the dense output of each of its bodies.
     pub fn step(&self, number: u32, from: f64, past: &Past<'_>) -> Vec<StepPolynomial> {
         let (dense, layout, bases) = self.dense(number, from, past);
         let piece = |(place, base)| StepPolynomial::of(&dense, layout.range(place), Some(base));
@@ -171,7 +174,7 @@ impl Replay {
         let (members, logged_states) = self.of(stretch as usize);
         let bodies: Vec<usize> = members.iter().map(|member| member.body as usize).collect();
         let layout = StateLayout::of(bodies.iter().map(|&body| &past.model.bodies[body]));
-        // Where it was caught, and the speed that it had there where it flew.
+        // Reference pose, and for a body that comes from a flight its state at the end of that flight.
         let caught = |member: &Member| {
             let body = &past.model.bodies[member.body as usize];
             if member.base & KEPT == 0 {
@@ -217,7 +220,7 @@ impl Replay {
         (dense, layout, bases)
     }
 
-    /// What it takes \[bytes\].
+    /// Memory of the steps \[bytes\].
     pub fn bytes(&self) -> usize {
         self.stretches.len() * size_of::<Stretch>()
             + self.members.len() * size_of::<Member>()
@@ -226,7 +229,7 @@ impl Replay {
             + self.starts.bytes()
     }
 
-    /// Gives back the memory that more steps would have taken.
+    /// Releases reserved memory.
     pub fn shrink(&mut self) {
         self.stretches.shrink_to_fit();
         self.members.shrink_to_fit();
@@ -236,36 +239,37 @@ impl Replay {
     }
 }
 
-/// The explicit step of this length.
+/// The explicit step of this length from `y` at `from`.
 fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f64) -> DenseOutput {
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
     normalise(field.model, field.bodies, field.layout, y);
-    // It was within the tolerance.
+    // Its error was accepted when it was computed first.
     let _ = rk.attempt(field, from, y, length);
     rk.accept(field, from, y, length)
 }
 
-/// Where a body's flight ended: where the next stretch of its path begins.
+/// State at the end of a body's flight, which is the beginning of the next stretch of its path.
 fn landed(member: Member, past: &Past<'_>) -> PlanarState {
     let (body, flown) = (member.body as usize, member.base as usize);
     match (past.paths[body].kept(flown), past.paths[body].next(flown), &past.systems[body]) {
         ((from, StoredMotion::Start(state)), Some(until), Some(system)) => {
             system.girder_state(from, state, until).unwrap_or(state)
         }
-        // Only flights kept as their start are left out, and only once something followed.
+        // Cannot occur: only flights stored by their initial state are referred to, and each is followed by a
+        // stretch.
         _ => [0.0; WIDTH],
     }
 }
 
-/// A closed contact as the island had it.
+/// The closed contact as it was in the island.
 fn active(logged: LoggedState, bodies: &[usize], bases: &[ReferencePose], past: &Past<'_>) -> Option<ActiveContact> {
     let site = &past.model.contacts[logged.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);
     let sides = [node, face].map(|i| bases.get(i?));
-    // Steps that begin at a face are kept as they were.
+    // A step with `at_face` in force is stored as a polynomial.
     let mut closed = past.logs[logged.site as usize].closed(logged.entry)?;
     closed.solver.at_face = false;
     Some(ActiveContact {

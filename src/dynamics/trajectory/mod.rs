@@ -1,4 +1,4 @@
-//! Trajectories of bodies as stored: polynomials of steps, flights, packed states.
+//! Stored trajectories of bodies: flights, polynomials of steps, packed states.
 
 pub mod packed_states;
 pub mod segment;

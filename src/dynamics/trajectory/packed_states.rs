@@ -1,21 +1,22 @@
-//! States in a row, without the components that are as at rest: a girder hit head-on moves along one axis and never turns.
+//! Sequence of states without the components that equal those at rest: of a girder hit head-on, motion along one axis
+//! remains.
 
-/// States in the order they were put in, bit for bit.
+/// States in the order of entry, stored bit for bit.
 #[derive(Clone, Debug, Default)]
 pub struct PackedStates {
-    /// Which components of a state are kept, lowest bit first.
+    /// Stored components of each state, lowest bit first.
     masks: Vec<u16>,
-    /// Where the numbers of every [`MASKS_PER_OFFSET`]-th state begin; the masks between tell the others.
+    /// Offset in `numbers` of every [`MASKS_PER_OFFSET`]-th state; the masks between them give the others.
     places: Vec<u32>,
     numbers: Vec<f64>,
 }
 
 /// States between two stored offsets; the masks between them are counted. Tuned: half a byte of offset per state.
 const MASKS_PER_OFFSET: usize = 8;
-/// Most components of a state.
+/// Largest number of components of a state, the bits of a mask.
 const MOST_COMPONENTS: usize = 16;
-/// What is left out: a body where it was placed, at rest. Whatever has a seventh component has turned by a quaternion, whose
-/// w stands there.
+/// Components that are not stored: those of a body at rest as placed. The seventh of a state with a quaternion is w =
+/// 1.
 const REST_STATE: [f64; MOST_COMPONENTS] = {
     let mut rest = [0.0; MOST_COMPONENTS];
     rest[6] = 1.0;
@@ -23,17 +24,17 @@ const REST_STATE: [f64; MOST_COMPONENTS] = {
 };
 
 impl PackedStates {
-    /// Whether states of so many components can be kept.
+    /// Whether states of this many components can be stored.
     pub fn fits(width: usize) -> bool {
         width <= MOST_COMPONENTS
     }
 
-    /// Puts a state in that [`fits`](Self::fits); its number. Nothing where more numbers are kept than can be counted.
+    /// Adds a state that [`fits`](Self::fits); its number, `None` where numbers are exhausted.
     pub fn push(&mut self, state: &[f64]) -> Option<u32> {
         debug_assert!(Self::fits(state.len()), "a mask has no bit for every component");
         let number = u32::try_from(self.masks.len()).ok()?;
         let at = u32::try_from(self.numbers.len()).ok()?;
-        // By its bits: −0 is kept.
+        // Compared by bits, so that −0 is stored.
         let moved = state.iter().zip(REST_STATE).enumerate().filter(|(_, (x, rest))| x.to_bits() != rest.to_bits());
         let mask = moved.clone().fold(0, |mask, (i, _)| mask | 1 << i);
         self.numbers.extend(moved.map(|(_, (x, _))| x));
@@ -44,23 +45,23 @@ impl PackedStates {
         Some(number)
     }
 
-    /// Makes room for one state, exactly.
+    /// Reserves memory for exactly one more state.
     pub fn reserve_one(&mut self) {
         self.masks.reserve_exact(1);
         self.places.reserve_exact(1);
     }
 
-    /// How many states there are.
+    /// Number of states.
     pub fn len(&self) -> usize {
         self.masks.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no states.
     pub fn is_empty(&self) -> bool {
         self.masks.is_empty()
     }
 
-    /// A state, written to `out`.
+    /// Writes a state to `out`.
     pub fn read(&self, number: u32, out: &mut [f64]) {
         let number = number as usize;
         let (mask, first) = (self.masks[number], number / MASKS_PER_OFFSET);
@@ -72,21 +73,21 @@ impl PackedStates {
         }
     }
 
-    /// A state of so many components.
+    /// A state of `N` components.
     pub fn get<const N: usize>(&self, number: u32) -> [f64; N] {
         let mut state = [0.0; N];
         self.read(number, &mut state);
         state
     }
 
-    /// What it takes \[bytes\].
+    /// Memory of the states \[bytes\].
     pub fn bytes(&self) -> usize {
         self.masks.len() * size_of::<u16>()
             + self.places.len() * size_of::<u32>()
             + self.numbers.len() * size_of::<f64>()
     }
 
-    /// Gives back the memory that more states would have taken.
+    /// Releases reserved memory.
     pub fn shrink(&mut self) {
         self.masks.shrink_to_fit();
         self.places.shrink_to_fit();

@@ -4,26 +4,26 @@ use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// One stretch of a body's path.
+/// One stretch of a body's trajectory.
 #[derive(Clone, Debug)]
 pub struct Segment {
-    /// From \[s\].
+    /// Beginning \[s\].
     pub from: f64,
-    /// Until; a step may have been meant to go further \[s\].
+    /// End, before that of an integrator's step where an event ends it \[s\].
     pub until: f64,
-    /// The motion in between.
+    /// Motion between beginning and end.
     pub path: SegmentMotion,
 }
 
-/// How a stretch was computed.
+/// Representation of a motion.
 #[derive(Clone, Debug)]
 pub enum SegmentMotion {
     /// Closed form.
     Flight(Box<BodyFlight>),
     /// Closed form of a face that slides along a wall (impact model).
     Slide(Box<SlidingFace>),
-    /// Continuous answer of an integrator's step.
+    /// Dense output of an integrator's step.
     Step(StepPolynomial),
-    /// The same, to be taken again by its number among the group's.
-    Again(u32),
+    /// An integrator's step that is recomputed when read: its number in the group.
+    Recomputed(u32),
 }

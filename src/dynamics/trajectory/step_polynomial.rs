@@ -1,29 +1,31 @@
-//! One body's part of a step, as a history keeps it: components that stay 0 are left out.
+//! Dense output of one body over one step as stored in a history, without the components that are 0 throughout the
+//! step.
 //!
-//! A girder that is hit head-on moves along one axis and never turns: a third of its state is all there is to keep.
+//! Of a girder that is hit head-on a third of the components remains: motion along one axis without rotation.
 
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::model::reference_pose::ReferencePose;
 
-/// Components that may be left out: those of every rigid body, and the first of others.
+/// Number of components that can be left out: all of a rigid body, the first ones of a body with more.
 const MASKED: usize = u32::BITS as usize;
 
-/// A body's continuous answer over one step.
+/// Dense output of a body over one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepPolynomial {
-    /// Where the step begins \[s\].
+    /// Beginning of the step \[s\].
     from: f64,
-    /// Its length \[s\].
+    /// Length of the step \[s\].
     step: f64,
-    /// Which of the first [`MASKED`] components are kept, lowest bit first; the others of them stay 0. All further ones are.
+    /// Stored ones of the first [`MASKED`] components, lowest bit first; the others of these are 0. All further ones
+    /// are stored.
     kept: u32,
     coefficients: Box<[[f64; DENSE_TERMS]]>,
-    /// What they are counted from, if not from where the body was placed.
+    /// Numbers of the reference pose; empty for the placed pose.
     base: Box<[f64]>,
 }
 
 impl StepPolynomial {
-    /// Components `range` of a continuous answer that is counted from a base.
+    /// Components `range` of a dense output relative to a reference pose, `None` for the placed pose.
     pub(in crate::dynamics) fn of(
         dense: &DenseOutput,
         range: std::ops::Range<usize>,
@@ -39,8 +41,8 @@ impl StepPolynomial {
         Self { from: dense.from, step: dense.step, kept, coefficients, base }
     }
 
-    /// All components at `t` as they are counted, written to `out`; and the numbers of the reference pose that they are counted
-    /// from.
+    /// Writes all components at `t`, relative to the reference pose, to `out`; returns the numbers of the reference
+    /// pose.
     pub fn read(&self, t: f64, out: &mut [f64]) -> &[f64] {
         let x = (t - self.from) / self.step;
         let mut kept = self.coefficients.iter();
@@ -51,12 +53,12 @@ impl StepPolynomial {
         &self.base
     }
 
-    /// What it takes \[bytes\].
+    /// Memory of the polynomial \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.coefficients) + size_of_val(&*self.base)
     }
 
-    /// Every number that the answer depends on, for hashing.
+    /// All numbers of the representation, for hashing.
     pub fn numbers(&self) -> impl Iterator<Item = f64> {
         let head = [self.from, self.step, f64::from(self.kept)].into_iter();
         head.chain(self.base.iter().copied()).chain(self.coefficients.iter().flatten().copied())

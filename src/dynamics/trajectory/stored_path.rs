@@ -1,7 +1,8 @@
-//! The path of one body as a history keeps it: when each stretch begins, and where what is needed to give it back stands.
+//! Trajectory of one body as stored in a history: beginnings of its stretches, and codes of their representations.
 //!
-//! A flight is its state at the start; a step is a polynomial, or in long runs the number of a step that is taken again
-//! ([`crate::dynamics::record::recomputed_steps`]). One stretch begins where the last one ended, so only the exceptions keep an end.
+//! A flight is stored by its initial state, a step by its polynomial or, in long runs, by its number among the
+//! recomputed steps ([`crate::dynamics::record::recomputed_steps`]). A stretch ends where the next one begins; only
+//! exceptions store an end.
 
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
@@ -10,41 +11,41 @@ use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 
-/// Bits of a code that say which of a kind; the three above them say the kind.
+/// Bits of a code that number the stretch among those of its kind; the three bits above them are the kind.
 const CODE_BITS: u32 = 29;
 const CODE_MASK: u32 = (1 << CODE_BITS) - 1;
 
-/// A body's stretches in order of time.
+/// Stretches of a body's trajectory in order of time.
 #[derive(Clone, Debug, Default)]
 pub struct StoredPath {
     from: Vec<f64>,
     codes: Vec<u32>,
-    /// Where the last stretch ends \[s\].
+    /// End of the last stretch \[s\].
     until: f64,
-    /// Ends of stretches after which another does not begin at once, by their numbers.
+    /// Number and end \[s\] of stretches that are not followed at once by another.
     breaks: Vec<(usize, f64)>,
     starts: PackedStates,
-    /// Flights that keep more than their start.
+    /// Flights that are not determined by their initial state alone.
     flights: Vec<BodyFlight>,
     slides: Vec<SlidingFace>,
     pieces: Vec<StepPolynomial>,
 }
 
-/// One stretch, without its motion.
+/// Interval and kind of one stretch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeSpan {
-    /// From \[s\].
+    /// Beginning \[s\].
     pub from: f64,
-    /// Until \[s\].
+    /// End \[s\].
     pub until: f64,
-    /// Whether it is of closed form, not a step.
+    /// Whether its motion has a closed form.
     pub flies: bool,
 }
 
-/// What a stretch's motion is given back from.
+/// Representation from which a stretch's motion is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub enum StoredMotion<'a> {
-    /// A flight of a rigid girder in plan from this state on.
+    /// A flight of a rigid girder in plan with this initial state.
     Start(PlanarState),
     /// A flight.
     Flight(&'a BodyFlight),
@@ -52,8 +53,8 @@ pub enum StoredMotion<'a> {
     Slide(&'a SlidingFace),
     /// A step's polynomial.
     Step(&'a StepPolynomial),
-    /// A step to be taken again, by its number.
-    Again(u32),
+    /// A step that is recomputed, by its number in the group.
+    Recomputed(u32),
 }
 
 impl StoredPath {
@@ -73,7 +74,7 @@ impl StoredPath {
                 self.pieces.push(piece);
                 (2, self.pieces.len() - 1)
             }
-            SegmentMotion::Again(number) => (3, number as usize),
+            SegmentMotion::Recomputed(number) => (3, number as usize),
             SegmentMotion::Slide(slide) => {
                 self.slides.push(*slide);
                 (4, self.slides.len() - 1)
@@ -83,12 +84,12 @@ impl StoredPath {
             self.breaks.push((self.from.len() - 1, self.until));
         }
         self.from.push(from);
-        // More stretches of one body than 29 bits count would not fit into memory.
+        // Memory ends before 29 bits overflow.
         self.codes.push(kind << CODE_BITS | u32::try_from(which).unwrap_or(CODE_MASK) & CODE_MASK);
         self.until = until;
     }
 
-    /// Adds the only stretch that there will be.
+    /// Adds the only stretch of a path, without reserving memory for more.
     pub fn push_only(&mut self, segment: Segment) {
         self.from.reserve_exact(1);
         self.codes.reserve_exact(1);
@@ -96,13 +97,13 @@ impl StoredPath {
         self.push(segment);
     }
 
-    /// The number of a flight kept as its start; nothing where that would not do.
+    /// Stores a flight by its initial state; its number, `None` for a flight that is not determined by it.
     fn start(&mut self, flight: &BodyFlight, from: f64) -> Option<u32> {
         let state = flight.as_girder_start().filter(|_| flight.start().to_bits() == from.to_bits())?;
         self.starts.push(state)
     }
 
-    /// Number and state of the flight kept as its start, with when it began, where that is how the path ends at `t`.
+    /// Number, beginning \[s\] and initial state of the flight with which the path ends at `t`; `None` without one.
     pub fn flown_until(&self, t: f64) -> Option<(u32, f64, PlanarState)> {
         let (code, from) = (*self.codes.last()?, *self.from.last()?);
         let flown = code >> CODE_BITS == 0 && self.until == t;
@@ -110,25 +111,25 @@ impl StoredPath {
             .then(|| (u32::try_from(self.codes.len() - 1).unwrap_or(u32::MAX), from, self.starts.get(code & CODE_MASK)))
     }
 
-    /// Start of stretch `number` and what it is given back from.
+    /// Beginning \[s\] and representation of stretch `number`.
     pub fn kept(&self, number: usize) -> (f64, StoredMotion<'_>) {
         let which = (self.codes[number] & CODE_MASK) as usize;
         let kept = match self.codes[number] >> CODE_BITS {
             0 => StoredMotion::Start(self.starts.get(self.codes[number] & CODE_MASK)),
             1 => StoredMotion::Flight(&self.flights[which]),
             2 => StoredMotion::Step(&self.pieces[which]),
-            3 => StoredMotion::Again(self.codes[number] & CODE_MASK),
+            3 => StoredMotion::Recomputed(self.codes[number] & CODE_MASK),
             _ => StoredMotion::Slide(&self.slides[which]),
         };
         (self.from[number], kept)
     }
 
-    /// Start of the stretch that follows on stretch `number` \[s\].
+    /// Beginning of the stretch after stretch `number`; `None` after the last \[s\].
     pub fn next(&self, number: usize) -> Option<f64> {
         self.from.get(number + 1).copied()
     }
 
-    /// The stretch that holds at `t`; nothing where there is none.
+    /// Beginning \[s\] and representation of the stretch at `t`; `None` for an empty path.
     pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
         let number = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         (number < self.from.len()).then(|| self.kept(number))
@@ -141,22 +142,22 @@ impl StoredPath {
         }
     }
 
-    /// How many stretches there are.
+    /// Number of stretches.
     pub fn len(&self) -> usize {
         self.from.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no stretches.
     pub fn is_empty(&self) -> bool {
         self.from.is_empty()
     }
 
-    /// Its stretches.
+    /// Intervals of all stretches.
     pub fn spans(&self) -> impl Iterator<Item = TimeSpan> + '_ {
         self.spans_from(0)
     }
 
-    /// Its stretches that end after `t`.
+    /// Intervals of the stretches that end after `t`.
     pub fn spans_after(&self, t: f64) -> impl Iterator<Item = TimeSpan> + '_ {
         let begun = self.from.partition_point(|from| *from <= t).saturating_sub(1);
         let first = (begun..self.len()).find(|&number| self.until(number) > t).unwrap_or(self.len());
@@ -172,7 +173,7 @@ impl StoredPath {
         (first..self.len()).map(span)
     }
 
-    /// What it takes \[bytes\].
+    /// Memory of the path \[bytes\].
     pub fn bytes(&self) -> usize {
         let pieces: usize = self.pieces.iter().map(StepPolynomial::bytes).sum();
         let flights: usize = self.flights.iter().map(BodyFlight::bytes).sum();
@@ -181,7 +182,7 @@ impl StoredPath {
         stretches + self.breaks.len() * size_of::<(usize, f64)>() + self.starts.bytes() + flights + slides + pieces
     }
 
-    /// Gives back the memory that more stretches would have taken.
+    /// Releases reserved memory.
     pub fn shrink(&mut self) {
         self.from.shrink_to_fit();
         self.codes.shrink_to_fit();
@@ -215,7 +216,7 @@ mod tests {
 
     #[test]
     fn stretches_end_where_the_next_begins_or_where_they_were_left() {
-        let again = |from, until, number| Segment { from, until, path: SegmentMotion::Again(number) };
+        let again = |from, until, number| Segment { from, until, path: SegmentMotion::Recomputed(number) };
         let path: StoredPath = [again(0.0, 1.0, 7), again(1.0, 2.0, 8), again(2.5, 3.0, 9)].into_iter().collect();
         let spans: Vec<(f64, f64)> = path.spans().map(|span| (span.from, span.until)).collect();
         assert_eq!(spans, [(0.0, 1.0), (1.0, 2.0), (2.5, 3.0)], "with a gap after the second");
@@ -223,7 +224,7 @@ mod tests {
         assert_eq!(after(1.0), [1.0, 2.5], "what ends at t is over");
         assert_eq!(after(2.2), [2.5], "in the gap");
         assert_eq!(after(3.0), [0.0; 0], "after the end");
-        assert!(matches!(path.at(1.5), Some((1.0, StoredMotion::Again(8)))), "{:?}", path.at(1.5));
+        assert!(matches!(path.at(1.5), Some((1.0, StoredMotion::Recomputed(8)))), "{:?}", path.at(1.5));
     }
 
     #[test]
@@ -239,7 +240,7 @@ mod tests {
             flight(0.0),
             flight(0.5),
             SegmentMotion::Step(StepPolynomial::of(&dense, 0..WIDTH, None)),
-            SegmentMotion::Again(17),
+            SegmentMotion::Recomputed(17),
             SegmentMotion::Slide(Box::new(slide)),
         ];
         let segment = |(i, path): (u32, SegmentMotion)| Segment { from: f64::from(i), until: f64::from(i + 1), path };
@@ -250,7 +251,7 @@ mod tests {
         let (_, StoredMotion::Step(piece)) = path.kept(2) else { panic!("a step") };
         piece.read(2.5, &mut place);
         assert_eq!(place, [7.5; WIDTH], "half way");
-        assert!(matches!(path.kept(3), (3.0, StoredMotion::Again(17))), "by its number");
+        assert!(matches!(path.kept(3), (3.0, StoredMotion::Recomputed(17))), "by its number");
         assert!(matches!(path.kept(4), (4.0, StoredMotion::Slide(s)) if s.from == 4.0), "a sliding face");
         let closed: Vec<bool> = path.spans().map(|span| span.flies).collect();
         assert_eq!(closed, [true, true, false, false, true], "closed forms");
