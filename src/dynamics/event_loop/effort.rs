@@ -1,13 +1,13 @@
-//! What a run has done, counted.
+//! Counts of the work of a run: searches, evaluations, steps.
 
-/// What a run has done, counted: for seeing that what a scene does not need is left out.
+/// Counts of the work of a run, by which tests hold that a scene costs no more than it needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
-    /// Searches for the next touch of a pair.
+    /// Searches for the next closing of a pair or the next beginning of a device's force.
     pub searches: u64,
-    /// Looks at a pair in flight.
+    /// Evaluations of the gaps of a pair in flight.
     pub looks: u64,
-    /// Steps of integrators.
+    /// Steps of integrators, retaken ones included.
     pub steps: u64,
 }
 

@@ -1,24 +1,25 @@
 //! An indexed priority queue of event times: earliest first, ties in the fixed order of the sources.
 
-/// A source of events: number `number` among those of one rank; at one time the lower rank comes first, then the lower number.
+/// A source of events. At equal times the lower rank precedes, then the lower number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Source {
-    /// Which kind of source, by order of precedence.
+    /// Kind of source, in order of precedence.
     pub rank: usize,
-    /// Which of its kind.
+    /// Number among the sources of its kind.
     pub number: usize,
 }
 
-/// A binary heap of which any entry can be moved or removed: the place of every source in it is kept.
+/// A binary heap of which any entry can be moved or removed; the position of every source in the heap is stored.
 #[derive(Debug, Default)]
 pub struct EventQueue {
     heap: Vec<(u64, Source)>,
-    /// By rank and number.
+    /// Position in the heap by rank and number; `None` for a source without a time.
     places: Vec<Vec<Option<usize>>>,
 }
 
 impl EventQueue {
-    /// Enters the time of a source, or moves it. Times are never negative, so their bits sort as they do.
+    /// Enters the time of a source \[s\], or replaces it. Times are at least 0, so that their bits have the order of
+    /// their values.
     pub fn set(&mut self, source: Source, t: f64) {
         let entry = (t.max(0.0).to_bits(), source);
         let at = if let Some(at) = *self.place(source) {
@@ -41,19 +42,19 @@ impl EventQueue {
         }
     }
 
-    /// The earliest time; infinite when nothing is due \[s\].
+    /// The earliest time; infinite for an empty queue \[s\].
     pub fn first_time(&self) -> f64 {
         self.heap.first().map_or(f64::INFINITY, |(bits, _)| f64::from_bits(*bits))
     }
 
-    /// Removes and returns the earliest source.
+    /// Removes and returns the earliest time \[s\] and its source; `None` for an empty queue.
     pub fn pop(&mut self) -> Option<(f64, Source)> {
         let &(bits, source) = self.heap.first()?;
         self.remove(source);
         Some((f64::from_bits(bits), source))
     }
 
-    /// Place of a source in the heap.
+    /// Position of a source in the heap.
     fn place(&mut self, source: Source) -> &mut Option<usize> {
         let Source { rank, number } = source;
         if rank >= self.places.len() {
@@ -66,7 +67,7 @@ impl EventQueue {
         &mut places[number]
     }
 
-    /// Moves the entry at `at` up or down until the heap is in order.
+    /// Moves the entry at position `at` up or down until the heap is ordered.
     fn settle(&mut self, mut at: usize) {
         let entry = self.heap[at];
         while at > 0 && entry < self.heap[(at - 1) / 2] {

@@ -1,36 +1,37 @@
-//! The event loop, and what a model of contact provides for it.
+//! The event loop, and the interface of the models that it runs.
 //!
-//! Every source of events (an island, a facing pair) stands in the queue with the time at which it is due next. The earliest
-//! source is handled; handling it enters new times for the sources that it concerns and for no others.
+//! Every source of events (an island, a facing pair, a link) is in the queue with the time of its next event. The
+//! earliest source is handled; handling it enters new times for the sources that it concerns and for no others.
 
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
 
-/// A model of contact as the event loop sees it: one group of bodies.
+/// A model of contact: one group of bodies, advanced from event to event.
 pub trait Mechanics {
-    /// How far the run has come.
+    /// Progress of the run.
     fn schedule(&self) -> &Schedule;
 
-    /// The same, to be advanced.
+    /// Progress of the run, to be changed.
     fn schedule_mut(&mut self) -> &mut Schedule;
 
     /// Length of the run \[s\].
     fn duration(&self) -> f64;
 
-    /// Whether the event now due at `t` exceeds the bound on the work of a run or of one instant.
+    /// Whether the event at `t` exceeds the bound on the work of a run or of one instant.
     fn exceeds_bounds(&mut self, t: f64) -> bool;
 
-    /// Which bodies kept the run busy where a bound is exceeded, and what would end it: place and reason.
+    /// Place and reason of a stop where a bound is exceeded: the bodies of the source, and a change of the scene that
+    /// would avoid it.
     fn excess(&self, source: Source) -> (String, String);
 
-    /// Handles what is due at `t`.
+    /// Handles the event of a source at `t`.
     fn handle(&mut self, source: Source, t: f64);
 
-    /// Number in the model and state of every body at `t`, until which everything is handled.
+    /// Number in the model and state at `t` of every body; all events up to `t` are handled.
     fn states(&self, t: f64) -> Vec<(usize, Vec<f64>)>;
 }
 
-/// Handles everything that is due until `until` \[s\].
+/// Handles all events up to `until` \[s\].
 pub fn advance(model: &mut impl Mechanics, until: f64) {
     let until = until.min(model.duration());
     while model.schedule().next_time() <= until {
@@ -51,7 +52,7 @@ pub fn advance(model: &mut impl Mechanics, until: f64) {
 mod tests {
     use super::*;
 
-    /// Two clocks that strike at intervals of their own, at most `most` times.
+    /// Two periodic sources of events, stopped above `most` events.
     struct Clocks {
         schedule: Schedule,
         struck: Vec<(f64, usize)>,

@@ -1,7 +1,7 @@
-//! The event loop: one for both models.
+//! The event loop of both models.
 //!
-//! A model of contact ([`mechanics::Mechanics`]) enters in the queue when each of its islands and pairs is due; the loop takes
-//! the earliest, lets the model handle it, and ends the run where the work exceeds its bound.
+//! A model of contact ([`mechanics::Mechanics`]) enters in the queue the times of its next events; the loop takes the
+//! earliest, has the model handle it, and ends the run where the work exceeds its bound.
 
 pub mod effort;
 pub mod event_queue;

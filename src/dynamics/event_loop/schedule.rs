@@ -1,4 +1,4 @@
-//! How far a run has come: what is due next, what was spent, and why it stopped early.
+//! Progress of a run: queue of events, counted work, and the reason of an early stop.
 
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::event_queue::EventQueue;
@@ -7,37 +7,37 @@ use crate::dynamics::record::event::Stop;
 /// Progress of the run of one group of bodies.
 #[derive(Debug, Default)]
 pub struct Schedule {
-    /// What is due when.
+    /// Times of the next events.
     pub queue: EventQueue,
-    /// Time of the last event that was handled \[s\].
+    /// Time of the last handled event \[s\].
     pub now: f64,
-    /// Handled events and searches that were cut short, held against the bound on work.
+    /// Handled events plus the contributions of searches that ended at their bound; compared with the bound on work.
     pub work: usize,
-    /// What was done, counted.
+    /// Counts of the work of the run.
     pub effort: Effort,
-    /// Why the run stopped early.
+    /// Reason of an early stop.
     stop: Option<Stop>,
 }
 
 impl Schedule {
-    /// The time of the next event; infinite when nothing is due or the run has stopped \[s\].
+    /// Time of the next event; infinite without one or after a stop \[s\].
     pub fn next_time(&self) -> f64 {
         if self.stop.is_some() { f64::INFINITY } else { self.queue.first_time() }
     }
 
-    /// How far the run has come, of its `duration` \[s\].
+    /// Time that the run has reached: its `duration`, or that of the last handled event \[s\].
     pub fn reached(&self, duration: f64) -> f64 {
         if self.stop.is_none() && self.queue.first_time() > duration { duration } else { self.now }
     }
 
-    /// Stops the run at `t`; of several reasons the first is kept.
+    /// Stops the run at `t`; the first of several reasons is kept.
     pub fn give_up(&mut self, t: f64, place: String, reason: String) {
         if self.stop.is_none() {
             self.stop = Some(Stop { t, place, reason });
         }
     }
 
-    /// Why the run stopped early.
+    /// Reason of an early stop; `None` for a run that was not stopped.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()
     }
