@@ -1,45 +1,41 @@
-//! Bodies at the instant of an event, and what a contact is there: pose of node against face, accelerations, whether stick
-//! can hold.
+//! States and poses of the bodies that an event concerns, and quantities of their contacts at that time: position and
+//! velocity of a node relative to its face, relative acceleration, regularisation length, the stick condition after a stop.
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
-use crate::dynamics::closing::constants::INSTANT;
+use crate::dynamics::closing::constants::CLOSING_INTERVAL;
+use crate::dynamics::contact_model::constants::{REGULARISATION_FRICTION, REGULARISATION_LENGTH};
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
-use crate::dynamics::penalty3d::constants::POSITION_ROUNDING;
+use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, SIMULTANEOUS_PER_RADIAN};
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::world::World;
 use crate::scene::Kind;
 
-/// Regularisation length of a turning slip direction, in parts of the depth of the entry (tuned; no derivation known).
-const EASE: f64 = 1e-3;
-/// Friction coefficient below which the regularisation length falls no further (tuned; no derivation known).
-const LEAST_EASED: f64 = 0.05;
-
-/// Bodies at the instant of an event.
+/// States and poses of bodies at the time of an event.
 #[derive(Debug)]
 pub(in crate::dynamics) struct EventInstant {
     /// Time \[s\].
     pub t: f64,
-    /// Slots of the bodies, rising.
+    /// Slots of the bodies, ascending.
     pub slots: Vec<usize>,
-    /// Reference poses that the states are counted from; of a body that was free, its present pose.
+    /// Reference poses of the states; of a body that was in flight, its pose at `t`.
     pub bases: Vec<ReferencePose>,
-    /// States.
+    /// States relative to the reference poses.
     pub states: Vec<Vec<f64>>,
-    /// Poses in the world.
+    /// Poses relative to the placed poses.
     pub frames: Vec<Frame>,
-    /// Poses counted from the reference poses.
+    /// Poses relative to the reference poses.
     pub since: Vec<Frame>,
 }
 
 impl EventInstant {
-    /// Of bodies with their reference poses and states.
+    /// From slots, reference poses and states at `t`.
     pub(in crate::dynamics) fn of(
         world: &World,
         slots: Vec<usize>,
@@ -54,7 +50,7 @@ impl EventInstant {
         Self { t, slots, bases, states, frames, since }
     }
 
-    /// Poses alone, on the trajectories in force.
+    /// Poses on the present trajectories, without states and reference poses.
     pub(in crate::dynamics) fn poses(world: &World, slots: Vec<usize>, t: f64) -> Self {
         let frames = slots.iter().map(|&slot| world.frame(slot, t)).collect();
         Self { t, slots, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() }
@@ -64,28 +60,28 @@ impl EventInstant {
         self.slots.binary_search(&slot).ok()
     }
 
-    /// Pose of a body in the world.
+    /// Pose of a body relative to its placed pose; `None` for a body that the event does not concern.
     pub(in crate::dynamics) fn pose(&self, slot: usize) -> Option<Frame> {
         self.frames.get(self.place(slot)?).copied()
     }
 
-    /// Reference pose of a body; nothing for an abutment.
+    /// Reference pose of a body; `None` for an abutment.
     pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
         self.bases.get(self.place(slot?)?)
     }
 }
 
-/// Contacts of a group of bodies at an instant.
+/// Contacts of a group of bodies at the time of an event.
 #[derive(Clone, Copy)]
 pub(in crate::dynamics) struct AtInstant<'a> {
-    /// The group.
+    /// Constant data and present states of the group.
     pub world: &'a World,
-    /// Its bodies.
+    /// States of the bodies that the event concerns.
     pub now: &'a EventInstant,
 }
 
 impl AtInstant<'_> {
-    /// Pose of one side of a contact, of those in `frames`.
+    /// Pose from `frames` of the node's body (`which` 0) or the face's (1); the fixed pose of an abutment.
     fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
         let track = &self.world.contacts[contact];
         let stand = self.world.model.contacts[track.site].stand;
@@ -93,15 +89,15 @@ impl AtInstant<'_> {
         track.slots[which].map_or(stand, frame)
     }
 
-    /// A node against its face.
+    /// Position and velocity of a node relative to its face, poses relative to the placed poses.
     pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
         let site = &self.world.model.contacts[self.world.contacts[contact].site];
         let sides = [0, 1].map(|which| self.side(contact, which, &self.now.frames));
         locate(&site.home, &sides[0], &sides[1])
     }
 
-    /// A node against its face counted from the reference poses of the bodies, as it is while it is closed: the reference
-    /// configuration, both poses in `frames`, and the node.
+    /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and the
+    /// node relative to its face: the formulation of a closed contact.
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
         let at = track.state.closed().and_then(|closed| closed.solver.rebased_node);
@@ -111,25 +107,25 @@ impl AtInstant<'_> {
         (home, sides, locate(&home, &sides[0], &sides[1]))
     }
 
-    /// Whether a node is over its face's polygon and touches nothing else.
+    /// Whether the projection of a node is inside its face's polygon and the node touches no other face.
     pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
         let here = self.local(contact);
         let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
         is_over(face, here.at) && !self.touches_elsewhere(contact)
     }
 
-    /// Whether the same node is in another face already: it touches one at a time.
+    /// Whether the node is in contact with another of its faces; a node touches one face at a time.
     pub(in crate::dynamics) fn touches_elsewhere(&self, contact: usize) -> bool {
         self.world.contacts[contact].rivals.iter().any(|&other| self.world.contacts[other].state.closed().is_some())
     }
 
-    /// Whether a body stands in plan as it was placed.
-    pub(in crate::dynamics) fn stands(&self, frame: &Frame) -> bool {
+    /// Whether a pose of a planar scene is the placed pose, exactly.
+    pub(in crate::dynamics) fn is_as_placed(&self, frame: &Frame) -> bool {
         self.world.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.turned == DMat3::ZERO
     }
 
-    /// Whether a contact that has stopped sliding in two directions can hold: the tangential force that keeps `V_t` at
-    /// rest is within `μ_s |F_n|` (`docs/physics.md#stop`).
+    /// Whether a contact whose sliding in two directions has stopped can stick: the tangential force that keeps `V_t` at
+    /// zero is at most `μ_s |F_n|` (`docs/physics.md#stop`).
     pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &ClosedContact) -> bool {
         let track = &self.world.contacts[contact];
         let (home, sides, _) = self.since(contact, &self.now.since);
@@ -148,22 +144,21 @@ impl AtInstant<'_> {
                 mobility += DMat2::from_cols(along(axes[0]), along(axes[1]));
             }
         }
-        // What friction gives now, less this contact's part of what stops the acceleration that is left: those of the pair
-        // that slide with it share.
+        // Present friction less M_t a_t / N, with M_t the effective mass and N the number of sliding contacts of the pair.
         let sliding = |c: &usize| {
             matches!(self.world.contacts[*c].state.closed(), Some(ClosedContact { mode: Mode::Slip { .. }, .. }))
         };
         let sharing = self.world.pairs[track.pair].contacts.clone().filter(sliding).count().max(1);
         let needed = action.forces.tangential - mobility.inverse() * acceleration / sharing as f64;
-        // A NaN, where nothing can move tangentially, holds.
+        // The force is NaN where the mobility is 0: without tangential motion the contact sticks.
         needed.is_nan() || needed.length() <= closed.law.mu_s * action.forces.normal
     }
 
-    /// Tangential and normal acceleration of a node against a face under the forces of the contacts as they are
-    /// \[m/s²\].
+    /// Tangential and normal acceleration of a node relative to its face under the present forces \[m/s²\], by a forward
+    /// difference of the relative velocity over 1e-7 rad of the pair's contact oscillation.
     pub(in crate::dynamics) fn relative_acceleration(&self, contact: usize, here: &Local) -> (DVec2, f64) {
-        let dt = INSTANT * self.world.pairs[self.world.contacts[contact].pair].together;
-        let together = assemble(
+        let dt = CLOSING_INTERVAL * self.world.pairs[self.world.contacts[contact].pair].simultaneity;
+        let island = assemble(
             self.world,
             &self.now.slots,
             self.now.bases.clone(),
@@ -171,23 +166,25 @@ impl AtInstant<'_> {
             self.now.t,
             ControllerState::default(),
         );
-        let (.., next) = self.since(contact, &frames_after(&together, &self.world.model, dt));
+        let (.., next) = self.since(contact, &frames_after(&island, &self.world.model, dt));
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
-    /// Length below which a turning direction of slip is eased: a part of the depth that the speed and the push at the
-    /// entry lead to, or of the overlap, whichever is deepest \[m\].
-    pub(in crate::dynamics) fn ease(&self, contact: usize, law: &Law, here: &Local) -> f64 {
-        // Without sliding friction there is no force whose direction could turn.
+    /// Regularisation length `ℓ` of a slip direction that turns \[m\], `docs/physics.md#law-return-mapping`: proportional to
+    /// the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`, with ω the contact frequency of the pair; 0 for
+    /// a law whose slip direction is no state.
+    pub(in crate::dynamics) fn regularisation_length(&self, contact: usize, law: &Law, here: &Local) -> f64 {
+        // At μ_k = 0 the tangential force vanishes and has no direction.
         if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
-        let radian = self.world.pairs[self.world.contacts[contact].pair].together * 1e9;
+        let radian = self.world.pairs[self.world.contacts[contact].pair].simultaneity * SIMULTANEOUS_PER_RADIAN;
         let (_, speed) = here.relative_velocity(DVec2::ZERO);
-        let (_, push) = self.relative_acceleration(contact, here);
-        let depth = (speed.abs() * radian).max(push.abs() * radian * radian).max(here.penetration());
+        let (_, acceleration) = self.relative_acceleration(contact, here);
+        let depth = (speed.abs() * radian).max(acceleration.abs() * radian * radian).max(here.penetration());
         let size = self.world.model.contacts[self.world.contacts[contact].site].reach();
-        // Never less than a stretch's rounding: a direction within that is none.
-        (EASE * law.mu_k.max(LEAST_EASED) * law.normal.length(depth, law.k_t)).max(POSITION_ROUNDING * size)
+        // At least the round-off of a stretch, below which its direction is undefined.
+        (REGULARISATION_LENGTH * law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t))
+            .max(POSITION_ROUNDING * size)
     }
 }

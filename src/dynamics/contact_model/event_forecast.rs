@@ -1,5 +1,7 @@
-//! How soon something will change, by the slopes at the start of a step: two nodes of one edge touch microseconds after
-//! one another, and a step that reaches far beyond would be taken, or tried and refused, for nothing.
+//! Forecast of the next event of an island by linear extrapolation of switching functions and gaps from the start of a step.
+//!
+//! Two nodes of one edge close microseconds after one another; the forecast ends an implicit step near the next event, so
+//! that the part of it behind the event is not computed and discarded. It chooses the length of a step and no event.
 
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
@@ -10,16 +12,19 @@ use crate::dynamics::penalty3d::event_location::{function, reasons};
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 
-/// What may change: an active contact's state, or an open contact.
+/// A candidate for the next event.
 #[derive(Clone, Copy, Debug)]
 enum Change {
+    /// End of the state of the closed contact of this number in the island.
     State(usize, Reason),
+    /// Closing of the open contact of this number in the group.
     Closing(usize),
 }
 
-/// Time from the start of an island's next step to the first change of a contact that its slopes point to, if that comes
-/// within `horizon`; infinite where they point to none \[s\]. A guess: whatever the step meets is found as ever.
-pub(in crate::dynamics) fn soonest(world: &World, island: &Island, horizon: f64) -> f64 {
+/// Time from the start of an island's next step to its first event within `horizon` by linear extrapolation, infinite without
+/// one \[s\]. The event is confirmed by a second evaluation at the forecast time; its location in the step is independent of
+/// this estimate.
+pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horizon: f64) -> f64 {
     let (dt, horizon) = (SLOPE_PHASE / island.omega(), horizon.min(FORECAST_PHASE / island.omega()));
     if horizon <= dt {
         return f64::INFINITY;
@@ -27,30 +32,31 @@ pub(in crate::dynamics) fn soonest(world: &World, island: &Island, horizon: f64)
     let [now, then] = [0.0, dt].map(|ahead| frames_after(island, &world.model, ahead));
     let mut likely: Vec<(f64, f64, Change)> = Vec::new();
     for change in changes(world, island) {
-        let Some(here) = look(world, island, change, &now) else { continue };
-        let start = value(world, island, change, &here);
-        // What is told by the look alone needs no second one.
+        let Some(here) = local(world, island, change, &now) else { continue };
+        let start = switching_value(world, island, change, &here);
+        // Rates of gaps are known at the start; switching functions are differenced.
         let rise = match change {
             Change::Closing(_) => -here.gap_rate,
             Change::State(_, Reason::Opening) => here.gap_rate,
             Change::State(_, Reason::Edge) if start + horizon * (here.rate.length() + here.gap_rate.abs()) < 0.0 => 0.0,
-            Change::State(..) => look(world, island, change, &then)
-                .map_or(0.0, |there| (value(world, island, change, &there) - start) / dt),
+            Change::State(..) => local(world, island, change, &then)
+                .map_or(0.0, |there| (switching_value(world, island, change, &there) - start) / dt),
         };
         if start < 0.0 && rise > 0.0 && -start / rise < horizon {
             likely.push((-start / rise, start, change));
         }
     }
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let comes = |&(after, start, change): &(f64, f64, Change)| {
-        let there = look(world, island, change, &frames_after(island, &world.model, after))?;
-        let there = value(world, island, change, &there);
+    // Confirmed by its value at the forecast time; the time is that of the secant's zero where the value is still negative.
+    let confirmed = |&(after, start, change): &(f64, f64, Change)| {
+        let there = local(world, island, change, &frames_after(island, &world.model, after))?;
+        let there = switching_value(world, island, change, &there);
         (there > CONFIRMED_RISE * start).then(|| if there < 0.0 { after * start / (start - there) } else { after })
     };
-    likely.iter().find_map(comes).unwrap_or(f64::INFINITY)
+    likely.iter().find_map(confirmed).unwrap_or(f64::INFINITY)
 }
 
-/// All that may change.
+/// Switching functions of the island's closed contacts, and the armed open contacts of its bodies.
 fn changes(world: &World, island: &Island) -> Vec<Change> {
     let states = (0..island.active.len())
         .flat_map(|number| reasons(island, number).map(move |reason| Change::State(number, reason)));
@@ -60,8 +66,8 @@ fn changes(world: &World, island: &Island) -> Vec<Change> {
     states.chain(closings).collect()
 }
 
-/// The node against its face; nothing for a contact with somebody who is not in the island.
-fn look(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
+/// Position and velocity of a node relative to its face; `None` for a contact with a body outside the island.
+fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
     let contact = match change {
         Change::State(number, _) => return Some(island.active[number].look(&world.model, frames)),
         Change::Closing(contact) => &world.contacts[contact],
@@ -74,15 +80,16 @@ fn look(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Opt
     Some(locate(&site.home, &frame(contact.slots[0])?, &frame(contact.slots[1])?))
 }
 
-/// What is negative while nothing has changed.
-fn value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
+/// Value of the switching function, negative before the event; of an open contact `−g`.
+fn switching_value(world: &World, island: &Island, change: Change, here: &Local) -> f64 {
     match change {
         Change::State(number, reason) => function(&world.model, island, number, reason, here, island.until),
         Change::Closing(_) => -here.gap,
     }
 }
 
-/// Poses of its bodies, counted from their bases, a moment after the start of the next step, by its slope alone.
+/// Poses of an island's bodies relative to their reference poses, `dt` after the start of the next step, with constant
+/// acceleration.
 pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
     let slope = island.stepper.slope();
     let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();

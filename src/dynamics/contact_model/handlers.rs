@@ -1,10 +1,11 @@
-//! What an event does: a planned step ends, a contact changes within it, a pair closes.
+//! Event handlers: end of a planned step, transition of a contact within it, closing of a pair.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
+use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::contact_model::transitions;
 use crate::dynamics::integrator::step_control::ControllerState;
@@ -13,16 +14,14 @@ use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::dynamics::world::tracks::Trajectory;
 
-/// Changes of a contact at one instant from which on it alternates.
-const ALTERNATES: usize = 2;
-
 impl ContactRun {
-    /// An island's planned step has come to its end, or to an event.
+    /// Handles the end of an island's planned step or the event within it: the step is committed as far as `t`, contacts and
+    /// devices change state, and trajectories are rebuilt.
     pub(in crate::dynamics) fn end_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.world.islands[number].take() else { return };
         self.commit_island(&mut island, t);
         if island.due.is_empty() && island.link_due.is_none() {
-            self.go_on(number, island, t);
+            self.continue_island(number, island, t);
             return;
         }
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.world.model, index, t)).collect();
@@ -34,20 +33,20 @@ impl ContactRun {
         for Due { number, reason } in std::mem::take(&mut island.due) {
             let contact = island.contacts[number];
             self.transitions(&now).change(contact, reason);
-            alternates |= self.world.contacts[contact].counted.2 > ALTERNATES;
+            alternates |= self.world.contacts[contact].changes.at_instant > ALTERNATING_EVENTS;
         }
         if let Some(due) = island.link_due.take() {
             self.change_link(island.links[due.index].track, Switch::Function(due.switch), &now);
         }
         self.islands.take_back(number, &mut island);
-        // Where neither stick nor slip lasts over a long step, the step follows from the contact's own period.
-        self.form(now, if alternates { ControllerState::default() } else { island.pace() });
+        // Under alternating stick and slip the next step length follows from the island's frequency.
+        self.rebuild(now, if alternates { ControllerState::default() } else { island.pace() });
     }
 
-    /// Plans the next step of an island whose step ended without an event.
-    fn go_on(&mut self, number: usize, mut island: Box<Island>, t: f64) {
+    /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
+    fn continue_island(&mut self, number: usize, mut island: Box<Island>, t: f64) {
         let model = Arc::clone(&self.world.model);
-        // At the end of the run no step would follow to be counted from there.
+        // A new reference pose is of use only where a step follows.
         if island.distance == Distance::Strayed && t < model.duration {
             self.rebase(&mut island, t);
         } else if model.ground.next_kink(island.from) <= t {
@@ -59,7 +58,7 @@ impl ContactRun {
         self.search_around(&slots, t);
     }
 
-    /// Counts an island's motion from the present poses of its bodies.
+    /// Takes the present poses of an island's bodies as their reference poses.
     fn rebase(&mut self, island: &mut Island, t: f64) {
         let model = Arc::clone(&self.world.model);
         island.rebase(&model);
@@ -69,9 +68,10 @@ impl ContactRun {
         }
     }
 
-    /// A pair's next closing is due, or its search has to go on.
-    pub(in crate::dynamics) fn meet(&mut self, pair: usize, t: f64) {
-        let limit = t + self.world.pairs[pair].together;
+    /// Handles the closing of a pair at `t` with all contacts that close within its simultaneity interval; continues the
+    /// search where none is due.
+    pub(in crate::dynamics) fn close_pair(&mut self, pair: usize, t: f64) {
+        let limit = t + self.world.pairs[pair].simultaneity;
         let closes = |&c: &usize| self.world.contacts[c].closing.is_some_and(|at| at <= limit);
         let mut entered: Vec<usize> = self.world.pairs[pair].contacts.clone().filter(closes).collect();
         if entered.is_empty() {
@@ -81,11 +81,11 @@ impl ContactRun {
         let mut slots: Vec<usize> = self.world.pairs[pair].slots.into_iter().flatten().collect();
         slots.sort_unstable();
         let seen = EventInstant::poses(&self.world, slots, t);
-        // A node that comes within that of the others enters with them, but goes by at its own time.
+        // A node that closes within the interval after `t` closes at `t`; a miss is recorded at its own time only.
         entered.retain(|&contact| {
             let due = self.world.contacts[contact].closing.is_some_and(|at| at <= t);
             if due {
-                self.transitions(&seen).enters(contact)
+                self.transitions(&seen).is_entry(contact)
             } else {
                 AtInstant { world: &self.world, now: &seen }.is_over(contact)
             }
@@ -98,13 +98,13 @@ impl ContactRun {
         for contact in entered {
             self.transitions(&now).close(contact);
         }
-        // A blow is over within a radian of its contact. The error estimate of an implicit step does not see what decays
-        // within the step: one as long as those of a lasting contact would end at rest behind the blow.
-        self.form(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
+        // An impact lasts about a radian of the contact's oscillation. The error estimate of an implicit step is blind to a
+        // motion that decays within the step; the first step therefore follows from the island's frequency.
+        self.rebuild(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
     }
 
-    /// Ends the trajectories of bodies, and of all in an island with them, at `t`: the bodies as they are then, and the step
-    /// that their integrators would have taken.
+    /// Ends at `t` the trajectories of bodies and of all bodies in an island with them: their states, and the method and
+    /// length of their integrators' next steps.
     pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
         let mut all = BTreeSet::new();
         let mut pace = ControllerState::default();
@@ -122,7 +122,7 @@ impl ContactRun {
             }
         }
         let slots: Vec<usize> = all.into_iter().collect();
-        let (bases, states) = slots.iter().map(|&slot| self.world.caught(slot, t)).unzip();
+        let (bases, states) = slots.iter().map(|&slot| self.world.state_from_reference(slot, t)).unzip();
         self.retire_islands(&slots, t);
         (EventInstant::of(&self.world, slots, bases, states, t), pace)
     }

@@ -1,4 +1,5 @@
-//! Islands: bodies that a chain of closed contacts joins, integrated together. Assembly, numbering, and integrators in stock.
+//! Assembly of islands (bodies joined by a chain of closed contacts and acting devices), their numbers, and reuse of their
+//! implicit integrators.
 
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::integrator::radau_iia::Radau;
@@ -11,36 +12,37 @@ use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{LinkTrack, Trajectory};
 
-/// Numbers and integrators that ended islands leave to the next ones.
+/// Numbers and implicit integrators of ended islands, for reuse.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct IslandStock {
     vacant: Vec<usize>,
-    #[expect(clippy::vec_box, reason = "handed on in their boxes")]
+    #[expect(clippy::vec_box, reason = "an integrator is moved from island to island in its box")]
     spare: Vec<Box<Radau>>,
 }
 
-/// The start of an island: its bodies, the reference poses that their states are counted from, and the states.
+/// Initial state of an island: bodies, their reference poses, and their states relative to these.
 #[derive(Debug)]
 pub(in crate::dynamics) struct Start<'a> {
-    /// Slots of the bodies, rising.
+    /// Slots of the bodies, ascending.
     pub members: &'a [usize],
     /// Reference poses.
     pub bases: Vec<ReferencePose>,
-    /// States, one body after the other.
+    /// States in the order of the bodies.
     pub y: Vec<f64>,
     /// Time \[s\].
     pub t: f64,
 }
 
 impl IslandStock {
-    /// Takes back the number and the integrator of an island that has ended.
+    /// Stores the number and the implicit integrator of an island that has ended.
     pub(in crate::dynamics) fn take_back(&mut self, number: usize, island: &mut Island) {
         self.vacant.push(number);
         self.spare.extend(island.give_back());
     }
 
-    /// Sets up an island of bodies whose flights have been written into their paths; returns its number.
-    pub(in crate::dynamics) fn found(
+    /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `pace` is the
+    /// method and the length of its first step.
+    pub(in crate::dynamics) fn create(
         &mut self,
         world: &mut World,
         store: &StepStore,
@@ -68,7 +70,7 @@ impl IslandStock {
     }
 }
 
-/// An island of bodies with the closed contacts between them.
+/// The island of bodies with the closed contacts and acting devices between them.
 pub(in crate::dynamics) fn assemble(
     world: &World,
     members: &[usize],
@@ -105,7 +107,7 @@ pub(in crate::dynamics) fn assemble(
     island
 }
 
-/// Devices whose force acts on these bodies.
+/// Links of these bodies whose force acts.
 fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
     let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
     let active = |track: usize| {

@@ -1,18 +1,16 @@
-//! What an event of a device does: its force begins, its phase ends.
+//! Event handlers of devices: beginning of a force, change of phase.
 
 use std::sync::Arc;
 
 use crate::dynamics::connection::{Phase, Separation, Switch};
 use crate::dynamics::contact_model::at_instant::EventInstant;
+use crate::dynamics::contact_model::constants::DEVICE_EVENTS_PER_INSTANT;
 use crate::dynamics::contact_model::run::ContactRun;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::world::tracks::LinkTrack;
 
-/// Changes of one device at one instant before the run gives up there.
-const SAME_INSTANT: usize = 64;
-
 impl ContactRun {
-    /// Phases of all devices where the run starts.
+    /// Enters the initial phases of all devices.
     pub(in crate::dynamics) fn begin_links(&mut self, now: &EventInstant) {
         let model = Arc::clone(&self.world.model);
         for number in 0..self.world.links.len() {
@@ -21,7 +19,7 @@ impl ContactRun {
         }
     }
 
-    /// A link's force begins, or the search for its beginning has to go on.
+    /// Handles the beginning of a link's force at `t`; continues the search where none is due.
     pub(in crate::dynamics) fn begin_force(&mut self, number: usize, t: f64) {
         if self.world.links[number].begins.is_none_or(|at| at > t) {
             self.search_link(number, t);
@@ -31,17 +29,18 @@ impl ContactRun {
         slots.sort_unstable();
         let (now, pace) = self.release(&slots, t);
         self.change_link(number, Switch::Closing, &now);
-        // The first step of a force that begins follows from the frequency of the island, as at a contact's closing.
-        self.form(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
+        // As at the closing of a contact, the first implicit step follows from the island's frequency.
+        self.rebuild(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
     }
 
-    /// Changes a device's phase by an event of the bodies at an instant.
+    /// Changes a device's phase by `event` and records the energy released; ends the run above
+    /// [`DEVICE_EVENTS_PER_INSTANT`] changes.
     pub(in crate::dynamics) fn change_link(&mut self, number: usize, event: Switch, now: &EventInstant) {
         let model = Arc::clone(&self.world.model);
         let (motion, LinkTrack { link, phase, .. }) = (self.link_motion(number, now), &self.world.links[number]);
         let (next, released) = model.links[*link].device.next(event, phase, &motion);
         self.enter_phase(number, next, released, now.t);
-        if self.world.links[number].log.changes_at(now.t) > SAME_INSTANT {
+        if self.world.links[number].log.changes_at(now.t) > DEVICE_EVENTS_PER_INSTANT {
             let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
             let link = &model.links[self.world.links[number].link].name;
             let reason = format!("the device {link} changes its phase without end at one instant; give it some slack");
@@ -55,7 +54,7 @@ impl ContactRun {
         track.log.push(t, phase, released);
     }
 
-    /// Motion of a link's points at an instant.
+    /// Relative motion of a link's points at the time of the event.
     fn link_motion(&self, number: usize, now: &EventInstant) -> Separation {
         let LinkTrack { link, slots, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];

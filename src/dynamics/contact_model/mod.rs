@@ -1,6 +1,8 @@
-//! The contact model: bodies fly, touch, stick, slip and part; one implementer of the event loop.
+//! The contact model (`docs/physics.md#contact-events`) as an implementer of the event loop: free flight, closing, stick,
+//! slip and opening.
 
 pub(in crate::dynamics) mod at_instant;
+mod constants;
 pub(in crate::dynamics) mod contact_law;
 pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod handlers;

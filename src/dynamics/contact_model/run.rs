@@ -1,8 +1,8 @@
-//! The run of one group of bodies under the contact model: what is set up at t = 0, what each event does, what is left.
+//! The run of one group of bodies under the contact model: setup at t = 0, planning of steps, searches, and the end of the run.
 //!
-//! Every body has a trajectory into the future: a flight in closed form, or the planned step of the island in which it
-//! touches. Every pair has the time of its next closing on these trajectories. An event changes the trajectories of the
-//! bodies that it concerns and the predictions of their pairs, and nothing else.
+//! Every body has a trajectory beyond the present time: a flight in closed form, or the planned step of its island. Every pair
+//! has the time of its next closing on these trajectories. An event changes the trajectories of the bodies that it concerns
+//! and the searches of their pairs, and no others.
 
 use std::sync::Arc;
 
@@ -10,7 +10,8 @@ use crate::dynamics::Model;
 use crate::dynamics::closing::found::NextClosing;
 use crate::dynamics::closing::{link_closing, next_closing};
 use crate::dynamics::contact_model::at_instant::EventInstant;
-use crate::dynamics::contact_model::event_forecast::soonest;
+use crate::dynamics::contact_model::constants::WORK_BOUND_PER_BODY;
+use crate::dynamics::contact_model::event_forecast::earliest_change;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::contact_model::transitions::Transitions;
@@ -19,6 +20,7 @@ use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::constants::WORTHWHILE_CUT;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::penalty3d::constants::SIMULTANEOUS_PHASE;
 use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::event_location;
 use crate::dynamics::penalty3d::island::Island;
@@ -28,11 +30,7 @@ use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
 
-/// Planned steps, meetings and searches per body before the run gives up: more than the million that an hour of a stiff contact
-/// may take, and as many steps as memory should hold.
-const WORK: usize = 10_000_000;
-
-/// Ranks of the sources of events: at one time an island's comes first, then a pair's, then a link's.
+/// Ranks of the sources of events: at equal times an island's event precedes a pair's, a pair's precedes a link's.
 const ISLAND: usize = 0;
 const PAIR: usize = 1;
 const LINK: usize = 2;
@@ -48,17 +46,17 @@ pub struct ContactRun {
 }
 
 impl ContactRun {
-    /// An island as a source of events: its planned step ends, or an event of its contacts is due.
+    /// An island as a source of events: the end of its planned step, or an event within it.
     pub(in crate::dynamics) fn island(number: usize) -> Source {
         Source { rank: ISLAND, number }
     }
 
-    /// A pair as a source of events: it closes, or its search goes on.
+    /// A pair as a source of events: its closing, or the end of its search.
     pub(in crate::dynamics) fn pair(number: usize) -> Source {
         Source { rank: PAIR, number }
     }
 
-    /// A link as a source of events: its force begins, or its search goes on.
+    /// A link as a source of events: the beginning of its force, or the end of its search.
     pub(in crate::dynamics) fn link(number: usize) -> Source {
         Source { rank: LINK, number }
     }
@@ -76,7 +74,7 @@ impl ContactRun {
         run
     }
 
-    /// A run that stops at t = 0, and why.
+    /// A run that stops at t = 0 for `reason`.
     pub(in crate::dynamics) fn refused(model: &Arc<Model>, group: usize, reason: &str) -> Self {
         let mut run = Self::new(model, group);
         let slots: Vec<usize> = (0..run.world.bodies.len()).collect();
@@ -85,7 +83,7 @@ impl ContactRun {
         run
     }
 
-    /// States at t = 0: nodes that overlap start in stick, every body gets a trajectory.
+    /// Sets the states at t = 0: nodes that overlap start in stick, every body gets a trajectory.
     fn begin(&mut self) {
         let model = Arc::clone(&self.world.model);
         let slots: Vec<usize> = (0..self.world.bodies.len()).collect();
@@ -98,10 +96,10 @@ impl ContactRun {
         let now = EventInstant::of(&self.world, slots, bases, states, 0.0);
         self.begin_links(&now);
         self.transitions(&now).close_overlapping();
-        self.form(now, ControllerState::default());
+        self.rebuild(now, ControllerState::default());
     }
 
-    /// Ends all trajectories where the run has come to, and says where that is \[s\].
+    /// Ends all trajectories at the time that the run has reached; that time \[s\].
     pub(in crate::dynamics) fn end(&mut self) -> f64 {
         let end = self.schedule.reached(self.world.model.duration);
         self.commit_all(end);
@@ -112,14 +110,15 @@ impl ContactRun {
         end
     }
 
-    /// The contacts, to be changed at an instant.
+    /// Access to the contacts for transitions at the time of an event.
     pub(in crate::dynamics) fn transitions<'a>(&'a mut self, now: &'a EventInstant) -> Transitions<'a> {
         Transitions { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
     }
 
-    /// Gives bodies at `t` their new trajectories: those that touch form islands, the others fly (planar) or are integrated
-    /// alone.
-    pub(in crate::dynamics) fn form(&mut self, now: EventInstant, pace: ControllerState) {
+    /// Gives bodies their new trajectories from the time of the event on: bodies joined by closed contacts or acting devices
+    /// form islands; of the others planar ones fly in closed form and spatial ones are integrated alone. `pace` is the method
+    /// and the length of the islands' first steps.
+    pub(in crate::dynamics) fn rebuild(&mut self, now: EventInstant, pace: ControllerState) {
         let EventInstant { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
         for members in self.world.joined(&slots) {
@@ -130,7 +129,7 @@ impl ContactRun {
                 let body = &self.world.model.bodies[self.world.bodies[first].body];
                 body.restore(&bases[members[0]].numbers(), state);
                 if self.world.bodies[first].system.is_some() {
-                    self.fly(first, state, t);
+                    self.start_flight(first, state, t);
                     continue;
                 }
                 Start { members: &[first], bases: vec![body.placed()], y: state.clone(), t }
@@ -140,7 +139,7 @@ impl ContactRun {
                 Start { members: &members.iter().map(|&i| slots[i]).collect::<Vec<_>>(), bases, y, t }
             };
             let pace = if alone { ControllerState::default() } else { pace };
-            new_islands.push(self.islands.found(&mut self.world, &self.store, start, pace));
+            new_islands.push(self.islands.create(&mut self.world, &self.store, start, pace));
         }
         for island in new_islands {
             self.plan(island);
@@ -148,7 +147,7 @@ impl ContactRun {
         self.search_around(&slots, t);
     }
 
-    fn fly(&mut self, slot: usize, state: &[f64], t: f64) {
+    fn start_flight(&mut self, slot: usize, state: &[f64], t: f64) {
         end_flight(&mut self.world, slot, t);
         let track = &mut self.world.bodies[slot];
         if let Some(system) = &track.system {
@@ -156,7 +155,7 @@ impl ContactRun {
         }
     }
 
-    /// Plans an island's next step and what is due in it.
+    /// Plans an island's next step and locates the first event within it.
     pub(in crate::dynamics) fn plan(&mut self, number: usize) {
         let model = Arc::clone(&self.world.model);
         let Some(mut island) = self.world.islands[number].take() else { return };
@@ -170,8 +169,9 @@ impl ContactRun {
         self.schedule.effort.steps += 1;
         let pace = island.pace();
         let going_on = pace.stiff && pace.step > 0.0;
-        let soon = if going_on { soonest(&self.world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
-        let due = match island.plan(&model, cap, soon) {
+        let forecast =
+            if going_on { earliest_change(&self.world, &island, WORTHWHILE_CUT * pace.step) } else { f64::INFINITY };
+        let due = match island.plan(&model, cap, forecast) {
             Err(error) => {
                 let reason = format!(
                     "the step fell to {:.1e} s; a lower stiffness or a larger tolerance would be followed",
@@ -186,8 +186,8 @@ impl ContactRun {
         self.world.islands[number] = Some(island);
     }
 
-    /// Notes the first event within an island's planned step; its time. Of a contact and a device at one time the contact changes
-    /// first, and the device where the next step begins.
+    /// Enters in the island the first event within its planned step; its time. Of events of a contact and a device at equal
+    /// times the contact's comes first; the device's is located at the start of the next step.
     fn find_due(&mut self, island: &mut Island) -> Option<f64> {
         let contacts = self.first_due(island);
         let link = link_events::first_due(&self.world.model, island);
@@ -208,18 +208,19 @@ impl ContactRun {
         }
     }
 
-    /// What is due first of an island's contacts within its planned step, and when.
+    /// The first events of an island's contacts within its planned step, and their time. An event well inside the step has
+    /// the step retaken to end at it.
     fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<Due>)> {
-        let (model, together) = (Arc::clone(&self.world.model), 1e-9 / island.omega());
-        let (t, due) = event_location::first_due(&model, island, together)?;
+        let (model, simultaneity) = (Arc::clone(&self.world.model), SIMULTANEOUS_PHASE / island.omega());
+        let (t, due) = event_location::first_due(&model, island, simultaneity)?;
         if !island.end_beyond(&model, t, &due) {
             return Some((t, due));
         }
         self.schedule.effort.steps += 1;
-        event_location::first_due(&model, island, together)
+        event_location::first_due(&model, island, simultaneity)
     }
 
-    /// Searches the next closing of every pair of these bodies.
+    /// Searches the next closing of every pair and the next beginning of every link's force of these bodies.
     pub(in crate::dynamics) fn search_around(&mut self, slots: &[usize], t: f64) {
         for pair in self.world.pairs_of(slots) {
             self.search(pair, t);
@@ -241,10 +242,10 @@ impl ContactRun {
         self.enter(Self::link(link), found);
     }
 
-    /// Enters in the queue when a source is due by a search, and counts the search.
+    /// Enters the result of a search in the queue and counts its work.
     fn enter(&mut self, source: Source, found: NextClosing) {
         self.schedule.effort.searches += 1;
-        self.schedule.effort.looks += found.looks;
+        self.schedule.effort.looks += found.evaluations;
         self.schedule.work += found.work;
         if found.due.is_finite() {
             self.schedule.queue.set(source, found.due);
@@ -253,7 +254,7 @@ impl ContactRun {
         }
     }
 
-    /// Writes all trajectories into the paths of their bodies, as far as `t`.
+    /// Writes all trajectories up to `t` into the paths of their bodies.
     fn commit_all(&mut self, t: f64) {
         for track in &mut self.world.bodies {
             if let Trajectory::Flight(flight) = &track.now {
@@ -268,15 +269,19 @@ impl ContactRun {
         }
     }
 
-    /// Writes an island's planned step into the paths of its bodies, as far as `until`.
+    /// Writes an island's planned step up to `until` into the paths of its bodies.
     pub(in crate::dynamics) fn commit_island(&mut self, island: &mut Island, until: f64) {
         if until <= island.from {
             return;
         }
         let world = &mut self.world;
-        if let Some(number) = self.store.keep_again(world, island) {
+        if let Some(number) = self.store.keep_start(world, island) {
             for &slot in &island.slots {
-                world.bodies[slot].path.push(Segment { from: island.from, until, path: SegmentMotion::Again(number) });
+                world.bodies[slot].path.push(Segment {
+                    from: island.from,
+                    until,
+                    path: SegmentMotion::Recomputed(number),
+                });
             }
             return;
         }
@@ -315,7 +320,7 @@ impl Mechanics for ContactRun {
     }
 
     fn exceeds_bounds(&mut self, _: f64) -> bool {
-        self.schedule.work > WORK * self.world.bodies.len()
+        self.schedule.work > WORK_BOUND_PER_BODY * self.world.bodies.len()
     }
 
     fn excess(&self, source: Source) -> (String, String) {
@@ -327,7 +332,7 @@ impl Mechanics for ContactRun {
             Source { number, .. } => self.world.links[number].slots.into_iter().flatten().collect(),
         };
         let reason = format!(
-            "{} steps and looks are more than any answer is worth: a contact, a bearing or the ground is far too fast for \
+            "{} steps and evaluations exceed the bound on the work of a run: a contact, a bearing or the ground is far too fast for \
              the duration; lower its stiffness or frequency, or shorten the run",
             self.schedule.work
         );
@@ -337,7 +342,7 @@ impl Mechanics for ContactRun {
     fn handle(&mut self, source: Source, t: f64) {
         match source {
             Source { rank: ISLAND, number } => self.end_step(number, t),
-            Source { rank: PAIR, number } => self.meet(number, t),
+            Source { rank: PAIR, number } => self.close_pair(number, t),
             Source { number, .. } => self.begin_force(number, t),
         }
     }

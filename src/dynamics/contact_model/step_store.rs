@@ -1,7 +1,7 @@
-//! Storage of integration steps: as polynomials, or by their starts alone, from which a step is computed again when read.
+//! Storage of integration steps: as polynomials, or by their initial states, from which a step is recomputed when read.
 //!
-//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; a start takes a seventh of the memory and
-//! microseconds to read. A run keeps polynomials up to the memory that the model allows, and starts from then on.
+//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; an initial state takes a seventh of the memory and
+//! microseconds to read. A run stores polynomials up to the memory limit of the model and initial states from then on.
 
 use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -10,23 +10,24 @@ use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::world::World;
 
-/// Steps of a run that are kept by their starts, and what the polynomials of the others take.
+/// Steps of a run that are stored by their initial states, and the memory of the polynomials of the others.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct StepStore {
-    /// Steps kept by their starts.
+    /// Steps stored by their initial states.
     pub replay: Replay,
     /// Memory of polynomials \[bytes\].
     pub polynomials: usize,
 }
 
 impl StepStore {
-    /// Whether polynomials take as much as they may.
+    /// Whether the polynomials have reached the group's share of the memory limit.
     pub(in crate::dynamics) fn keeps_starts(&self, world: &World) -> bool {
         self.polynomials >= world.model.polynomials / world.model.groups.len().max(1)
     }
 
-    /// Keeps an island's planned step by its start, where that gives the same step; its number.
-    pub(in crate::dynamics) fn keep_again(&mut self, world: &World, island: &mut Island) -> Option<u32> {
+    /// Stores an island's planned step by its initial state; its number. `None` where polynomials are still stored, or where
+    /// a recomputed step would not be equal to the last bit.
+    pub(in crate::dynamics) fn keep_start(&mut self, world: &World, island: &mut Island) -> Option<u32> {
         if !self.keeps_starts(world)
             || island.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
         {
@@ -44,7 +45,7 @@ impl StepStore {
         self.replay.push(stretch, length, (!flown).then(|| island.layout.states(&states)))
     }
 
-    /// An island's bodies with what their states are counted from, which is kept where no flight ended there.
+    /// An island's bodies with their reference poses, each either the end of a flight or stored.
     fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<Member>> {
         let mut members = Vec::with_capacity(island.slots.len());
         for (&slot, base) in island.slots.iter().zip(&mut island.bases) {
@@ -58,7 +59,8 @@ impl StepStore {
         Some(members)
     }
 
-    /// Number of the flight that ended at `t` in a base and a state counted from it, to the last bit.
+    /// Number of the flight that ended at `t` in this reference pose and this state relative to it, to the last bit; `None`
+    /// without one.
     pub(in crate::dynamics) fn landing(
         world: &World,
         slot: usize,
@@ -76,7 +78,7 @@ impl StepStore {
     }
 }
 
-/// An island's contacts by what their logs say; nothing where these do not say all.
+/// States of an island's contacts by their entries in the logs; `None` where an entry does not determine the state.
 fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
     let logged = |(active, &contact): (&crate::dynamics::penalty3d::active_contact::ActiveContact, &usize)| {
         let track = &world.contacts[contact];
@@ -89,7 +91,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
     island.active.iter().zip(&island.contacts).map(logged).collect()
 }
 
-/// Whether all of an island's bodies flew to where its planned step begins.
+/// Whether the initial states of an island's planned step are the ends of flights, for all of its bodies.
 fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
     island.slots.iter().zip(&island.bases).zip(island.layout.states(states)).all(|((&slot, base), state)| {
         base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)

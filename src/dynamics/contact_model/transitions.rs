@@ -1,10 +1,13 @@
-//! Transitions of contact states at an event (`docs/physics.md#contact-events`): open, stick, slip.
+//! Transitions between the states open, stick and slip of a contact at an event (`docs/physics.md#contact-events`).
 
 use glam::DVec2;
 
 use crate::contact::parameters::is_over;
 use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
+use crate::dynamics::contact_model::constants::{
+    CHANGES_PER_WIDENING, CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH,
+};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
@@ -13,28 +16,22 @@ use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::{Event, EventKind};
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::ContactTrack;
+use crate::dynamics::world::tracks::{ChangeCount, ContactTrack};
 
-/// Events of one contact at one instant before the run gives up there.
-const SAME_INSTANT: usize = 64;
-/// Events of one contact during one touch before the run gives up there.
-const PER_TOUCH: usize = 1_000_000;
-/// After so many changes in one touch a stick breaks away by more than rounding, twice as much after every so many more.
-const WORN: usize = 100;
-
-/// Contacts of a group of bodies while an event changes them.
+/// Contacts of a group of bodies during an event.
 pub(in crate::dynamics) struct Transitions<'a> {
-    /// The group.
+    /// Constant data and present states of the group.
     pub world: &'a mut World,
-    /// Events so far, to which those of this instant are added.
+    /// Events of the run, to which those of this instant are added.
     pub events: &'a mut Vec<Event>,
-    /// Progress of the run, which stops where one contact changes without end.
+    /// Progress of the run, stopped where a contact exceeds its number of events.
     pub schedule: &'a mut Schedule,
-    /// Bodies at the instant of the event.
+    /// States of the bodies that the event concerns.
     pub now: &'a EventInstant,
 }
 
-/// Enters a contact's state from `t` on, with where its anchor is counted from.
+/// Enters a contact's state from `t` on in its track and its log, with the origin of its anchor: the displacement of the node
+/// along the face from the placed to the reference poses.
 pub(in crate::dynamics) fn enter(
     world: &mut World,
     contact: usize,
@@ -44,19 +41,19 @@ pub(in crate::dynamics) fn enter(
 ) {
     let track = &mut world.contacts[contact];
     let way = match state {
-        // Where it is counted from is the same as long as it is closed and not counted anew.
+        // The origin is kept as long as the contact is closed and its reference poses are not replaced.
         Contact::Closed(now)
             if track.state.closed().is_some_and(|before| before.solver.rebased_node == now.solver.rebased_node) =>
         {
             track.log.way()
         }
-        // Only a spring along the face remembers where it began.
+        // Without friction there is no tangential spring and no anchor.
         Contact::Closed(now) if now.law.has_friction() => {
             reference_pose::way_to(&world.model.contacts[track.site], bases)
         }
         _ => DVec2::ZERO,
     };
-    (track.state, track.out) = (state, None);
+    (track.state, track.rearmed_at) = (state, None);
     track.log.push(t, state, way);
 }
 
@@ -67,33 +64,30 @@ impl Transitions<'_> {
     }
 
     fn log(&mut self, contact: usize, state: Contact, kind: EventKind, released: f64) {
-        self.note(contact, state);
+        self.enter_state(contact, state);
         self.events.push(Event::new(self.now.t, self.world.contacts[contact].site, kind, released));
         self.count(contact);
     }
 
-    /// A change within a state: kept, but no event.
-    fn remember(&mut self, contact: usize, closed: ClosedContact) {
-        self.note(contact, Contact::Closed(closed));
+    /// Enters a change within a state, which is logged and is no event.
+    fn enter_without_event(&mut self, contact: usize, closed: ClosedContact) {
+        self.enter_state(contact, Contact::Closed(closed));
         self.count(contact);
     }
 
-    /// Enters a contact's state, with where its anchor is counted from.
-    fn note(&mut self, contact: usize, state: Contact) {
+    /// Enters a contact's state from the time of the event on.
+    fn enter_state(&mut self, contact: usize, state: Contact) {
         let bases = self.world.contacts[contact].slots.map(|slot| self.now.base(slot));
         enter(self.world, contact, state, bases, self.now.t);
     }
 
-    /// Counts an event; a contact that has had too many ends the run.
+    /// Counts a change of a contact; ends the run above [`CONTACT_EVENTS_PER_INSTANT`] or [`CONTACT_EVENTS_PER_TOUCH`].
     fn count(&mut self, contact: usize) {
         let t = self.now.t;
         let track = &mut self.world.contacts[contact];
-        let (touch, at, same) = &mut track.counted;
-        *touch += 1;
-        *same = if *at == t { *same + 1 } else { 1 };
-        *at = t;
-        if *same > SAME_INSTANT || *touch > PER_TOUCH {
-            let (touch, same) = (*touch, *same);
+        track.changes.count(t);
+        let ChangeCount { of_touch: touch, at_instant: same, .. } = track.changes;
+        if same > CONTACT_EVENTS_PER_INSTANT || touch > CONTACT_EVENTS_PER_TOUCH {
             let place = self.world.model.contacts[track.site].node.clone();
             self.schedule.give_up(
                 t,
@@ -106,19 +100,19 @@ impl Transitions<'_> {
         }
     }
 
-    /// Whether a node that has come through the plane of a face is inside its polygon; one that is not is logged as a
-    /// miss and ignored until it is in front again.
-    pub(in crate::dynamics) fn enters(&mut self, contact: usize) -> bool {
+    /// Whether the projection of a node that has crossed the plane of a face is inside its polygon. Otherwise a miss is
+    /// recorded and the contact is disarmed until its gap is positive again (`docs/physics.md#closing`).
+    pub(in crate::dynamics) fn is_entry(&mut self, contact: usize) -> bool {
         if self.at().is_over(contact) {
             return true;
         }
         self.world.contacts[contact].closing = None;
         self.log(contact, Contact::Open { armed: false }, EventKind::Missed, 0.0);
-        self.world.contacts[contact].counted.0 = 0;
+        self.world.contacts[contact].changes.of_touch = 0;
         false
     }
 
-    /// Closing: a node enters a face (`docs/physics.md#closing`).
+    /// Closing of a contact in stick or slip (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close(&mut self, contact: usize) {
         let (.., here) = self.at().since(contact, &self.now.since);
         let law = contact_law::of(self.world, contact, self.now);
@@ -127,27 +121,27 @@ impl Transitions<'_> {
             (tangential, normal) = self.at().relative_acceleration(contact, &here);
         }
         let mode = law.on_closing(&here, tangential, normal);
-        let ease = self.at().ease(contact, &law, &here);
-        let closed = ClosedContact::new(law, mode, ease);
+        let regularisation = self.at().regularisation_length(contact, &law, &here);
+        let closed = ClosedContact::new(law, mode, regularisation);
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
         };
         self.world.contacts[contact].closing = None;
-        self.world.contacts[contact].counted.0 = 0;
-        // Rounding leaves a hair of overlap at the crossing; its strain appears from nowhere and is booked.
+        self.world.contacts[contact].changes.of_touch = 0;
+        // Round-off leaves an overlap at the crossing; its strain energy enters the ledger as a negative release.
         let appeared = -law.entry_energy(&here);
         self.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
-    /// Nodes that overlap at t = 0 start in stick with p at their projection; nodes behind a face but beside it are
-    /// ignored.
+    /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is inside
+    /// the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
-        let at_home: Vec<bool> = self.now.frames.iter().map(|frame| self.at().stands(frame)).collect();
+        let as_placed: Vec<bool> = self.now.frames.iter().map(|frame| self.at().is_as_placed(frame)).collect();
         for contact in 0..self.world.contacts.len() {
-            let ContactTrack { slots, spot, .. } = &self.world.contacts[contact];
-            // The slots are all there are, so their numbers are their places.
-            if spot.home_gap >= 0.0 && slots.iter().flatten().all(|&slot| at_home[slot]) {
+            let ContactTrack { slots, geometry, .. } = &self.world.contacts[contact];
+            // At t = 0 the event concerns every body of the group, so that a slot is an index.
+            if geometry.home_gap >= 0.0 && slots.iter().flatten().all(|&slot| as_placed[slot]) {
                 continue;
             }
             let here = self.at().local(contact);
@@ -160,20 +154,20 @@ impl Transitions<'_> {
             let state = if inside {
                 let (.., here) = self.at().since(contact, &self.now.since);
                 let law = contact_law::of(self.world, contact, self.now);
-                let ease = self.at().ease(contact, &law, &here);
+                let regularisation = self.at().regularisation_length(contact, &law, &here);
                 let mode = if law.has_friction() {
                     Mode::Stick { anchor: here.way }
                 } else {
                     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
                     Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
                 };
-                let mut closed = ClosedContact::new(law, mode, ease);
+                let mut closed = ClosedContact::new(law, mode, regularisation);
                 closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
                 Contact::Closed(closed)
             } else {
                 Contact::Open { armed: false }
             };
-            self.note(contact, state);
+            self.enter_state(contact, state);
         }
     }
 
@@ -181,14 +175,16 @@ impl Transitions<'_> {
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
         let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
         match reason {
-            Reason::Opening => self.part(contact, &closed, EventKind::Opened),
-            Reason::Edge => self.part(contact, &closed, EventKind::LeftFace),
+            Reason::Opening => self.open(contact, &closed, EventKind::Opened),
+            Reason::Edge => self.open(contact, &closed, EventKind::LeftFace),
             Reason::Switching => self.switch(contact, closed),
-            Reason::Kink => self.remember(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed }),
+            Reason::Kink => {
+                self.enter_without_event(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed })
+            }
         }
     }
 
-    fn part(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
+    fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         let (.., here) = self.at().since(contact, &self.now.since);
         let released = closed.law.strain(&here, &closed.forces(&here));
         self.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
@@ -205,8 +201,8 @@ impl Transitions<'_> {
             Mode::Stick { anchor } => {
                 let breakaway = closed.law.on_breakaway(anchor, &here);
                 closed.mode = breakaway.mode;
-                let (_, at, same) = self.world.contacts[contact].counted;
-                closed.solver.retries = if at == self.now.t { u32::try_from(same).unwrap_or(u32::MAX) } else { 0 };
+                let ChangeCount { t, at_instant, .. } = self.world.contacts[contact].changes;
+                closed.solver.retries = if t == self.now.t { u32::try_from(at_instant).unwrap_or(u32::MAX) } else { 0 };
                 self.log(contact, Contact::Closed(closed), EventKind::StickToSlip, breakaway.released);
             }
             Mode::Slip { direction } => {
@@ -215,13 +211,14 @@ impl Transitions<'_> {
                     && !self.at().can_hold(contact, &closed)
                 {
                     closed.solver.passing_stop = true;
-                    self.remember(contact, closed);
+                    self.enter_without_event(contact, closed);
                     return;
                 }
                 closed.solver.passing_stop = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
-                let worn = u32::try_from(self.world.contacts[contact].counted.0 / WORN).unwrap_or(u32::MAX);
-                closed.solver.retries = if worn > 0 { FREE_RETRIES.saturating_add(worn) } else { 0 };
+                let changes = self.world.contacts[contact].changes.of_touch;
+                let widenings = u32::try_from(changes / CHANGES_PER_WIDENING).unwrap_or(u32::MAX);
+                closed.solver.retries = if widenings > 0 { FREE_RETRIES.saturating_add(widenings) } else { 0 };
                 self.log(contact, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }

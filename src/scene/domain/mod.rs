@@ -83,7 +83,7 @@ pub const STIFFNESS: Limit = Limit {
     ],
     remedy: "set stiffness_n_per_m so that K/M, with M = m₁m₂/(m₁+m₂) or the girder's mass at an abutment, lies in the range",
 };
-/// `√(K/M) T`. Explicit steps of a closed contact span 0.5 to 2.7 rad, and the work of a run is bounded by 1e7 steps and looks a
+/// `√(K/M) T`. Explicit steps of a closed contact span 0.5 to 2.7 rad, and the work of a run is bounded by 1e7 steps and searches a
 /// body.
 pub const CONTACT_PHASE: Limit = Limit {
     quantity: "phase of a contact over the run, √(K/M) T",
