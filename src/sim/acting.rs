@@ -5,6 +5,7 @@
 
 use super::{ContactNow, ContactState, History, impact};
 use crate::contact::{Frame, Home, Mode};
+use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::model::reference_pose::{ReferencePose, seen_from};
 use crate::dynamics::penalty3d::contact_force::{Action, act_in, to_world};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
@@ -23,10 +24,10 @@ struct Seen {
 }
 
 impl History {
-    /// A body within a step, counted from its base; nothing where it is in no step.
-    fn since(&self, body: usize, t: f64) -> Option<(ReferencePose, Frame)> {
+    /// A section of a body within a step, counted from its base; nothing where it is in no step.
+    fn since(&self, body: usize, section: usize, t: f64) -> Option<(ReferencePose, Frame)> {
         let own = &self.model().bodies[body];
-        let mut state = own.blank();
+        let mut state = BodyState::from_elem(0.0, own.width());
         let base = match self.paths[body].at(t)? {
             (_, StoredMotion::Step(piece)) => own.reference(piece.read(t, &mut state)),
             (from, StoredMotion::Recomputed(number)) => {
@@ -34,7 +35,7 @@ impl History {
             }
             _ => return None,
         };
-        Some((base, own.frame_since(&state)))
+        Some((base, own.frame_since(section, &state)))
     }
 
     /// A closed contact at `t` with its sides, as exactly as the run has it: counted from where its bodies were caught.
@@ -44,12 +45,13 @@ impl History {
         let closed = log.since(t)?;
         // Where a run gave up, what its last state is counted from may have no step that is.
         let counted = self.stop().is_none() || t < self.end();
-        let side = |body: Option<usize>| match body {
+        let sections = self.model().sections(contact);
+        let side = |body: Option<usize>, which: usize| match body {
             Some(_) if !counted => None,
-            Some(body) => self.since(body, t).map(|(base, frame)| (Some(base), frame)),
+            Some(body) => self.since(body, sections[which], t).map(|(base, frame)| (Some(base), frame)),
             None => Some((None, site.stand)),
         };
-        if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body), side(site.face_body)) {
+        if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
             let home = seen_from(site, [node.as_ref(), face.as_ref()], closed.solver.rebased_node);
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });

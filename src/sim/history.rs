@@ -168,7 +168,7 @@ impl History {
     pub(super) fn state(&self, body: usize, t: f64) -> BodyState {
         let t = t.clamp(0.0, self.end);
         let own = &self.model.bodies[body];
-        let mut state = own.blank();
+        let mut state = BodyState::from_elem(0.0, own.width());
         match (self.paths[body].at(t), &self.systems[body]) {
             (Some((from, StoredMotion::Start(start))), Some(system)) => {
                 return system.state(&system.fly(from, &start), t);
@@ -202,9 +202,9 @@ impl History {
         paths + replayed + logs + self.events.len() * size_of::<Event>()
     }
 
-    /// Pose and twist of a body.
+    /// Pose and twist of a body at G.
     pub fn frame(&self, body: usize, t: f64) -> Frame {
-        self.model.bodies[body].frame(&self.state(body, t))
+        self.model.bodies[body].frame(0, &self.state(body, t))
     }
 
     /// Motion of a girder at `t`, clamped to what was computed.
@@ -215,8 +215,9 @@ impl History {
     /// The two sides of a contact at `t`: node's body, face's body.
     pub(super) fn sides(&self, contact: usize, t: f64) -> [Frame; 2] {
         let site = &self.model.contacts[contact];
-        [site.node_body, site.face_body].map(|body| match body {
-            Some(body) => self.frame(body, t),
+        let [node, face] = self.model.sections(contact);
+        [(site.node_body, node), (site.face_body, face)].map(|(body, section)| match body {
+            Some(body) => self.model.bodies[body].frame(section, &self.state(body, t)),
             None => Frame::fixed(site.fixed),
         })
     }

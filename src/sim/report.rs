@@ -26,7 +26,7 @@ impl Motion {
     /// Of a girder in a state as its integrator holds it.
     pub(super) fn of(model: &Model, girder: usize, state: &[f64]) -> Self {
         let body = &model.bodies[girder];
-        let (here, (theta, turned)) = (body.frame(state), body.attitude(state));
+        let (here, (theta, turned)) = (body.frame(0, state), body.attitude(state));
         Self {
             place: here.origin(),
             displacement: here.shift,

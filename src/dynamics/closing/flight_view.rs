@@ -8,7 +8,7 @@ use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
-use crate::dynamics::world::tracks::Trajectory;
+use crate::dynamics::world::tracks::{PairTrack, Trajectory};
 use crate::motion::Ground;
 
 /// Two bodies in flight at one time, or one and the ground, with bounds on their motion from then on.
@@ -23,15 +23,27 @@ pub(in crate::dynamics) struct FlightSample {
 }
 
 impl FlightSample {
-    /// Sample of the bodies in two slots at `t`; its bounds hold up to `until` at most.
-    pub(in crate::dynamics) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
+    /// Sample of a pair's bodies at `t`; its bounds hold up to `until` at most.
+    pub(in crate::dynamics) fn of_pair(world: &World, pair: usize, t: f64, until: f64) -> Self {
+        let PairTrack { slots, sections, .. } = world.pairs[pair];
+        Self::of(world, slots, sections, t, until)
+    }
+
+    /// Sample of sections of the bodies in two slots at `t`; its bounds hold up to `until` at most.
+    pub(in crate::dynamics) fn of(
+        world: &World,
+        slots: [Option<usize>; 2],
+        sections: [usize; 2],
+        t: f64,
+        until: f64,
+    ) -> Self {
         let horizon = (until - t).max(f64::MIN_POSITIVE);
         // Both sides have the same ground motion: its phase is evaluated once.
         let phase = world.model.ground.phase(t);
         // The pose of an abutment is that of the contact's site, which replaces this one.
         let mut frames = [Frame::fixed(DVec3::ZERO); 2];
         let flyers = [0, 1].map(|side| {
-            let (frame, flyer) = flyer(world, slots[side]?, t, phase, horizon)?;
+            let (frame, flyer) = flyer(world, [slots[side]?, sections[side]], t, phase, horizon)?;
             frames[side] = frame;
             Some(flyer)
         });
@@ -40,7 +52,13 @@ impl FlightSample {
     }
 }
 
-fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> Option<(Frame, BodyInFlight<'_>)> {
+fn flyer(
+    world: &World,
+    [slot, section]: [usize; 2],
+    t: f64,
+    phase: [f64; 2],
+    horizon: f64,
+) -> Option<(Frame, BodyInFlight<'_>)> {
     let track = &world.bodies[slot];
     let body = &world.model.bodies[track.body];
     let (Trajectory::Flight(flight), Some(motion)) = (&track.now, &track.system) else { return None };
@@ -50,7 +68,10 @@ fn flyer(world: &World, slot: usize, t: f64, phase: [f64; 2], horizon: f64) -> O
         let girder = Some(GirderInFlight { system, state, free });
         return Some((body.planar_frame(&state), BodyInFlight { bound, girder }));
     }
-    Some((motion.frame(body, flight, t), BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None }))
+    Some((
+        motion.frame(body, section, flight, t),
+        BodyInFlight { bound: motion.bounds(flight, t, horizon), girder: None },
+    ))
 }
 
 /// End of one search \[s\]: a period of a sine, [`RECORD_SAMPLES_PER_SEARCH`] samples of a record, or the end of the

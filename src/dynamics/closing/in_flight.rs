@@ -50,7 +50,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     remember(world, world.pairs[pair].slots, until);
     let present = &*world;
     let mut evaluations = 1;
-    let first = FlightSample::of(present, present.pairs[pair].slots, t, duration);
+    let first = FlightSample::of_pair(present, pair, t, duration);
     let mut open_contacts = open(present, pair, t, &first);
     // Contacts armed at `t`; the search can arm others later.
     let armed: Vec<usize> = open_contacts.iter().filter(|q| q.advancement.armed()).map(|q| q.contact).collect();
@@ -154,7 +154,7 @@ impl FlightSamples<'_> {
         if let Some((_, sample)) = self.taken.iter().find(|(at, _)| *at == t) {
             return *sample;
         }
-        let sample = FlightSample::of(self.world, self.world.pairs[self.pair].slots, t, self.until);
+        let sample = FlightSample::of_pair(self.world, self.pair, t, self.until);
         self.taken.push((t, sample));
         sample
     }
@@ -191,7 +191,7 @@ fn with_simultaneous(
 ) -> Vec<(usize, f64)> {
     if closed.len() < open_contacts.len() {
         let at = first + world.pairs[pair].simultaneity;
-        let sample = FlightSample::of(world, world.pairs[pair].slots, at, at);
+        let sample = FlightSample::of_pair(world, pair, at, at);
         for open_contact in open_contacts.iter().filter(|q| q.advancement.armed()) {
             if closed.iter().all(|(contact, _)| *contact != open_contact.contact)
                 && open_contact.local(&sample).gap < 0.0

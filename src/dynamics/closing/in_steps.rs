@@ -9,7 +9,7 @@ use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::Trajectory;
+use crate::dynamics::world::tracks::{PairTrack, Trajectory};
 
 /// Searches the first closing of a pair from `t` to `until`, the end of the first planned step; enters the closing of
 /// each contact and returns the first, infinite without one \[s\].
@@ -81,7 +81,8 @@ fn local_at(world: &World, contact: usize, t: f64) -> Local {
 fn resolution(world: &World, contact: usize, t: f64) -> f64 {
     let track = &world.contacts[contact];
     // The round-off of positions grows with the displacement of the bodies.
-    let moved: f64 = track.slots.into_iter().flatten().map(|slot| world.frame(slot, t).shift.length()).sum();
+    let sides = track.slots.into_iter().zip(track.sections);
+    let moved: f64 = sides.filter_map(|(slot, section)| Some(world.frame(slot?, section, t).shift.length())).sum();
     RESOLUTION * (track.geometry.size + moved)
 }
 
@@ -92,15 +93,16 @@ struct StepSamples {
     /// Whether the poses of all sample times are computed, not of the first alone.
     filled: bool,
     slots: [Option<usize>; 2],
+    sections: [usize; 2],
 }
 
 impl StepSamples {
     /// With the poses of the first sample time.
     fn begin(world: &World, pair: usize, t: f64, until: f64) -> Self {
-        let slots = world.pairs[pair].slots;
+        let PairTrack { slots, sections, .. } = world.pairs[pair];
         let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
         let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
-        Self { times, frames: [Self::frames(world, slots, t); STEP_SAMPLES], filled: false, slots }
+        Self { times, frames: [Self::frames(world, slots, sections, t); STEP_SAMPLES], filled: false, slots, sections }
     }
 
     /// Computes the poses of the other sample times.
@@ -109,12 +111,13 @@ impl StepSamples {
             return;
         }
         for i in 1..STEP_SAMPLES {
-            self.frames[i] = Self::frames(world, self.slots, self.times[i]);
+            self.frames[i] = Self::frames(world, self.slots, self.sections, self.times[i]);
         }
     }
 
-    fn frames(world: &World, slots: [Option<usize>; 2], t: f64) -> [Frame; 2] {
-        slots.map(|slot| slot.map_or(Frame::fixed(glam::DVec3::ZERO), |slot| world.frame(slot, t)))
+    fn frames(world: &World, slots: [Option<usize>; 2], sections: [usize; 2], t: f64) -> [Frame; 2] {
+        let still = Frame::fixed(glam::DVec3::ZERO);
+        [0, 1].map(|side| slots[side].map_or(still, |slot| world.frame(slot, sections[side], t)))
     }
 
     /// Pose of one of the pair's bodies at sample `i`.

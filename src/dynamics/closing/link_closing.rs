@@ -64,7 +64,7 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
 /// Gap of a device in flight at `t` with a bound on its second derivative, valid up to `until` at most.
 fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
     let LinkTrack { link, slots, phase, .. } = &world.links[link];
-    let (sample, link) = (FlightSample::of(world, *slots, t, until), &world.model.links[*link]);
+    let (sample, link) = (FlightSample::of(world, *slots, [0; 2], t, until), &world.model.links[*link]);
     let frames = link.frames(|end| slots[end].map(|_| sample.frames[end]));
     let (motion, _) = link.motion([&frames[0], &frames[1]]);
     let arms = link.arms.map(DVec3::length);
@@ -121,7 +121,7 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
 /// Poses of a link's ends at `t`.
 fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
     let LinkTrack { link, slots, .. } = &world.links[number];
-    world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, t)))
+    world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, 0, t)))
 }
 
 /// Relative motion of a link's points at `t`.

@@ -10,6 +10,8 @@ use crate::dynamics::contact_model::constants::{REGULARISATION_FRICTION, REGULAR
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::body::Point;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, SIMULTANEOUS_PER_RADIAN};
 use crate::dynamics::penalty3d::contact_force;
@@ -28,9 +30,11 @@ pub(in crate::dynamics) struct EventInstant {
     pub bases: Vec<ReferencePose>,
     /// States relative to the reference poses.
     pub states: Vec<Vec<f64>>,
-    /// Poses relative to the placed poses.
+    /// Layout of the states and sections.
+    layout: StateLayout,
+    /// Poses of all sections relative to the placed poses.
     pub frames: Vec<Frame>,
-    /// Poses relative to the reference poses.
+    /// Poses of all sections relative to the reference poses.
     pub since: Vec<Frame>,
 }
 
@@ -43,17 +47,23 @@ impl EventInstant {
         states: Vec<Vec<f64>>,
         t: f64,
     ) -> Self {
-        let body = |slot: usize| &world.model.bodies[world.bodies[slot].body];
-        let since = slots.iter().zip(&states).map(|(&slot, state)| body(slot).frame_since(state));
-        let since: Vec<Frame> = since.collect();
-        let frames = bases.iter().zip(&since).map(|(base, since)| base.whole(since)).collect();
-        Self { t, slots, bases, states, frames, since }
+        let layout = layout(world, &slots);
+        let (mut since, mut frames) = (Vec::with_capacity(layout.section_count()), Vec::new());
+        frames.reserve_exact(layout.section_count());
+        for (i, &slot) in slots.iter().enumerate() {
+            world.model.bodies[world.bodies[slot].body].push_frames(&states[i], &mut since);
+            frames.extend(since[layout.sections(i)].iter().map(|since| bases[i].whole(since)));
+        }
+        Self { t, slots, layout, bases, states, frames, since }
     }
 
     /// Poses on the present trajectories, without states and reference poses.
     pub(in crate::dynamics) fn poses(world: &World, slots: Vec<usize>, t: f64) -> Self {
-        let frames = slots.iter().map(|&slot| world.frame(slot, t)).collect();
-        Self { t, slots, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() }
+        let layout = layout(world, &slots);
+        let sections = |(i, &slot): (usize, &usize)| layout.sections(i).enumerate().map(move |(own, _)| (slot, own));
+        let sections = slots.iter().enumerate().flat_map(sections);
+        let frames = sections.map(|(slot, section)| world.frame(slot, section, t)).collect();
+        Self { t, slots, layout, bases: Vec::new(), states: Vec::new(), frames, since: Vec::new() }
     }
 
     fn place(&self, slot: usize) -> Option<usize> {
@@ -62,13 +72,22 @@ impl EventInstant {
 
     /// Pose of a body relative to its placed pose; `None` for a body that the event does not concern.
     pub(in crate::dynamics) fn pose(&self, slot: usize) -> Option<Frame> {
-        self.frames.get(self.place(slot)?).copied()
+        self.frames.get(self.section(slot, 0)?).copied()
+    }
+
+    /// Place of a body's section in the lists of poses.
+    pub(in crate::dynamics) fn section(&self, slot: usize, own: usize) -> Option<usize> {
+        Some(self.layout.sections(self.place(slot)?).start + own)
     }
 
     /// Reference pose of a body; `None` for an abutment.
     pub(in crate::dynamics) fn base(&self, slot: Option<usize>) -> Option<&ReferencePose> {
         self.bases.get(self.place(slot?)?)
     }
+}
+
+fn layout(world: &World, slots: &[usize]) -> StateLayout {
+    StateLayout::of(slots.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]))
 }
 
 /// Contacts of a group of bodies at the time of an event.
@@ -85,7 +104,8 @@ impl AtInstant<'_> {
     fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
         let track = &self.world.contacts[contact];
         let stand = self.world.model.contacts[track.site].stand;
-        let frame = |slot: usize| self.now.place(slot).and_then(|i| frames.get(i)).copied().unwrap_or(stand);
+        let section = |slot: usize| self.now.section(slot, track.sections[which]);
+        let frame = |slot: usize| section(slot).and_then(|i| frames.get(i)).copied().unwrap_or(stand);
         track.slots[which].map_or(stand, frame)
     }
 
@@ -138,7 +158,7 @@ impl AtInstant<'_> {
                 let axes = [home.axes.x_axis, home.axes.y_axis].map(|axis| sides[1].turn(axis));
                 let here = self.side(contact, which, &self.now.frames);
                 let along = |axis: DVec3| {
-                    let there = body.acceleration(&here, axis, arm);
+                    let there = body.acceleration(Point { section: track.sections[which], frame: &here, arm }, axis);
                     DVec2::new(there.dot(axes[0]), there.dot(axes[1]))
                 };
                 mobility += DMat2::from_cols(along(axes[0]), along(axes[1]));

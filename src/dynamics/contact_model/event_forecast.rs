@@ -73,11 +73,15 @@ fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Op
         Change::Closing(contact) => &world.contacts[contact],
     };
     let site = &world.model.contacts[contact.site];
-    let frame = |slot: Option<usize>| match slot {
-        Some(slot) => island.slots.binary_search(&slot).ok().and_then(|i| Some(island.bases[i].whole(frames.get(i)?))),
+    let frame = |which: usize| match contact.slots[which] {
+        Some(slot) => {
+            let index = island.slots.binary_search(&slot).ok()?;
+            let section = island.layout.sections(index).start + contact.sections[which];
+            Some(island.bases[index].whole(frames.get(section)?))
+        }
         None => Some(site.stand),
     };
-    Some(locate(&site.home, &frame(contact.slots[0])?, &frame(contact.slots[1])?))
+    Some(locate(&site.home, &frame(0)?, &frame(1)?))
 }
 
 /// Value of the switching function, negative before the event; of an open contact `−g`.
@@ -88,15 +92,16 @@ fn switching_value(world: &World, island: &Island, change: Change, here: &Local)
     }
 }
 
-/// Poses of an island's bodies relative to their reference poses, `dt` after the start of the next step, with constant
+/// Poses of the sections of an island's bodies relative to their reference poses, `dt` after the start of the next step, with constant
 /// acceleration.
 pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
     let slope = island.stepper.slope();
     let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-    let frame = |(i, &body): (usize, &usize)| {
+    let mut frames = Vec::with_capacity(island.layout.section_count());
+    for (i, &body) in island.bodies.iter().enumerate() {
         let (part, body) = (island.layout.range(i), &model.bodies[body]);
         body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
-        body.frame_since(&moved[part])
-    };
-    island.bodies.iter().enumerate().map(frame).collect()
+        body.push_frames(&moved[part], &mut frames);
+    }
+    frames
 }

@@ -90,7 +90,10 @@ pub(in crate::dynamics) fn assemble(
             let [node, face] = track.slots.map(index);
             let sides = [node, face].map(|i| bases.get(i?));
             let home = reference_pose::seen_from(&world.model.contacts[track.site], sides, closed.solver.rebased_node);
-            Some((contact, ActiveContact { site: track.site, node, face, closed, home, angle: None, depth: 0.0 }))
+            Some((
+                contact,
+                ActiveContact { site: track.site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0 },
+            ))
         })
         .collect();
     let bodies = members.iter().map(|&slot| world.bodies[slot].body).collect();
@@ -112,7 +115,7 @@ fn acting_links(world: &World, members: &[usize]) -> Vec<ActiveLink> {
     let index = |slot: Option<usize>| slot.and_then(|s| members.binary_search(&s).ok());
     let active = |track: usize| {
         let LinkTrack { link, slots, phase, .. } = &world.links[track];
-        ActiveLink { number: *link, track, ends: slots.map(index), phase: *phase }
+        ActiveLink { number: *link, track, ends: slots.map(index), sections: [0; 2], phase: *phase }
     };
     world.links_of(members).into_iter().filter(|&link| world.link_acts(link)).map(active).collect()
 }

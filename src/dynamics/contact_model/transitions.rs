@@ -137,11 +137,14 @@ impl Transitions<'_> {
     /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is inside
     /// the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
-        let as_placed: Vec<bool> = self.now.frames.iter().map(|frame| self.at().is_as_placed(frame)).collect();
+        let now = self.now;
+        let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.at().is_as_placed(frame)).collect();
         for contact in 0..self.world.contacts.len() {
-            let ContactTrack { slots, geometry, .. } = &self.world.contacts[contact];
-            // At t = 0 the event concerns every body of the group, so that a slot is an index.
-            if geometry.home_gap >= 0.0 && slots.iter().flatten().all(|&slot| as_placed[slot]) {
+            let ContactTrack { slots, sections, geometry, .. } = &self.world.contacts[contact];
+            let mut sides = slots.iter().zip(sections).filter_map(|(slot, &own)| Some(((*slot)?, own)));
+            if geometry.home_gap >= 0.0
+                && sides.all(|(slot, own)| now.section(slot, own).is_some_and(|section| as_placed[section]))
+            {
                 continue;
             }
             let here = self.at().local(contact);

@@ -58,11 +58,11 @@ impl BodyMotion {
         }
     }
 
-    /// Pose and twist of the body at `t` in `flight`.
-    pub(in crate::dynamics) fn frame(&self, body: &Body, flight: &BodyFlight, t: f64) -> Frame {
+    /// Pose and twist of a section of the body at `t` in `flight`.
+    pub(in crate::dynamics) fn frame(&self, body: &Body, section: usize, flight: &BodyFlight, t: f64) -> Frame {
         match (self, flight) {
             (Self::Girder(motion), BodyFlight::Girder(flight)) => body.planar_frame(&motion.state(flight, t)),
-            _ => body.frame(&self.state(flight, t)),
+            _ => body.frame(section, &self.state(flight, t)),
         }
     }
 

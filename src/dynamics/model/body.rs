@@ -16,6 +16,7 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+use crate::geometry::End;
 use crate::geometry::Prism;
 use crate::motion::Ground;
 
@@ -83,8 +84,11 @@ pub enum BodyCoordinates {
 /// How a body's state is laid out, and what moves it.
 ///
 /// A state has [`width`](Self::width) components: [`positions`](Self::positions), then velocities that carry them. It is counted
-/// from where the body was placed, or, in contact, from a [`ReferencePose`]. Contact forces act at points of the body's one
-/// rigid section, whose pose and twist is [`frame`](Self::frame).
+/// from where the body was placed, or, in contact, from a [`ReferencePose`].
+///
+/// Points belong to rigid *sections* of the body. The first one moves with G, those of the ends may be others; a rigid body has
+/// one. The [`frame`](Self::frame) of a section is its rigid motion: a point that was at `l` from G as placed is at
+/// `l + D l` from the frame's origin now, whichever section it belongs to. Forces act on sections.
 pub trait Coordinates: Debug + Send + Sync {
     /// Components of the state.
     fn width(&self) -> usize;
@@ -92,17 +96,27 @@ pub trait Coordinates: Debug + Send + Sync {
     /// How many of them are positions; they come first.
     fn positions(&self) -> usize;
 
-    /// Components that are the displacement of G along x, y and, in space, z.
-    fn displacements(&self) -> Range<usize>;
+    /// How many sections there are.
+    fn sections(&self) -> usize {
+        1
+    }
+
+    /// The section of the nodes and the face of an end.
+    fn section(&self, _end: End) -> usize {
+        0
+    }
+
+    /// Components that are the displacement of every section along x, y and, in space, z; nothing where sections move apart.
+    fn displacements(&self) -> Option<Range<usize>>;
 
     /// State at t = 0.
     fn initial(&self, body: &Body) -> Vec<f64>;
 
-    /// Pose and twist, of a state since the body was placed.
-    fn frame(&self, body: &Body, state: &[f64]) -> Frame;
+    /// Pose and twist of a section, of a state since the body was placed.
+    fn frame(&self, body: &Body, section: usize, state: &[f64]) -> Frame;
 
-    /// Pose and twist counted from a reference pose, of a state that is.
-    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame;
+    /// Pose and twist of a section counted from a reference pose, of a state that is.
+    fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame;
 
     /// Rotation about the vertical without jumps at ±π \[rad\], and attitude since the body was placed.
     fn attitude(&self, state: &[f64]) -> (f64, DQuat);
@@ -116,8 +130,8 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Counts a state from where the body was placed that was counted from the reference pose of these numbers.
     fn restore(&self, numbers: &[f64], state: &mut [f64]);
 
-    /// Rate of a state under contact forces and the ground's acceleration \[m/s²\]; bearings and given pushes are the body's own.
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]);
+    /// Rate of a state under the contact forces on each section and the ground's acceleration \[m/s²\]; bearings and given pushes are the body's own.
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]);
 
     /// Whether a state has parts of given length, which [`normalise`](Self::normalise) restores.
     fn has_unit_parts(&self) -> bool {
@@ -140,18 +154,18 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Size of component `i` of bodies of size `place` \[m\] that swing at `omega` \[rad/s\], for difference quotients.
     fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64;
 
-    /// How far a point at `arm` from G goes at most, where components `range` together go as far as `way(range)` \[m\].
+    /// How far a point of any section at `arm` from G goes at most, where components `range` together go as far as `way(range)` \[m\].
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64;
 
-    /// Bounds on the motion, where rate and second derivative of components `range` together are at most `rates(range)`.
+    /// Bounds on the motion of any section, where rate and second derivative of components `range` together are at most `rates(range)`.
     fn bounds(&self, rates: &dyn Fn(Range<usize>) -> [f64; 2]) -> MotionBounds;
 
-    /// Acceleration of the point at `arm` from G by a force that acts there \[m/s²\].
-    fn acceleration(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3) -> DVec3;
+    /// Acceleration of a point by a force that acts there \[m/s²\].
+    fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3;
 
-    /// What a force at `arm` from G adds to the rate of a state, and its generalised force: both state-wide, written over the
+    /// What a force at a point adds to the rate of a state, and its generalised force: both state-wide, written over the
     /// velocities.
-    fn port(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3, columns: [&mut [f64]; 2]);
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, columns: [&mut [f64]; 2]);
 
     /// Displacement along a world axis, 0 or 1, and its rate in the state of a rigid body that bearings, pushes and ground never
     /// drive off that axis, nor turn.
@@ -175,13 +189,24 @@ pub trait Coordinates: Debug + Send + Sync {
     fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3];
 }
 
-/// A state, what it is counted from, and its frame counted from there.
+/// A point of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<'a> {
+    /// Its section.
+    pub section: usize,
+    /// Pose of the section since the body was placed.
+    pub frame: &'a Frame,
+    /// From the frame's origin, world axes \[m\].
+    pub arm: DVec3,
+}
+
+/// A state, what it is counted from, and the frames of its sections counted from there.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<'a> {
     /// Reference pose.
     pub base: &'a ReferencePose,
-    /// [`frame_since`](Coordinates::frame_since) of the state.
-    pub frame: &'a Frame,
+    /// [`frame_since`](Coordinates::frame_since) of each section.
+    pub frames: &'a [Frame],
     /// State.
     pub state: &'a [f64],
 }

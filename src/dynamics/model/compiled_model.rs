@@ -38,3 +38,14 @@ pub struct Model {
     /// Links of each group, in rising order.
     pub group_links: Vec<Vec<usize>>,
 }
+
+impl Model {
+    /// The sections of their bodies that carry a contact's node and face.
+    pub fn sections(&self, site: usize) -> [usize; 2] {
+        let ContactSite { node_body, face_body, ends, .. } = &self.contacts[site];
+        [(node_body, ends[0]), (face_body, ends[1])].map(|(body, end)| match (body, end) {
+            (Some(body), Some(end)) => self.bodies[*body].section(end),
+            _ => 0,
+        })
+    }
+}

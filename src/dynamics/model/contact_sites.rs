@@ -21,6 +21,7 @@ const OVERHANG: f64 = 0.75;
 struct PairSide {
     name: Arc<str>,
     body: Option<usize>,
+    end: Option<End>,
     /// Node names and places, in the frame of the body (about `fixed`, for an abutment).
     nodes: Vec<(String, DVec3)>,
     face: Face,
@@ -52,6 +53,7 @@ pub(in crate::dynamics) fn contacts(
             node,
             face_name: Arc::clone(&face.name),
             pair,
+            ends: [own.end, face.end],
             node_body: own.body,
             point,
             face_body: face.body,
@@ -106,7 +108,14 @@ fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
         bitangent,
         depth: body.prism.depth_behind_end(),
     };
-    PairSide { name: [&body.name, end.label()].concat().into(), body: Some(number), nodes, face, fixed: DVec3::ZERO }
+    PairSide {
+        name: [&body.name, end.label()].concat().into(),
+        body: Some(number),
+        end: Some(end),
+        nodes,
+        face,
+        fixed: DVec3::ZERO,
+    }
 }
 
 fn abutment_facade(scene: &Scene, number: usize) -> Result<PairSide, SceneErrors> {
@@ -134,7 +143,7 @@ fn abutment_facade(scene: &Scene, number: usize) -> Result<PairSide, SceneErrors
         ],
         Kind::Spatial => (0..4).map(|i| (format!("{}.corner{i}", abutment.name), corners[i])).collect(),
     };
-    Ok(PairSide { name: abutment.name.as_str().into(), body: None, nodes, face, fixed })
+    Ok(PairSide { name: abutment.name.as_str().into(), body: None, end: None, nodes, face, fixed })
 }
 
 #[cfg(test)]

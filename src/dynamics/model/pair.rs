@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::contact::{Frame, Home, Law, Local};
-use crate::geometry::Face;
+use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
 
 /// A facing pair, compiled.
@@ -40,6 +40,8 @@ pub struct ContactSite {
     pub face_name: Arc<str>,
     /// Its pair.
     pub pair: usize,
+    /// The ends of their bodies that node and face are of; nothing for an abutment.
+    pub ends: [Option<End>; 2],
     /// The body that owns the node; nothing for an abutment's corner.
     pub node_body: Option<usize>,
     /// The node in its body's frame (about `fixed`, for an abutment) \[m\].

@@ -149,7 +149,7 @@ mod tests {
             further(model.kind, &mut since);
             let mut whole = since.clone();
             body.restore(&base.numbers(), &mut whole);
-            let [one, other] = [base.whole(&body.frame_since(&since)), body.frame(&whole)];
+            let [one, other] = [base.whole(&body.frame_since(0, &since)), body.frame(0, &whole)];
             assert!((one.shift - other.shift).length() < 1e-15, "{name}: {one:?} against {other:?}");
             assert!((one.turned - other.turned).abs_diff_eq(DMat3::ZERO, 1e-15), "{name}: {one:?} against {other:?}");
             assert_eq!(body.reference(&base.numbers()), base, "{name}: by its numbers");
@@ -166,7 +166,7 @@ mod tests {
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));
             let home = seen_from(site, bases, None);
             let look = |state: &[f64]| {
-                let own = body.frame_since(state);
+                let own = body.frame_since(0, state);
                 let whole = base.whole(&own);
                 let side = |owner: Option<usize>, own: Frame| owner.map_or(site.stand, |_| own);
                 let [near, far] = [own, whole].map(|frame| [side(site.node_body, frame), side(site.face_body, frame)]);

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3};
 use crate::contact::Frame;
 use crate::dynamics::connection::{Connection, Separation};
 use crate::dynamics::model::bearing::Bearing;
-use crate::dynamics::model::body::Body;
+use crate::dynamics::model::body::{Body, Point};
 use crate::dynamics::model::wrench::Wrench;
 
 /// Acceleration of G and rate of spin of a body in this pose since it was placed: contact, bearings, what these leave of the
@@ -74,6 +74,12 @@ pub fn bearing_forces<'a>(body: &'a Body, here: &'a Frame) -> impl Iterator<Item
 pub fn response(body: &Body, rotation: &DMat3, force: DVec3, arm: DVec3) -> (DVec3, DVec3) {
     let free = DVec3::from_array(std::array::from_fn(|i| f64::from(u8::from(body.free[i]))));
     (force * free / body.mass, free_inverse(body, rotation, arm.cross(force)))
+}
+
+/// Acceleration of a point by a force that acts there \[m/s²\].
+pub(in crate::dynamics) fn acceleration(body: &Body, point: &Point<'_>, force: DVec3) -> DVec3 {
+    let (linear, turning) = response(body, &point.frame.rotation(&body.axes), force, point.arm);
+    linear + turning.cross(point.arm)
 }
 
 /// `I ω̇ = M − ω × I ω`, solved in the directions that the body is free to turn in.

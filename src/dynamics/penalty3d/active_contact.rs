@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::contact::{Frame, FrictionLaw, Home, Local, Mode, NormalLaw, locate};
 use crate::dynamics::Model;
 use crate::dynamics::connection::Connection;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
 /// A closed contact between bodies of one island.
@@ -16,6 +17,8 @@ pub(in crate::dynamics) struct ActiveContact {
     pub node: Option<usize>,
     /// Which owns the face.
     pub face: Option<usize>,
+    /// Sections of node and face among those of the island's bodies; 0 for an abutment.
+    pub sections: [usize; 2],
     /// Its state.
     pub closed: ClosedContact,
     /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
@@ -30,8 +33,15 @@ impl ActiveContact {
     /// The node against the face, with the island's bodies in `frames`, counted from their bases.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
-        let frame = |index: Option<usize>| index.map_or(&site.stand, |i| &frames[i]);
-        locate(&self.home, frame(self.node), frame(self.face))
+        let frame = |index: Option<usize>, which: usize| index.map_or(&site.stand, |_| &frames[self.sections[which]]);
+        locate(&self.home, frame(self.node, 0), frame(self.face, 1))
+    }
+
+    /// Finds its sections among those of the island's bodies.
+    pub(in crate::dynamics) fn find_sections(&mut self, model: &Model, layout: &StateLayout) {
+        let own = model.sections(self.site);
+        self.sections = [(self.node, own[0]), (self.face, own[1])]
+            .map(|(body, own)| body.map_or(0, |i| layout.sections(i).start + own));
     }
 
     /// Penetration that its present one and its normal speed lead to, with the lighter of its bodies behind it \[m\].

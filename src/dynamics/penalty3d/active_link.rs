@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::connection::{Link, Phase, Separation};
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
 
@@ -17,11 +18,18 @@ pub(in crate::dynamics) struct ActiveLink {
     pub track: usize,
     /// Which of the island's bodies its ends are at; nothing for the ground.
     pub ends: [Option<usize>; 2],
+    /// The first sections of these bodies among those of the island's bodies; 0 for the ground.
+    pub sections: [usize; 2],
     /// Its phase.
     pub phase: Phase,
 }
 
 impl ActiveLink {
+    /// Finds its sections among those of the island's bodies.
+    pub(in crate::dynamics) fn find_sections(&mut self, layout: &StateLayout) {
+        self.sections = self.ends.map(|body| body.map_or(0, |i| layout.sections(i).start));
+    }
+
     pub(in crate::dynamics) fn of<'a>(&self, model: &'a Model) -> &'a Link {
         &model.links[self.number]
     }
@@ -34,7 +42,7 @@ impl ActiveLink {
         frames: &[Frame],
     ) -> (Separation, [DVec3; 2]) {
         let link = self.of(model);
-        let whole = |end: usize| self.ends[end].map(|body| bases[body].whole(&frames[body]));
+        let whole = |end: usize| self.ends[end].map(|body| bases[body].whole(&frames[self.sections[end]]));
         let frames = link.frames(whole);
         link.motion([&frames[0], &frames[1]])
     }
@@ -49,9 +57,9 @@ impl ActiveLink {
     ) {
         let (link, (motion, arms)) = (self.of(model), self.motion(model, bases, frames));
         let force = link.axes * link.device.force(&self.phase, &motion);
-        for ((body, arm), force) in self.ends.into_iter().zip(arms).zip([force, -force]) {
-            if let Some(body) = body {
-                wrenches[body].push(force, arm);
+        for (end, force) in [force, -force].into_iter().enumerate() {
+            if self.ends[end].is_some() {
+                wrenches[self.sections[end]].push(force, arms[end]);
             }
         }
     }

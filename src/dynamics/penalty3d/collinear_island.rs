@@ -233,9 +233,10 @@ mod tests {
             let closed = ClosedContact::new(law, mode, 0.0);
             let ContactSite { node_body: node, face_body: face, .. } = model.contacts[site];
             let home = model.contacts[site].home;
-            ActiveContact { site, node, face, closed, home, angle: None, depth: 0.0 }
+            ActiveContact { site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0 }
         };
-        let active = (0..model.contacts.len()).map(stick).collect();
+        let mut active: Vec<ActiveContact> = (0..model.contacts.len()).map(stick).collect();
+        active.iter_mut().for_each(|a| a.find_sections(&model, &layout(&model)));
         (model, active)
     }
 

@@ -5,6 +5,7 @@ use glam::{DMat3, DVec3};
 
 use crate::contact::{Frame, FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::connection::Connection;
+use crate::dynamics::model::body::Point;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::{Body, Model};
@@ -46,9 +47,10 @@ pub(in crate::dynamics) fn decay(
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
         let home = &model.contacts[a.site].home;
-        for (side, arm) in [(a.node, home.arm), (a.face, home.lever)] {
+        let [node, face] = model.sections(a.site);
+        for (side, point) in [(a.node, (node, home.arm)), (a.face, (face, home.lever))] {
             if let Some(i) = side {
-                sums[i] += yielding(&model.bodies[bodies[i]], a, &home.axes, arm);
+                sums[i] += yielding(&model.bodies[bodies[i]], a, &home.axes, point);
             }
         }
     }
@@ -63,14 +65,14 @@ pub(in crate::dynamics) fn decay(
 }
 
 /// How fast the dashpots of one contact, with the face's axes and a lever from G, slow a body down at most \[1/s\].
-fn yielding(body: &Body, contact: &ActiveContact, axes: &DMat3, arm: DVec3) -> f64 {
+fn yielding(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm): (usize, DVec3)) -> f64 {
     let law = &contact.closed.law;
     let holds = matches!(contact.closed.mode, Mode::Stick { .. }) || law.friction == FrictionLaw::ReturnMapping;
     let across = if holds { law.c_t.sqrt() } else { 0.0 };
     let pushes =
         [axes.x_axis * across, axes.y_axis * across, axes.z_axis * law.normal.damping_bound(contact.depth).sqrt()];
     let row = |push: DVec3| {
-        let there = body.acceleration(&Frame::fixed(body.home), push, arm);
+        let there = body.acceleration(Point { section, frame: &Frame::fixed(body.home), arm }, push);
         pushes.iter().map(|other| there.dot(*other).abs()).sum::<f64>()
     };
     pushes.into_iter().map(row).fold(0.0, f64::max)

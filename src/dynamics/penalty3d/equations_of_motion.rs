@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::contact::{Forces, Frame, Local, Mode};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
-use crate::dynamics::model::body::Counted;
+use crate::dynamics::model::body::{Counted, Point};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
@@ -148,8 +148,8 @@ impl EquationsOfMotion<'_> {
         let mut slider = 0;
         for (number, active) in self.active.iter().enumerate() {
             let site = &self.model.contacts[active.site];
-            let node = active.node.map_or(&site.stand, |i| &self.frames[i]);
-            let face = active.face.map_or(&site.stand, |i| &self.frames[i]);
+            let node = active.node.map_or(&site.stand, |_| &self.frames[active.sections[0]]);
+            let face = active.face.map_or(&site.stand, |_| &self.frames[active.sections[1]]);
             let at_once = active.turns_at_once();
             let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
             let (mut held, mut closed) = (active.closed, &active.closed);
@@ -169,11 +169,11 @@ impl EquationsOfMotion<'_> {
             if !self.sliding.held {
                 self.sliding.loose[number] = closed.is_loose(&action.here);
             }
-            if let Some(i) = active.node {
-                self.wrenches[i].push(action.force, action.node_arm);
+            if active.node.is_some() {
+                self.wrenches[active.sections[0]].push(action.force, action.node_arm);
             }
-            if let Some(i) = active.face {
-                self.wrenches[i].push(-action.force, action.face_arm);
+            if active.face.is_some() {
+                self.wrenches[active.sections[1]].push(-action.force, action.face_arm);
             }
             if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
                 let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;
@@ -203,9 +203,9 @@ impl System for EquationsOfMotion<'_> {
             return;
         }
         for (i, &body) in self.bodies.iter().enumerate() {
-            self.frames.push(model.bodies[body].frame_since(&y[self.layout.range(i)]));
-            self.wrenches.push(Wrench::default());
+            model.bodies[body].push_frames(&y[self.layout.range(i)], self.frames);
         }
+        self.wrenches.resize(self.frames.len(), Wrench::default());
         self.contacts(y, out);
         for link in self.links {
             link.push(model, self.bases, self.frames, self.wrenches);
@@ -213,8 +213,10 @@ impl System for EquationsOfMotion<'_> {
         let ground = self.ground(t);
         for (i, &body) in self.bodies.iter().enumerate() {
             let part = self.layout.range(i);
-            let now = Counted { base: &self.bases[i], frame: &self.frames[i], state: &y[part.clone()] };
-            model.bodies[body].slope(now, &self.wrenches[i], ground, &mut out[part]);
+            let sections = self.layout.sections(i);
+            let frames = &self.frames[sections.clone()];
+            let now = Counted { base: &self.bases[i], frames, state: &y[part.clone()] };
+            model.bodies[body].slope(now, &self.wrenches[sections], ground, &mut out[part]);
         }
     }
 
@@ -281,10 +283,12 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         }
         let n = push.len() / 2;
         let site = &self.model.contacts[active.site];
-        let frame = |side: Option<usize>| {
-            side.map_or(site.stand, |i| self.model.bodies[self.bodies[i]].frame_since(&y[self.layout.range(i)]))
-        };
-        let frames = [active.node, active.face].map(frame);
+        let own = self.model.sections(active.site);
+        let frames = [(active.node, own[0]), (active.face, own[1])].map(|(side, section)| {
+            side.map_or(site.stand, |i| {
+                self.model.bodies[self.bodies[i]].frame_since(section, &y[self.layout.range(i)])
+            })
+        });
         let turned = active.turned(y);
         let action = contact_force::act_in(&active.home, &turned, &turned.mode, &frames[0], &frames[1]);
         let sides = [(active.node, action.node_arm, 1.0), (active.face, action.face_arm, -1.0)];
@@ -295,7 +299,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
                 let body = &self.model.bodies[self.bodies[i]];
                 let here = self.bases[i].whole(&frames[which]);
                 let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.layout.range(i)]);
-                body.port(&here, along * sign, arm, columns);
+                body.port(Point { section: own[which], frame: &here, arm }, along * sign, columns);
             }
         }
     }

@@ -26,7 +26,8 @@ impl Island {
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let body = &model.bodies[b];
-            let here = body.frame_since(&self.y[self.layout.range(i)]);
+            body.push_frames(&self.y[self.layout.range(i)], &mut self.frames);
+            let here = &self.frames[self.layout.sections(i).start];
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
             place = place.max(here.shift.length() + self.radii[i]);
@@ -44,7 +45,6 @@ impl Island {
             if self.is_free() {
                 gained = gained.max(self.gained(model, i));
             }
-            self.frames.push(here);
         }
         let omega = self.omega.max(self.turning());
         self.angles.clear();

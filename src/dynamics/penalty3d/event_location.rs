@@ -20,8 +20,10 @@ use crate::dynamics::{ContactSite, Model};
 pub(in crate::dynamics) fn look(model: &Model, island: &Island, number: usize, t: f64) -> Local {
     let active = &island.active[number];
     let site = &model.contacts[active.site];
-    let frame = |side: Option<usize>| side.map_or(site.stand, |i| island.frame_since(model, i, t));
-    locate(&active.home, &frame(active.node), &frame(active.face))
+    let own = model.sections(active.site);
+    let frame =
+        |side: Option<usize>, section: usize| side.map_or(site.stand, |i| island.frame_since(model, i, section, t));
+    locate(&active.home, &frame(active.node, own[0]), &frame(active.face, own[1]))
 }
 
 /// The switching functions of a closed contact: each is negative while the state lasts.
@@ -92,9 +94,9 @@ fn first_of<const N: usize>(model: &Model, island: &Island, together: f64) -> Op
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
-    let (frames, bodies) = (island.frames_since(model, &times), island.slots.len());
+    let (frames, sections) = (island.frames_since(model, &times), island.layout.section_count());
     for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
-        let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * bodies..]));
+        let looks: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * sections..]));
         for reason in reasons(island, number) {
             if reason == Reason::Edge && is_inside(model, island, number, &looks[0]) {
                 continue;

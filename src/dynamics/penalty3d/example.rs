@@ -4,6 +4,7 @@ use crate::contact::parameters::{is_over, sharers};
 use crate::contact::{Local, Mode, locate};
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::coordinates::planar::WIDTH;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::due::Due;
@@ -52,10 +53,21 @@ pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Ve
         let nodes = sharers(pair.contacts.clone().map(|n| (&model.contacts[n].face, local(&model.contacts[n]).at)));
         let closed = ClosedContact::new(pair.law.shared(nodes), mode(&here), 0.0);
         let (node, face) = (site.node_body, site.face_body);
-        let active = ActiveContact { site: number, node, face, closed, home: site.home, angle: None, depth: 0.0 };
+        let active = ActiveContact {
+            site: number,
+            node,
+            face,
+            sections: [0; 2],
+            closed,
+            home: site.home,
+            angle: None,
+            depth: 0.0,
+        };
         is_over(&site.face, here.at).then_some(active)
     });
-    let active = active.collect();
+    let mut active: Vec<ActiveContact> = active.collect();
+    let layout = StateLayout::of(model.bodies.iter());
+    active.iter_mut().for_each(|a| a.find_sections(&model, &layout));
     (model, active)
 }
 

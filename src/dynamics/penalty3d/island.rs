@@ -106,7 +106,7 @@ impl Island {
         model: &Model,
         slots: Vec<usize>,
         (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
-        (contacts, links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
+        (contacts, mut links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
         mut y: Vec<f64>,
         t: f64,
         pace: ControllerState,
@@ -120,8 +120,11 @@ impl Island {
         }
         let layout = StateLayout::of(bodies.iter().map(|&b| &model.bodies[b]));
         let states = bodies.iter().zip(layout.states(&y));
-        let frames: Vec<Frame> = states.map(|(&b, state)| model.bodies[b].frame_since(state)).collect();
+        let mut frames = Vec::with_capacity(layout.section_count());
+        states.for_each(|(&b, state)| model.bodies[b].push_frames(state, &mut frames));
+        links.iter_mut().for_each(|link| link.find_sections(&layout));
         for a in &mut active {
+            a.find_sections(model, &layout);
             a.depth = a.expected_depth(model, &frames);
         }
         // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.

@@ -27,29 +27,32 @@ impl Island {
         }
     }
 
-    /// Pose of one of its bodies within the planned step.
-    pub(in crate::dynamics) fn frame(&self, model: &Model, index: usize, t: f64) -> Frame {
-        self.bases[index].whole(&self.frame_since(model, index, t))
+    /// Pose of a section of one of its bodies within the planned step.
+    pub(in crate::dynamics) fn frame(&self, model: &Model, index: usize, section: usize, t: f64) -> Frame {
+        self.bases[index].whole(&self.frame_since(model, index, section, t))
     }
 
     /// The same, counted from its base.
-    pub(in crate::dynamics) fn frame_since(&self, model: &Model, index: usize, t: f64) -> Frame {
+    pub(in crate::dynamics) fn frame_since(&self, model: &Model, index: usize, section: usize, t: f64) -> Frame {
+        self.with_state(model, index, t, |body, state| body.frame_since(section, state))
+    }
+
+    /// Takes the state of one of its bodies within the planned step, counted from its base, as the continuous answer has it.
+    fn with_state<T>(&self, model: &Model, index: usize, t: f64, take: impl FnOnce(&Body, &[f64]) -> T) -> T {
         let (range, body) = (self.layout.range(index), self.body(model, index));
         match &self.dense {
-            Some(dense) => {
-                let mut state = body.blank();
-                dense.read(range, t, &mut state);
-                body.frame_since(&state)
-            }
-            None => body.frame_since(&self.y[range]),
+            Some(dense) => body.with_state(|state| dense.read(range, t, state), |state| take(body, state)),
+            None => take(body, &self.y[range]),
         }
     }
 
-    /// Poses of all its bodies within the planned step, counted from their bases, time after time.
+    /// Poses of all sections of its bodies within the planned step, counted from their bases, time after time.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
-        let mut frames = Vec::with_capacity(times.len() * self.bodies.len());
+        let mut frames = Vec::with_capacity(times.len() * self.layout.section_count());
         for &t in times {
-            frames.extend((0..self.bodies.len()).map(|index| self.frame_since(model, index, t)));
+            for index in 0..self.bodies.len() {
+                self.with_state(model, index, t, |body, state| body.push_frames(state, &mut frames));
+            }
         }
         frames
     }
@@ -75,11 +78,12 @@ impl Island {
         self.body(model, index).bounds(&|own| dense.derivative_bounds(self.components(index, own)))
     }
 
-    /// Bounds on how fast G of one of its bodies moves and changes its speed against that of another; nothing where their
-    /// displacements have other directions.
+    /// Bounds on how fast a section of one of its bodies moves and changes its speed against one of another; nothing where these are not
+    /// differences of components.
     pub(in crate::dynamics) fn apart(&self, model: &Model, pair: [usize; 2]) -> Option<[f64; 2]> {
         let Some(dense) = &self.dense else { return Some([0.0; 2]) };
-        let [one, other] = pair.map(|index| self.components(index, self.body(model, index).displacements()));
+        let [one, other] = pair.map(|index| Some(self.components(index, self.body(model, index).displacements()?)));
+        let (one, other) = (one?, other?);
         (one.len() == other.len()).then(|| dense.difference_derivative_bounds(one, other.start))
     }
 }

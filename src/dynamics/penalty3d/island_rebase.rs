@@ -10,8 +10,10 @@ impl Island {
     /// that they had, to the last digit.
     pub(in crate::dynamics) fn rebase(&mut self, model: &Model) {
         let bodies = self.bodies.iter().map(|&body| &model.bodies[body]);
-        let states = bodies.clone().zip(self.layout.states(&self.y));
-        self.frames = states.map(|(body, state)| body.frame_since(state)).collect();
+        self.frames.clear();
+        for (body, state) in bodies.clone().zip(self.layout.states(&self.y)) {
+            body.push_frames(state, &mut self.frames);
+        }
         for active in &mut self.active {
             let here = active.look(model, &self.frames);
             active.closed.solver.rebased_node = Some(here.at.extend(here.gap));

@@ -16,12 +16,12 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     let last = sample_count(island) - 1;
     let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
     let times: Vec<f64> = (0..=last).map(|i| if i == last { island.until } else { island.from + part(i) }).collect();
-    let bodies = island.slots.len();
+    let sections = island.layout.section_count();
     let frames = island.frames_since(model, &times);
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.links.iter().enumerate() {
         let link = active.of(model);
-        let motions: Vec<_> = frames.chunks_exact(bodies).map(|f| active.motion(model, &island.bases, f).0).collect();
+        let motions: Vec<_> = frames.chunks_exact(sections).map(|f| active.motion(model, &island.bases, f).0).collect();
         let size = motions.iter().map(|m| link.device.gap(&active.phase, m)[0].abs()).fold(0.0, f64::max);
         let zero = ZERO_BAND * size + POSITION_ROUNDING * link.size();
         for number in 0..link.device.switches(&active.phase) {

@@ -187,7 +187,7 @@ impl Replay {
         };
         let (bases, landed): (Vec<ReferencePose>, Vec<PlanarState>) = members.iter().map(caught).unzip();
         let active: Vec<ActiveContact> =
-            logged_states.iter().filter_map(|logged| active(*logged, &bodies, &bases, past)).collect();
+            logged_states.iter().filter_map(|logged| active(*logged, (&bodies, &layout), &bases, past)).collect();
         let mut y = vec![0.0; layout.len()];
         for ((i, place), landed) in (0..).zip(0..).zip(&landed) {
             let state = &mut y[layout.range(place)];
@@ -264,7 +264,12 @@ fn landed(member: Member, past: &Past<'_>) -> PlanarState {
 }
 
 /// The closed contact as it was in the island.
-fn active(logged: LoggedState, bodies: &[usize], bases: &[ReferencePose], past: &Past<'_>) -> Option<ActiveContact> {
+fn active(
+    logged: LoggedState,
+    (bodies, layout): (&[usize], &StateLayout),
+    bases: &[ReferencePose],
+    past: &Past<'_>,
+) -> Option<ActiveContact> {
     let site = &past.model.contacts[logged.site as usize];
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);
@@ -272,13 +277,16 @@ fn active(logged: LoggedState, bodies: &[usize], bases: &[ReferencePose], past: 
     // A step with `at_face` in force is stored as a polynomial.
     let mut closed = past.logs[logged.site as usize].closed(logged.entry)?;
     closed.solver.at_face = false;
-    Some(ActiveContact {
+    let mut active = ActiveContact {
         site: logged.site as usize,
         node,
         face,
+        sections: [0; 2],
         closed,
         home: reference_pose::seen_from(site, sides, closed.solver.rebased_node),
         angle: None,
         depth: 0.0,
-    })
+    };
+    active.find_sections(past.model, layout);
+    Some(active)
 }

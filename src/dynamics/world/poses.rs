@@ -40,14 +40,14 @@ impl World {
         (self.model.bodies[track.body].rebase(&mut state), state)
     }
 
-    /// Pose of a body at `t` on its trajectory, relative to its placed pose.
-    pub(in crate::dynamics) fn frame(&self, slot: usize, t: f64) -> Frame {
+    /// Pose of a section of a body at `t` on its trajectory, relative to its placed pose.
+    pub(in crate::dynamics) fn frame(&self, slot: usize, section: usize, t: f64) -> Frame {
         let track = &self.bodies[slot];
         let body = &self.model.bodies[track.body];
         match (&track.now, &track.system) {
-            (Trajectory::Flight(flight), Some(system)) => system.frame(body, flight, t),
+            (Trajectory::Flight(flight), Some(system)) => system.frame(body, section, flight, t),
             (Trajectory::Island { island, index }, _) => match &self.islands[*island] {
-                Some(island) => island.frame(&self.model, *index, t),
+                Some(island) => island.frame(&self.model, *index, section, t),
                 None => Frame::fixed(body.home),
             },
             _ => Frame::fixed(body.home),
@@ -58,7 +58,7 @@ impl World {
     pub(in crate::dynamics) fn side(&self, contact: usize, side: usize, t: f64) -> Frame {
         let track = &self.contacts[contact];
         match track.slots[side] {
-            Some(slot) => self.frame(slot, t),
+            Some(slot) => self.frame(slot, track.sections[side], t),
             None => self.model.contacts[track.site].stand,
         }
     }

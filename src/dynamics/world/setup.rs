@@ -17,6 +17,7 @@ use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
 use crate::dynamics::world::tracks::{BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
+use crate::scene::facing::Side;
 
 impl World {
     /// The group of this number in the model.
@@ -62,6 +63,7 @@ impl World {
                     site,
                     pair: self.pairs.len(),
                     slots: owners,
+                    sections: model.sections(site),
                     geometry: SiteGeometry::of(&model, site),
                     rivals: Vec::new(),
                     state: Contact::Open { armed: true },
@@ -79,7 +81,11 @@ impl World {
             let contacts = from..self.contacts.len();
             let sites: Vec<_> = self.contacts[from..].iter().map(|track| (track.site, track.geometry)).collect();
             let axial = AxialGap::of(&model, number, &sites);
-            self.pairs.push(PairTrack { pair: number, slots, contacts, sharers: 0, simultaneity, axial });
+            let sections = [pair.first, pair.second].map(|side| match side {
+                Side::Girder(body, end) => model.bodies[body].section(end),
+                Side::Abutment(_) => 0,
+            });
+            self.pairs.push(PairTrack { pair: number, slots, sections, contacts, sharers: 0, simultaneity, axial });
         }
         self.find_rivals(pairs);
         for &number in &model.group_links[number] {

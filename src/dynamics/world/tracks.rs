@@ -57,6 +57,8 @@ pub(in crate::dynamics) struct PairTrack {
     pub pair: usize,
     /// Slots of its bodies; `None` for an abutment.
     pub slots: [Option<usize>; 2],
+    /// Sections of these bodies that face each other.
+    pub sections: [usize; 2],
     /// Numbers of its contacts in the group.
     pub contacts: std::ops::Range<usize>,
     /// Number of nodes that share K and C while a contact of the pair is closed; 0 while all are open.
@@ -94,6 +96,8 @@ pub(in crate::dynamics) struct ContactTrack {
     pub pair: usize,
     /// Slots of the node's and the face's body; `None` for an abutment.
     pub slots: [Option<usize>; 2],
+    /// Sections of these bodies that carry them.
+    pub sections: [usize; 2],
     /// Present state.
     pub state: Contact,
     /// Other contacts of the node, which touches one face at a time.

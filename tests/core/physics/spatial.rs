@@ -141,7 +141,7 @@ fn bearings_and_weight_act_as_all_their_forces_together() {
         let turn = DQuat::from_scaled_axis(DVec3::new(0.03, -0.02, 0.4));
         let mut state = vec![0.3, -0.2, 0.1, turn.x, turn.y, turn.z, turn.w];
         state.extend([0.5, -0.4, 0.2, 0.06, 0.05, -0.03]);
-        let here = body.frame(&state);
+        let here = body.frame(0, &state);
         let mut slope = [0.0; spatial::WIDTH];
         spatial::slope(body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut slope);
         let (mut force, mut moment) = (DVec3::NEG_Z * (body.mass * model.gravity), DVec3::ZERO);

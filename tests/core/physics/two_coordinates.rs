@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::support::{scene, within};
 use girderbench::contact::Frame;
 use girderbench::dynamics::Model;
-use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted};
+use girderbench::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use girderbench::dynamics::model::closed_form::ClosedForm;
 use girderbench::dynamics::model::motion_bounds::MotionBounds;
 use girderbench::dynamics::model::reference_pose::ReferencePose;
@@ -50,21 +50,21 @@ impl Coordinates for TwoCoordinates {
         POSITIONS.len()
     }
 
-    fn displacements(&self) -> Range<usize> {
-        POSITIONS
+    fn displacements(&self) -> Option<Range<usize>> {
+        Some(POSITIONS)
     }
 
     fn initial(&self, _: &Body) -> Vec<f64> {
         self.start.to_vec()
     }
 
-    fn frame(&self, body: &Body, state: &[f64]) -> Frame {
+    fn frame(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
         let [place, velocity] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&state[part]));
         Frame { shift: place.extend(body.start[2]), velocity: velocity.extend(0.0), ..Frame::fixed(body.home) }
     }
 
-    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame {
-        let frame = self.frame(body, state);
+    fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame {
+        let frame = self.frame(body, section, state);
         Frame { shift: frame.shift.with_z(0.0), ..frame }
     }
 
@@ -86,9 +86,9 @@ impl Coordinates for TwoCoordinates {
         state[POSITIONS].iter_mut().zip(numbers).for_each(|(place, base)| *place += base);
     }
 
-    fn slope(&self, _: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    fn slope(&self, _: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
         let place = now.base.planar().truncate() + DVec2::from_slice(now.state);
-        let force = contact.force.truncate() - self.stiffness() * place;
+        let force = contact[0].force.truncate() - self.stiffness() * place;
         out[POSITIONS].copy_from_slice(&now.state[RATES]);
         out[RATES].copy_from_slice(&(force / MASS - ground.truncate()).to_array());
     }
@@ -114,11 +114,11 @@ impl Coordinates for TwoCoordinates {
         MotionBounds { speed, acceleration, ..MotionBounds::still(f64::INFINITY) }
     }
 
-    fn acceleration(&self, _: &Body, _: &Frame, force: DVec3, _: DVec3) -> DVec3 {
+    fn acceleration(&self, _: &Body, _: Point<'_>, force: DVec3) -> DVec3 {
         force.with_z(0.0) / MASS
     }
 
-    fn port(&self, _: &Body, _: &Frame, force: DVec3, _: DVec3, [response, load]: [&mut [f64]; 2]) {
+    fn port(&self, _: &Body, _: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
         let force = force.truncate();
         response[RATES].copy_from_slice(&(force / MASS).to_array());
         load[RATES].copy_from_slice(&force.to_array());

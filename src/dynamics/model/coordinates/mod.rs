@@ -13,10 +13,11 @@ use glam::{DQuat, DVec3};
 use smallvec::SmallVec;
 
 use crate::contact::Frame;
-use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted};
+use crate::dynamics::model::body::{Body, BodyCoordinates, Coordinates, Counted, Point};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+use crate::geometry::End;
 use planar::Planar;
 use spatial::Spatial;
 
@@ -54,9 +55,20 @@ impl Body {
         of_each!(self, c => c.positions())
     }
 
+    /// [`Coordinates::sections`].
+    #[inline]
+    pub fn sections(&self) -> usize {
+        of_each!(self, c => c.sections())
+    }
+
+    /// [`Coordinates::section`].
+    pub fn section(&self, end: End) -> usize {
+        of_each!(self, c => c.section(end))
+    }
+
     /// [`Coordinates::displacements`].
     #[inline]
-    pub fn displacements(&self) -> Range<usize> {
+    pub fn displacements(&self) -> Option<Range<usize>> {
         of_each!(self, c => c.displacements())
     }
 
@@ -65,22 +77,36 @@ impl Body {
         of_each!(self, c => c.initial(self))
     }
 
-    /// A state of zeros.
+    /// Takes a state that `read` writes; that of a rigid body stands on the stack.
     #[inline]
-    pub fn blank(&self) -> BodyState {
-        BodyState::from_elem(0.0, self.width())
+    pub fn with_state<T>(&self, read: impl FnOnce(&mut [f64]), take: impl FnOnce(&[f64]) -> T) -> T {
+        let through = |state: &mut [f64]| {
+            read(state);
+            take(state)
+        };
+        match &self.coordinates {
+            BodyCoordinates::Planar => through(&mut [0.0; planar::WIDTH]),
+            BodyCoordinates::Spatial => through(&mut [0.0; spatial::WIDTH]),
+            BodyCoordinates::Custom(coordinates) => through(&mut vec![0.0; coordinates.width()]),
+        }
     }
 
     /// [`Coordinates::frame`].
     #[inline]
-    pub fn frame(&self, state: &[f64]) -> Frame {
-        of_each!(self, c => c.frame(self, state))
+    pub fn frame(&self, section: usize, state: &[f64]) -> Frame {
+        of_each!(self, c => c.frame(self, section, state))
     }
 
     /// [`Coordinates::frame_since`].
     #[inline]
-    pub fn frame_since(&self, state: &[f64]) -> Frame {
-        of_each!(self, c => c.frame_since(self, state))
+    pub fn frame_since(&self, section: usize, state: &[f64]) -> Frame {
+        of_each!(self, c => c.frame_since(self, section, state))
+    }
+
+    /// [`Coordinates::frame_since`] of every section.
+    #[inline]
+    pub fn push_frames(&self, state: &[f64], frames: &mut Vec<Frame>) {
+        of_each!(self, c => (0..c.sections()).for_each(|section| frames.push(c.frame_since(self, section, state))));
     }
 
     /// [`Coordinates::attitude`].
@@ -110,7 +136,7 @@ impl Body {
 
     /// [`Coordinates::slope`].
     #[inline]
-    pub fn slope(&self, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    pub fn slope(&self, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
         of_each!(self, c => c.slope(self, now, contact, ground, out));
     }
 
@@ -162,13 +188,13 @@ impl Body {
     }
 
     /// [`Coordinates::acceleration`].
-    pub fn acceleration(&self, here: &Frame, force: DVec3, arm: DVec3) -> DVec3 {
-        of_each!(self, c => c.acceleration(self, here, force, arm))
+    pub fn acceleration(&self, point: Point<'_>, force: DVec3) -> DVec3 {
+        of_each!(self, c => c.acceleration(self, point, force))
     }
 
     /// [`Coordinates::port`].
-    pub fn port(&self, here: &Frame, force: DVec3, arm: DVec3, columns: [&mut [f64]; 2]) {
-        of_each!(self, c => c.port(self, here, force, arm, columns));
+    pub fn port(&self, point: Point<'_>, force: DVec3, columns: [&mut [f64]; 2]) {
+        of_each!(self, c => c.port(self, point, force, columns));
     }
 
     /// [`Coordinates::along`].

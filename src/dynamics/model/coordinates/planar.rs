@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::model::body::{Body, Coordinates, Counted};
+use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -134,8 +134,8 @@ impl Coordinates for Planar {
     }
 
     #[inline]
-    fn displacements(&self) -> Range<usize> {
-        0..2
+    fn displacements(&self) -> Option<Range<usize>> {
+        Some(0..2)
     }
 
     fn initial(&self, body: &Body) -> Vec<f64> {
@@ -144,12 +144,12 @@ impl Coordinates for Planar {
     }
 
     #[inline]
-    fn frame(&self, body: &Body, state: &[f64]) -> Frame {
+    fn frame(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
         body.planar_frame(state)
     }
 
     #[inline]
-    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame {
+    fn frame_since(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
         let mut frame = body.planar_frame(state);
         // The height is the reference pose's.
         frame.shift.z = 0.0;
@@ -181,8 +181,8 @@ impl Coordinates for Planar {
     }
 
     #[inline]
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
-        slope_from(body, now.base.planar(), now.state, contact, ground, out);
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+        slope_from(body, now.base.planar(), now.state, &contact[0], ground, out);
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
@@ -220,15 +220,14 @@ impl Coordinates for Planar {
         MotionBounds { speed, spin, acceleration, spin_rate, ..MotionBounds::still(f64::INFINITY) }
     }
 
-    fn acceleration(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3) -> DVec3 {
-        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
-        linear + turning.cross(arm)
+    fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3 {
+        rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3, [response, load]: [&mut [f64]; 2]) {
-        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
+        let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
         response[RATES..].copy_from_slice(&[linear.x, linear.y, turning.z]);
-        load[RATES..].copy_from_slice(&[force.x, force.y, arm.cross(force).z]);
+        load[RATES..].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
     }
 
     fn along(&self, body: &Body, axis: usize) -> Option<[usize; 2]> {

@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::{DQuat, DVec3};
 
 use crate::contact::{Frame, turned_by};
-use crate::dynamics::model::body::{Body, Coordinates, Counted};
+use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
@@ -81,8 +81,8 @@ impl Coordinates for Spatial {
     }
 
     #[inline]
-    fn displacements(&self) -> Range<usize> {
-        0..3
+    fn displacements(&self) -> Option<Range<usize>> {
+        Some(0..3)
     }
 
     fn initial(&self, body: &Body) -> Vec<f64> {
@@ -92,7 +92,7 @@ impl Coordinates for Spatial {
     }
 
     #[inline]
-    fn frame(&self, body: &Body, state: &[f64]) -> Frame {
+    fn frame(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
         Frame {
             home: body.home,
             shift: DVec3::new(state[0], state[1], state[2]),
@@ -104,8 +104,8 @@ impl Coordinates for Spatial {
     }
 
     #[inline]
-    fn frame_since(&self, body: &Body, state: &[f64]) -> Frame {
-        self.frame(body, state)
+    fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame {
+        self.frame(body, section, state)
     }
 
     fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
@@ -140,8 +140,8 @@ impl Coordinates for Spatial {
     }
 
     #[inline]
-    fn slope(&self, body: &Body, now: Counted<'_>, contact: &Wrench, ground: DVec3, out: &mut [f64]) {
-        slope(body, &now.base.whole(now.frame), now.state, contact, ground, out);
+    fn slope(&self, body: &Body, now: Counted<'_>, contact: &[Wrench], ground: DVec3, out: &mut [f64]) {
+        slope(body, &now.base.whole(&now.frames[0]), now.state, &contact[0], ground, out);
     }
 
     fn has_unit_parts(&self) -> bool {
@@ -199,17 +199,16 @@ impl Coordinates for Spatial {
         MotionBounds { speed, spin, acceleration, spin_rate, ..MotionBounds::still(f64::INFINITY) }
     }
 
-    fn acceleration(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3) -> DVec3 {
-        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
-        linear + turning.cross(arm)
+    fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3 {
+        rigid_body::acceleration(body, &point, force)
     }
 
-    fn port(&self, body: &Body, here: &Frame, force: DVec3, arm: DVec3, [push, view]: [&mut [f64]; 2]) {
-        let (linear, turning) = rigid_body::response(body, &here.rotation(&body.axes), force, arm);
+    fn port(&self, body: &Body, point: Point<'_>, force: DVec3, [push, view]: [&mut [f64]; 2]) {
+        let (linear, turning) = rigid_body::response(body, &point.frame.rotation(&body.axes), force, point.arm);
         push[VELOCITY].copy_from_slice(&linear.to_array());
         push[SPIN].copy_from_slice(&turning.to_array());
         view[VELOCITY].copy_from_slice(&force.to_array());
-        view[SPIN].copy_from_slice(&arm.cross(force).to_array());
+        view[SPIN].copy_from_slice(&point.arm.cross(force).to_array());
     }
 
     fn fastest(&self, body: &Body) -> f64 {
@@ -217,13 +216,13 @@ impl Coordinates for Spatial {
     }
 
     fn energies(&self, body: &Body, state: &[f64], gravity: f64) -> [f64; 3] {
-        let (here, weight) = (self.frame(body, state), body.mass * gravity);
+        let (here, weight) = (self.frame(body, 0, state), body.mass * gravity);
         let strain = rigid_body::strain_energy(body, &here, weight);
         [rigid_body::kinetic_energy(body, &here), strain, weight * here.shift.z]
     }
 
     fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
-        let here = self.frame(body, state);
+        let here = self.frame(body, 0, state);
         let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
         [-body.mass * ground.dot(here.velocity), push, rigid_body::bearing_loss(body, &here)]
     }
@@ -253,7 +252,7 @@ mod tests {
         let q = DQuat::from_scaled_axis(DVec3::new(0.3, -0.8, 0.5));
         let state = [1.0, 2.0, 3.0, q.x, q.y, q.z, q.w, 0.4, -0.1, 0.2, 0.7, -1.1, 0.4];
         let mut rate = [0.0; WIDTH];
-        let here = body.frame(&state);
+        let here = body.frame(0, &state);
         slope(&body, &here, &state, &Wrench::default(), DVec3::ZERO, &mut rate);
         let inertia = world_inertia(&body, &here.rotation(&body.axes));
         let (spin, spin_rate) = (here.spin, DVec3::from_slice(&rate[10..]));
@@ -283,18 +282,19 @@ mod tests {
         let (force, arm) = (DVec3::new(3.0, -1.0, 2.0), DVec3::new(4.0, 1.0, -0.5));
         let (mut wrench, mut rate) = (Wrench::default(), [0.0; WIDTH]);
         wrench.push(force, arm);
-        let here = body.frame(&state);
+        let here = body.frame(0, &state);
         slope(&body, &here, &state, &wrench, DVec3::ZERO, &mut rate);
         let (mut response, mut load) = ([0.0; WIDTH], [0.0; WIDTH]);
-        body.port(&here, force, arm, [&mut response, &mut load]);
+        let point = Point { section: 0, frame: &here, arm };
+        body.port(point, force, [&mut response, &mut load]);
         let [linear, turning] = [&response[VELOCITY], &response[SPIN]].map(DVec3::from_slice);
         assert!((linear - DVec3::from_slice(&rate[7..])).length() < 1e-15 * force.length(), "linear");
         assert!((turning - DVec3::from_slice(&rate[10..])).length() < 1e-14 * turning.length(), "angular");
         let there = linear + turning.cross(arm);
-        assert!((body.acceleration(&here, force, arm) - there).length() < 1e-15 * there.length(), "its point");
+        assert!((body.acceleration(point, force) - there).length() < 1e-15 * there.length(), "its point");
         // Power of the force by the velocity of its point, and by the generalised force.
         state[7..].copy_from_slice(&[0.4, -0.1, 0.2, 0.7, -1.1, 0.3]);
-        let power = force.dot(body.frame(&state).velocity_at(arm));
+        let power = force.dot(body.frame(0, &state).velocity_at(arm));
         let by_load: f64 = load.iter().zip(&state).map(|(load, rate)| load * rate).sum();
         assert!((power - by_load).abs() < 1e-14 * force.length(), "{by_load} W against {power}");
     }

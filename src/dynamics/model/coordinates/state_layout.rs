@@ -7,8 +7,8 @@ use crate::dynamics::model::body::Body;
 /// States of bodies one after the other, each as wide as its degrees of freedom.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::dynamics) struct StateLayout {
-    /// Where each begins, and where the last one ends.
-    offsets: Vec<usize>,
+    /// Component and section at which each begins, and at which the last one ends.
+    offsets: Vec<[usize; 2]>,
     /// Whether any has parts of given length.
     has_unit_parts: bool,
 }
@@ -17,10 +17,10 @@ impl StateLayout {
     /// Of bodies in this order.
     pub(in crate::dynamics) fn of<'a>(bodies: impl ExactSizeIterator<Item = &'a Body>) -> Self {
         let mut layout = Self { offsets: Vec::with_capacity(bodies.len() + 1), has_unit_parts: false };
-        let mut at = 0;
+        let mut at = [0; 2];
         layout.offsets.push(at);
         for body in bodies {
-            at += body.width();
+            at = [at[0] + body.width(), at[1] + body.sections()];
             layout.offsets.push(at);
             layout.has_unit_parts |= body.has_unit_parts();
         }
@@ -30,19 +30,31 @@ impl StateLayout {
     /// Components of body `index`.
     #[inline]
     pub(in crate::dynamics) fn range(&self, index: usize) -> Range<usize> {
-        self.offsets[index]..self.offsets[index + 1]
+        self.offsets[index][0]..self.offsets[index + 1][0]
+    }
+
+    /// Sections of body `index`, among those of all bodies.
+    #[inline]
+    pub(in crate::dynamics) fn sections(&self, index: usize) -> Range<usize> {
+        self.offsets[index][1]..self.offsets[index + 1][1]
     }
 
     /// Components of all bodies.
     #[inline]
     pub(in crate::dynamics) fn len(&self) -> usize {
-        self.offsets.last().copied().unwrap_or(0)
+        self.offsets.last().map_or(0, |end| end[0])
+    }
+
+    /// Sections of all bodies.
+    #[inline]
+    pub(in crate::dynamics) fn section_count(&self) -> usize {
+        self.offsets.last().map_or(0, |end| end[1])
     }
 
     /// The body that component `i` belongs to, and its number among that body's; nothing beyond the bodies.
     pub(in crate::dynamics) fn body_of(&self, i: usize) -> Option<(usize, usize)> {
-        let index = self.offsets.partition_point(|&from| from <= i).checked_sub(1)?;
-        (index + 1 < self.offsets.len()).then(|| (index, i - self.offsets[index]))
+        let index = self.offsets.partition_point(|from| from[0] <= i).checked_sub(1)?;
+        (index + 1 < self.offsets.len()).then(|| (index, i - self.offsets[index][0]))
     }
 
     /// Whether any body has parts of given length.
@@ -53,7 +65,7 @@ impl StateLayout {
 
     /// State by state.
     pub(in crate::dynamics) fn states<'a>(&self, y: &'a [f64]) -> impl ExactSizeIterator<Item = &'a [f64]> {
-        self.offsets.windows(2).map(|ends| &y[ends[0]..ends[1]])
+        self.offsets.windows(2).map(|ends| &y[ends[0][0]..ends[1][0]])
     }
 }
 
@@ -71,6 +83,7 @@ mod tests {
         let layout = StateLayout::of([&planar, &spatial, &planar].into_iter());
         assert_eq!([0, 1, 2].map(|index| layout.range(index)), [0..6, 6..19, 19..25], "offsets");
         assert_eq!((layout.len(), layout.has_unit_parts()), (25, true), "one has a quaternion");
+        assert_eq!((layout.section_count(), layout.sections(1)), (3, 1..2), "a rigid body is one section");
         let y: Vec<f64> = (0..26).map(f64::from).collect();
         assert_eq!(
             layout.states(&y).map(<[f64]>::len).collect::<Vec<_>>(),

@@ -51,7 +51,7 @@ impl World {
     fn pose(&mut self, y: &[f64]) {
         self.frames.clear();
         for (i, body) in self.model.bodies.iter().enumerate() {
-            self.frames.push(body.frame(&y[i * self.width..]));
+            self.frames.push(body.frame(0, &y[i * self.width..]));
         }
     }
 
