@@ -28,6 +28,7 @@ mod physics {
     mod stick_slip;
     mod symmetry;
     mod two_coordinates;
+    mod two_sections;
 }
 
 mod scene {

@@ -151,7 +151,9 @@ impl Coordinates for Spatial {
     fn normalise(&self, state: &mut [f64]) {
         let q = &mut state[TURN];
         let length = square(q).sqrt();
-        q.iter_mut().for_each(|x| *x /= length);
+        for x in q {
+            *x /= length;
+        }
     }
 
     fn add_accelerations(&self, state: &mut [f64], slope: &[f64], dt: f64) {
