@@ -54,7 +54,7 @@ impl EventInstant {
             world.model.bodies[world.bodies[slot].body].push_frames(&states[i], &mut since);
             frames.extend(since[layout.sections(i)].iter().map(|since| bases[i].whole(since)));
         }
-        Self { t, slots, layout, bases, states, frames, since }
+        Self { t, slots, bases, states, layout, frames, since }
     }
 
     /// Poses on the present trajectories, without states and reference poses.

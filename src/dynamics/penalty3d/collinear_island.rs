@@ -236,7 +236,9 @@ mod tests {
             ActiveContact { site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0 }
         };
         let mut active: Vec<ActiveContact> = (0..model.contacts.len()).map(stick).collect();
-        active.iter_mut().for_each(|a| a.find_sections(&model, &layout(&model)));
+        for a in &mut active {
+            a.find_sections(&model, &layout(&model));
+        }
         (model, active)
     }
 

@@ -67,7 +67,9 @@ pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Ve
     });
     let mut active: Vec<ActiveContact> = active.collect();
     let layout = StateLayout::of(model.bodies.iter());
-    active.iter_mut().for_each(|a| a.find_sections(&model, &layout));
+    for a in &mut active {
+        a.find_sections(&model, &layout);
+    }
     (model, active)
 }
 

@@ -122,7 +122,9 @@ impl Island {
         let states = bodies.iter().zip(layout.states(&y));
         let mut frames = Vec::with_capacity(layout.section_count());
         states.for_each(|(&b, state)| model.bodies[b].push_frames(state, &mut frames));
-        links.iter_mut().for_each(|link| link.find_sections(&layout));
+        for link in &mut links {
+            link.find_sections(&layout);
+        }
         for a in &mut active {
             a.find_sections(model, &layout);
             a.depth = a.expected_depth(model, &frames);

@@ -48,7 +48,7 @@ fn shares(section: usize) -> DVec2 {
 
 impl TwoEnds {
     /// k of the spring, by the reduced mass of the ends \[N/m\].
-    fn stiffness(&self) -> f64 {
+    fn stiffness(self) -> f64 {
         0.5 * HALF * self.omega * self.omega
     }
 

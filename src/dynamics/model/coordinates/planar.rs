@@ -89,14 +89,26 @@ impl Body {
     /// Pose and twist of a planar state `(x, y, θ, ẋ, ẏ, θ̇)`.
     #[inline]
     pub fn planar_frame(&self, state: &[f64]) -> Frame {
-        Frame {
-            home: self.home,
-            shift: DVec3::new(state[0], state[1], self.start[2]),
-            turned: turned(state[2]),
-            velocity: DVec3::new(state[3], state[4], 0.0),
-            spin: DVec3::new(0.0, 0.0, state[5]),
-            level: true,
-        }
+        frame(self.home, self.start[2], whole(state))
+    }
+}
+
+/// A state of which nothing is left out: a slice of other width is no state of a planar girder.
+#[inline]
+fn whole(state: &[f64]) -> &PlanarState {
+    state.first_chunk().unwrap_or(&[f64::NAN; WIDTH])
+}
+
+/// Pose and twist at a height.
+#[inline]
+fn frame(home: DVec3, height: f64, [x, y, angle, u, v, spin]: &PlanarState) -> Frame {
+    Frame {
+        home,
+        shift: DVec3::new(*x, *y, height),
+        turned: turned(*angle),
+        velocity: DVec3::new(*u, *v, 0.0),
+        spin: DVec3::new(0.0, 0.0, *spin),
+        level: true,
     }
 }
 
@@ -109,6 +121,7 @@ pub fn slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, out: &
 /// The same of a state counted from `x, y, θ`.
 #[inline]
 fn slope_from(body: &Body, base: DVec3, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
+    let (state, Some(out)) = (whole(state), out.first_chunk_mut::<WIDTH>()) else { return };
     let q = base + positions(state);
     let bearings = body.planar.stiffness * q + body.planar.damping * rates(state);
     let force =
@@ -150,10 +163,8 @@ impl Coordinates for Planar {
 
     #[inline]
     fn frame_since(&self, body: &Body, _: usize, state: &[f64]) -> Frame {
-        let mut frame = body.planar_frame(state);
         // The height is the reference pose's.
-        frame.shift.z = 0.0;
-        frame
+        frame(body.home, 0.0, whole(state))
     }
 
     fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
@@ -192,8 +203,8 @@ impl Coordinates for Planar {
     #[inline]
     fn size2(&self, body: &Body, d: &[f64]) -> [f64; 2] {
         let arm2 = body.gyration2;
-        let plan2 = |d: &[f64]| d[..2].iter().map(|x| x * x).sum::<f64>() + arm2 * d[2] * d[2];
-        [plan2(d), plan2(&d[RATES..])]
+        let [x, y, angle, u, v, spin] = whole(d);
+        [x * x + y * y + arm2 * angle * angle, u * u + v * v + arm2 * spin * spin]
     }
 
     fn hold(&self, body: &Body, difference: &mut [f64]) {
