@@ -77,15 +77,10 @@ pub(super) const MODE_SWEEPS: usize = 64;
 
 // Integration of lasting contact.
 
-/// Samples of each switching function per step. A step spans a quarter of the ground's period at most, so sixteen samples
-/// are 5.6° of it apart; minima between two are searched for ([`DIP_FRACTION`]).
+/// Intervals between samples of each switching function per step. A step spans a quarter of the ground's period at most, so
+/// that two samples are at most 5.6° of it apart; excursions between samples are found by
+/// [`first_rise`](crate::dynamics::locate::first_rise).
 pub(super) const SWITCHING_SAMPLES: usize = 16;
-/// A switching function below this part of its largest value is searched for a minimum between two samples: a parabola
-/// over the step dips by (1/16)² = 0.4 % of its height at most between two samples; tuned to twelve times as much.
-pub(super) const DIP_FRACTION: f64 = 0.05;
-/// Interval over which a switching function is differenced, in parts of the interval of two samples. Truncation 1e-4 against
-/// round-off ε/1e-4, both small for a sign.
-pub(super) const DIP_DIFFERENCE: f64 = 1e-4;
 /// First step of an integration, in parts of the longest allowed; error control corrects it. Tuned.
 pub(super) const FIRST_STEP: f64 = 1e-3;
 /// A step that reaches this part of the longest is stretched to it: what

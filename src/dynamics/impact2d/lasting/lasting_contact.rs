@@ -10,8 +10,7 @@ use glam::DVec3;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
 use crate::dynamics::impact2d::constants::{
-    DIP_DIFFERENCE, DIP_FRACTION, FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH,
-    SWITCHING_SAMPLES,
+    FIRST_STEP, NOT_FINITE_FACTOR, REJECTED_FACTOR, REJECTED_STEPS, STRETCH, SWITCHING_SAMPLES,
 };
 use crate::dynamics::impact2d::delassus::centre;
 use crate::dynamics::impact2d::kinematics::{Kinematics, ground_acceleration};
@@ -22,7 +21,7 @@ use crate::dynamics::impact2d::lasting::sliding_face::slide_on_wall;
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
-use crate::dynamics::locate::root::root;
+use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDTH};
 use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -293,18 +292,16 @@ impl LastingContact {
         let samples: Option<Vec<Vec<f64>>> =
             times.iter().map(|&t| self.switching_functions(model, piece, &switches, t)).collect();
         let Some(samples) = samples else { return };
-        let mut first: Option<(f64, Ending)> = None;
+        // Falls are rises of the negated function. A start below 0 that returns above it is round-off of the contact mode.
+        let mut first = EarliestEvent::UNKNOWN;
         for (i, &switch) in switches.iter().enumerate() {
-            let function = |t: f64| self.switching_function(model, piece, switch, t);
-            let values: Vec<f64> = samples.iter().map(|at| at[i]).collect();
-            if let Some(t) = first_zero(&function, &times, &values)
-                && first.is_none_or(|(earliest, _)| t < earliest)
+            let negated: Vec<f64> = samples.iter().map(|at| -at[i]).collect();
+            let function = |t: f64| -self.switching_function(model, piece, switch, t);
+            if let Some(t) = first_rise([&times, &negated], f64::INFINITY, false, first, function)
+                && t < first.at
             {
-                first = Some((t, switch.ending));
+                (first.at, self.until, self.ending) = (t, t, Some(switch.ending));
             }
-        }
-        if let Some((t, ending)) = first {
-            (self.until, self.ending) = (t, Some(ending));
         }
     }
 }
@@ -334,34 +331,6 @@ impl Switch {
             }
         }
     }
-}
-
-/// First time at which a function, sampled at some times, falls through 0: between two samples, or in a minimum between them.
-fn first_zero(function: &dyn Fn(f64) -> f64, times: &[f64], values: &[f64]) -> Option<f64> {
-    let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    for (k, (t, v)) in times.windows(2).zip(values.windows(2)).enumerate() {
-        if v[1] < 0.0 && (v[0] > 0.0 || k == 0) {
-            return Some(root(|t| -function(t), t[0], t[1]));
-        }
-        if v[0] > 0.0
-            && v[0].min(v[1]) < DIP_FRACTION * largest
-            && let Some(low) = minimum_below_zero(function, [t[0], t[1]])
-        {
-            return Some(root(|t| -function(t), t[0], low));
-        }
-    }
-    None
-}
-
-/// Where a function is below 0 between two samples that are above; none where its minimum is above, or where it has none.
-fn minimum_below_zero(function: &dyn Fn(f64) -> f64, [a, b]: [f64; 2]) -> Option<f64> {
-    let step = DIP_DIFFERENCE * (b - a);
-    let slope = |t: f64| function(t + step) - function(t);
-    if slope(a) >= 0.0 || slope(b - step) <= 0.0 {
-        return None;
-    }
-    let low = root(slope, a, b - step) + 0.5 * step;
-    (function(low) < 0.0).then_some(low)
 }
 
 /// A quarter of the period of a sine of the ground \[s\]: a step over more of it could miss a turning point.

@@ -98,24 +98,6 @@ fn a_sliding_face_follows_a_record_and_resonates_as_the_integrator_does() {
 }
 
 #[test]
-fn the_first_zero_is_between_samples_or_in_a_dip() {
-    let times: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
-    let found = |function: &dyn Fn(f64) -> f64| {
-        let values: Vec<f64> = times.iter().map(|&t| function(t)).collect();
-        first_zero(function, &times, &values)
-    };
-    let crossing = found(&|t| 0.3 - t * t).expect("a crossing");
-    assert!((crossing - 0.3f64.sqrt()).abs() < 1e-15, "{crossing}");
-    // Below 0 between 0.43 and 0.44 only, and no sample there.
-    let dip = found(&|t| (t - 0.43) * (t - 0.44)).expect("a dip");
-    assert!((dip - 0.43).abs() < 1e-12, "{dip}");
-    assert_eq!(found(&|t| (t - 0.43) * (t - 0.44) + 1e-4), None, "the minimum is above 0");
-    assert_eq!(found(&|t| 1.0 + t), None, "it rises");
-    let at_once = found(&|t| -t).expect("falling from 0");
-    assert!(at_once <= 1e-15, "{at_once}");
-}
-
-#[test]
 fn one_switching_function_is_the_same_as_among_all() {
     let (model, mut contact) = sliding("skew60-abutment", |_| (), 1.0);
     let piece = model.ground.piece(model.ground.piece_number(0.0));
