@@ -104,22 +104,9 @@ pub(super) const LEAST_SCALE: f64 = 1e-6;
 pub(super) const SEARCHED_PERIODS: f64 = 2.0;
 /// Samples of a record that one search covers: bounds of a flight hold between two kinks only. Tuned, as in the contact model.
 pub(super) const SEARCHED_SAMPLES: f64 = 64.0;
-/// Samples of a gap per planned step. The step is cut to half of the shortest period of what flies, so twelve samples see
-/// every turning point of gap and rate.
-pub(super) const GAP_SAMPLES: usize = 12;
-/// Newton steps onto a crossing within the search's resolution: quadratic from 1e-9, two reach round-off, one to spare.
-pub(super) const POLISH_STEPS: usize = 3;
-/// Evaluations of a bracketed root: 52 halvings reach round-off; with
-/// Newton steps nine are enough for the square root of 2 (test beside it).
-pub(super) const ROOT_EVALUATIONS: usize = 200;
 /// Evaluations that share one set of motion bounds. The energies that bound a motion never grow, so older bounds stay valid;
 /// they only shorten an advancement. Tuned.
 pub(super) const SHARED_BOUNDS: u32 = 4;
-/// Iterations on the root of the cubic bound. Any number is safe, because every iterate stays before the root.
-pub(super) const CUBIC_ITERATIONS: usize = 6;
-/// Relative distance from the root of the cubic bound at which the iteration ends: the next advancement starts from a better
-/// bound anyway.
-pub(super) const CUBIC_CONVERGED: f64 = 1e-2;
 
 // Progress of a run.
 

@@ -32,6 +32,12 @@ impl Engine {
         engine
     }
 
+    /// Present state of the group.
+    #[cfg(test)]
+    pub(in crate::dynamics::impact2d) fn world(&self) -> &World {
+        &self.run.world
+    }
+
     /// Contacts and trajectories at t = 0.
     fn begin(&mut self) {
         disarm_points_behind(&mut self.run.world);

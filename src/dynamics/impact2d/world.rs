@@ -14,6 +14,7 @@ use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
 use crate::dynamics::impact2d::tracks::{BodyTrack, Motion, PairTrack, SiteTrack};
 use crate::dynamics::impact2d::{InlineVec, State};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// Bodies, pairs and declared contacts of a group, with their motions in force. A *slot* is the place of a body here.
@@ -107,6 +108,14 @@ impl World {
     pub(in crate::dynamics::impact2d) fn planned_end(&self, slot: usize) -> Option<f64> {
         match self.bodies[slot].motion {
             Motion::Lasting(number, _) => self.lasting[number].as_ref().map(|contact| contact.until),
+            Motion::Flight(_) => None,
+        }
+    }
+
+    /// Bounds on the motion of a body in its planned step; none in free flight.
+    pub(in crate::dynamics::impact2d) fn planned_bounds(&self, slot: usize) -> Option<MotionBounds> {
+        match self.bodies[slot].motion {
+            Motion::Lasting(number, place) => self.lasting[number].as_ref().map(|contact| contact.bounds(place)),
             Motion::Flight(_) => None,
         }
     }

@@ -17,3 +17,8 @@ pub(super) const FLOORED_ADVANCES: u32 = 512;
 pub(super) const SAMPLES_PER_RESOLUTION: u32 = 64;
 /// Factor by which the resolution is made coarser. Tuned: 13 times span the digits of a double.
 pub(super) const COARSENING: f64 = 16.0;
+/// Iterations on the root of a cubic bound. Any number is safe, because every iterate stays before the root. Tuned.
+pub(super) const CUBIC_ITERATIONS: usize = 6;
+/// Relative distance from the root of a cubic bound at which the iteration ends: the next advancement starts from a better
+/// bound. Tuned.
+pub(super) const CUBIC_CONVERGED: f64 = 1e-2;

@@ -2,6 +2,7 @@
 
 pub mod advancement;
 pub(in crate::dynamics) mod constants;
+pub(in crate::dynamics) mod cubic_bound;
 pub(in crate::dynamics) mod first_rise;
 pub(in crate::dynamics) mod positive_again;
 pub mod root;

@@ -1,16 +1,17 @@
 //! Gaps of a pair at an instant with `ġ` and `g̈`, and bounds on `g̈` and `g⃛` from there on.
 //!
-//! In flight without a record the acceleration is known and the bounds of [`MotionLimits`] hold for ever after. Under a
-//! record, and where bearings couple the directions, the bounds of the contact model hold for a while, and the third
-//! derivative has none.
+//! In flight without a record the acceleration is known and the bounds of [`MotionLimits`] hold for all later times. Under a
+//! record, where bearings couple the directions, and in a planned step of lasting contact the bounds of [`MotionBounds`] hold
+//! for a window, and the third derivative has none.
 
 use crate::dynamics::free_flight::relative_bounds::{BodyInFlight, GirderInFlight, RelativeBounds};
-use crate::dynamics::impact2d::closing::cubic_advancement::CubicBound;
 use crate::dynamics::impact2d::closing::motion_limits::{FlyingBody, MotionLimits, relative_limits};
 use crate::dynamics::impact2d::closing::planar_gap::{PlanarPose, PlanarSite, RelativeNode};
 use crate::dynamics::impact2d::constants::SHARED_BOUNDS;
 use crate::dynamics::impact2d::world::World;
 use crate::dynamics::locate::advancement::BoundedGap;
+use crate::dynamics::locate::cubic_bound::CubicBound;
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::site_geometry::SiteGeometry;
 
 /// Poses of the sides of a pair at `t`.
@@ -51,7 +52,7 @@ pub(in crate::dynamics::impact2d) struct PairMotion {
 }
 
 impl PairMotion {
-    /// Sides that fly or stand, at `t`, with bounds up to `until`.
+    /// Both sides at `t`, with bounds up to `until`, which is not behind the end of a planned step.
     pub(in crate::dynamics::impact2d) fn of(world: &World, slots: [Option<usize>; 2], t: f64, until: f64) -> Self {
         Self::with(world, slots, [t, until], None)
     }
@@ -77,29 +78,36 @@ impl PairMotion {
             (None, None) => PlanarPose::STILL,
         };
         let poses = [pose(0), pose(1)];
-        if !flying.iter().flatten().all(|side| side.uncoupled().is_some()) {
-            return Self::without_jerk(poses, &flying, t, horizon);
+        let stepping = slots.map(|slot| slot.and_then(|slot| world.planned_bounds(slot)));
+        if stepping != [None; 2] || !flying.iter().flatten().all(|side| side.uncoupled().is_some()) {
+            return Self::without_jerk(poses, &flying, stepping, t, horizon);
         }
         let limits = known.unwrap_or_else(|| PairLimits::of(&flying));
         let acceleration = |side: usize| flying[side].as_ref().and_then(FlyingBody::acceleration).unwrap_or_default();
         Self { poses, limits, accelerations: Some([acceleration(0), acceleration(1)]), window: horizon }
     }
 
-    /// Sides whose jerk has no bound.
-    fn without_jerk(poses: [PlanarPose; 2], flying: &[Option<FlyingBody<'_>>; 2], t: f64, horizon: f64) -> Self {
-        let bound = |side: &Option<FlyingBody<'_>>| side.as_ref().map(|s| s.bound(t));
-        let bounds = [bound(&flying[0]), bound(&flying[1])];
-        let flyers = [0, 1].map(|i| match (&flying[i], bounds[i]) {
-            (Some(s), Some(bound)) => {
+    /// Sides whose jerk has no bound; `stepping` bounds those in planned steps.
+    fn without_jerk(
+        poses: [PlanarPose; 2],
+        flying: &[Option<FlyingBody<'_>>; 2],
+        stepping: [Option<MotionBounds>; 2],
+        t: f64,
+        horizon: f64,
+    ) -> Self {
+        let moving = [0, 1].map(|side| match (&flying[side], stepping[side]) {
+            (Some(s), _) => {
                 let girder = GirderInFlight { system: s.system, state: s.state, free: s.free };
-                Some(BodyInFlight { bound, girder: Some(girder) })
+                Some(BodyInFlight { bound: s.bound(t), girder: Some(girder) })
             }
-            _ => None,
+            (None, stepping) => stepping.map(|bound| BodyInFlight { bound, girder: None }),
         });
-        let apart = RelativeBounds::of(&flyers, horizon);
-        let sides = bounds.map(|bound| bound.map_or(MotionLimits::default(), |bound| MotionLimits::of(&bound)));
+        let apart = RelativeBounds::of(&moving, horizon);
+        let sides = [0, 1]
+            .map(|side| moving[side].as_ref().map_or(MotionLimits::default(), |body| MotionLimits::of(&body.bound)));
         let relative = [apart.reach, apart.speed, apart.acceleration, f64::INFINITY];
-        Self { poses, limits: PairLimits { sides, relative, uses: 0 }, accelerations: None, window: apart.window }
+        let window = apart.window.min(horizon);
+        Self { poses, limits: PairLimits { sides, relative, uses: 0 }, accelerations: None, window }
     }
 
     /// Displacement of both sides, by which their places round \[m\].
@@ -153,6 +161,7 @@ mod tests {
     use super::*;
     use crate::dynamics::Model;
     use crate::dynamics::impact2d::closing::planar_gap::gap;
+    use crate::dynamics::impact2d::engine::Engine;
     use crate::scene::presets;
 
     fn world(preset: &str) -> World {
@@ -182,6 +191,38 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn the_gap_stays_above_its_bounds_in_a_planned_step() {
+        // A face that slides along its wall and one that turns about a corner: the closed form and the integrator.
+        for spin in [0.0, -40.0] {
+            let mut scene = presets::load("straight-abutment").expect("a preset");
+            scene.abutments[0].gap = Some(0.0);
+            scene.impact.restitution_normal = 0.0;
+            scene.girders[0].initial.velocity = [0.0, 0.2, 0.0];
+            scene.girders[0].initial.spin_deg_s = spin;
+            scene.girders[0].push.force = [60.0, 0.0, 0.0];
+            let engine = Engine::new(&Arc::new(Model::compile(&scene).expect("a sound scene")), 0);
+            let world = engine.world();
+            let slots = world.pairs[0].slots;
+            let end = world.planned_end(0).expect("a planned step");
+            let motion = PairMotion::of(world, slots, 0.0, end);
+            let mut moved: f64 = 0.0;
+            for site in &world.sites {
+                let (bounded_gap, cubic) = motion.bounded_gap(&site.geometry, &site.spot, site.sides, 0.0);
+                assert_eq!(cubic, None, "no bound on the third derivative");
+                for k in 1..=200 {
+                    let tau = end * f64::from(k) / 200.0;
+                    let poses = poses(world, slots, tau);
+                    let [now, _] = gap(&site.geometry, site.sides, &poses);
+                    let parabola = bounded_gap.gap + tau * (bounded_gap.rate - 0.5 * tau * bounded_gap.curvature);
+                    assert!(now >= parabola - 1e-12, "spin {spin}°/s: {now} below {parabola} after {tau} s");
+                    moved = moved.max(poses[0].shift.length() + poses[1].shift.length());
+                }
+            }
+            assert!(moved > 1e-5, "spin {spin}°/s: it moves, by {moved} m in {end} s");
         }
     }
 

@@ -1,21 +1,22 @@
 //! Time of the next impact of a pair: the first zero of any of its open gaps.
 //!
 //! In free flight by conservative advancement, all points of the pair together; where a side is in a planned step of lasting
-//! contact by samples of gap and rate.
+//! contact by subdivision of the step, point by point. Both rest on bounds of the gaps' derivatives ([`PairMotion`]).
 
 use smallvec::SmallVec;
 
-use crate::dynamics::impact2d::closing::cubic_advancement::{CubicBound, root_in_bracket};
 use crate::dynamics::impact2d::closing::gap_derivatives::{PairMotion, poses};
 use crate::dynamics::impact2d::closing::planar_gap::gap;
-use crate::dynamics::impact2d::constants::{GAP_SAMPLES, POLISH_STEPS, SEARCHED_PERIODS, SEARCHED_SAMPLES};
+use crate::dynamics::impact2d::constants::{SEARCHED_PERIODS, SEARCHED_SAMPLES};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
-use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap};
+use crate::dynamics::locate::advancement::{AdvanceOutcome, Advancement, BoundedGap, polish};
 use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::cubic_bound::CubicBound;
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
+use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::motion::Ground;
 
 /// Result of a search.
@@ -60,7 +61,7 @@ pub(in crate::dynamics::impact2d) fn next_impact(world: &mut World, pair: usize,
     let planned = slots.into_iter().flatten().filter_map(|slot| world.planned_end(slot)).fold(f64::INFINITY, f64::min);
     let mut until = horizon(&world.model.ground, t, world.model.duration).min(planned);
     if planned.is_finite() {
-        // The step of a body at rest may span many periods of one that flies.
+        // The step of a body at rest may span many periods of one that flies, and bounds over all of them are wide.
         until = until.min(t + half_period(world, slots));
     }
     for slot in slots.into_iter().flatten() {
@@ -69,7 +70,7 @@ pub(in crate::dynamics::impact2d) fn next_impact(world: &mut World, pair: usize,
     if planned.is_finite() { in_steps(world, pair, t, until, planned) } else { in_flight(world, pair, t, until) }
 }
 
-/// Half of the shortest period of the flying sides \[s\]: samples within it see every turning point.
+/// Half of the shortest period of the flying sides \[s\]: within it a gap turns once or twice, and its subdivision is short.
 fn half_period(world: &World, slots: [Option<usize>; 2]) -> f64 {
     let ground = if let Ground::Sine { omega, .. } = world.model.ground { omega } else { 0.0 };
     let shortest = |slot: usize| match world.bodies[slot].motion {
@@ -209,13 +210,17 @@ fn evaluate(
     let depth = point.depth;
     let (here, bound) = bounded_gap(world, site, depth, there);
     point.bound = bound;
-    let mut gap = |at: f64| gap_at(world, pair, site, depth, at);
+    let gap = |at: f64| gap_at(world, pair, site, depth, at);
     match point.advancement.advance(here, next) {
         AdvanceOutcome::Open => None,
         AdvanceOutcome::Closed if sooner.is_some_and(|at| gap(at)[0] > -point.resolution) => None,
-        AdvanceOutcome::Closed => Some(root_in_bracket(&mut gap, from, next)),
+        AdvanceOutcome::Closed => Some(root(|at| -gap(at)[0], point.advancement.last_open(from, next), next)),
         AdvanceOutcome::Closing => {
-            let at = polish(&mut gap, next, &here);
+            let mut sample = |at: f64| {
+                let [gap, rate] = gap(at);
+                BoundedGap { gap, rate, ..here }
+            };
+            let at = polish(&mut sample, next, &here, f64::INFINITY);
             sooner.is_none_or(|sooner| at < sooner).then_some(at)
         }
     }
@@ -233,58 +238,44 @@ fn front_time(world: &World, pair: usize, point: &OpenPoint, there: &PairMotion,
     (rate < 0.0 && is_positive_again(clear, middle_rate, middle, point.resolution)).then_some(middle)
 }
 
-/// Newton's method from within the resolution of a crossing.
-fn polish(gap_at: &mut impl FnMut(f64) -> [f64; 2], t: f64, here: &BoundedGap) -> f64 {
-    let (mut t, mut gap, mut rate) = (t, here.gap, here.rate);
-    for _ in 0..POLISH_STEPS {
-        let next = t - gap / rate;
-        if next == t || !next.is_finite() {
-            break;
-        }
-        t = next;
-        [gap, rate] = gap_at(t);
-        if rate >= 0.0 {
-            break;
-        }
-    }
-    t
-}
-
-/// Search where a side is in a planned step, which ends at `planned`.
+/// Search where a side is in a planned step, which ends at `planned`, by subdivision.
 fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) -> NextImpact {
     let motion = PairMotion::of(world, world.pairs[pair].slots, t, until);
-    let points = open_points(world, pair, t, &motion);
-    let first = points.iter().filter_map(|point| in_step(world, pair, point, t, until)).reduce(f64::min);
+    let until = until.min(t + motion.window);
+    let mut first: Option<f64> = None;
+    for point in open_points(world, pair, t, &motion) {
+        let (impact, in_front_at) = in_step(world, pair, &point, &motion, [t, until]);
+        world.sites[point.site].in_front_at = in_front_at;
+        first = impact.into_iter().chain(first).reduce(f64::min);
+    }
     // At the end of the step the pair is searched anew.
     let next = if until < planned.min(world.model.duration) { until } else { f64::INFINITY };
     NextImpact { due: first.unwrap_or(next), impact: first.is_some(), looks: 0 }
 }
 
-/// First crossing of a point by samples of gap and rate, and by the gap's turning points between two samples.
-fn in_step(world: &World, pair: usize, point: &OpenPoint, t: f64, until: f64) -> Option<f64> {
-    let gap = |at: f64| gap_at(world, pair, point.site, point.depth, at);
-    let mut armed = point.advancement.armed();
-    let resolution = RESOLUTION * world.sites[point.site].spot.size;
-    let (mut from, mut before) = (t, gap(t));
-    if armed && before[0] <= resolution && before[1] < 0.0 {
-        return Some(t);
+/// First crossing of a point in `[t, until]`, and when a point that was not armed is first in front of its face; `motion` is
+/// the pair's at `t` and bounds `|g̈|` up to `until`.
+fn in_step(
+    world: &World,
+    pair: usize,
+    point: &OpenPoint,
+    motion: &PairMotion,
+    [t, until]: [f64; 2],
+) -> (Option<f64>, Option<f64>) {
+    let sample = |at: f64| {
+        let [gap, rate] = gap_at(world, pair, point.site, point.depth, at);
+        GapSample { t: at, gap, rate }
+    };
+    let (here, armed) = (sample(t), point.advancement.armed());
+    if armed && here.gap <= point.resolution && here.rate < 0.0 {
+        return (Some(t), None);
     }
-    for i in 1..=GAP_SAMPLES {
-        let to = if i == GAP_SAMPLES { until } else { t + (until - t) * i as f64 / GAP_SAMPLES as f64 };
-        let here = gap(to);
-        let turns = before[1] * here[1] < 0.0;
-        let sign = if before[1] < 0.0 { 1.0 } else { -1.0 };
-        let turn = turns.then(|| root(|at| sign * gap(at)[1], from, to)).map(|at| (at, gap(at)));
-        for (at, [value, rate]) in turn.into_iter().chain([(to, here)]) {
-            if armed && value < 0.0 && (rate < 0.0 || value < -resolution) {
-                return Some(root_in_bracket(gap, from, at));
-            }
-            armed = armed || is_positive_again(value, rate, at, resolution);
-            from = at;
-        }
-        before = here;
-    }
-    None
+    let curvature = bounded_gap(world, point.site, point.depth, motion).0.curvature;
+    // An impact is the crossing itself: neither how the rate may err nor a time to see it is needed.
+    let functions = (sample, |_: &GapSample, _| curvature, |_| 0.0);
+    let mut subdivision = Subdivision::new(functions, armed, point.resolution, 0.0);
+    let impact = subdivision.first_closing(&[here, sample(until)]);
+    (impact, subdivision.rearmed_at())
 }
 
 #[cfg(test)]

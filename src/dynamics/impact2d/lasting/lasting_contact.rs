@@ -23,6 +23,7 @@ use crate::dynamics::integrator::dop853::{Dop853, next_factor};
 use crate::dynamics::integrator::system::System;
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES, WIDTH};
+use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::trajectory::segment::SegmentMotion;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::{Ground, LinearPiece};
@@ -43,7 +44,8 @@ pub(in crate::dynamics::impact2d) enum Ending {
 /// Motion of a planned step.
 #[derive(Clone, Debug)]
 enum PlannedMotion {
-    Slide(Box<SlidingFace>),
+    /// With the bounds on its motion.
+    Slide(Box<SlidingFace>, MotionBounds),
     Step(DenseOutput),
 }
 
@@ -166,9 +168,9 @@ impl LastingContact {
         self.from = t;
         let piece = model.ground.piece(model.ground.piece_number(t));
         let cap = cap.min(piece.until).min(t + quarter_period(&model.ground));
-        if let Some(slide) = self.slide(model, &piece, cap) {
+        if let Some((slide, bounds)) = self.slide(model, &piece, cap) {
             self.until = cap.min(t + slide.sight);
-            self.planned = Some(PlannedMotion::Slide(Box::new(slide)));
+            self.planned = Some(PlannedMotion::Slide(Box::new(slide), bounds));
         } else {
             let dense = if self.is_at_rest() { self.rest(cap) } else { self.integrate(model, piece, allowed, cap)? };
             self.until = if dense.from + dense.step >= cap { cap } else { dense.from + dense.step };
@@ -185,8 +187,8 @@ impl LastingContact {
         DenseOutput::new(self.from, cap - self.from, constant)
     }
 
-    /// Closed form of one face sliding on a wall.
-    fn slide(&self, model: &Model, piece: &LinearPiece, cap: f64) -> Option<SlidingFace> {
+    /// Closed form of one face sliding on a wall, and bounds on it.
+    fn slide(&self, model: &Model, piece: &LinearPiece, cap: f64) -> Option<(SlidingFace, MotionBounds)> {
         let ([body], [state]) = (&self.bodies[..], &states(&self.y)[..]) else { return None };
         let longest = (cap - self.from).min(model.duration);
         slide_on_wall(model, (*body, &self.modes), piece, (self.from, state), longest)
@@ -222,17 +224,40 @@ impl LastingContact {
     pub(in crate::dynamics::impact2d) fn state(&self, place: usize, t: f64) -> PlanarState {
         let mut state = [0.0; WIDTH];
         match &self.planned {
-            Some(PlannedMotion::Slide(slide)) => state = slide.state(t),
+            Some(PlannedMotion::Slide(slide, _)) => state = slide.state(t),
             Some(PlannedMotion::Step(dense)) => dense.read(component(place), t, &mut state),
             None => state.copy_from_slice(&self.y[component(place)]),
         }
         state
     }
 
+    /// Bounds on the motion of a body, by its place here, in the planned step.
+    pub(in crate::dynamics::impact2d) fn bounds(&self, place: usize) -> MotionBounds {
+        let dense = match &self.planned {
+            Some(PlannedMotion::Slide(_, bounds)) => return *bounds,
+            Some(PlannedMotion::Step(dense)) => dense,
+            None => return MotionBounds::still(f64::INFINITY),
+        };
+        let start = component(place).start;
+        let (translation, rotation) = (start..start + 2, start + 2..start + RATES);
+        let at = |i: usize| dense.component(i, dense.from);
+        let [speed, acceleration] = dense.derivative_bounds(translation.clone());
+        let [spin, spin_rate] = dense.derivative_bounds(rotation.clone());
+        MotionBounds {
+            window: f64::INFINITY,
+            reach: at(start).hypot(at(start + 1)) + dense.displacement_bound(translation),
+            turn: at(start + 2).abs() + dense.displacement_bound(rotation),
+            speed,
+            spin,
+            acceleration,
+            spin_rate,
+        }
+    }
+
     /// Path of a body in the planned step.
     pub(in crate::dynamics::impact2d) fn path(&self, place: usize) -> Option<SegmentMotion> {
         self.planned.as_ref().map(|planned| match planned {
-            PlannedMotion::Slide(slide) => SegmentMotion::Slide(slide.clone()),
+            PlannedMotion::Slide(slide, _) => SegmentMotion::Slide(slide.clone()),
             PlannedMotion::Step(dense) => SegmentMotion::Step(StepPolynomial::of(dense, component(place), None)),
         })
     }

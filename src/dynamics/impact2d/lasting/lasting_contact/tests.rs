@@ -44,7 +44,7 @@ fn closed(model: &Model, contact: &LastingContact, end: f64) -> Vec<f64> {
     while contact.from < end {
         let piece = model.ground.piece(model.ground.piece_number(contact.from));
         let to = end.min(piece.until);
-        let slide = contact.slide(model, &piece, to).expect("a face on a wall");
+        let (slide, _) = contact.slide(model, &piece, to).expect("a face on a wall");
         (contact.y, contact.from) = (slide.state(to).to_vec(), to);
     }
     contact.y

@@ -1,14 +1,14 @@
-//! Conservative advancement of third order: a step that a gap cannot close within, from `g`, `ġ`, `g̈` and a bound on `g⃛`.
+//! Lower bound of a function of time by a cubic, for conservative advancement of third order.
 //!
-//! In closed form the second derivative is known, so the gap stays above `g + ġτ + ½g̈τ² − ⅙Jτ³` where `|g⃛| ≤ J`. Its first
-//! root is approached from below and never passed, so the step is safe after any number of iterations. Steps converge to a
-//! crossing with third order, and one of them spans a whole hop.
+//! Where `g̈` is known and `|g⃛| ≤ J`, the function stays above `g + ġτ + ½g̈τ² − ⅙Jτ³`. The first root of the cubic is
+//! approached from below and never passed, so the step is safe after any number of iterations; steps converge to a crossing
+//! with third order.
 
-use crate::dynamics::impact2d::constants::{CUBIC_CONVERGED, CUBIC_ITERATIONS, ROOT_EVALUATIONS};
+use crate::dynamics::locate::constants::{CUBIC_CONVERGED, CUBIC_ITERATIONS};
 
 /// Lower bound of a gap: `g` \[m\], `ġ`, `g̈`, and `J ≥ |g⃛|` \[m/s³\].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics::impact2d) struct CubicBound {
+pub(in crate::dynamics) struct CubicBound {
     pub gap: f64,
     pub rate: f64,
     pub bend: f64,
@@ -25,7 +25,7 @@ impl CubicBound {
     }
 
     /// A time within which the gap cannot close; infinite where it never can \[s\].
-    pub(in crate::dynamics::impact2d) fn safe_step(&self) -> f64 {
+    pub(in crate::dynamics) fn safe_step(&self) -> f64 {
         if self.gap < 0.0 || !self.jerk.is_finite() {
             return 0.0;
         }
@@ -52,7 +52,7 @@ impl CubicBound {
     }
 
     /// Whether this bound is above another at all later times.
-    pub(in crate::dynamics::impact2d) fn is_above(&self, other: &Self) -> bool {
+    pub(in crate::dynamics) fn is_above(&self, other: &Self) -> bool {
         self.gap >= other.gap && self.rate >= other.rate && self.bend >= other.bend && self.jerk <= other.jerk
     }
 
@@ -101,39 +101,6 @@ impl CubicBound {
     }
 }
 
-/// Root of a gap that is not negative at `a` and negative at `b`, to round-off of time: Newton's method inside a bracket.
-/// `gap_at` gives `[g, ġ]`.
-pub(in crate::dynamics::impact2d) fn root_in_bracket(mut gap_at: impl FnMut(f64) -> [f64; 2], a: f64, b: f64) -> f64 {
-    let (mut a, mut b, mut t) = (a, b, b);
-    let [mut gap, mut rate] = gap_at(t);
-    let mut before = b - a;
-    for _ in 0..ROOT_EVALUATIONS {
-        if gap == 0.0 {
-            return t;
-        }
-        if gap < 0.0 {
-            b = t;
-        } else {
-            a = t;
-        }
-        let middle = f64::midpoint(a, b);
-        if b - a <= f64::EPSILON * b.abs() || middle <= a || middle >= b {
-            return b;
-        }
-        let step = -gap / rate;
-        // Bisection where a Newton step is not half of the last one.
-        let newton = rate < 0.0 && t + step > a && t + step < b && 2.0 * step.abs() <= before;
-        let next = if newton { t + step } else { middle };
-        before = (next - t).abs();
-        if next == t || (newton && step.abs() <= f64::EPSILON * t.abs()) {
-            return next;
-        }
-        t = next;
-        [gap, rate] = gap_at(t);
-    }
-    t
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,22 +124,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn crossings_come_to_the_last_bits_in_a_few_looks() {
-        let mut looks = 0;
-        let t = root_in_bracket(
-            |t| {
-                looks += 1;
-                [2.0 - t * t, -2.0 * t]
-            },
-            0.0,
-            2.0,
-        );
-        assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON && looks < 9, "{t} after {looks}");
-        // A flat place, where Newton's method alone would leave the bracket.
-        let t = root_in_bracket(|t| [1e-9 - t.powi(3), -3.0 * t * t], -1.0, 1.0);
-        assert!((t - 1e-3).abs() <= 1e-17, "{t}");
     }
 }
