@@ -89,9 +89,10 @@ fn resolution(world: &World, contact: usize, t: f64) -> f64 {
 /// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
 struct StepSamples {
     times: [f64; STEP_SAMPLES],
-    frames: [[Frame; 2]; STEP_SAMPLES],
-    /// Whether the poses of all sample times are computed, not of the first alone.
-    filled: bool,
+    /// Poses at the first sample time.
+    first: [Frame; 2],
+    /// Poses at the other sample times; empty until they are asked for.
+    others: Vec<[Frame; 2]>,
     slots: [Option<usize>; 2],
     sections: [usize; 2],
 }
@@ -102,17 +103,16 @@ impl StepSamples {
         let PairTrack { slots, sections, .. } = world.pairs[pair];
         let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
         let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
-        Self { times, frames: [Self::frames(world, slots, sections, t); STEP_SAMPLES], filled: false, slots, sections }
+        Self { times, first: Self::frames(world, slots, sections, t), others: Vec::new(), slots, sections }
     }
 
     /// Computes the poses of the other sample times.
     fn fill(&mut self, world: &World) {
-        if std::mem::replace(&mut self.filled, true) {
+        if !self.others.is_empty() {
             return;
         }
-        for i in 1..STEP_SAMPLES {
-            self.frames[i] = Self::frames(world, self.slots, self.sections, self.times[i]);
-        }
+        let frames = |&t: &f64| Self::frames(world, self.slots, self.sections, t);
+        self.others.extend(self.times[1..].iter().map(frames));
     }
 
     fn frames(world: &World, slots: [Option<usize>; 2], sections: [usize; 2], t: f64) -> [Frame; 2] {
@@ -122,7 +122,8 @@ impl StepSamples {
 
     /// Pose of one of the pair's bodies at sample `i`.
     fn side(&self, slot: Option<usize>, i: usize) -> &Frame {
-        &self.frames[i][usize::from(slot == self.slots[1])]
+        let frames = i.checked_sub(1).map_or(&self.first, |other| &self.others[other]);
+        &frames[usize::from(slot == self.slots[1])]
     }
 
     /// Poses of node's and face's body of a contact at sample `i`.

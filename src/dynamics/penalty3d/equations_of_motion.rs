@@ -152,8 +152,11 @@ impl EquationsOfMotion<'_> {
             let face = active.face.map_or(&site.stand, |_| &self.frames[active.sections[1]]);
             let at_once = active.turns_at_once();
             let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
-            let (mut held, mut closed) = (active.closed, &active.closed);
+            // A copy only where the sliding is frozen: a contact is evaluated some ten times a step.
+            let mut held;
+            let mut closed = &active.closed;
             if self.sliding.held {
+                held = active.closed;
                 if at_once {
                     mode = Mode::Slip { direction: self.sliding.against[slider] };
                     held.law.v_stick = 0.0;
