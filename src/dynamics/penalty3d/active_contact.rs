@@ -1,4 +1,5 @@
-//! A closed contact between bodies of one island: the connection that the penalty law is.
+//! A closed contact between bodies of one island, as a connection under the penalty law
+//! (`docs/physics.md#normal-law`, `docs/physics.md#friction-laws`).
 
 use glam::{DVec2, DVec3};
 
@@ -11,26 +12,29 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 /// A closed contact between bodies of one island.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct ActiveContact {
-    /// Its number in the model.
+    /// Number of its site in the model.
     pub site: usize,
-    /// Which of the island's bodies owns the node; nothing for an abutment.
+    /// Index in the island of the node's body; `None` for an abutment.
     pub node: Option<usize>,
-    /// Which owns the face.
+    /// Index in the island of the face's body; `None` for an abutment.
     pub face: Option<usize>,
     /// Sections of node and face among those of the island's bodies; 0 for an abutment.
     pub sections: [usize; 2],
-    /// Its state.
+    /// State with law and mode.
     pub closed: ClosedContact,
-    /// Node and face where the bases of their bodies are: its way, and its anchor's, count from there.
+    /// Contact geometry at the reference poses of both bodies, the origin of the node's displacement along the face
+    /// and of the anchor.
     pub home: Home,
-    /// Where its slip angle stands in the vector, if it is a state.
+    /// Index of the slip angle in the island's vector; `None` where the angle is no state.
     pub angle: Option<usize>,
-    /// Penetration that it is expected not to exceed by much \[m\].
+    /// Penetration at which the bounds of stiffness and damping are evaluated \[m\]; a law that stiffens can exceed
+    /// it.
     pub depth: f64,
 }
 
 impl ActiveContact {
-    /// The node against the face, with the island's bodies in `frames`, counted from their bases.
+    /// Position and velocity of the node relative to the face, with poses `frames` of the island's bodies relative to
+    /// their reference poses.
     pub(in crate::dynamics) fn look(&self, model: &Model, frames: &[Frame]) -> Local {
         let site = &model.contacts[self.site];
         let frame = |index: Option<usize>, which: usize| index.map_or(&site.stand, |_| &frames[self.sections[which]]);
@@ -44,7 +48,8 @@ impl ActiveContact {
             .map(|(body, own)| body.map_or(0, |i| layout.sections(i).start + own));
     }
 
-    /// Penetration that its present one and its normal speed lead to, with the lighter of its bodies behind it \[m\].
+    /// Largest penetration to be expected \[m\]: the present one, or that to which the normal speed leads with the
+    /// mass of the lighter body.
     pub(in crate::dynamics) fn expected_depth(&self, model: &Model, frames: &[Frame]) -> f64 {
         let here = self.look(model, frames);
         let pair = &model.pairs[model.contacts[self.site].pair];
@@ -52,14 +57,15 @@ impl ActiveContact {
         here.gap.abs().max(self.closed.law.normal.depth(mass, here.gap_rate.abs()))
     }
 
-    /// Whether its friction turns with `V_t` without delay: the paper's law in two directions.
+    /// Whether the direction of friction is that of `V_t` without a state of its own: law `paper` in two directions
+    /// of sliding.
     pub(in crate::dynamics) fn turns_at_once(&self) -> bool {
         let law = &self.closed.law;
         let slips = matches!(self.closed.mode, Mode::Slip { .. });
         slips && law.friction == FrictionLaw::Paper && law.v_stick > 0.0 && law.mu_k > 0.0
     }
 
-    /// The contact with its slip direction as the vector has it.
+    /// The state with the slip direction of the island's vector.
     #[inline]
     pub(in crate::dynamics) fn turned(&self, y: &[f64]) -> ClosedContact {
         let mut closed = self.closed;
@@ -70,7 +76,7 @@ impl ActiveContact {
     }
 }
 
-/// The law's force on the node, in the face's axes, at the depth that the contact is expected not to exceed.
+/// Force on the node in the face's axes \[N\]; bounds hold up to the expected penetration.
 impl Connection for ActiveContact {
     type State = Mode;
     type Motion = Local;
@@ -99,7 +105,7 @@ impl Connection for ActiveContact {
     }
 }
 
-/// The unit vector at an angle.
+/// Unit vector at an angle \[rad\] from the x axis.
 pub(in crate::dynamics) fn direction(angle: f64) -> DVec2 {
     let (sin, cos) = angle.sin_cos();
     DVec2::new(cos, sin)

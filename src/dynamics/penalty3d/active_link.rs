@@ -1,4 +1,4 @@
-//! A device that acts between bodies of one island, or one of them and the ground.
+//! A device whose force acts between two bodies of one island, or between one of them and the ground.
 
 use glam::DVec3;
 
@@ -12,15 +12,15 @@ use crate::dynamics::model::wrench::Wrench;
 /// A link whose force acts.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct ActiveLink {
-    /// Its number in the model.
+    /// Number of the link in the model.
     pub number: usize,
-    /// Its number in the group.
+    /// Number of the link in the group.
     pub track: usize,
-    /// Which of the island's bodies its ends are at; nothing for the ground.
+    /// Indices in the island of the bodies at its ends; `None` for the ground.
     pub ends: [Option<usize>; 2],
     /// The first sections of these bodies among those of the island's bodies; 0 for the ground.
     pub sections: [usize; 2],
-    /// Its phase.
+    /// Present phase of the device.
     pub phase: Phase,
 }
 
@@ -34,7 +34,8 @@ impl ActiveLink {
         &model.links[self.number]
     }
 
-    /// Motion of its points, and their arms, with the island's bodies in `frames`, counted from `bases`.
+    /// Relative motion of its points and their arms from G, with poses `frames` of the island's bodies relative to
+    /// the reference poses `bases`.
     pub(in crate::dynamics) fn motion(
         &self,
         model: &Model,
@@ -47,7 +48,7 @@ impl ActiveLink {
         link.motion([&frames[0], &frames[1]])
     }
 
-    /// Adds its force to what pushes the island's bodies.
+    /// Adds its force to the wrenches of the island's bodies.
     pub(in crate::dynamics) fn push(
         &self,
         model: &Model,
@@ -64,8 +65,9 @@ impl ActiveLink {
         }
     }
 
-    /// Acceleration of its points against each other per unit force along it, from above, summed over its bodies \[1/kg\].
-    /// An arm `p` beyond the corners' `r` adds no more than `(p/r)²` of their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`.
+    /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A
+    /// point at distance `p` beyond the corners' `r` has at most `(p/r)²` times their mobility, since `1 + p²/i² ≤ (1
+    /// + r²/i²) (p/r)²`.
     pub(in crate::dynamics) fn mobility(&self, model: &Model) -> f64 {
         let link = self.of(model);
         link.bodies.iter().zip(link.arms).filter_map(|(body, arm)| Some((&model.bodies[(*body)?], arm))).fold(

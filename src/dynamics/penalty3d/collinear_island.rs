@@ -1,10 +1,10 @@
-//! Bodies that move along one axis and touch flush across it: nothing slides and nothing turns, so the nodes of two faces
-//! push as one and a body's rate is that of one coordinate.
+//! An island on one axis: bodies that move along the axis and touch flush across it, without sliding and rotation.
+//! The contacts of two faces act as one, and the motion of a body is that of one coordinate.
 //!
 //! `m ẍ + c ẋ + k x = Σ ±N(δ, δ̇) − m Ẍ` with the sum of a face's normal forces (`docs/physics.md#plane-motion`,
-//! `docs/physics.md#linear-spring-and-dashpot`). What makes it so is exact: bearings and ground that do not lead off
-//! the axis, faces square to it, levers across it that cancel, and a state whose other components are 0. These stay 0
-//! then, to the last bit; where one is not, all is computed.
+//! `docs/physics.md#linear-spring-and-dashpot`). The reduction is exact under these conditions: bearings and ground
+//! motion act along the axis, faces are square to it, the levers across it cancel, and the other components of the
+//! state are 0, which they then remain to the last bit. Otherwise the full equations are used.
 
 use glam::DVec3;
 
@@ -16,16 +16,16 @@ use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
 
-/// Two sides that touch flush.
+/// Two sides in flush contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Joint {
-    /// Who owns the node and who the face, as the joint's first contact has it; nothing for an abutment.
+    /// Index of the node's and the face's body of the first contact; `None` for an abutment.
     sides: [Option<usize>; 2],
     /// The face's normal along the axis, ±1.
     normal: f64,
     /// `g` as placed \[m\].
     rest: f64,
-    /// Normal law of its contacts together; nothing where the normal force is held at 0.
+    /// Normal law of its contacts in parallel; `None` where the normal force is held at 0.
     law: Option<Normal>,
 }
 
@@ -33,14 +33,14 @@ struct Joint {
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::dynamics) struct CollinearIsland {
     axis: usize,
-    /// Place and rate of each body along the axis in the vector.
+    /// Components of position and velocity of each body along the axis in the island's vector.
     components: Vec<[usize; 2]>,
     joints: Vec<Joint>,
-    /// The first contact of each contact's joint.
+    /// Index of the first contact of each contact's joint.
     first: Vec<usize>,
 }
 
-/// A contact as the line sees it.
+/// Quantities of a contact on the axis.
 struct Touch {
     sides: [Option<usize>; 2],
     normal: f64,
@@ -52,7 +52,8 @@ struct Touch {
 }
 
 impl CollinearIsland {
-    /// Of bodies with these closed contacts, where they may be in line.
+    /// Collinear island of bodies with these closed contacts; `None` where a condition on bodies, bearings, ground or
+    /// faces fails.
     pub(in crate::dynamics) fn of(
         model: &Model,
         bodies: &[usize],
@@ -92,13 +93,13 @@ impl CollinearIsland {
         Some(Self { axis, components, joints, first })
     }
 
-    /// Whether states in a row are in line.
+    /// Whether a state satisfies the conditions: all components off the axis are 0.
     #[inline]
     pub(in crate::dynamics) fn holds(&self, y: &[f64]) -> bool {
         planar::in_a_row(y).iter().all(|state| planar::is_along(state, self.axis))
     }
 
-    /// Place and rate of one of its bodies along the axis in the vector.
+    /// Components of position and velocity of a body along the axis in the island's vector.
     #[inline]
     pub(in crate::dynamics) fn components(&self, index: usize) -> [usize; 2] {
         self.components[index]
@@ -109,12 +110,12 @@ impl CollinearIsland {
         self.axis
     }
 
-    /// The first contact that is as deep as this one wherever the line holds.
+    /// Index of the first contact with the penetration of this one while the conditions hold.
     pub(in crate::dynamics) fn first(&self, contact: usize) -> usize {
         self.first[contact]
     }
 
-    /// Rates of states that are in line.
+    /// Derivative of a state that satisfies the conditions.
     #[inline]
     pub(in crate::dynamics) fn slope(
         &self,
@@ -173,13 +174,14 @@ impl Touch {
         })
     }
 
-    /// Whether both are between the same two sides, either way round.
+    /// Whether both contacts are between the same two sides, in either order.
     fn joins(&self, other: &Self) -> bool {
         let [a, b] = other.sides;
         (self.sides == [a, b] && self.normal == other.normal) || (self.sides == [b, a] && self.normal == -other.normal)
     }
 
-    /// The joint of contacts between the same sides, where they are equally deep and leave no moment.
+    /// The joint of contacts between the same sides; `None` where their penetrations differ or their moments do not
+    /// cancel.
     fn together<'a, I: Iterator<Item = &'a Self>>(first: &Self, members: impl Fn() -> I) -> Option<Joint> {
         let level = members().all(|m| m.law == first.law && (m.rest - first.rest).abs() <= LEVEL_ROUNDING * m.reach);
         let lever = |side: Option<usize>, m: &Self| if m.sides[0] == side { m.levers[0] } else { m.levers[1] };
@@ -209,7 +211,7 @@ mod tests {
     use crate::dynamics::{Body, ContactSite};
     use crate::scene::{Motion, Scene, presets};
 
-    /// Two straight girders and what they stick to, all nodes closed.
+    /// Two straight girders and their contacts in stick, all nodes closed.
     fn pressed(scene: &Scene) -> (Model, Vec<ActiveContact>) {
         let model = Model::compile(scene).expect("a valid scene");
         let stick = |site: usize| {
@@ -261,7 +263,7 @@ mod tests {
         StateLayout::of(model.bodies.iter())
     }
 
-    /// The line of all bodies of a model, where they are in one.
+    /// The collinear island of all bodies of a model.
     fn line(model: &Model, active: &[ActiveContact]) -> Option<CollinearIsland> {
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         CollinearIsland::of(model, &bodies, &layout(model), &bases(model), active)
@@ -307,10 +309,10 @@ mod tests {
         let (short, whole) = (slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y));
         let largest = whole.iter().fold(0.0f64, |most, rate| most.max(rate.abs()));
         for (i, (a, b)) in short.iter().zip(&whole).enumerate() {
-            // Sums in another order.
+            // The order of summation differs.
             assert!((a - b).abs() <= 1e-13 * largest, "component {i}: {a} against {b}");
         }
-        // What is not in line is computed in the plan.
+        // A state off the axis takes the full equations.
         y[2] = 1e-9;
         assert_eq!(slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y), "turned");
     }

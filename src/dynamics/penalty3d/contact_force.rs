@@ -1,7 +1,7 @@
-//! The 3D contact-friction model between bodies (paper section 4): a law's forces, put where they act.
+//! Forces of the contact-friction model on two bodies (paper, section 4).
 //!
-//! `R_k` acts at the node `X_k`, `−R_k` at the point `X_p` that holds it (`docs/physics.md#contact-kinematics`), so a
-//! pair keeps its momentum exactly and its angular momentum up to the couple `(X_k − X_p) × R_k,t`.
+//! `R_k` acts at the node `X_k` and `−R_k` at the anchor `X_p` (`docs/physics.md#contact-kinematics`). The momentum
+//! of the pair is kept exactly, its angular momentum up to the couple `(X_k − X_p) × R_k`.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -9,12 +9,12 @@ use crate::contact::{Forces, Frame, Home, Local, Measured, Mode, measure};
 use crate::dynamics::ContactSite;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 
-/// A contact's forces and where they act, world frame.
+/// Forces of a contact and their points of action, world axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Action {
-    /// The node against the face.
+    /// Position and velocity of the node relative to the face.
     pub here: Local,
-    /// The law's forces in the face's axes.
+    /// Forces of the law in the face's axes \[N\].
     pub forces: Forces,
     /// `R_k` on the node's body \[N\].
     pub force: DVec3,
@@ -24,13 +24,13 @@ pub struct Action {
     pub face_arm: DVec3,
 }
 
-/// Forces of a closed contact.
+/// Forces of a closed contact, poses relative to the placed poses.
 #[inline]
 pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Frame) -> Action {
     act_in(&site.home, closed, &closed.mode, node, face)
 }
 
-/// Forces of a contact that is closed but for its mode, whose sides are counted from that home.
+/// Forces of a closed contact in the mode `mode`, poses relative to those of `home`.
 #[inline]
 pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, face: &Frame) -> Action {
     let Measured { here, arm, apart } = measure(home, node, face);
@@ -40,12 +40,12 @@ pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, fa
     Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
 }
 
-/// A vector given in the face's axes, in the world.
+/// World components of a vector given by its components along and normal to the face.
 #[inline]
 pub fn to_world(home: &Home, face: &Frame, along: DVec2, normal: f64) -> DVec3 {
     let axes = &home.axes;
     if face.level && home.upright {
-        // The same sum without what is 0.
+        // Rotation about Z and a vertical face: the terms that are 0 are left out.
         let [x, y] =
             [axes.x_axis.x * along.x + axes.z_axis.x * normal, axes.x_axis.y * along.x + axes.z_axis.y * normal];
         let [first, second] = [face.turned.x_axis, face.turned.y_axis];
@@ -62,7 +62,7 @@ mod tests {
     use crate::dynamics::Model;
     use crate::dynamics::penalty3d::example::{closed, stick, wall};
 
-    /// A contact of a girder that is pressed in, moved along the wall and turned.
+    /// A contact of a girder pressed in, moved along the wall and rotated.
     fn turned(level: bool) -> (Model, Action, [Frame; 2], Home) {
         let (model, active) = closed(&wall(), stick);
         let site = &model.contacts[active[0].site];

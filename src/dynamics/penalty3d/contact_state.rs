@@ -1,71 +1,75 @@
-//! State of a contact, and the forces of a closed one.
+//! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
 use glam::{DVec2, DVec3};
 
 use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
 
-/// State of a contact with everything its forces depend on.
+/// State of a contact with all quantities that its forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
-    /// Not touching. A node behind the face that did not come in through it is not armed: it is ignored until the gap is
-    /// positive again.
+    /// No contact. A disarmed contact (its node is behind the face and did not enter through it) does not close until
+    /// its gap is positive again.
     Open {
-        /// Whether the next crossing counts.
+        /// Whether the next crossing of the gap through zero is a closing.
         armed: bool,
     },
-    /// Touching.
+    /// In contact, in stick or slip.
     Closed(ClosedContact),
 }
 
-/// A closed contact: its law, its mode, and what the solver keeps about it.
+/// State of a closed contact: law, mode, and state of the numerical method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosedContact {
-    /// The pair's law, shared.
+    /// Law with the pair's stiffness and dashpots as shared.
     pub law: Law,
-    /// Stick or slip; an anchor is counted from where the reference poses of its bodies have the node.
+    /// Stick or slip; an anchor is relative to the reference poses of the bodies.
     pub mode: Mode,
-    /// The phase of a clamped contact in which damping out-pulls elastic force: the normal force is held at 0.
+    /// Law with `clamp` while the damping force exceeds the elastic one: the normal force is held at 0.
     pub held_at_zero: bool,
-    /// What the solver keeps about it.
+    /// State of the numerical method.
     pub solver: SolverState,
 }
 
-/// State of a closed contact that comes from the numerical method, not from its law.
+/// State of a closed contact that belongs to the numerical method, not to the law.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SolverState {
-    /// The node in the face's axes at the reference poses, where these have changed during the touch \[m\].
+    /// Position of the node in the face's axes at the reference poses, where these were replaced during the touch
+    /// \[m\].
     pub rebased_node: Option<DVec3>,
-    /// Regularisation length of a slip direction that turns (return mapping, two directions of sliding): added to the
-    /// stretch that the direction follows its velocity within; 0 for none \[m\].
+    /// Regularisation length `ℓ` of a slip direction that turns (`docs/physics.md#law-return-mapping`), added to the
+    /// stretch in the denominator of the angle's rate; 0 for none \[m\].
     pub regularisation: f64,
-    /// Sliding stopped but a stop cannot hold: no stop is located until `V_t` has grown again.
+    /// Sliding has stopped and stick cannot hold: the next stop is located only after `V_t` has exceeded `v_stick`
+    /// again.
     pub passing_stop: bool,
-    /// Number of times that sliding began again at this instant after a stop.
+    /// In slip, the number of changes of the contact at the instant at which the slip began. In stick, the number of
+    /// widenings of its dead band on top of `FREE_RETRIES`; 0 without one.
     pub retries: u32,
-    /// The step began within round-off of the face, with no velocity into it: before the face the slip has no friction, since
-    /// nothing presses the node. A node that comes out from inside keeps its friction, so that its last step has no kink
-    /// beyond its end.
+    /// The step began within round-off of the face without velocity into it: a slip in front of the face then has no
+    /// friction, since no force presses the node. A node that comes out from behind the face keeps its friction, so
+    /// that the last step of a touch has no kink beyond its end.
     pub at_face: bool,
 }
 
 impl ClosedContact {
-    /// A contact that has just closed.
+    /// State of a contact at its closing.
     pub fn new(law: Law, mode: Mode, regularisation: f64) -> Self {
         Self { law, mode, held_at_zero: false, solver: SolverState { regularisation, ..SolverState::default() } }
     }
 
-    /// Forces on the node.
+    /// Forces on the node in the face's axes \[N\].
     #[inline]
     pub fn forces(&self, here: &Local) -> Forces {
         self.forces_in(&self.mode, here)
     }
 
-    /// The same in another mode.
+    /// Forces on the node in the face's axes \[N\], in the mode `mode`.
     #[inline]
     pub fn forces_in(&self, mode: &Mode, here: &Local) -> Forces {
         let mut forces = self.law.forces(mode, here);
         if let (Mode::Slip { direction }, true) = (*mode, self.solver.regularisation > 0.0) {
-            // The stretch turns as well as it grows; p lags by less.
+            // Besides its length, the direction of the stretch changes: rate of the anchor across it, reduced by the
+            // regularisation.
             let length = self.law.slip_stretch(here);
             let across = direction.perp();
             forces.anchor_rate -= across * (across.dot(here.rate) * length / (length + self.solver.regularisation));
@@ -83,13 +87,13 @@ impl ClosedContact {
         forces
     }
 
-    /// Whether it slides without friction: within round-off before the face, where its spring would pull it back.
+    /// Whether it slides without friction: in front of the face in a step that began within round-off of it.
     #[inline]
     pub fn is_loose(&self, here: &Local) -> bool {
         self.solver.at_face && here.gap > 0.0 && matches!(self.mode, Mode::Slip { .. })
     }
 
-    /// Angle of a slip whose direction turns on its own, which an integrator must carry \[rad\].
+    /// Slip angle of a contact whose slip direction is a state of the integrator \[rad\]; `None` for others.
     pub fn turning(&self) -> Option<f64> {
         match self.mode {
             Mode::Slip { direction }
@@ -101,7 +105,7 @@ impl ClosedContact {
         }
     }
 
-    /// Excess of the damping force over the elastic one, a pull \[N\]; the switching function of the clamp.
+    /// Excess of the damping force over the elastic one \[N\], positive for a pull; switching function of the clamp.
     pub fn pull(&self, here: &Local) -> f64 {
         let forces = self.law.forces(&self.mode, here);
         -forces.normal_total()
@@ -109,7 +113,7 @@ impl ClosedContact {
 }
 
 impl Contact {
-    /// The closed contact, if it is.
+    /// State of a closed contact; `None` for an open one.
     pub fn closed(&self) -> Option<&ClosedContact> {
         match self {
             Self::Closed(closed) => Some(closed),
@@ -155,7 +159,7 @@ mod tests {
             coming_out.forces(&before).normal_total(),
             "the spring pulls"
         );
-        // No kink beyond the end of a step that ends a touch.
+        // The force is smooth beyond the end of a step that ends a touch.
         assert!(coming_out.forces(&before).tangential.x > 0.0, "as it goes on from behind");
         assert_eq!(hanging.forces(&behind), coming_out.forces(&behind), "behind the face friction is friction");
         assert!(hanging.forces(&behind).tangential.x < 0.0, "against the sliding");

@@ -1,31 +1,31 @@
-//! Events of closed contacts and devices that are due within a planned step.
+//! Events of closed contacts and devices within a planned step.
 
-/// What ends a contact's state.
+/// Event that ends the state of a closed contact (`docs/physics.md#contact-events`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::dynamics) enum Reason {
-    /// δ returns to 0.
+    /// Opening: δ returns to 0.
     Opening,
-    /// Breakaway, or sliding stops.
+    /// Breakaway in stick, stop in slip.
     Switching,
     /// The projection leaves the polygon, or the node comes out behind the body.
     Edge,
-    /// The normal force reaches 0, or leaves it, under `clamp`.
+    /// Beginning or end of a zero normal force under `clamp`.
     Kink,
 }
 
-/// An event that is due.
+/// Event of a closed contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) struct Due {
-    /// Number of the contact in the island.
+    /// Index of the contact in the island.
     pub number: usize,
-    /// Which.
+    /// Kind of event.
     pub reason: Reason,
 }
 
-/// End of a device's phase.
+/// End of the phase of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::dynamics) struct LinkDue {
-    /// Number of the link in the island.
+    /// Index of the link in the island.
     pub index: usize,
     /// Number of the switching function.
     pub switch: usize,

@@ -1,5 +1,5 @@
-//! The equations of motion of bodies in contact, as an integrator sees them: one vector of body states, then the angles
-//! of slips that turn.
+//! Equations of motion of an island (`docs/physics.md#rigid-body`) as a system for the integrators: the vector holds
+//! the states of the bodies, then the slip angles.
 
 use std::ops::Range;
 
@@ -23,67 +23,67 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
-/// What the error of a step is measured against: speeds, with displacements and angles turned into speeds.
+/// Error scale of a step, in speeds: displacements and angles enter times frequency and length.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::dynamics) struct ErrorScale {
-    /// What the tolerance allows \[m/s\].
+    /// Allowed error of a speed \[m/s\].
     pub speed: f64,
-    /// Fastest circular frequency in play \[rad/s\].
+    /// Largest circular frequency \[rad/s\].
     pub omega: f64,
-    /// Size of what moves \[m\].
+    /// Size of the moving bodies \[m\].
     pub place: f64,
 }
 
-/// The right-hand side for one island.
+/// Right-hand side of an island.
 #[derive(Debug)]
 pub(in crate::dynamics) struct EquationsOfMotion<'a> {
-    /// The scene.
+    /// Constant data of the scene.
     pub model: &'a Model,
-    /// Its bodies, numbers in the model.
+    /// Numbers of its bodies in the model.
     pub bodies: &'a [usize],
-    /// Where their states stand in the vector.
+    /// Positions of their states in the vector.
     pub layout: &'a StateLayout,
-    /// What their states are counted from.
+    /// Reference poses of their states.
     pub bases: &'a [ReferencePose],
     /// Its closed contacts.
     pub active: &'a [ActiveContact],
     /// Its devices whose force acts.
     pub links: &'a [ActiveLink],
-    /// The stretch of ground motion that the step stays in.
+    /// Interval of the ground motion that contains the step.
     pub piece: LinearPiece,
     /// Error scale.
     pub scale: ErrorScale,
-    /// What the tolerance allows of each slip angle \[rad\].
+    /// Allowed error of each slip angle \[rad\].
     pub angles: &'a [f64],
-    /// Its one line, where it may have one.
+    /// The collinear island, where the conditions on bodies and contacts hold.
     pub line: Option<&'a CollinearIsland>,
-    /// Scratch.
+    /// Workspace: poses of the bodies relative to their reference poses.
     pub frames: &'a mut Vec<Frame>,
-    /// Scratch.
+    /// Workspace: wrenches on the bodies.
     pub wrenches: &'a mut Vec<Wrench>,
-    /// How fast each slip angle returns to the direction of its velocity, with the sign of a rate \[1/s\].
+    /// Derivative of the rate of each slip angle by the angle \[1/s\], negative.
     pub rates: &'a mut Vec<f64>,
-    /// Sliding in two directions.
+    /// Contacts that slide in two directions.
     pub sliding: &'a mut Sliding,
 }
 
-/// Contacts that slide in two directions, as an implicit step sees them.
+/// Linearisation of contacts that slide in two directions, for implicit steps.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Sliding {
-    /// Numbers of those contacts among the closed ones.
+    /// Indices of those contacts among the closed ones.
     pub sliders: Vec<usize>,
-    /// How their friction answers to `V_t`.
+    /// Derivatives of their friction by `V_t`, as rank-one terms.
     channels: Vec<RankOneTerm>,
-    /// What their friction pointed against, `V_t / max(|V_t|, v_stick)`.
+    /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
-    /// Contacts that slid without friction, a hair before their faces.
+    /// Whether each closed contact slid without friction at the linearisation, within round-off in front of its face.
     loose: Vec<bool>,
-    /// Whether all that stays as it was.
+    /// Whether directions and absence of friction are held at those of the linearisation.
     held: bool,
 }
 
 impl Sliding {
-    /// Of these closed contacts.
+    /// Contacts of `active` that slide in two directions.
     pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
         let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
         let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
@@ -92,7 +92,8 @@ impl Sliding {
 }
 
 impl Sliding {
-    /// A slip whose angle is a component, the `follower`-th: the angle turns with `V_t`, the force with the angle.
+    /// Rank-one term of a slip whose angle is component `follower` of the auxiliary states: `V_t` turns the angle,
+    /// the angle turns the force.
     fn follows(
         &mut self,
         [slider, follower]: [usize; 2],
@@ -115,7 +116,8 @@ impl Sliding {
         });
     }
 
-    /// Friction against `V_t` itself: across it by its turning, along it below the least speed.
+    /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
+    /// `v_stick`.
     fn turns(&mut self, slider: usize, closed: &ClosedContact, here: &Local, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
@@ -161,7 +163,8 @@ impl EquationsOfMotion<'_> {
                     mode = Mode::Slip { direction: self.sliding.against[slider] };
                     held.law.v_stick = 0.0;
                 }
-                // Friction comes and goes at the face: differences across it would be of neither side.
+                // Friction in front of the face is held as it was: a difference quotient across the face would be
+                // that of neither side.
                 held.solver.at_face = false;
                 if self.sliding.loose[number] {
                     held.law.mu_k = 0.0;
@@ -228,7 +231,7 @@ impl System for EquationsOfMotion<'_> {
         let mut sum = 0.0;
         for (i, &body) in self.bodies.iter().enumerate() {
             let [place, speed] = self.model.bodies[body].size2(&d[self.layout.range(i)]);
-            // Summed, not the largest: a NaN must come through and refuse the step.
+            // A sum, not a maximum: a NaN propagates and rejects the step.
             sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
         }
         let angles = d[self.layout.len()..].iter().zip(self.angles);
@@ -280,7 +283,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
 
     fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
         let Some(active) = self.sliding.sliders.get(slider).map(|&i| &self.active[i]) else { return };
-        // Planar faces are slid along in one direction only.
+        // Faces of planar scenes have one direction of sliding.
         if self.model.kind == Kind::Planar {
             return;
         }

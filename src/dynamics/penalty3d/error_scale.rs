@@ -1,4 +1,4 @@
-//! What a step of an island may err by, and what its contacts are where it begins.
+//! Error scale of an island's step, caps of its length, and nodes within round-off of their faces at its start.
 
 use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::Model;
@@ -15,14 +15,15 @@ use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::motion::Ground;
 
 impl Island {
-    /// What errors are measured against: how fast its contacts swing, or its bodies where nothing touches. A pressed contact
-    /// hardly moves however fast its bodies slide, and its force is as good as its own motion.
+    /// Error scale of the next step: the tolerance times the largest speed `√((ω g)² + ġ²)` of normal and tangential
+    /// springs, or, without contact, times the largest speed of a body; at least round-off. The speed of sliding
+    /// bodies does not enter, since the force of a pressed contact is as exact as its penetration.
     pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
-        let (mut speed2, mut place, mut bits) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut speed2, mut place, mut roundoff) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near) = (0.0f64, 0.0f64);
-        let (mut weight, mut pushed, mut gained) = (0.0f64, 0.0f64, 0.0f64);
+        let (mut weight, mut pushed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
         let turns = self.active.iter().any(|active| active.angle.is_some());
-        let doubt = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
+        let floor = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
         self.frames.clear();
         for (i, &b) in self.bodies.iter().enumerate() {
             let body = &model.bodies[b];
@@ -33,9 +34,9 @@ impl Island {
             place = place.max(here.shift.length() + self.radii[i]);
             let since = here.moved(self.radii[i]);
             self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
-            let known = since.max(doubt * self.moved[i]);
-            // However fast a body tumbles, its place moves it no faster than its bearings do.
-            bits = bits.max(self.omega * known + here.speed(self.radii[i]));
+            let known = since.max(floor * self.moved[i]);
+            // Round-off of a position acts through the frequency of the connections, however fast the body rotates.
+            roundoff = roundoff.max(self.omega * known + here.speed(self.radii[i]));
             (farthest, near) =
                 (farthest.max(since), near.max(NEAR_BASE * self.moved[i].max(SIZE_ROUNDING_SHARE * self.radii[i])));
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
@@ -43,7 +44,7 @@ impl Island {
                 weight = weight.max(body.standing.left.abs() / body.mass);
             }
             if self.is_free() {
-                gained = gained.max(self.gained(model, i));
+                acceleration = acceleration.max(self.acceleration(model, i));
             }
         }
         let omega = self.omega.max(self.turning());
@@ -61,7 +62,8 @@ impl Island {
                 speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
             }
             if active.angle.is_some() {
-                // As deep as it goes from here: on the way out the direction counts for less and less.
+                // Stretch at the largest depth of the remaining touch: towards its end the direction acts on a
+                // vanishing force.
                 let inwards = (-here.gap_rate).max(0.0);
                 let law = &active.closed.law;
                 self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
@@ -72,29 +74,29 @@ impl Island {
             let [gap, rate] = link.of(model).device.gap(&link.phase, &motion);
             speed2 = speed2.max((omega * gap).powi(2) + rate * rate);
         }
-        // From rest nothing is moving yet: what the ground and a push do to it in one radian.
-        let floor = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
-        let speed = speed2.sqrt().max(REST_SPEED * floor).max(REVERSAL_SPEED * gained / omega);
-        // No step can be made smaller than its rounding: the last bit of what a corner has moved, as a speed at the contact's
-        // frequency, and that of its speed.
+        // From rest: speed acceleration in one radian from ground motion, weight and constant push.
+        let rest = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
+        let speed = speed2.sqrt().max(REST_SPEED * rest).max(REVERSAL_SPEED * acceleration / omega);
+        // Round-off of a step: that of the displacement of a corner times the frequency, plus that of the speed of
+        // the corner.
         let pace = self.stepper.state();
         let rounding = if pace.stiff { IMPLICIT_ROUNDING } else { EXPLICIT_ROUNDING };
-        let (long, finest) =
+        let (long_run, finest) =
             if self.is_free() { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
-        let asked = model.tolerance * (long / self.taken as f64).min(1.0);
-        let tolerance = asked.max(model.tolerance.min(finest));
+        let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
+        let tolerance = demanded.max(model.tolerance.min(finest));
         let strayed = !self.is_free() && farthest > near && rounding * omega * farthest > tolerance * speed;
         self.distance = if strayed { Distance::Strayed } else { Distance::Near };
-        let speed = tolerance * speed + rounding * (bits + floor);
-        // A direction counts by the place that it puts p at.
+        let speed = tolerance * speed + rounding * (roundoff + rest);
+        // Error of a slip angle as displacement of the anchor: stretch times angle.
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
         ErrorScale { speed, omega, place }
     }
 
-    /// How fast the fastest of its bodies in `frames` turns, where nothing touches: what tumbles on no bearing swings by that alone, and
-    /// an error of its attitude is one of its place a radian later \[rad/s\].
+    /// Largest angular speed of a body without contact \[rad/s\]; 0 with contact. A body that rotates without
+    /// bearings has no other frequency, and an error of its attitude is one of its position a radian later.
     fn turning(&self) -> f64 {
         if !self.is_free() {
             return 0.0;
@@ -102,15 +104,15 @@ impl Island {
         self.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
     }
 
-    /// How fast one of its bodies gains speed where the next step begins \[m/s²\].
-    fn gained(&self, model: &Model, index: usize) -> f64 {
+    /// Acceleration of a body at the start of the next step, rotation included by its radius of gyration \[m/s²\].
+    fn acceleration(&self, model: &Model, index: usize) -> f64 {
         let slope = &self.stepper.slope()[self.layout.range(index)];
-        let [_, gained2] = model.bodies[self.bodies[index]].size2(slope);
-        gained2.sqrt()
+        let [_, squared] = model.bodies[self.bodies[index]].size2(slope);
+        squared.sqrt()
     }
 
-    /// Where a step ends at the latest for the ground's sake. It drives what a stiff contact holds as slowly as itself, which
-    /// no error measured by the contact's own speed would show; and where nothing touches, little else may ask for short steps.
+    /// Latest end of the next step under a sine \[s\]. A stiff contact follows the ground quasi-statically, which an
+    /// error measured by the contact's own speed does not show; without contact no faster motion bounds the step.
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
         if self.is_free() {
@@ -122,29 +124,30 @@ impl Island {
         }
     }
 
-    /// How long the next step may be at most: an explicit one must see the error of what decays.
+    /// Longest next step \[s\]: an explicit one within [`RESOLVED_DECAY`] of the decay time, so that its error
+    /// estimate shows the decay.
     pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
-        // Seldom near: first by what no contact alone exceeds.
-        let crude = self.quickest * (self.active.len() + self.links.len()) as f64;
-        if pace.stiff || pace.step > 0.0 && pace.step * crude < RESOLVED_DECAY {
+        // A sum of the largest single rate bounds the decay rate; the sharper bound is computed only near the limit.
+        let sum = self.quickest * (self.active.len() + self.links.len()) as f64;
+        if pace.stiff || pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
             return f64::INFINITY;
         }
         let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links));
         if decay > 0.0 { RESOLVED_DECAY / decay } else { f64::INFINITY }
     }
 
-    /// What the places of a contact's two sides round with: how far both have come since they were placed, or a little of
-    /// their size \[m\].
+    /// Length to which round-off of a contact's positions is proportional \[m\]: displacement of both sides since
+    /// placed, at least [`SIZE_ROUNDING_SHARE`] of their size.
     pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
         let active = &self.active[number];
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
     }
 
-    /// Notes which nodes are within rounding of their faces where the next step begins, with the bodies in `frames`; whether
-    /// that changes a force there. Only the paper's law: the other one's spring drops with the pressure, and takes back what it
-    /// gives.
+    /// Sets `at_face` of the contacts whose nodes, with poses `frames`, are within round-off of their faces at the
+    /// start of the next step; whether a force changes by that. Law `paper` only: the friction of `return-mapping` is
+    /// a spring that vanishes with the penetration.
     pub(in crate::dynamics) fn note_faces(&mut self, model: &Model) -> bool {
         let mut changed = false;
         for number in 0..self.active.len() {
@@ -164,9 +167,7 @@ impl Island {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, island, stick, wall};
-
-    const SPEED: f64 = 0.5;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, closed, island, stick, wall};
 
     fn scale(tolerance: f64, taken: usize, state: [f64; 4]) -> ErrorScale {
         let (mut model, active) = closed(&wall(), stick);
@@ -180,7 +181,7 @@ mod tests {
     fn the_allowed_error_is_the_tolerance_of_the_contacts_speed() {
         let entering = scale(1e-8, 1, [0.0, 0.0, SPEED, 0.0]);
         assert!((entering.speed / (1e-8 * SPEED) - 1.0).abs() < 1e-3, "{} m/s", entering.speed);
-        // A penetration counts by the speed that it swings with.
+        // A penetration counts by the speed of the oscillation with this amplitude.
         let pressed = scale(1e-8, 1, [1e-3, 0.0, 0.0, 0.0]);
         assert!((pressed.speed / (1e-8 * 1e-3 * pressed.omega) - 1.0).abs() < 1e-3, "{} m/s", pressed.speed);
         assert!(pressed.omega >= (STIFFNESS / 2.0 / MASS).sqrt(), "no slower than half of the spring");

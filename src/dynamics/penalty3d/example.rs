@@ -15,7 +15,9 @@ use crate::scene::{Scene, format};
 
 /// Mass of a girder \[kg\].
 pub(super) const MASS: f64 = 2.0;
-/// K of a pair \[N/m\].
+/// Impact speed of the examples \[m/s\].
+pub(super) const SPEED: f64 = 0.5;
+/// Stiffness of a pair \[N/m\].
 pub(super) const STIFFNESS: f64 = 1.55e5;
 
 const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\nheld = [\"yaw\"]\n";
@@ -26,20 +28,21 @@ fn scene(text: &str) -> Scene {
     format::parse(text, "example").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
-/// A girder that cannot yaw, flush against a wall, elastic, without bearings.
+/// An elastic girder without bearings and without rotation about Z, flush against a wall.
 pub(super) fn wall() -> Scene {
     let abutment = "[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\ngap_m = 0.0\nwidth_m = 2.0\n";
     scene(&format!("name = \"wall\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\n{GIRDER}{abutment}{CONTACT}"))
 }
 
-/// Two such girders end to end.
+/// Two girders of this kind end to end.
 pub(super) fn row() -> Scene {
     let [one, two] = [("one", 0.0), ("two", 0.19)]
         .map(|(name, x)| format!("[[girder]]\nname = \"{name}\"\nposition_m = [{x}, 0.0, 0.0]\n{GIRDER}"));
     scene(&format!("name = \"row\"\nduration_s = 1.0\n{one}{two}{CONTACT}"))
 }
 
-/// A scene compiled, with every node closed that is over its face as placed, in the mode that `mode` gives it.
+/// The compiled scene, with every node closed whose projection is inside a face as placed, in the mode given by
+/// `mode`.
 pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Vec<ActiveContact>) {
     let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
     let frame = |body: Option<usize>, site: &ContactSite| {
@@ -73,12 +76,12 @@ pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Ve
     (model, active)
 }
 
-/// Stick where the node is.
+/// Stick with the anchor at the node's projection.
 pub(super) fn stick(here: &Local) -> Mode {
     Mode::Stick { anchor: here.way }
 }
 
-/// All bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
+/// An island of all bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
 pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases = model.bodies.iter().map(Body::placed).collect();
@@ -87,7 +90,7 @@ pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 
     Island::new(model, bodies.clone(), (bodies, bases), (contacts, Vec::new()), y, 0.0, ControllerState::default())
 }
 
-/// Steps until the first event and all within 1 ps of it, their time \[s\], and what they are.
+/// Plans steps until the first event: its time \[s\], with all events within 1 ps of it.
 pub(super) fn first_event(model: &Model, island: &mut Island) -> (f64, Vec<Due>) {
     for _ in 0..1000 {
         island.plan(model, 1.0, f64::INFINITY).expect("a step that can be made");

@@ -1,4 +1,4 @@
-//! Bodies that are integrated together: everyone who touches, until they part.
+//! An island: bodies joined by closed contacts or acting devices, integrated as one system of equations.
 
 use crate::contact::{Frame, Mode};
 use crate::dynamics::Model;
@@ -20,59 +20,59 @@ use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorSc
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 
-/// Bodies in one integrator, with the step that is planned but not yet committed.
+/// Bodies in one integrator, with a step that is planned and not yet committed.
 #[derive(Debug)]
 pub(in crate::dynamics) struct Island {
-    /// Slots of its bodies in the engine, rising.
+    /// Slots of its bodies, ascending.
     pub slots: Vec<usize>,
-    /// Their numbers in the model.
+    /// Numbers of its bodies in the model.
     pub(in crate::dynamics) bodies: Vec<usize>,
-    /// Where their states stand in `y`.
+    /// Positions of their states in `y`.
     pub(in crate::dynamics) layout: StateLayout,
-    /// What their states in `y` are counted from.
+    /// Reference poses of their states in `y`.
     pub(in crate::dynamics) bases: Vec<ReferencePose>,
     /// Closed contacts between them.
     pub active: Vec<ActiveContact>,
-    /// Numbers of those contacts in the engine.
+    /// Numbers of those contacts in the group.
     pub contacts: Vec<usize>,
-    /// Devices whose force acts on them.
+    /// Devices whose force acts on its bodies.
     pub links: Vec<ActiveLink>,
-    /// Where the planned step begins \[s\].
+    /// Beginning of the planned step \[s\].
     pub from: f64,
-    /// Where it ends \[s\].
+    /// End of the planned step \[s\].
     pub until: f64,
-    /// Its number among the stretches whose steps are taken again, once it has one.
+    /// Number of its stretch among the recomputed steps; `None` while no step is stored by its initial state.
     pub stretch: Option<u32>,
-    /// Time and stretch of the ground motion that the slope at the start of the next step is of.
+    /// Time \[s\] and interval of the ground motion at which the slope at the start of the next step was evaluated.
     pub(super) sloped: (f64, usize),
-    /// Whether the planned step, taken again from its start alone, is the same.
+    /// Whether the planned step, recomputed from its initial state, is equal to the last bit.
     again: bool,
-    /// Where bodies have parts of given length: the states that the slopes at the start of the planned step and of the next one are of, before these were
-    /// restored to it.
+    /// For bodies with quaternions: the states before normalisation at which the slopes at the start of the planned
+    /// step and of the next step were evaluated.
     pub(super) raw: Vec<f64>,
     pub(super) next_raw: Vec<f64>,
     /// Events of contacts that end the planned step.
     pub due: Vec<Due>,
-    /// End of a device's phase that ends it.
+    /// End of a device's phase that ends the planned step.
     pub link_due: Option<LinkDue>,
     pub(in crate::dynamics) dense: Option<DenseOutput>,
     pub(in crate::dynamics) y: Vec<f64>,
-    /// Stretches in the longest of its bodies' paths, with the planned step.
+    /// Number of stretches in the longest path of its bodies, with the planned step.
     pub taken: usize,
     pub(super) explicit: bool,
-    /// What the error of the planned step was measured against.
+    /// Error scale of the planned step.
     pub(super) measure: ErrorScale,
     pub(in crate::dynamics) stepper: StepController,
     pub(in crate::dynamics) omega: f64,
-    /// Rate that none of its contacts' dashpots decays by much faster than \[1/s\].
+    /// Largest decay rate of the dashpot of a single connection \[1/s\].
     pub(in crate::dynamics) quickest: f64,
-    /// Rate that they decay by at most all together, once that was asked for \[1/s\].
+    /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
     pub(in crate::dynamics) decay: Option<f64>,
-    /// Largest distance of a corner from G, body by body \[m\].
+    /// Largest distance of a corner from G, per body \[m\].
     pub(in crate::dynamics) radii: Vec<f64>,
-    /// How far any corner had come at most since it was placed where the step began, body by body \[m\].
+    /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
-    /// How far it is from its bases.
+    /// Distance of its bodies from their reference poses, by its effect on round-off.
     pub(in crate::dynamics) distance: Distance,
     pub(in crate::dynamics) frames: Vec<Frame>,
     wrenches: Vec<Wrench>,
@@ -80,28 +80,29 @@ pub(in crate::dynamics) struct Island {
     pub(in crate::dynamics) angles: Vec<f64>,
     sliding: Sliding,
     line: Option<CollinearIsland>,
-    /// Whether its bodies are in that line as it stands.
+    /// Whether the present state is on that axis.
     in_line: bool,
 }
 
-/// How far bodies are from their bases.
+/// Distance of bodies from their reference poses, by its effect on round-off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::dynamics) enum Distance {
-    /// What that rounds with is less than what an error may be.
+    /// The round-off of the distance is less than the allowed error of a step.
     Near,
-    /// So far that it is more: it would be better to count from somewhere nearer.
+    /// The round-off of the distance exceeds the allowed error: new reference poses are needed.
     Strayed,
 }
 
-/// Why a step could not be made.
+/// A step shorter than the smallest that is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) struct StepTooSmall {
-    /// Its length \[s\].
+    /// Length of the step \[s\].
     pub step: f64,
 }
 
 impl Island {
-    /// Gathers bodies at `t`, with what their states in `y` are counted from.
+    /// An island of bodies at `t` \[s\] with states `y` relative to reference poses; `pace` is the method and length
+    /// of its first step.
     pub(in crate::dynamics) fn new(
         model: &Model,
         slots: Vec<usize>,
@@ -129,7 +130,8 @@ impl Island {
             a.find_sections(model, &layout);
             a.depth = a.expected_depth(model, &frames);
         }
-        // A slip's direction follows its velocity within the stretch of the spring: fast against everything else.
+        // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
+        // implicit steps.
         let turns = active.iter().any(|a| a.angle.is_some());
         let joined = !active.is_empty() || !links.is_empty();
         let pace = ControllerState { stiff: pace.stiff && joined || turns, ..pace };
@@ -180,7 +182,7 @@ impl Island {
         island
     }
 
-    /// Evaluates the slope at the start of the next step anew: at a start, and after a kink of the ground motion.
+    /// Evaluates the slope at the start of the next step, for a first step and after a kink of the ground motion.
     pub(in crate::dynamics) fn rewind(&mut self, model: &Model, t: f64) {
         self.sloped = (t, model.ground.piece_number(t));
         let piece = model.ground.piece(self.sloped.1);
@@ -190,7 +192,7 @@ impl Island {
         (self.stepper, self.y) = (stepper, y);
     }
 
-    /// Notes what the slope at the start of the next step is of.
+    /// Stores the state at which the slope at the start of the next step was evaluated.
     pub(super) fn note_raw(&mut self, y: &[f64]) {
         if self.layout.has_unit_parts() {
             self.next_raw.clear();
@@ -222,10 +224,12 @@ impl Island {
         }
     }
 
-    /// Plans the next step from `from`, at most to `cap`; something is likely to change after `soon` \[s\].
+    /// Plans the next step from `until`, at most to `cap` \[s\]; `soon` is the forecast time from its start to the
+    /// next event \[s\].
     ///
     /// # Errors
-    /// When the step that the tolerance asks for is too small to follow.
+    ///
+    /// If the step that the tolerance asks for is shorter than [`SMALLEST_PHASE`] of a radian.
     pub(in crate::dynamics) fn plan(&mut self, model: &Model, cap: f64, soon: f64) -> Result<(), StepTooSmall> {
         let t = self.until;
         self.from = t;
@@ -241,8 +245,8 @@ impl Island {
         let loose = self.active.iter().any(|active| active.closed.solver.at_face);
         self.explicit = !self.stepper.state().stiff;
         self.again = known && !loose && self.explicit && self.links.is_empty();
-        // Contacts of one face push together, faster than the stiffest of them alone. The very first step has only its own
-        // estimate to be judged by, which tells little far beyond stability.
+        // Contacts of one face act in parallel and are faster than the stiffest of them alone. The first step has
+        // only its own error estimate, which is unreliable far beyond the limit of stability.
         let together = (2.0 / (self.active.len() + self.links.len()).clamp(2, 4) as f64).sqrt();
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
@@ -256,13 +260,13 @@ impl Island {
         normalise(model, &self.bodies, &self.layout, &mut y);
         (self.stepper, self.y) = (stepper, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
-        // The slope is asked for at the sum, which may be the end but for its last bit.
+        // The slope is evaluated at the sum, from which `end` can differ by the last bit.
         self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
     }
 
-    /// After everything is counted from elsewhere: the next step begins anew.
+    /// Begins the next step afresh after the reference poses were replaced.
     pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
         (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
         self.find_line(model);
@@ -270,12 +274,12 @@ impl Island {
         self.rewind(model, self.until);
     }
 
-    /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.
+    /// Whether no connection acts on its bodies but their bearings.
     pub(in crate::dynamics) fn is_free(&self) -> bool {
         self.active.is_empty() && self.links.is_empty()
     }
 
-    /// Finds the axis along which its bodies move, if they do.
+    /// Finds the axis along which its bodies move, if there is one.
     fn find_line(&mut self, model: &Model) {
         let contacts_alone = self.links.is_empty();
         let line =
@@ -284,25 +288,25 @@ impl Island {
         self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
     }
 
-    /// Whether its bodies move along one axis: nothing slides and nothing turns.
+    /// Whether its bodies move along one axis, without sliding and rotation.
     pub(in crate::dynamics) fn is_in_line(&self) -> bool {
         self.in_line
     }
 
-    /// The first of the contacts that are as deep as this one all along.
+    /// The first of the contacts whose penetration equals that of this one at all times.
     pub(in crate::dynamics) fn first_like(&self, contact: usize) -> usize {
         self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
     }
 
-    /// The planned step's answer where its bodies are in line with an axis, where the place of one of them along it and its
-    /// rate stand in it, and from where that place is counted \[m\].
+    /// On one axis: the dense output of the planned step, the components of position and velocity of a body along the
+    /// axis in it, and the coordinate of the body's reference pose \[m\]. `None` off the axis.
     pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
         let line = self.line.as_ref().filter(|line| self.in_line && line.axis() == axis)?;
         let base = self.bases[index].planar()[axis];
         self.dense.as_ref().map(|dense| (dense, line.components(index), base))
     }
 
-    /// A contact's state with its slip direction as it is at `t`.
+    /// State of a contact with its slip direction at `t`.
     pub(in crate::dynamics) fn closed_at(&self, number: usize, t: f64) -> ClosedContact {
         let active = &self.active[number];
         let mut closed = active.closed;
@@ -316,54 +320,55 @@ impl Island {
         closed
     }
 
-    /// The planned step's continuous answer for one body.
+    /// Dense output of the planned step for one body.
     pub(in crate::dynamics) fn path(&self, index: usize) -> Option<StepPolynomial> {
         let (part, base) = (self.layout.range(index), Some(&self.bases[index]));
         self.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
     }
 
-    /// Length of the planned step and its bodies' initial states from their bases, where these alone may be kept.
+    /// Length of the planned step \[s\] and initial states of its bodies relative to their reference poses; `None`
+    /// where a step recomputed from these would not be equal to the last bit.
     pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
         let mut start = dense.coefficients().iter().map(|c| c[0]);
         if !self.layout.has_unit_parts() {
             return Some((dense.step, start.collect()));
         }
-        // What has its length already may get another by its last bit.
+        // Normalising a normalised quaternion can change its last bit.
         let mut normal = self.raw.clone();
         normalise(model, &self.bodies, &self.layout, &mut normal);
         let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
         same.then(|| (dense.step, self.raw.clone()))
     }
 
-    /// The planned step's continuous answer for the slip angle of one of its contacts.
+    /// Dense output of the planned step for the slip angle of one contact; `None` where the angle is no state.
     pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<DenseOutput> {
         let at = self.active[number].angle?;
         self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
-    /// How its integrator would go on.
+    /// Method and length of its integrator's next step.
     pub(in crate::dynamics) fn pace(&self) -> ControllerState {
         self.stepper.state()
     }
 
-    /// Takes over the memory of an integrator that is no longer in use.
+    /// Takes over the memory of an implicit integrator of an ended island.
     pub(in crate::dynamics) fn borrow(&mut self, spare: Option<Box<Radau>>) {
         self.stepper.borrow(spare);
     }
 
-    /// Gives its own away at its end.
+    /// Hands over the memory of its implicit integrator, if it has one.
     pub(in crate::dynamics) fn give_back(&mut self) -> Option<Box<Radau>> {
         self.stepper.give_back()
     }
 
-    /// Fastest circular frequency of its contacts and bearings \[rad/s\].
+    /// Circular frequency of its fastest contact, device or bearing \[rad/s\].
     pub(in crate::dynamics) fn omega(&self) -> f64 {
         self.omega
     }
 }
 
-/// Restores the parts of given length of states in a row.
+/// Normalises the quaternions of states in succession.
 pub(in crate::dynamics) fn normalise(model: &Model, bodies: &[usize], layout: &StateLayout, y: &mut [f64]) {
     if layout.has_unit_parts() {
         (bodies.iter().enumerate()).for_each(|(i, &body)| model.bodies[body].normalise(&mut y[layout.range(i)]));

@@ -1,4 +1,4 @@
-//! What the bodies of an island do within its planned step.
+//! States, poses and bounds on the motion of an island's bodies within its planned step.
 
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ impl Island {
         &model.bodies[self.bodies[index]]
     }
 
-    /// State of one of its bodies within the planned step, counted from its base.
+    /// State of a body at `t` within the planned step, relative to its reference pose.
     pub(in crate::dynamics) fn state_at(&self, model: &Model, index: usize, t: f64) -> Vec<f64> {
         let range = self.layout.range(index);
         match &self.dense {
@@ -27,17 +27,18 @@ impl Island {
         }
     }
 
-    /// Pose of a section of one of its bodies within the planned step.
+    /// Pose of a section of a body at `t` within the planned step, relative to its placed pose.
     pub(in crate::dynamics) fn frame(&self, model: &Model, index: usize, section: usize, t: f64) -> Frame {
         self.bases[index].whole(&self.frame_since(model, index, section, t))
     }
 
-    /// The same, counted from its base.
+    /// Pose of a section of a body at `t` within the planned step, relative to its reference pose.
     pub(in crate::dynamics) fn frame_since(&self, model: &Model, index: usize, section: usize, t: f64) -> Frame {
         self.with_state(model, index, t, |body, state| body.frame_since(section, state))
     }
 
-    /// Takes the state of one of its bodies within the planned step, counted from its base, as the continuous answer has it.
+    /// Value of `take` at the state of a body at `t` within the planned step, relative to its reference pose, as the dense
+    /// output gives it.
     fn with_state<T>(&self, model: &Model, index: usize, t: f64, take: impl FnOnce(&Body, &[f64]) -> T) -> T {
         let (range, body) = (self.layout.range(index), self.body(model, index));
         match &self.dense {
@@ -46,7 +47,8 @@ impl Island {
         }
     }
 
-    /// Poses of all sections of its bodies within the planned step, counted from their bases, time after time.
+    /// Poses of all sections of the bodies at `times` within the planned step, relative to their reference poses, time by
+    /// time.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
         let mut frames = Vec::with_capacity(times.len() * self.layout.section_count());
         for &t in times {
@@ -57,14 +59,14 @@ impl Island {
         frames
     }
 
-    /// Components of the vector that are these of one of its bodies.
+    /// Components in the island's vector of the components `own` of a body's state.
     fn components(&self, index: usize, own: Range<usize>) -> Range<usize> {
         let from = self.layout.range(index).start;
         from + own.start..from + own.end
     }
 
-    /// How far a point at `arm` from G of one of its bodies goes at most from where it is at `t`, within the planned step
-    /// \[m\].
+    /// Bound of the displacement of a point at distance `arm` from G of a body from its position at `t` \[m\], within
+    /// the planned step.
     pub(in crate::dynamics) fn excursion(&self, model: &Model, index: usize, arm: f64, t: f64) -> f64 {
         let Some(dense) = &self.dense else { return 0.0 };
         let way = |own: Range<usize>| dense.displacement_bound(self.components(index, own));
@@ -72,14 +74,14 @@ impl Island {
         if t > self.from { 2.0 * from_start } else { from_start }
     }
 
-    /// What one of its bodies can do at most within the planned step.
+    /// Bounds on the motion of a body within the planned step.
     pub(in crate::dynamics) fn bound(&self, model: &Model, index: usize) -> MotionBounds {
         let Some(dense) = &self.dense else { return MotionBounds::still(f64::INFINITY) };
         self.body(model, index).bounds(&|own| dense.derivative_bounds(self.components(index, own)))
     }
 
-    /// Bounds on how fast a section of one of its bodies moves and changes its speed against one of another; nothing where these are not
-    /// differences of components.
+    /// Bounds of relative speed \[m/s\] and acceleration \[m/s²\] of a section of each of two bodies within the planned
+    /// step; `None` where these are not differences of components.
     pub(in crate::dynamics) fn apart(&self, model: &Model, pair: [usize; 2]) -> Option<[f64; 2]> {
         let Some(dense) = &self.dense else { return Some([0.0; 2]) };
         let [one, other] = pair.map(|index| Some(self.components(index, self.body(model, index).displacements()?)));

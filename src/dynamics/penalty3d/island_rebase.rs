@@ -1,4 +1,4 @@
-//! Change of the reference poses of an island: states, anchors and contact geometry are counted from the bodies' present poses.
+//! Replacement of the reference poses of an island by the present poses of its bodies.
 
 use crate::contact::Mode;
 use crate::dynamics::Model;
@@ -6,8 +6,8 @@ use crate::dynamics::model::reference_pose::seen_from;
 use crate::dynamics::penalty3d::island::Island;
 
 impl Island {
-    /// Counts everything from where its bodies are now, where its next step begins: nodes keep the places before their faces
-    /// that they had, to the last digit.
+    /// Replaces the reference poses by the poses at the start of the next step. Positions of the nodes relative to
+    /// their faces are kept to the last bit.
     pub(in crate::dynamics) fn rebase(&mut self, model: &Model) {
         let bodies = self.bodies.iter().map(|&body| &model.bodies[body]);
         self.frames.clear();

@@ -1,5 +1,5 @@
-//! A planned step taken again so that it ends where an event is: between its ends the dense output is an order less exact than at
-//! them, and what follows the event starts from there.
+//! A planned step retaken to end at an event: the dense output is an order less exact inside a step than at its ends,
+//! and the motion after the event starts from its end.
 
 use crate::dynamics::Model;
 use crate::dynamics::penalty3d::constants::{OVERSHOOT_EXPLICIT, OVERSHOOT_IMPLICIT, RETAKE_MARGIN, RETAKE_TOLERANCE};
@@ -8,8 +8,9 @@ use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::island::{Island, normalise};
 
 impl Island {
-    /// Takes the planned step again so that it ends just beyond `t`, well inside it: between its ends the continuous answer is
-    /// an order less exact than at them, and what happens at `t` is to start from its end. Whether it did.
+    /// Retakes the planned step to end just beyond `t`, if that is well inside it: the dense output is an order less
+    /// exact inside a step than at its ends, and the motion after the event starts from its end. Whether the step was
+    /// retaken.
     pub(in crate::dynamics) fn end_beyond(&mut self, model: &Model, t: f64, due: &[Due]) -> bool {
         let Some(dense) = self.dense.as_ref().filter(|dense| dense.from == self.from) else { return false };
         let part = (t - self.from) / dense.step;
@@ -39,8 +40,9 @@ impl Island {
         true
     }
 
-    /// The same of an implicit step from `y` in which a touch ends whose slip turns, or sliding stops that turns at once: a
-    /// direction bends sharply there, and the continuous answer of a step across that is right on neither side.
+    /// Retakes an implicit step from `y` in which the touch of a contact with a slip angle ends, or a slip stops
+    /// whose direction follows `V_t`: the direction bends sharply there, and the dense output of a step across the
+    /// bend is exact on neither side.
     fn end_turning_beyond(&mut self, model: &Model, t: f64, mut y: Vec<f64>) -> bool {
         let (from, h) = (self.from, (t - self.from) * (1.0 + OVERSHOOT_IMPLICIT));
         let number = model.ground.piece_number(from);

@@ -1,4 +1,4 @@
-//! Ends of phases of devices within a planned step: zeros of their switching functions on the continuous answer.
+//! Ends of phases of devices within a planned step: zeros of their switching functions on the dense output.
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
@@ -8,7 +8,7 @@ use crate::dynamics::penalty3d::due::LinkDue;
 use crate::dynamics::penalty3d::event_location::sample_count;
 use crate::dynamics::penalty3d::island::Island;
 
-/// The first end of a phase of the island's devices within its planned step, and when \[s\].
+/// The first end of a phase of the island's devices within its planned step, and its time \[s\]; `None` without one.
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
     if island.links.is_empty() {
         return None;
@@ -29,8 +29,10 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
                 link.device.switch(number, &active.phase, &active.motion(model, &island.bases, frames).0)
             };
             let values: Vec<f64> = motions.iter().map(|m| link.device.switch(number, &active.phase, m)).collect();
-            let ask = |t: f64| switch(&island.frames_since(model, &[t]));
-            let Some(t) = first_rise([&times, &values], zero, false, EarliestEvent::UNKNOWN, ask) else { continue };
+            let value_at = |t: f64| switch(&island.frames_since(model, &[t]));
+            let Some(t) = first_rise([&times, &values], zero, false, EarliestEvent::UNKNOWN, value_at) else {
+                continue;
+            };
             if found.is_none_or(|(first, _)| t < first) {
                 found = Some((t, LinkDue { index, switch: number }));
             }

@@ -1,4 +1,5 @@
-//! The contact-friction model: states and forces of closed contacts, the equations of motion of bodies that touch.
+//! The contact-friction model: states and forces of closed contacts, equations of motion of islands, location of
+//! events.
 
 pub(in crate::dynamics) mod active_contact;
 pub(in crate::dynamics) mod active_link;

@@ -6,9 +6,7 @@ use super::*;
 use crate::contact::Normal;
 use crate::contact::normal::Linear;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
-use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, first_event, island, stick, wall};
-
-const SPEED: f64 = 0.5;
+use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, closed, first_event, island, stick, wall};
 
 /// Slides along the first tangent of the face towards its positive or negative end.
 fn slip(sign: f64) -> impl Fn(&Local) -> Mode {

@@ -1,8 +1,6 @@
 //! A flush hit against the half-sine of its closed form, and what an island is at its start.
 
-use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, island, row, stick, wall};
-
-const SPEED: f64 = 0.5;
+use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, closed, island, row, stick, wall};
 
 #[test]
 fn a_flush_hit_is_half_a_sine() {
