@@ -1,29 +1,28 @@
-//! Finding the first crossing without missing one.
+//! First zero of a function by conservative advancement.
 //!
-//! In flight the second derivative of a gap is bounded, so from `g, ġ` the first crossing cannot come before the
-//! parabola `g + ġτ − ½Mτ²` does: leap there, and again. The leaps close in on a crossing from the left and step over
-//! everything else.
+//! Where `|g̈| ≤ M`, the first zero from `g, ġ` on is not before that of the parabola `g + ġτ − ½Mτ²`. The search advances by
+//! that time and repeats: the advances converge to a zero from the left and pass over minima above 0.
 
-use crate::dynamics::locate::constants::{COARSENING, FLOORED_ADVANCES, MAX_ADVANCES};
+use crate::dynamics::locate::constants::{COARSENING, FLOORED_ADVANCES, MAX_ADVANCES, POLISH_STEPS};
 use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::root::root;
 
-/// A gap at one instant, with a promise about its future.
+/// A gap at one instant, with bounds on its motion from there on.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundedGap {
     /// `g` \[m\].
     pub gap: f64,
     /// `ġ` \[m/s\].
     pub rate: f64,
-    /// Bound on `|g̈|` while the promise holds \[m/s²\].
+    /// Bound on `|g̈|` within `window` \[m/s²\].
     pub curvature: f64,
-    /// How long the promise holds \[s\].
+    /// How long the bounds hold \[s\].
     pub window: f64,
-    /// Whether the gap cannot close while the promise holds, whatever the parabola says.
+    /// Whether the gap stays open within `window`, by its distance alone.
     pub out_of_reach: bool,
 }
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FirstZero {
     /// The gap crosses 0 inwards \[s\].
@@ -32,33 +31,34 @@ pub enum FirstZero {
     NoneUntil(f64),
 }
 
-/// What a look shows of a gap.
+/// State of a gap after an advance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics) enum AdvanceOutcome {
-    /// It is open, or was not armed.
+    /// The gap is open, or was not armed.
     Open,
-    /// It has closed since the last look.
+    /// The gap has closed since the last evaluation.
     Closed,
-    /// It closes within rounding of this look.
+    /// The gap closes within rounding of this evaluation.
     Closing,
 }
 
-/// One gap under search: how it stands, and how finely it is looked at.
+/// One gap under search: its last evaluation, and the resolution in force.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct Advancement {
     here: BoundedGap,
     armed: bool,
-    /// When a look found it in front \[s\].
-    out: Option<f64>,
+    /// When it was first evaluated as positive again \[s\].
+    positive_at: Option<f64>,
     resolution: f64,
     finest: f64,
     floored: u32,
 }
 
 impl Advancement {
-    /// Begins where the gap is `here`.
+    /// A search that begins where the gap is `here`. A gap that is not `armed` is negative and closes only after it has been
+    /// positive again; a dip less deep than `resolution` \[m\] may be missed.
     pub(in crate::dynamics) fn begin(here: BoundedGap, armed: bool, resolution: f64) -> Self {
-        Self { here, armed, out: None, resolution, finest: resolution, floored: 0 }
+        Self { here, armed, positive_at: None, resolution, finest: resolution, floored: 0 }
     }
 
     /// Whether the gap can close at all.
@@ -66,52 +66,52 @@ impl Advancement {
         self.armed
     }
 
-    /// `g` at the last look \[m\].
+    /// `g` at the last evaluation \[m\].
     pub(in crate::dynamics) fn gap(&self) -> f64 {
         self.here.gap
     }
 
-    /// When a look found the node in front, that was not when the search began \[s\].
+    /// When a gap that was not armed at the start was evaluated as positive again \[s\].
     pub(in crate::dynamics) fn rearmed_at(&self) -> Option<f64> {
-        self.out
+        self.positive_at
     }
 
-    /// Whether the gap cannot close while the promise holds.
+    /// Whether the gap cannot close while its bounds hold.
     pub(in crate::dynamics) fn out_of_reach(&self) -> bool {
         self.armed && self.here.out_of_reach
     }
 
-    /// Whether it closes where the search begins.
+    /// Whether the gap closes where the search begins.
     pub(in crate::dynamics) fn crosses_now(&self) -> bool {
         self.armed && self.closing(&self.here)
     }
 
-    fn closing(&self, look: &BoundedGap) -> bool {
-        look.gap <= self.resolution && look.rate < 0.0 && closes_at_once(look, self.resolution)
+    fn closing(&self, here: &BoundedGap) -> bool {
+        here.gap <= self.resolution && here.rate < 0.0 && closes_at_once(here, self.resolution)
     }
 
-    /// How far the next look may be \[s\].
+    /// Time to the next evaluation \[s\].
     pub(in crate::dynamics) fn step(&mut self) -> f64 {
         self.step_past(0.0)
     }
 
-    /// The same, where the gap is known to stay open for `open` \[s\].
+    /// Time to the next evaluation of a gap that is known to stay open for `open` \[s\].
     pub(in crate::dynamics) fn step_past(&mut self, open: f64) -> f64 {
         let here = &self.here;
-        let leap = if self.out_of_reach() { here.window } else { safe_step(here, self.armed, self.finest) };
-        let leap = if self.armed { leap.max(open) } else { leap };
-        // Only leaps at the finest count: those that get on need no help.
-        self.floored = if leap <= floor_of(here, self.finest) { self.floored + 1 } else { 0 };
-        leap.min(here.window)
+        let advance = if self.out_of_reach() { here.window } else { safe_step(here, self.armed, self.finest) };
+        let advance = if self.armed { advance.max(open) } else { advance };
+        // Only successive advances at the shortest length make the resolution coarser.
+        self.floored = if advance <= shortest_step(here, self.finest) { self.floored + 1 } else { 0 };
+        advance.min(here.window)
     }
 
-    /// A time from the last look at `from` up to the next one at which the gap is open, to bracket a crossing: the last look
-    /// itself, or, where the gap opens from 0 there, the middle of the leap, where the parabola that bounds it is highest.
+    /// A time between the last evaluation, at `from`, and the next one at which the gap is open, to bracket a crossing: `from`
+    /// itself or, where the gap opens from 0 there, the middle of the advance, where its lower bound is largest.
     pub(in crate::dynamics) fn last_open(&self, from: f64, next: f64) -> f64 {
         if self.here.gap <= 0.0 && self.here.rate > 0.0 { f64::midpoint(from, next) } else { from }
     }
 
-    /// The next look, at `t`.
+    /// Takes the evaluation `there` at `t`.
     pub(in crate::dynamics) fn advance(&mut self, there: BoundedGap, t: f64) -> AdvanceOutcome {
         if self.armed && there.gap < 0.0 && (there.rate < 0.0 || there.gap < -self.finest) {
             return AdvanceOutcome::Closed;
@@ -120,7 +120,7 @@ impl Advancement {
             return AdvanceOutcome::Closing;
         }
         if !self.armed && is_positive_again(there.gap, there.rate, t, self.resolution) {
-            (self.armed, self.out) = (true, Some(t));
+            (self.armed, self.positive_at) = (true, Some(t));
         }
         self.here = there;
         self.finest = match self.floored {
@@ -132,10 +132,9 @@ impl Advancement {
     }
 }
 
-/// First crossing of 0 from above in `[from, to]`; `resolution` is the depth of a dip that may go unseen \[m\].
+/// First crossing of 0 from above in `[from, to]`; a dip less deep than `resolution` \[m\] may be missed.
 ///
-/// A node that is not `armed` is behind the face without having come in through it: the search first waits until the gap
-/// is above 0 again.
+/// A gap that is not `armed` is negative without having crossed 0: crossings count after it has been positive again.
 pub fn first_crossing(
     mut sample: impl FnMut(f64) -> BoundedGap,
     from: f64,
@@ -147,7 +146,7 @@ pub fn first_crossing(
     first_crossing_from(here, sample, [from, to], armed, resolution)
 }
 
-/// The same where the first look is known.
+/// First crossing as by [`first_crossing`], where the evaluation at `from` is known.
 pub(in crate::dynamics) fn first_crossing_from(
     here: BoundedGap,
     mut sample: impl FnMut(f64) -> BoundedGap,
@@ -165,7 +164,7 @@ pub(in crate::dynamics) fn first_crossing_from(
         }
         let next = (t + advancement.step()).min(to);
         if next <= t {
-            // Less than the clock can tell.
+            // The advance is below the round-off of time.
             return if advancement.armed { FirstZero::Crossing(t) } else { FirstZero::NoneUntil(next) };
         }
         let there = sample(next);
@@ -181,7 +180,7 @@ pub(in crate::dynamics) fn first_crossing_from(
     FirstZero::NoneUntil(t.min(to))
 }
 
-/// The safe leap: root of the parabola that bounds the gap from below (armed) or above (waiting to be armed).
+/// Time without a zero: root of the parabola that bounds the gap from below (armed) or from above (not armed) \[s\].
 fn safe_step(here: &BoundedGap, armed: bool, finest: f64) -> f64 {
     let (gap, rate) = if armed { (here.gap.max(0.0), here.rate) } else { (-here.gap, -here.rate) };
     let m = here.curvature;
@@ -193,26 +192,27 @@ fn safe_step(here: &BoundedGap, armed: bool, finest: f64) -> f64 {
     } else {
         f64::INFINITY
     };
-    safe.max(if armed { floor_of(here, finest) } else { curved_floor(m, finest) })
+    safe.max(if armed { shortest_step(here, finest) } else { step_within(m, finest) })
 }
 
-/// The shortest leap worth taking: within it no dip is deeper than `finest`.
-fn floor_of(here: &BoundedGap, finest: f64) -> f64 {
-    let floor = curved_floor(here.curvature, finest);
-    // Where the speed is real, rounding of the gap is a time, not a curvature.
-    if here.rate < 0.0 { floor.min(finest / -here.rate) } else { floor }
+/// Shortest advance: within it no dip is deeper than `finest` \[s\].
+fn shortest_step(here: &BoundedGap, finest: f64) -> f64 {
+    let shortest = step_within(here.curvature, finest);
+    // Towards 0 the depth grows with the rate already.
+    if here.rate < 0.0 { shortest.min(finest / -here.rate) } else { shortest }
 }
 
-fn curved_floor(curvature: f64, finest: f64) -> f64 {
+/// Time in which this curvature moves a gap by `finest` from rest \[s\].
+fn step_within(curvature: f64, finest: f64) -> f64 {
     if curvature > 0.0 { (2.0 * finest / curvature).sqrt() } else { f64::INFINITY }
 }
 
-/// Within the resolution and going in faster than the bound can turn it round.
+/// Whether the bound on `g̈` cannot reverse `ġ` before the gap is below −`resolution`: `ġ² > 2M (g + resolution)`.
 fn closes_at_once(here: &BoundedGap, resolution: f64) -> bool {
     here.rate * here.rate > 2.0 * here.curvature * (here.gap.max(0.0) + resolution)
 }
 
-/// Newton's method from inside the resolution.
+/// Zero by Newton's method from `t`, where the gap `here` is within the resolution of 0 and falling; at most `to`.
 pub(in crate::dynamics) fn polish(
     sample: &mut impl FnMut(f64) -> BoundedGap,
     t: f64,
@@ -220,7 +220,7 @@ pub(in crate::dynamics) fn polish(
     to: f64,
 ) -> f64 {
     let (mut t, mut here) = (t, *here);
-    for _ in 0..3 {
+    for _ in 0..POLISH_STEPS {
         let next = (t - here.gap / here.rate).min(to);
         if next == t || !next.is_finite() {
             break;
@@ -260,7 +260,7 @@ mod tests {
         let FirstZero::Crossing(t) = found else { panic!("missed: {found:?}") };
         // Near the tip rounding of the gap, 1e-16, moves the crossing by 1e-16/√(2e-9).
         assert!((t - exact).abs() < 1e-11, "{t} against {exact}");
-        assert!(count < 200, "{count} looks");
+        assert!(count < 200, "{count} evaluations");
     }
 
     #[test]
@@ -268,7 +268,7 @@ mod tests {
         let mut count = 0;
         let found = first_crossing(wave(1.0 + 1e-12, &mut count), 0.0, 20.0, true, 1e-15);
         assert_eq!(found, FirstZero::NoneUntil(20.0), "never touches");
-        assert!(count < 400, "{count} looks");
+        assert!(count < 400, "{count} evaluations");
     }
 
     #[test]
@@ -286,7 +286,7 @@ mod tests {
             1e-15,
         );
         assert_eq!(found, FirstZero::NoneUntil(10.0), "no motion, no touch");
-        assert!(count < 20_000, "{count} looks");
+        assert!(count < 20_000, "{count} evaluations");
     }
 
     #[test]

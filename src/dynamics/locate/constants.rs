@@ -3,17 +3,16 @@
 /// Depth of an excursion below 0 that may go unseen, relative to the lengths whose difference the function is: 4e-16 is 1.8 units
 /// in the last place, the rounding of a sum of two.
 pub(in crate::dynamics) const RESOLUTION: f64 = 4e-16;
-/// A function that was below 0 counts as positive again this many resolutions above 0: where its sign changed unseen its value is
-/// rounding of either sign. Tuned: far above rounding, far below every gap of interest.
+/// A function that was below 0 counts as positive again this many resolutions above 0; closer to 0 its sign is round-off. Tuned.
 pub(in crate::dynamics) const REARM_RESOLUTIONS: f64 = 64.0;
 /// Rounding of a time, relative: 8 units in the last place of an instant and as many of the root before it.
 pub(in crate::dynamics) const TIME_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Advances before a search reports how far it has come: a bound on the work of one search.
 pub(in crate::dynamics) const MAX_ADVANCES: u32 = 100_000;
-/// Successive advances at the shortest length before the resolution is made coarser: a function that stays at rounding level (two
-/// faces at rest on each other) ends in a bounded number of evaluations. Tuned.
+/// Successive advances at the shortest length before the resolution is made coarser: the search of a function that stays within
+/// round-off of 0 (two faces at rest on each other) then ends in a bounded number of evaluations. Tuned.
 pub(super) const FLOORED_ADVANCES: u32 = 512;
-/// Evaluations of a subdivision at one resolution before it is made coarser, for the same reason. Tuned.
+/// Evaluations of a subdivision at one resolution before the resolution is made coarser: a bound on its work likewise. Tuned.
 pub(super) const SAMPLES_PER_RESOLUTION: u32 = 64;
 /// Factor by which the resolution is made coarser. Tuned: 13 times span the digits of a double.
 pub(super) const COARSENING: f64 = 16.0;
@@ -22,3 +21,21 @@ pub(super) const CUBIC_ITERATIONS: usize = 6;
 /// Relative distance from the root of a cubic bound at which the iteration ends: the next advancement starts from a better
 /// bound. Tuned.
 pub(super) const CUBIC_CONVERGED: f64 = 1e-2;
+/// Newton steps from within the resolution of a zero. Each squares the relative distance. Tuned.
+pub(super) const POLISH_STEPS: u32 = 3;
+/// Evaluations of a bracketed root: a bound on its work. Two rounds reduce a bracket by 2⁴ at least, so that the 52 bits of a
+/// double relative to the bracket take 104 evaluations at most; the rest is room for roots near 0.
+pub(super) const MAX_ROOT_EVALUATIONS: u32 = 200;
+/// Evaluations of a bracketed root after which its progress is compared with that of bisection. Tuned.
+pub(super) const ROUND: u32 = 4;
+/// Factor by which [`ROUND`] bisections reduce a bracket: 2⁴. Secants that reduce it by less are followed by bisections.
+pub(super) const ROUND_REDUCTION: f64 = 16.0;
+/// Factor on the least distance of a secant from the ends of its bracket after a secant that was closer. Tuned.
+pub(super) const MARGIN_GROWTH: f64 = 4.0;
+/// Halvings towards a zero at the start of an interval in search of a value below 0: to 2⁻³⁰ ≈ 1e-9 of the interval. Tuned.
+pub(super) const DIP_HALVINGS: u32 = 30;
+/// Height above the vertex of the parabola through three samples within which the function may reach 0, in parts of their
+/// second difference. Tuned.
+pub(super) const EXCURSION_MARGIN: f64 = 0.25;
+/// Reductions of an interval by a third in search of a value above 0: (2/3)⁴⁸ ≈ 4e-9 of the interval. Tuned.
+pub(super) const EXCURSION_REDUCTIONS: u32 = 48;

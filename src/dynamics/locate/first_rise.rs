@@ -4,16 +4,17 @@
 //! between neighbouring samples, by a dip below zero after a start at zero, or by a parabola through three negative samples
 //! that comes near zero between them; the bracket is then closed by [`root_between`].
 
+use crate::dynamics::locate::constants::{DIP_HALVINGS, EXCURSION_MARGIN, EXCURSION_REDUCTIONS};
 use crate::dynamics::locate::root::{root, root_between};
 
-/// First time at which a sampled function rises through 0. A start above `zero` is due at once, unless it is `passing`:
-/// then it must fall below 0 first.
+/// First time at which a sampled function rises through 0. A start above `zero` is a rise at the first sample; a function
+/// that is `passing` must fall below 0 first, and its start is none.
 pub(in crate::dynamics) fn first_rise(
     [times, values]: [&[f64]; 2],
     zero: f64,
     passing: bool,
     first: EarliestEvent,
-    mut ask: impl FnMut(f64) -> f64,
+    mut function: impl FnMut(f64) -> f64,
 ) -> Option<f64> {
     if values[0] > zero && !passing {
         return Some(times[0]);
@@ -21,64 +22,65 @@ pub(in crate::dynamics) fn first_rise(
     let mut below = values[0] < 0.0;
     for i in 1..values.len() {
         if values[i] > 0.0 && (below || !passing) {
-            let left = if values[i - 1] < 0.0 { Some(times[i - 1]) } else { dip(times[i - 1], times[i], &mut ask) };
+            let left =
+                if values[i - 1] < 0.0 { Some(times[i - 1]) } else { dip(times[i - 1], times[i], &mut function) };
             return match left {
                 Some(left) => {
-                    let start = if left == times[i - 1] { values[i - 1] } else { ask(left) };
-                    Some(first.rise([left, times[i]], [start, values[i]], &mut ask))
+                    let start = if left == times[i - 1] { values[i - 1] } else { function(left) };
+                    Some(first.rise([left, times[i]], [start, values[i]], &mut function))
                 }
-                // Never below 0 in between: the event follows at once on the last one.
+                // Never below 0 in between: the function is at 0 up to this sample.
                 None if below => Some(times[i]),
                 None => Some(times[i - 1]),
             };
         }
         below = below || values[i] < 0.0;
         if i >= 2
-            && let Some(peak) = bump(&times[i - 2..=i], &values[i - 2..=i], &mut ask)
+            && let Some(peak) = excursion(&times[i - 2..=i], &values[i - 2..=i], &mut function)
         {
-            return Some(root(&mut ask, times[i - 2], peak));
+            return Some(root(&mut function, times[i - 2], peak));
         }
     }
     None
 }
 
-/// The first event known so far.
+/// The earliest event known so far.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct EarliestEvent {
     /// When \[s\].
     pub at: f64,
-    /// What comes less than this later comes with it \[s\].
+    /// Events at most this much later are simultaneous with it \[s\].
     pub together: f64,
 }
 
 impl EarliestEvent {
     pub(in crate::dynamics) const UNKNOWN: Self = Self { at: f64::INFINITY, together: 0.0 };
 
-    /// Where a function rises through 0 between `left` and `right`, exactly where that is before the first event; else
-    /// only whether it comes with it: contacts of a flush face change at one instant, and one search for it will do.
-    fn rise(self, [left, right]: [f64; 2], [start, end]: [f64; 2], ask: &mut impl FnMut(f64) -> f64) -> f64 {
+    /// Where a function rises through 0 between `left` and `right`: the root where it is before the earliest event; else only
+    /// whether both are simultaneous, by two evaluations, since contacts of a flush face change at one instant.
+    fn rise(self, [left, right]: [f64; 2], [start, end]: [f64; 2], function: &mut impl FnMut(f64) -> f64) -> f64 {
         let (at, with) = (self.at, self.at + self.together);
-        let below = |t: f64, ask: &mut dyn FnMut(f64) -> f64| t <= left || (t < right && ask(t) <= 0.0);
+        let below = |t: f64, function: &mut dyn FnMut(f64) -> f64| t <= left || (t < right && function(t) <= 0.0);
         if !at.is_finite() {
-            root_between(ask, [left, right], [start, end])
-        } else if below(with, ask) {
+            root_between(function, [left, right], [start, end])
+        } else if below(with, function) {
             right.max(with.next_up())
-        } else if below(at, ask) {
+        } else if below(at, function) {
             at
         } else if at < right {
-            let value = ask(at);
-            root_between(ask, [left, at], [start, value])
+            let value = function(at);
+            root_between(function, [left, at], [start, value])
         } else {
-            root_between(ask, [left, right], [start, end])
+            root_between(function, [left, right], [start, end])
         }
     }
 }
 
-/// A point below 0 just after `from`, where the function starts at its zero.
-fn dip(from: f64, to: f64, ask: &mut impl FnMut(f64) -> f64) -> Option<f64> {
+/// A time after `from` at which the function is below 0, where it starts at 0; none within [`DIP_HALVINGS`].
+fn dip(from: f64, to: f64, function: &mut impl FnMut(f64) -> f64) -> Option<f64> {
     let mut step = (to - from) / 2.0;
-    for _ in 0..30 {
-        if ask(from + step) < 0.0 {
+    for _ in 0..DIP_HALVINGS {
+        if function(from + step) < 0.0 {
             return Some(from + step);
         }
         step /= 2.0;
@@ -86,8 +88,8 @@ fn dip(from: f64, to: f64, ask: &mut impl FnMut(f64) -> f64) -> Option<f64> {
     None
 }
 
-/// Where three negative values bend above 0 between them, if they do.
-fn bump(times: &[f64], values: &[f64], ask: &mut impl FnMut(f64) -> f64) -> Option<f64> {
+/// A time at which the function is above 0 between three negative samples; none where it stays below.
+fn excursion(times: &[f64], values: &[f64], function: &mut impl FnMut(f64) -> f64) -> Option<f64> {
     let (a, b, c) = (values[0], values[1], values[2]);
     let bend = a - 2.0 * b + c;
     if !(a < 0.0 && b < 0.0 && c < 0.0 && bend < 0.0) {
@@ -98,18 +100,17 @@ fn bump(times: &[f64], values: &[f64], ask: &mut impl FnMut(f64) -> f64) -> Opti
         return None;
     }
     let top = b - (a - c) * vertex / 4.0;
-    // The parabola is good to a part of the bend; further off there is nothing to look for.
-    if top < 0.25 * bend {
+    if top < EXCURSION_MARGIN * bend {
         return None;
     }
     let (mut left, mut right, mut start, mut end) = (times[0], times[2], a, c);
-    for _ in 0..48 {
+    for _ in 0..EXCURSION_REDUCTIONS {
         let (u, v) = (left + (right - left) / 3.0, right - (right - left) / 3.0);
-        let (fu, fv) = (ask(u), ask(v));
+        let (fu, fv) = (function(u), function(v));
         if fu > 0.0 || fv > 0.0 {
             return Some(if fu > 0.0 { u } else { v });
         }
-        // Between looks it rises by an eighth of a bend; a whole one is not enough to reach 0.
+        // Between samples a parabola rises by an eighth of its second difference; eight times as much does not reach 0.
         let bend = (start - 2.0 * fu + fv).abs().max((fu - 2.0 * fv + end).abs());
         if start.max(fu).max(fv).max(end) + bend < 0.0 {
             return None;

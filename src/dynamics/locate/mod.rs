@@ -1,4 +1,9 @@
-//! The first zero of a function of time: conservative advancement, subdivision and bracketing. No physics.
+//! The first zero of a function of time. No physics.
+//!
+//! - [`advancement`]: with a bound on the second derivative from an instant on, with that on the third by `cubic_bound`.
+//! - `subdivision`: with a bound on the second derivative between two samples.
+//! - `first_rise`: by samples alone.
+//! - [`root`]: in a bracket.
 
 pub mod advancement;
 pub(in crate::dynamics) mod constants;

@@ -2,8 +2,8 @@
 
 use crate::dynamics::locate::constants::{REARM_RESOLUTIONS, TIME_ROUNDING};
 
-/// Whether a gap that was ignored while negative is clearly positive: its rounding is [`REARM_RESOLUTIONS`] resolutions of place and, at the
-/// rate of the gap, that of the time `t`.
+/// Whether a gap that was ignored while negative is positive beyond round-off: [`REARM_RESOLUTIONS`] resolutions of its value
+/// and, at its rate, the round-off of the time `t`.
 pub(in crate::dynamics) fn is_positive_again(gap: f64, rate: f64, t: f64, resolution: f64) -> bool {
     gap > REARM_RESOLUTIONS * resolution + TIME_ROUNDING * t * rate.abs()
 }

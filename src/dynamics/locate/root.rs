@@ -1,14 +1,17 @@
 //! The root of a function of one variable in a bracket, to the last bit: secants in the variant of Anderson and Björck (1973), with
 //! bisection where they converge slowly.
 
-/// Where `f`, negative or 0 at `a` and positive at `b`, crosses 0, to the last bit.
+use crate::dynamics::locate::constants::{MARGIN_GROWTH, MAX_ROOT_EVALUATIONS, ROUND, ROUND_REDUCTION};
+
+/// Root of `f`, negative or 0 at `a` and positive at `b`, to the last bit: the upper end of a bracket that round-off of the
+/// argument does not divide. `a` where `f` is positive there already.
 pub fn root(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     let (fa, fb) = (f(a), f(b));
     root_between(f, [a, b], [fa, fb])
 }
 
-/// The same where the values at both ends are known: secants, weighed as Anderson and Björck do where one end stays, and
-/// four halvings where four of them have not done as much.
+/// Root in `[a, b]` where the values at both ends are known: secants, weighted by Anderson and Björck where one end is kept,
+/// and [`ROUND`] bisections where as many secants have reduced the bracket by less.
 pub(in crate::dynamics) fn root_between(
     mut f: impl FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -22,19 +25,19 @@ pub(in crate::dynamics) fn root_between(
         return b;
     }
     let (mut last_side, mut width, mut slow) = (0, b - a, false);
-    let mut hair = f64::EPSILON * a.abs().max(b.abs());
-    for count in 1..200 {
+    let mut margin = f64::EPSILON * a.abs().max(b.abs());
+    for count in 1..MAX_ROOT_EVALUATIONS {
         let middle = f64::midpoint(a, b);
         if middle <= a || middle >= b {
             break;
         }
         let secant = b - fb * (b - a) / (fb - fa);
-        // Never closer to an end than a hair: the root that is there is then passed, and held from both sides.
-        let x = if slow || 2.0 * hair >= b - a || !(secant > a && secant < b) {
+        // At least `margin` from both ends, so that a root close to an end is passed and bracketed from both sides.
+        let x = if slow || 2.0 * margin >= b - a || !(secant > a && secant < b) {
             middle
         } else {
-            let x = secant.max(a + hair).min(b - hair);
-            hair *= if x == secant { 1.0 } else { 4.0 };
+            let x = secant.max(a + margin).min(b - margin);
+            margin *= if x == secant { 1.0 } else { MARGIN_GROWTH };
             x
         };
         let fx = f(x);
@@ -51,14 +54,14 @@ pub(in crate::dynamics) fn root_between(
         if b - a <= f64::EPSILON * a.abs().max(b.abs()) {
             break;
         }
-        if count % 4 == 0 {
-            (slow, width) = (!slow && b - a > width / 16.0, b - a);
+        if count % ROUND == 0 {
+            (slow, width) = (!slow && b - a > width / ROUND_REDUCTION, b - a);
         }
     }
     b
 }
 
-/// What the value at the end that stays counts, when the other one has gone from `before` to `now`.
+/// Weight of the value at the end that is kept, where the value at the other end changes from `before` to `now`.
 fn weight(now: f64, before: f64) -> f64 {
     let left = 1.0 - now / before;
     if left > 0.0 { left } else { 0.5 }
@@ -69,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn roots_come_to_the_last_bits_in_a_dozen_looks() {
+    fn roots_come_to_the_last_bits_in_a_dozen_evaluations() {
         let mut count = 0;
         let t = root(
             |t| {
@@ -80,7 +83,7 @@ mod tests {
             2.0,
         );
         assert!((t - std::f64::consts::SQRT_2).abs() <= 2.0 * f64::EPSILON, "{t}");
-        assert!(count <= 14, "{count} looks");
+        assert!(count <= 14, "{count} evaluations");
         count = 0;
         let flat = root(
             |t| {
@@ -90,6 +93,6 @@ mod tests {
             0.0,
             1.0,
         );
-        assert!((flat - 1e-3).abs() < 1e-12 && count <= 120, "a threefold root at {flat}, {count} looks");
+        assert!((flat - 1e-3).abs() < 1e-12 && count <= 120, "a threefold root at {flat}, {count} evaluations");
     }
 }

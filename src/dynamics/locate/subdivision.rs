@@ -1,7 +1,7 @@
-//! The first closing of a gap within a planned step, from looks at it and a bound on how sharply it bends.
+//! First zero of a gap within a planned step, by subdivision with a bound on its second derivative.
 //!
-//! Between two looks a gap differs from the straight line between them by no more than `½ M x (h − x)`. Where that reaches
-//! through the face, the stretch is halved, so what is not seen is less deep than the resolution, whatever moves.
+//! Between two samples an interval h apart a gap differs from the chord by at most `½ M x (h − x)`, `M ≥ |g̈|`. Where that
+//! reaches below 0, the interval is halved, so that no dip deeper than the resolution is missed.
 
 use crate::dynamics::locate::constants::{COARSENING, REARM_RESOLUTIONS, SAMPLES_PER_RESOLUTION};
 use crate::dynamics::locate::positive_again::is_positive_again;
@@ -18,47 +18,57 @@ pub(in crate::dynamics) struct GapSample {
     pub rate: f64,
 }
 
-/// One gap within one step.
+/// Search of one gap within one step.
 pub(in crate::dynamics) struct Subdivision<A, C, N> {
     sample: A,
-    bend: C,
-    noise: N,
+    curvature: C,
+    rate_error: N,
     armed: bool,
-    out: Option<f64>,
+    positive_at: Option<f64>,
     resolution: f64,
-    instant: f64,
+    delay: f64,
     finest: f64,
-    looks: u32,
+    evaluations: u32,
 }
 
 impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64) -> f64> Subdivision<A, C, N> {
-    /// `ask` looks at a time, `bend` bounds `|g̈|` from a look to a time, `noise` is what the rate at a time may err by; what
-    /// is less deep than `resolution` may go unseen \[m\], and an `instant` is soon enough to see how a node goes in \[s\]. A
-    /// node that is not `armed` is behind the face without having come in through it.
+    /// A search by the functions `sample` of a time, `curvature`, the bound on `|g̈|` from a sample to a time \[m/s²\], and
+    /// `rate_error`, the error of the rate at a time \[m/s\]. A dip less deep than `resolution` \[m\] may be missed; the sign of
+    /// the rate is tested `delay` \[s\] after a crossing. A gap that is not `armed` is negative without having crossed 0.
     pub(in crate::dynamics) fn new(
-        (sample, bend, noise): (A, C, N),
+        (sample, curvature, rate_error): (A, C, N),
         armed: bool,
         resolution: f64,
-        instant: f64,
+        delay: f64,
     ) -> Self {
-        Self { sample, bend, noise, armed, out: None, resolution, instant, finest: resolution, looks: 0 }
+        Self {
+            sample,
+            curvature,
+            rate_error,
+            armed,
+            positive_at: None,
+            resolution,
+            delay,
+            finest: resolution,
+            evaluations: 0,
+        }
     }
 
-    /// When a node that was behind came out in front \[s\].
+    /// When a gap that was not armed was first sampled as positive again \[s\].
     pub(in crate::dynamics) fn rearmed_at(&self) -> Option<f64> {
-        self.out
+        self.positive_at
     }
 
-    /// When the gap closes first, past looks in rising order of time.
-    pub(in crate::dynamics) fn first_closing(&mut self, looks: &[GapSample]) -> Option<f64> {
-        looks.windows(2).find_map(|pair| self.between(pair[0], pair[1]))
+    /// First crossing of 0 from above between samples in rising order of time \[s\].
+    pub(in crate::dynamics) fn first_closing(&mut self, samples: &[GapSample]) -> Option<f64> {
+        samples.windows(2).find_map(|pair| self.between(pair[0], pair[1]))
     }
 
     fn between(&mut self, before: GapSample, after: GapSample) -> Option<f64> {
         let middle = f64::midpoint(before.t, after.t);
-        if before.t < middle && middle < after.t && self.hides(&before, &after) {
-            self.looks += 1;
-            self.finest *= if self.looks.is_multiple_of(SAMPLES_PER_RESOLUTION) { COARSENING } else { 1.0 };
+        if before.t < middle && middle < after.t && self.may_hide_zeros(&before, &after) {
+            self.evaluations += 1;
+            self.finest *= if self.evaluations.is_multiple_of(SAMPLES_PER_RESOLUTION) { COARSENING } else { 1.0 };
             let between = (self.sample)(middle);
             return self.between(before, between).or_else(|| self.between(between, after));
         }
@@ -66,58 +76,57 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
             return Some(self.crossing(&before, &after));
         }
         if !self.armed && self.is_out(&after) {
-            (self.armed, self.out) = (true, Some(after.t));
+            (self.armed, self.positive_at) = (true, Some(after.t));
         }
         None
     }
 
-    /// Above 0 where a node is behind its face, or on its way there, by more than its place or its rate may err by.
+    /// Positive where the gap is below −resolution, or its rate negative by more than the error of the rate.
     fn evidence(&mut self, sample_at: &GapSample) -> f64 {
-        (-sample_at.rate - (self.noise)(sample_at.t)).max(-sample_at.gap - self.resolution)
+        (-sample_at.rate - (self.rate_error)(sample_at.t)).max(-sample_at.gap - self.resolution)
     }
 
-    /// When a node that is behind the face at the second of two looks came in. Where it touched it before they part, that is
-    /// as soon as there is evidence: bodies that the ground alone drives go alike, and by which rounding a node goes in, sticks
-    /// or slips, would be chance. It is then no deeper than the resolution.
+    /// When a gap that is negative at the second of two samples crossed 0. A gap within the resolution of 0 at the first one
+    /// counts as closing from the time at which its depth or its rate exceeds its error: of bodies that move alike under the
+    /// ground alone, round-off would decide where it closes. Its depth is then at most the resolution.
     fn crossing(&mut self, before: &GapSample, after: &GapSample) -> f64 {
         let sample = &mut self.sample;
         let at = root(|t| -sample(t).gap, before.t, after.t);
         if before.gap > self.resolution {
             return at;
         }
-        let soon = sample((at + self.instant).min(after.t));
-        let first = self.evidence(&soon);
+        let later = sample((at + self.delay).min(after.t));
+        let first = self.evidence(&later);
         if first > 0.0 {
-            // Where both bodies still stand, nothing shows how it goes in.
-            return if (self.noise)(at) > 0.0 { at } else { soon.t };
+            // Without motion at `at` the rate there has no sign.
+            return if (self.rate_error)(at) > 0.0 { at } else { later.t };
         }
         let last = self.evidence(after);
         let evidence = |t: f64| {
             let sample_at = (self.sample)(t);
             self.evidence(&sample_at)
         };
-        root_between(evidence, [soon.t, after.t], [first, last])
+        root_between(evidence, [later.t, after.t], [first, last])
     }
 
     fn is_out(&self, sample_at: &GapSample) -> bool {
         is_positive_again(sample_at.gap, sample_at.rate, sample_at.t, self.resolution)
     }
 
-    /// Whether something may happen between two looks that they do not show: a dip behind the face, a coming out before it,
-    /// or, where they are on either side, a crossing back and forth.
-    fn hides(&mut self, before: &GapSample, after: &GapSample) -> bool {
+    /// Whether the bound allows zeros between two samples that their signs do not show: two of samples of one sign, three of
+    /// samples of either sign.
+    fn may_hide_zeros(&mut self, before: &GapSample, after: &GapSample) -> bool {
         let (side, room) = if self.armed { (1.0, self.finest) } else { (-1.0, REARM_RESOLUTIONS * self.finest) };
         let crosses = if self.armed { after.gap < 0.0 } else { self.is_out(after) };
-        // Rounding of the face, for one that has just opened or gone through.
+        // A gap that has just opened or closed may be negative by round-off.
         let [a, b] = [before.gap, after.gap].map(|gap| (side * gap).max(0.0));
         let h = after.t - before.t;
-        let bend = (self.bend)(before, after.t);
-        let (sag, slope) = (0.125 * bend * h * h, (after.gap - before.gap).abs());
+        let (sag, slope) = (0.125 * (self.curvature)(before, after.t) * h * h, (after.gap - before.gap).abs());
         if crosses {
-            // Less steep than it bends, it may cross more than once, by as much as it sags.
+            // A chord less steep than the bounding parabola allows more than one crossing, as deep as the sag.
             return slope < 4.0 * sag && sag > self.finest;
         }
-        // Between them the line less the sag is lowest at one of them, or inside.
+        // Least value of the chord less the sag.
         let lowest = 0.5 * (a + b) - sag - if sag > 0.0 { slope * slope / (16.0 * sag) } else { 0.0 };
         slope < 4.0 * sag && lowest < -room
     }
@@ -127,7 +136,7 @@ impl<A: FnMut(f64) -> GapSample, C: FnMut(&GapSample, f64) -> f64, N: FnMut(f64)
 mod tests {
     use super::*;
 
-    /// `offset − cos t`, whose second derivative is within ±1: least at t = 0, in front from there on where `offset` > 1.
+    /// `offset − cos t`, whose second derivative is within ±1 and whose minimum is `offset − 1` at t = 0.
     fn bowl(offset: f64, count: &mut u32) -> impl FnMut(f64) -> GapSample {
         move |t| {
             *count += 1;
@@ -135,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Searches from −1 to 1.03, seen at the ends only.
+    /// Searches from −1 to 1.03, sampled at the ends.
     fn search(offset: f64, side: f64, armed: bool) -> (Option<f64>, Option<f64>, u32) {
         let mut count = 0;
         let (closing, out) = {
@@ -144,51 +153,51 @@ mod tests {
                 let sample_at = sample(t);
                 GapSample { gap: side * sample_at.gap, rate: side * sample_at.rate, ..sample_at }
             };
-            let looks = [sample(-1.0), sample(1.03)];
+            let ends = [sample(-1.0), sample(1.03)];
             let mut subdivision = Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), armed, 1e-15, 0.0);
-            (subdivision.first_closing(&looks), subdivision.rearmed_at())
+            (subdivision.first_closing(&ends), subdivision.rearmed_at())
         };
         (closing, out, count)
     }
 
     #[test]
-    fn a_dip_that_no_look_shows_is_found_where_it_begins() {
+    fn a_dip_between_two_samples_is_found_where_it_begins() {
         for depth in [1e-3, 1e-6, 1e-9] {
             let (closing, _, count) = search(1.0 - depth, 1.0, true);
             let exact = -(1.0f64 - depth).acos();
             let closing = closing.unwrap_or_else(|| panic!("missed at {depth:e}"));
             // Near the tip rounding of the gap, 1e-16, moves the crossing by 1e-16/√(2 depth).
             assert!((closing - exact).abs() < 1e-11, "{closing} against {exact}");
-            assert!(count < 200, "{count} looks");
+            assert!(count < 200, "{count} evaluations");
         }
     }
 
     #[test]
     fn a_graze_above_the_face_is_no_closing() {
         let (closing, _, count) = search(1.0 + 1e-12, 1.0, true);
-        assert!(closing.is_none() && count < 200, "{closing:?} after {count} looks");
+        assert!(closing.is_none() && count < 200, "{closing:?} after {count} evaluations");
     }
 
     #[test]
-    fn a_node_that_comes_out_and_goes_in_again_unseen_is_met() {
+    fn a_gap_that_opens_and_closes_between_two_samples_is_found() {
         let (closing, out, _) = search(1.0 - 1e-6, -1.0, false);
         let exact = (1.0f64 - 1e-6).acos();
         assert!(closing.is_some_and(|t| (t - exact).abs() < 1e-9), "{closing:?} against {exact}");
-        assert!(out.is_some_and(|t| t.abs() < exact), "out between: {out:?}");
+        assert!(out.is_some_and(|t| t.abs() < exact), "positive between: {out:?}");
     }
 
     #[test]
-    fn bodies_that_go_alike_close_when_they_are_seen_to_differ() {
+    fn bodies_that_move_alike_close_when_their_difference_exceeds_its_error() {
         let sample = |t: f64| GapSample { t, gap: -1e-20 * t.powi(3), rate: -3e-20 * t * t };
         let find = |noise: f64| {
-            let looks = [sample(0.0), sample(0.5), sample(1.0)];
+            let ends = [sample(0.0), sample(0.5), sample(1.0)];
             Subdivision::new((sample, |_: &GapSample, _| 6e-20, |t: f64| noise * t), true, 1e-15, 1e-6)
-                .first_closing(&looks)
+                .first_closing(&ends)
         };
         let closing = find(9e-21).unwrap_or_else(|| panic!("it closes"));
         assert!((closing - 0.3).abs() < 1e-12, "3e-20 t² is above 9e-21 t from 0.3 on: {closing}");
-        assert_eq!(find(0.0), Some(1e-6), "from rest, where nothing is rounding, as soon as it shows");
-        assert_eq!(find(4e-20), None, "never as long as it could be rounding");
+        assert_eq!(find(0.0), Some(1e-6), "without error of the rate, after the delay");
+        assert_eq!(find(4e-20), None, "never while the rate is within its error");
     }
 
     #[test]
@@ -198,9 +207,9 @@ mod tests {
             count += 1;
             GapSample { t, gap: 0.0, rate: 0.0 }
         };
-        let looks = [sample(0.0), sample(10.0)];
+        let ends = [sample(0.0), sample(10.0)];
         let closing =
-            Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), true, 1e-16, 0.0).first_closing(&looks);
-        assert!(closing.is_none() && count < 20_000, "{closing:?} after {count} looks");
+            Subdivision::new((sample, |_: &GapSample, _| 1.0, |_| 0.0), true, 1e-16, 0.0).first_closing(&ends);
+        assert!(closing.is_none() && count < 20_000, "{closing:?} after {count} evaluations");
     }
 }
