@@ -50,7 +50,7 @@ pub(in crate::dynamics::impact2d) fn resume(
     start_trajectories(run, instant, to, modes, lost);
 }
 
-/// Contact modes of an instant. A face that was to stick below the stop speed, but cannot, goes on slipping as it does.
+/// Contact modes of an instant. A face that slips below the stop speed and cannot stick continues to slip in its direction.
 fn modes(world: &World, instant: &mut ImpactInstant, ending: Option<Ending>, ground: glam::DVec3) -> Vec<ContactMode> {
     let (mut candidates, modes) = consistent_modes(world, instant, ending, ground);
     let mut slips_on = false;
@@ -196,4 +196,83 @@ fn turns_without_contact(body: &Body) -> bool {
             || y.abs() > ROTATION_ROUND_OFF * (m.y_axis.y * m.z_axis.z).sqrt()
     };
     planar::free(body)[2] && (body.moment != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::impact2d::example;
+
+    /// A straight girder flush at its wall at +x under this push \[N\], after impulses that leave this velocity \[m/s\] in
+    /// state b.
+    fn resumed(push: [f64; 2], velocity: [f64; 2]) -> Run {
+        let model = example::at_wall(|scene| scene.girders[0].push.force = [push[0], push[1], 0.0]);
+        let mut run = Run::new(example::world(model));
+        let mut instant = example::instant(&run.world, velocity);
+        let energy = instant.kinematics.cluster.kinetic_energy();
+        resume(&mut run, &mut instant, &[State::Free], energy, None);
+        run
+    }
+
+    #[test]
+    fn a_separating_girder_flies_and_its_points_hit_again_behind_the_face_only() {
+        let run = resumed([0.0; 2], [-0.1, 0.0]);
+        let body = &run.world.bodies[0];
+        assert!(matches!(body.motion, Motion::Flight(_)) && body.state == State::Free, "{:?}", body.motion);
+        let lifted: Vec<_> = run.world.sites.iter().filter(|site| site.lifted).collect();
+        assert_eq!(lifted.len(), 2, "both corners of the face");
+        for site in lifted {
+            assert!(!site.kept && !site.armed && site.depth >= LIFTED_DEPTH * site.spot.size, "{site:?}");
+        }
+    }
+
+    #[test]
+    fn a_pressed_face_rests_and_is_kept() {
+        let run = resumed([40.0, 0.0], [0.0; 2]);
+        assert_eq!(run.world.bodies[0].state, State::Resting, "f");
+        assert!(matches!(run.world.bodies[0].motion, Motion::Lasting(0, 0)), "the first lasting contact");
+        assert_eq!(run.world.sites.iter().filter(|site| site.kept).count(), 2, "both corners of the face");
+        assert!(run.world.planned_end(0).is_some_and(|end| end > 0.0), "a step is planned");
+    }
+
+    #[test]
+    fn a_face_above_the_stop_speed_slides() {
+        let run = resumed([40.0, 0.0], [0.0, 0.3]);
+        assert_eq!(run.world.bodies[0].state, State::Sliding, "e");
+    }
+
+    #[test]
+    fn a_point_behind_a_face_that_it_is_not_on_is_beside_it() {
+        let mut run = Run::new(example::world(example::at_wall(|_| ())));
+        run.world.sites[0].beside = true;
+        let mut instant = example::instant(&run.world, [-0.1, 0.0]);
+        resume(&mut run, &mut instant, &[State::Free], 0.0, None);
+        let site = &run.world.sites[0];
+        assert_eq!([site.armed, site.lifted, site.beside], [false, false, true], "not lifted: it has not touched");
+    }
+
+    #[test]
+    fn the_first_state_is_logged_and_afterwards_changes_alone() {
+        let mut run = resumed([0.0; 2], [-0.1, 0.0]);
+        let first = &run.record.transitions[0];
+        assert_eq!((run.record.transitions.len(), first.from, first.to), (1, State::Free, State::Free), "the first");
+        let mut instant = ImpactInstant { t: 0.1, ..example::instant(&run.world, [-0.1, 0.0]) };
+        let energy = instant.kinematics.cluster.kinetic_energy();
+        resume(&mut run, &mut instant, &[State::Free], energy, None);
+        assert_eq!(run.record.transitions.len(), 1, "the same state without a loss of energy");
+        let mut instant = ImpactInstant { t: 0.2, ..example::instant(&run.world, [-0.1, 0.0]) };
+        resume(&mut run, &mut instant, &[State::Sliding], energy, None);
+        let last = run.record.transitions.last().expect("a change");
+        assert_eq!((last.t, last.from, last.to), (0.2, State::Sliding, State::Free), "from the state after the hits");
+    }
+
+    #[test]
+    fn a_given_moment_turns_a_girder_that_is_free_to_turn() {
+        let mut model = example::at_wall(|_| ());
+        assert!(!turns_without_contact(&model.bodies[0]), "bearings on both axes");
+        model.bodies[0].moment = 1.0;
+        assert!(turns_without_contact(&model.bodies[0]), "a moment");
+        model.bodies[0].free[5] = false;
+        assert!(!turns_without_contact(&model.bodies[0]), "held");
+    }
 }

@@ -1,6 +1,6 @@
 //! Every tolerance and count of the impact model: unit, effect, and where the number comes from.
 //!
-//! *Tuned* means that no derivation is known; where a number was checked, it says against what.
+//! *Tuned* means that no derivation is known; where a number was checked, the check is given.
 
 // Round-off of velocities, accelerations and places.
 
@@ -15,7 +15,7 @@ pub(super) const SPEED_ROUND_OFF_OF_RUN: f64 = 1e-14;
 /// row of Tables 4–7 is met by states on the border between two rows (`tests/core/impact/tables.rs`).
 pub(super) const FORCE_ROUND_OFF: f64 = 1e-10;
 /// Normal speed that a kept point may gather from the error of the integrator, in parts of the largest speed of the run.
-/// The integrator is asked for the scene's tolerance per step, 1e-8 at the default.
+/// The integrator keeps to the scene's tolerance per step, 1e-8 by default.
 pub(super) const NORMAL_DRIFT: f64 = 1e-8;
 /// Normal speed of a point that is not kept and still counts as at rest, in units of the speed round-off. An impulse sums two
 /// terms for each of two sides: 4 roundings.
@@ -116,7 +116,7 @@ pub(super) const WORK_PER_BODY: usize = 3_000_000;
 /// Events at one instant after which a run stops, besides four for each pair and two for each body that may all act in it.
 pub(super) const EVENTS_AT_ONE_INSTANT: usize = 200;
 /// Events at one instant after which a lasting contact is kept for [`LEAST_DURATION`]: reactions at round-off level may change
-/// sign for ever. Tuned: a quarter of [`EVENTS_AT_ONE_INSTANT`].
+/// sign without end. Tuned: a quarter of [`EVENTS_AT_ONE_INSTANT`].
 pub(super) const EVENTS_BEFORE_LEAST_DURATION: usize = 50;
 /// Least duration of such a contact, in parts of the run. Tuned.
 pub(super) const LEAST_DURATION: f64 = 1e-3;

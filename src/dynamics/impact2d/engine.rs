@@ -229,6 +229,7 @@ mod tests {
     use super::*;
     use crate::dynamics::event_loop::mechanics::advance;
     use crate::dynamics::impact2d::State;
+    use crate::dynamics::impact2d::example;
     use crate::dynamics::run::{Finished, Run as _};
     use crate::scene::format;
 
@@ -301,10 +302,7 @@ mod tests {
 
     #[test]
     fn an_overlap_stops_the_run_before_it_begins() {
-        let mut scene = crate::scene::presets::load("straight-abutment").expect("a preset");
-        scene.abutments[0].gap = Some(0.0);
-        scene.girders[0].initial.displacement = [1e-3, 0.0, 0.0];
-        let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
+        let model = Arc::new(example::at_wall(|scene| scene.girders[0].initial.displacement = [1e-3, 0.0, 0.0]));
         let end = finished(&model, 0);
         let stop = end.stop.expect("a reason");
         assert!(stop.t == 0.0 && stop.reason.contains("1.000e-3 m inside"), "{stop:?}");

@@ -110,19 +110,14 @@ pub(in crate::dynamics::impact2d) fn manifolds(
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::dynamics::Model;
-    use crate::scene::presets;
+    use crate::dynamics::impact2d::example;
 
     #[test]
     fn a_flush_face_touches_with_its_two_corners_and_an_open_one_not_at_all() {
         for (gap, count) in [(0.0, 2), (1e-6, 0)] {
-            let mut scene = presets::load("straight-abutment").expect("a preset");
-            scene.abutments[0].gap = Some(gap);
-            let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
-            let instant = ImpactInstant::new(&World::new(&model, 0), 0.0, &[0]);
+            let model = example::preset("straight-abutment", |scene| scene.abutments[0].gap = Some(gap));
+            let instant = ImpactInstant::new(&example::world(model), 0.0, &[0]);
             let points: usize = instant.manifolds.iter().map(|manifold| manifold.points.len()).sum();
             assert_eq!(points, count, "gap {gap} m");
             assert_eq!(instant.slots[..], [0], "the wall is no body");
@@ -131,9 +126,8 @@ mod tests {
 
     #[test]
     fn velocities_after_an_impulse_go_into_the_states() {
-        let scene = presets::load("straight-abutment").expect("a preset");
-        let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
-        let mut instant = ImpactInstant::new(&World::new(&model, 0), 0.0, &[0]);
+        let world = example::world(example::preset("straight-abutment", |_| ()));
+        let mut instant = ImpactInstant::new(&world, 0.0, &[0]);
         let place = instant.states[0][0];
         instant.kinematics.cluster.velocity[0] = glam::DVec3::new(1.0, 2.0, 3.0);
         instant.take_velocities();

@@ -101,12 +101,11 @@ pub fn ground_acceleration(ground: &Ground, piece: &LinearPiece, t: f64) -> DVec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::impact2d::example;
 
     #[test]
     fn free_accelerations_and_their_size_are_those_of_springs_and_ground() {
-        let mut scene = crate::scene::presets::load("straight-abutment").expect("a preset");
-        scene.girders[0].push.force = [4.0, 0.0, 0.0];
-        let model = Model::compile(&scene).expect("a sound scene");
+        let model = example::preset("straight-abutment", |scene| scene.girders[0].push.force = [4.0, 0.0, 0.0]);
         let body = &model.bodies[0];
         let q = DVec3::new(1e-3, -2e-3, 0.0);
         let ground = DVec3::new(0.5, 0.0, 0.0);

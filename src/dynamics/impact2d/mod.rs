@@ -20,6 +20,8 @@ mod closing;
 mod constants;
 pub mod delassus;
 pub mod engine;
+#[cfg(test)]
+mod example;
 pub mod impulse;
 mod instant;
 pub mod kinematics;

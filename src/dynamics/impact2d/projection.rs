@@ -95,19 +95,13 @@ fn stop_resting_bodies(world: &World, instant: &mut ImpactInstant, modes: &[Cont
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::dynamics::Model;
-    use crate::scene::presets;
+    use crate::dynamics::impact2d::example;
 
     /// A straight girder flush at its wall, then moved by `x` and given this velocity \[m\], \[m/s\].
     fn moved(x: f64, v: [f64; 2]) -> (World, ImpactInstant, ContactMode) {
-        let mut scene = presets::load("straight-abutment").expect("a preset");
-        scene.abutments[0].gap = Some(0.0);
-        scene.girders[0].initial.displacement = [x, 0.0, 0.0];
-        let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
-        let world = World::new(&model, 0);
+        let model = example::at_wall(|scene| scene.girders[0].initial.displacement = [x, 0.0, 0.0]);
+        let world = example::world(model);
         let mut instant = ImpactInstant::new(&world, 0.0, &[0]);
         instant.kinematics.cluster.velocity[0] = glam::DVec3::new(v[0], v[1], 0.0);
         instant.take_velocities();

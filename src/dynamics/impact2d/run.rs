@@ -118,3 +118,71 @@ impl Run {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::impact2d::example;
+    use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
+    use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
+
+    /// A girder of 2 kg without bearings 3 mm before a wall, at this velocity \[m/s\].
+    fn run(speed: f64) -> Run {
+        Run::new(example::world(example::block(&format!("initial = {{ velocity_m_s = [{speed:?}, 0.0] }}"), 0.003)))
+    }
+
+    #[test]
+    fn a_search_enters_an_impact_in_the_queue_and_removes_one_that_no_longer_comes() {
+        let mut run = run(0.25);
+        run.search(0, 0.0);
+        assert!(run.world.pairs[0].impact_due, "it approaches");
+        assert!((run.schedule.queue.first_time() - 0.012).abs() < 1e-15, "gap over speed");
+        let away = run.world.bodies[0].system.fly(0.0, [0.0, 0.0, 0.0, -0.25, 0.0, 0.0]);
+        run.world.bodies[0].motion = Motion::Flight(away);
+        run.search_around(&[0], 0.0);
+        assert!(!run.world.pairs[0].impact_due, "it goes away");
+        assert_eq!(run.schedule.queue.pop(), None, "no event is left");
+        assert_eq!(run.schedule.effort.searches, 2, "both are counted");
+    }
+
+    #[test]
+    fn a_search_arms_points_that_are_in_front_of_their_face_by_then() {
+        for (in_front_at, armed) in [(Some(0.5), true), (Some(1.5), false), (None, false)] {
+            let mut run = run(-0.25);
+            let site = &mut run.world.sites[0];
+            (site.armed, site.lifted, site.in_front_at) = (false, true, in_front_at);
+            // Behind the plane of the face, so that the search itself arms no point.
+            let behind = run.world.bodies[0].system.fly(1.0, [0.01, 0.0, 0.0, 0.0, 0.0, 0.0]);
+            run.world.bodies[0].motion = Motion::Flight(behind);
+            run.search(0, 1.0);
+            assert_eq!(run.world.sites[0].armed, armed, "in front at {in_front_at:?}, searched at 1 s");
+        }
+    }
+
+    #[test]
+    fn a_segment_is_stored_up_to_its_end_and_none_of_no_length() {
+        let mut run = run(0.25);
+        run.close_segment(0, 0.0);
+        assert!(run.world.bodies[0].segments.is_empty(), "no length");
+        run.close_segment(0, 0.01);
+        let segment = &run.world.bodies[0].segments[0];
+        assert_eq!([segment.from, segment.until], [0.0, 0.01], "from the start of the motion in force");
+    }
+
+    #[test]
+    fn a_lasting_contact_is_planned_logged_at_its_end_and_not_where_it_has_no_length() {
+        for (end, logged) in [(0.0, 0), (0.5, 1)] {
+            let mut run = Run::new(example::world(example::at_wall(|_| ())));
+            let sites = example::touching(&run.world.model, &example::instant(&run.world, [0.0; 2]).kinematics);
+            let mode = ContactMode { pair: 0, sites, friction: FrictionMode::Stick };
+            run.world.lasting.push(Some(LastingContact::new(vec![0], vec![mode], &[[0.0; 6]], 0.0)));
+            run.world.bodies[0].motion = Motion::Lasting(0, 0);
+            run.plan(0);
+            let until = run.world.planned_end(0).expect("a planned step");
+            assert_eq!(run.schedule.queue.first_time(), until, "the end of its step is an event");
+            run.end_lasting(0, end);
+            assert_eq!((run.record.lasting.len(), run.schedule.queue.pop()), (logged, None), "ended at {end} s");
+            assert!(run.world.lasting[0].is_none(), "its number is free again");
+        }
+    }
+}

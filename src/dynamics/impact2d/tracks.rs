@@ -43,7 +43,7 @@ pub(in crate::dynamics::impact2d) struct PairTrack {
     pub slots: [Option<usize>; 2],
     /// Its declared contacts.
     pub sites: std::ops::Range<usize>,
-    /// Whether the event that is due is an impact; else the search goes on then.
+    /// Whether the event that is due is an impact; else the search is continued from there.
     pub impact_due: bool,
 }
 
@@ -80,5 +80,19 @@ impl SiteTrack {
     /// Arms a point that is in front of its face: its next crossing is an impact.
     pub(in crate::dynamics::impact2d) fn arm(&mut self) {
         (self.armed, self.lifted, self.beside) = (true, false, false);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::dynamics::impact2d::example;
+
+    #[test]
+    fn an_armed_point_is_neither_lifted_nor_beside_its_face() {
+        let mut world = example::world(example::at_wall(|_| ()));
+        let site = &mut world.sites[0];
+        (site.armed, site.lifted, site.beside, site.kept) = (false, true, true, true);
+        site.arm();
+        assert_eq!([site.armed, site.lifted, site.beside, site.kept], [true, false, false, true], "kept stays");
     }
 }

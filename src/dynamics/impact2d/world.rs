@@ -218,12 +218,10 @@ fn site_track(model: &Model, site: usize) -> SiteTrack {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::presets;
+    use crate::dynamics::impact2d::example;
 
     fn world(gap: f64) -> World {
-        let mut scene = presets::load("straight-abutment").expect("a preset");
-        scene.abutments[0].gap = Some(gap);
-        World::new(&Arc::new(Model::compile(&scene).expect("a sound scene")), 0)
+        example::world(example::preset("straight-abutment", |scene| scene.abutments[0].gap = Some(gap)))
     }
 
     #[test]

@@ -25,7 +25,7 @@ struct PairLimits {
     sides: [MotionLimits; 2],
     /// Of the difference of both G.
     relative: [f64; 4],
-    /// Instants for which these bounds are used without being computed anew.
+    /// Further instants for which these bounds are used.
     uses: u32,
 }
 
@@ -159,16 +159,15 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::dynamics::Model;
     use crate::dynamics::impact2d::closing::planar_gap::gap;
     use crate::dynamics::impact2d::engine::Engine;
-    use crate::scene::presets;
+    use crate::dynamics::impact2d::example;
 
     fn world(preset: &str) -> World {
-        let mut scene = presets::load(preset).expect("a preset");
-        scene.girders[0].initial.velocity = [0.1, -0.1, 0.0];
-        scene.girders[0].initial.spin_deg_s = 60.0;
-        World::new(&Arc::new(Model::compile(&scene).expect("a sound scene")), 0)
+        example::world(example::preset(preset, |scene| {
+            scene.girders[0].initial.velocity = [0.1, -0.1, 0.0];
+            scene.girders[0].initial.spin_deg_s = 60.0;
+        }))
     }
 
     #[test]
@@ -198,13 +197,13 @@ mod tests {
     fn the_gap_stays_above_its_bounds_in_a_planned_step() {
         // A face that slides along its wall and one that turns about a corner: the closed form and the integrator.
         for spin in [0.0, -40.0] {
-            let mut scene = presets::load("straight-abutment").expect("a preset");
-            scene.abutments[0].gap = Some(0.0);
-            scene.impact.restitution_normal = 0.0;
-            scene.girders[0].initial.velocity = [0.0, 0.2, 0.0];
-            scene.girders[0].initial.spin_deg_s = spin;
-            scene.girders[0].push.force = [60.0, 0.0, 0.0];
-            let engine = Engine::new(&Arc::new(Model::compile(&scene).expect("a sound scene")), 0);
+            let model = example::at_wall(|scene| {
+                scene.impact.restitution_normal = 0.0;
+                scene.girders[0].initial.velocity = [0.0, 0.2, 0.0];
+                scene.girders[0].initial.spin_deg_s = spin;
+                scene.girders[0].push.force = [60.0, 0.0, 0.0];
+            });
+            let engine = Engine::new(&Arc::new(model), 0);
             let world = engine.world();
             let slots = world.pairs[0].slots;
             let end = world.planned_end(0).expect("a planned step");

@@ -1,7 +1,7 @@
 //! Bounds on displacement, speed, acceleration and jerk of a body in free flight, and of one body against another.
 //!
 //! Without a record every direction is an oscillator in closed form. Each time derivative `w` of its free part obeys the same
-//! homogeneous equation, so `½(ẇ² + ω²w²)` never grows and bounds that derivative for ever after; the steady response to a
+//! homogeneous equation, so `½(ẇ² + ω²w²)` never grows and bounds that derivative at all later times; the steady response to a
 //! sine has the amplitudes `A, ΩA, Ω²A, Ω³A`.
 
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
@@ -150,20 +150,17 @@ fn norm(a: f64, b: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::dynamics::Model;
-    use crate::scene::presets;
+    use crate::dynamics::impact2d::example;
 
     /// A preset's group after a free start with this velocity \[m/s\].
     fn world(preset: &str) -> World {
-        let mut scene = presets::load(preset).expect("a preset");
-        for girder in &mut scene.girders {
-            girder.initial.velocity = [0.2, -0.1, 0.0];
-            girder.initial.spin_deg_s = 30.0;
-        }
-        World::new(&Arc::new(Model::compile(&scene).expect("a sound scene")), 0)
+        example::world(example::preset(preset, |scene| {
+            for girder in &mut scene.girders {
+                girder.initial.velocity = [0.2, -0.1, 0.0];
+                girder.initial.spin_deg_s = 30.0;
+            }
+        }))
     }
 
     #[test]

@@ -26,7 +26,7 @@ pub(in crate::dynamics::impact2d) struct NextImpact {
     pub due: f64,
     /// Whether there is an impact then.
     pub impact: bool,
-    /// Evaluations of the gaps.
+    /// Evaluations of the gaps in flight.
     pub looks: u64,
 }
 
@@ -248,7 +248,7 @@ fn in_steps(world: &mut World, pair: usize, t: f64, until: f64, planned: f64) ->
         world.sites[point.site].in_front_at = in_front_at;
         first = impact.into_iter().chain(first).reduce(f64::min);
     }
-    // At the end of the step the pair is searched anew.
+    // At the end of the step the pair is searched again.
     let next = if until < planned.min(world.model.duration) { until } else { f64::INFINITY };
     NextImpact { due: first.unwrap_or(next), impact: first.is_some(), looks: 0 }
 }
@@ -280,34 +280,14 @@ fn in_step(
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::dynamics::Model;
-    use crate::scene::format;
+    use crate::dynamics::impact2d::example;
+    use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
+    use crate::dynamics::impact2d::run::Run;
 
-    /// A girder of 2 kg before a wall, free to slide along x, at `gap_m` with this initial velocity \[m/s\].
+    /// A girder of 2 kg before a wall, free to slide along x, at this gap \[m\] with this initial velocity \[m/s\].
     fn world(bearings: &str, gap: f64, speed: f64) -> World {
-        let text = format!(
-            r#"
-            name = "search"
-            duration_s = 2.0
-            [[girder]]
-            name = "deck"
-            length_m = 0.19
-            width_m = 0.07
-            thickness_m = 0.02
-            mass_kg = 2.0
-            initial = {{ velocity_m_s = [{speed:?}, 0.0] }}
-            {bearings}
-            [[abutment]]
-            name = "wall"
-            faces = "deck"
-            gap_m = {gap:?}
-            "#
-        );
-        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
-        World::new(&Arc::new(model), 0)
+        example::world(example::block(&format!("initial = {{ velocity_m_s = [{speed:?}, 0.0] }}\n{bearings}"), gap))
     }
 
     #[test]
@@ -334,6 +314,34 @@ mod tests {
         assert!(next.impact && (next.due - expected).abs() < 1e-14, "{next:?} against {expected}");
         let far = next_impact(&mut world(bearings, 1.001 * speed / omega, speed), 0, 0.0);
         assert_eq!((far.due, far.impact), (f64::INFINITY, false), "the amplitude is below the gap");
+    }
+
+    #[test]
+    fn a_dip_within_a_planned_step_is_an_impact() {
+        let legs = "[[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]";
+        let bearings = &format!("bearings = {{ frequency_hz = 2.0, damping_ratio = 0.0, at_m = {legs} }}");
+        let omega = 4.0 * std::f64::consts::PI;
+        // x = (v/ω) sin ωt is beyond the gap for 0.25 ms of its half period of 250 ms.
+        let (speed, amplitude) = (0.1, 0.1 / omega);
+        let gap = amplitude - 1e-8;
+        let state = [0.0, 0.0, 0.0, speed, 0.0, 0.0];
+        let mut run = Run::new(world(bearings, gap, speed));
+        run.world.update_peaks(0, &state);
+        // Without a contact mode the integrator follows the bearings alone.
+        run.world.lasting.push(Some(LastingContact::new(vec![0], Vec::new(), &[state], 0.0)));
+        run.world.bodies[0].motion = Motion::Lasting(0, 0);
+        let found = (0..1000).find_map(|_| {
+            run.plan(0);
+            let (from, until) = run.world.lasting[0].as_ref().map(|contact| (contact.from, contact.until))?;
+            let next = next_impact(&mut run.world, 0, from);
+            let after = gap_at(&run.world, 0, 0, 0.0, until)[0];
+            run.world.lasting[0].as_mut()?.commit();
+            next.impact.then_some((next.due, after))
+        });
+        let (due, after) = found.expect("an impact");
+        let expected = (gap / amplitude).asin() / omega;
+        assert!((due - expected).abs() < 1e-6, "{due} against {expected}");
+        assert!(after > 0.0, "the gap is open again at the end of the step: {after} m");
     }
 
     #[test]

@@ -47,7 +47,7 @@ pub struct SecondImpulse {
 pub fn first_impulse(cluster: &mut Cluster, point: &ContactPoint, numbers: &Coefficients) -> ([f64; 2], f64) {
     let [v_n, v_s] = cluster.speeds(point);
     let [w_n, w_s, w_ns] = cluster.mobilities(point);
-    // Along a direction in which nothing can move there is no impulse.
+    // Along a direction without inverse mass there is no impulse.
     let p_n = if w_n > 0.0 { -(1.0 + numbers.e_n) * v_n / w_n } else { 0.0 };
     let p_s = if w_s > 0.0 { -(1.0 + numbers.e_t) * (v_s + w_ns * p_n) / w_s } else { 0.0 };
     let work = cluster.push(point, [p_n, 0.0]) + cluster.push(point, [0.0, p_s]);

@@ -60,23 +60,14 @@ pub(in crate::dynamics::impact2d) fn tangential_speed(cluster: &Cluster, points:
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
-    use glam::DVec3;
-
     use super::*;
-    use crate::dynamics::Model;
+    use crate::dynamics::impact2d::example;
     use crate::scene::presets;
 
     /// A straight girder flush at its wall with this velocity of G \[m/s\].
     fn at_wall(v: [f64; 2]) -> (World, ImpactInstant) {
-        let mut scene = presets::load("straight-abutment").expect("a preset");
-        scene.abutments[0].gap = Some(0.0);
-        let model = Arc::new(Model::compile(&scene).expect("a sound scene"));
-        let world = World::new(&model, 0);
-        let mut instant = ImpactInstant::new(&world, 0.0, &[0]);
-        instant.kinematics.cluster.velocity[0] = DVec3::new(v[0], v[1], 0.0);
-        instant.speed_noise = 1e-15;
+        let world = example::world(example::at_wall(|_| ()));
+        let instant = example::instant(&world, v);
         (world, instant)
     }
 

@@ -218,39 +218,14 @@ pub(in crate::dynamics::impact2d) fn connected_groups(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::impact2d::example::{self, touching};
     use crate::dynamics::model::coordinates::planar::WIDTH;
-    use crate::scene::format;
 
     /// A girder of 2 kg, 0.19 × 0.07 m, at a wall at +x under this push \[N\] and acceleration of the ground, at rest.
     fn at_wall(force: [f64; 2]) -> (Model, Kinematics) {
-        let text = format!(
-            r#"
-            name = "pushed"
-            duration_s = 1.0
-            [[girder]]
-            name = "deck"
-            length_m = 0.19
-            width_m = 0.07
-            thickness_m = 0.02
-            mass_kg = 2.0
-            push = {{ force_n = {force:?} }}
-            [[abutment]]
-            name = "wall"
-            faces = "deck"
-            gap_m = 0.0
-            width_m = 2.0
-            "#
-        );
-        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        let model = example::block(&format!("push = {{ force_n = {force:?} }}"), 0.0);
         let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::new(0.0, 0.5, 0.0));
         (model, kinematics)
-    }
-
-    fn touching(model: &Model, kinematics: &Kinematics) -> Vec<usize> {
-        let mut sites: Vec<usize> = (0..model.contacts.len()).collect();
-        sites.retain(|&site| kinematics.point(model, site).gap.abs() < 1e-12);
-        sites.sort_by(|a, b| kinematics.point(model, *a).along.total_cmp(&kinematics.point(model, *b).along));
-        sites
     }
 
     fn solved(force: [f64; 2], ends: usize, friction: FrictionMode) -> (ConstrainedMotion, ContactPoint) {

@@ -141,13 +141,13 @@ impl LastingContact {
         Self { bodies, modes, since: t, from: t, until: t, ending: None, planned: None, y, step: 0.0 }
     }
 
-    /// Whether nothing moves: every contact is a face that sticks, and all bodies are at rest.
+    /// Whether all bodies are at rest and stay so: every contact is a face that sticks, and all bodies are at rest.
     fn is_at_rest(&self) -> bool {
         self.modes.iter().all(|mode| mode.is_flush() && mode.friction == FrictionMode::Stick)
             && planar::in_a_row(&self.y).iter().all(|state| state[RATES..] == [0.0; RATES])
     }
 
-    /// Whether any contact goes on without friction for want of a consistent mode: modes are then selected anew after every
+    /// Whether any contact continues without friction for want of a consistent mode: modes are then selected again after every
     /// step.
     pub(in crate::dynamics::impact2d) fn is_frictionless(&self) -> bool {
         self.modes.iter().any(|mode| mode.friction == FrictionMode::Frictionless)

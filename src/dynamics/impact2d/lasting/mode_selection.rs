@@ -193,42 +193,15 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::dynamics::impact2d::example::{self, BLOCK_HALF};
     use crate::dynamics::model::coordinates::planar::WIDTH;
-    use crate::scene::format;
-
-    /// Half length and half width of the block \[m\].
-    const HALF: [f64; 2] = [0.095, 0.035];
 
     /// A block of 2 kg flush at a wall at +x under this push \[N\], and its candidate.
     fn block(force: [f64; 2], slip: f64) -> (Model, Kinematics, Candidate) {
-        let text = format!(
-            r#"
-            name = "block"
-            duration_s = 1.0
-            [[girder]]
-            name = "deck"
-            length_m = {:?}
-            width_m = {:?}
-            thickness_m = 0.02
-            mass_kg = 2.0
-            push = {{ force_n = {force:?} }}
-            [[abutment]]
-            name = "wall"
-            faces = "deck"
-            gap_m = 0.0
-            width_m = 2.0
-            "#,
-            2.0 * HALF[0],
-            2.0 * HALF[1]
-        );
-        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
+        let model = example::block(&format!("push = {{ force_n = {force:?} }}"), 0.0);
         let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
-        let mut touching: Vec<(usize, ContactPoint)> = (0..model.contacts.len())
-            .map(|site| (site, kinematics.point(&model, site)))
-            .filter(|(_, point)| point.gap.abs() < 1e-12)
-            .collect();
-        touching.sort_by(|a, b| a.1.along.total_cmp(&b.1.along));
-        let (sites, points) = touching.into_iter().unzip();
+        let sites = example::touching(&model, &kinematics);
+        let points = sites.iter().map(|&site| kinematics.point(&model, site)).collect();
         let excluded = Excluded::default();
         let candidate = Candidate { pair: 0, sites, points, slip, stick_or_open: false, excluded };
         (model, kinematics, candidate)
@@ -267,7 +240,7 @@ mod tests {
     #[test]
     fn a_face_turns_onto_one_corner_where_the_reaction_leaves_it() {
         // |T| a > N b: a push of 10 N along x carries 10 b/a = 3.68 N along y.
-        let limit = 10.0 * HALF[1] / HALF[0];
+        let limit = 10.0 * BLOCK_HALF[1] / BLOCK_HALF[0];
         let flush = mode([10.0, 0.99 * limit], 0.0, 2.0, |_| ()).expect("in contact");
         assert!(flush.is_flush(), "{flush:?}");
         let corner = mode([10.0, 1.01 * limit], 0.0, 2.0, |_| ()).expect("in contact");

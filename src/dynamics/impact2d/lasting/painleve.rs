@@ -7,7 +7,7 @@
 //! 2. **impact without collision**: friction stops slips at once, the slowest first and as few as needed, by the least
 //!    impulses that stop them and let no point approach (an orthogonal projection in the mass metric: no energy is added);
 //! 3. otherwise the contacts go on without friction for one step of the integrator, which always has a solution, and are
-//!    selected anew.
+//!    selected again.
 
 use glam::DVec3;
 
@@ -101,35 +101,13 @@ fn frictionless_modes(kinematics: &Kinematics, all: &[Candidate]) -> Vec<Contact
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
-    use crate::dynamics::Model;
-    use crate::scene::format;
+    use crate::dynamics::impact2d::example;
 
     /// A girder of 2 kg flush at a wall under this push \[N\], moving along it at 0.1 m/s.
     fn pushed(force: [f64; 2]) -> (World, ImpactInstant) {
-        let text = format!(
-            r#"
-            name = "pushed"
-            duration_s = 1.0
-            [[girder]]
-            name = "deck"
-            length_m = 0.19
-            width_m = 0.07
-            thickness_m = 0.02
-            mass_kg = 2.0
-            push = {{ force_n = {force:?} }}
-            initial = {{ velocity_m_s = [0.0, 0.1] }}
-            [[abutment]]
-            name = "wall"
-            faces = "deck"
-            gap_m = 0.0
-            width_m = 2.0
-            "#
-        );
-        let model = Model::compile(&format::parse(&text, "test").expect("a scene")).expect("a sound scene");
-        let world = World::new(&Arc::new(model), 0);
+        let keys = format!("push = {{ force_n = {force:?} }}\ninitial = {{ velocity_m_s = [0.0, 0.1] }}");
+        let world = example::world(example::block(&keys, 0.0));
         let instant = ImpactInstant::new(&world, 0.0, &[0]);
         (world, instant)
     }

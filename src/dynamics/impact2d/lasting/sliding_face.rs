@@ -69,19 +69,16 @@ fn slide_bounds(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::impact2d::example;
     use crate::dynamics::impact2d::lasting::constrained_motion::FrictionMode;
     use crate::dynamics::model::coordinates::planar::WIDTH;
-    use crate::scene::presets;
 
     /// Whether a straight girder at its wall, with this number of kept points, has a closed form.
     fn closed_form(points: usize, friction: FrictionMode, change: impl FnOnce(&mut Model)) -> Option<SlidingFace> {
-        let mut scene = presets::load("straight-abutment").expect("a preset");
-        scene.abutments[0].gap = Some(0.0);
-        let mut model = Model::compile(&scene).expect("a sound scene");
+        let mut model = example::at_wall(|_| ());
         change(&mut model);
         let kinematics = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
-        let mut sites: Vec<usize> = model.pairs[0].contacts.clone().collect();
-        sites.retain(|&site| kinematics.point(&model, site).gap.abs() < 1e-12);
+        let mut sites = example::touching(&model, &kinematics);
         sites.truncate(points);
         let mode = ContactMode { pair: 0, sites, friction };
         slide_on_wall(&model, (0, &[mode]), &model.ground.piece(0), (0.0, &[0.0; WIDTH]), 1.0).map(|(slide, _)| slide)
@@ -89,9 +86,7 @@ mod tests {
 
     #[test]
     fn no_slide_is_faster_or_bends_more_than_its_bounds() {
-        let mut scene = presets::load("straight-abutment").expect("a preset");
-        scene.girders[0].push.force = [5.0, 3.0, 0.0];
-        let mut model = Model::compile(&scene).expect("a sound scene");
+        let mut model = example::preset("straight-abutment", |scene| scene.girders[0].push.force = [5.0, 3.0, 0.0]);
         let (s, piece) = (DVec2::from_angle(0.4), model.ground.piece(0));
         // As given, of negative stiffness along d, and of negative damping.
         for (stiffness, damping, friction) in [(1.0, 1.0, 0.2), (-1.0, 1.0, -0.7), (1.0, -1.0, 2.0)] {

@@ -3,18 +3,17 @@
 use glam::{DMat3, DVec2};
 
 use super::*;
+use crate::dynamics::impact2d::example;
 
 /// A preset's girder, its face on the wall and sliding.
 fn sliding(preset: &str, change: impl FnOnce(&mut Model), sign: f64) -> (Model, LastingContact) {
-    let mut scene = crate::scene::presets::load(preset).expect("a preset");
-    scene.abutments[0].gap = Some(0.0);
-    scene.girders[0].push.force = [40.0, 3.0, 0.0];
-    let mut model = Model::compile(&scene).expect("a sound scene");
+    let mut model = example::preset(preset, |scene| {
+        scene.abutments[0].gap = Some(0.0);
+        scene.girders[0].push.force = [40.0, 3.0, 0.0];
+    });
     change(&mut model);
     let home = Kinematics::new(&model, &[0], &[[0.0; WIDTH]], DVec3::ZERO);
-    let gap = |site: &usize| home.point(&model, *site).gap.abs() < 1e-12;
-    let mut sites: Vec<usize> = model.pairs[0].contacts.clone().filter(gap).collect();
-    sites.sort_by(|a, b| home.point(&model, *a).along.total_cmp(&home.point(&model, *b).along));
+    let sites = example::touching(&model, &home);
     let sites = vec![sites[0], sites[sites.len() - 1]];
     let s: DVec2 = home.point(&model, sites[0]).s;
     let v = s * (0.3 * sign);
