@@ -15,10 +15,19 @@ impl History {
     }
 }
 
+/// Numbers are handed to the hash in blocks of so many bytes: number by number it keeps a state for each. The hash is the same.
+const BLOCK: usize = 4096;
+
 /// Hash of paths, contact states and events.
 fn digest(history: &History) -> u64 {
-    let mut hash = Xxh3::new();
-    let mut add = |x: f64| hash.update(&x.to_bits().to_le_bytes());
+    let (mut hash, mut block) = (Xxh3::new(), Vec::with_capacity(BLOCK));
+    let mut add = |x: f64| {
+        block.extend_from_slice(&x.to_bits().to_le_bytes());
+        if block.len() >= BLOCK {
+            hash.update(&block);
+            block.clear();
+        }
+    };
     for (body, path) in history.paths.iter().enumerate() {
         for (number, span) in path.spans().enumerate() {
             add(span.from);
@@ -65,5 +74,6 @@ fn digest(history: &History) -> u64 {
             add(f64::from(u32::from(change.to.letter())));
         }
     }
+    hash.update(&block);
     hash.digest()
 }
