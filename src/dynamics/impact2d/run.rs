@@ -4,10 +4,11 @@ use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::impact2d::closing::next_impact::next_impact;
-use crate::dynamics::impact2d::constants::{EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE};
+use crate::dynamics::impact2d::constants::{CUT_SHORT_WORK, EVENTS_BEFORE_LEAST_DURATION, LEAST_DURATION, LEAST_SCALE};
 use crate::dynamics::impact2d::record::{LastingInterval, Record};
 use crate::dynamics::impact2d::tracks::Motion;
 use crate::dynamics::impact2d::world::World;
+use crate::dynamics::locate::constants::MAX_ADVANCES;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 
 /// State, queue and log of a run.
@@ -47,6 +48,9 @@ impl Run {
         let found = next_impact(&mut self.world, pair, t);
         self.schedule.effort.searches += 1;
         self.schedule.effort.looks += found.looks;
+        if found.looks > u64::from(MAX_ADVANCES) {
+            self.schedule.work += CUT_SHORT_WORK;
+        }
         self.world.pairs[pair].impact_due = found.impact;
         if found.due.is_finite() {
             self.schedule.queue.set(Self::pair(pair), found.due);
@@ -121,10 +125,14 @@ impl Run {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
+    use crate::dynamics::Model;
     use crate::dynamics::impact2d::example;
     use crate::dynamics::impact2d::lasting::constrained_motion::{ContactMode, FrictionMode};
     use crate::dynamics::impact2d::lasting::lasting_contact::LastingContact;
+    use crate::scene::presets;
 
     /// A girder of 2 kg without bearings 3 mm before a wall, at this velocity \[m/s\].
     fn run(speed: f64) -> Run {
@@ -184,5 +192,24 @@ mod tests {
             assert_eq!((run.record.lasting.len(), run.schedule.queue.pop()), (logged, None), "ended at {end} s");
             assert!(run.world.lasting[0].is_none(), "its number is free again");
         }
+    }
+
+    /// What the first search counts against the bound, of the paper's girder turned by a moment \[N·m\].
+    fn first_search(moment: f64) -> (usize, u64) {
+        let mut scene = presets::load("skew45-abutment").unwrap_or_else(|errors| panic!("{errors}"));
+        scene.girders[0].push.moment = moment;
+        let model = Arc::new(Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}")));
+        let mut run = Run::new(World::new(&model, 0));
+        run.search(0, 0.0);
+        (run.schedule.work, run.schedule.effort.looks)
+    }
+
+    #[test]
+    fn a_search_that_is_cut_short_counts_as_work() {
+        let (work, looks) = first_search(0.0);
+        assert!(work == 0 && looks < 1000, "{looks} looks");
+        // Thousands of millions of turns before the wall: 3e6 such searches would take days.
+        let (work, looks) = first_search(1e13);
+        assert!(work == CUT_SHORT_WORK && looks > u64::from(MAX_ADVANCES), "{work} for {looks} looks");
     }
 }
