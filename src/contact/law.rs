@@ -1,34 +1,35 @@
-//! A contact law: forces from the position and velocity of a node against a face, and the switching functions whose zeros
-//! change the state {open, stick, slip}.
+//! A contact law: forces from position and velocity of a node relative to a face, and the switching functions whose
+//! zeros change the state {open, stick, slip} (`docs/physics.md#contact-events`).
 //!
-//! Switching functions are lengths, not forces: `|F_t| − μ_s N` over `k_t` is `|s| − μ_s ℓ` with `ℓ = N(δ)/k_t`.
+//! Switching functions of stick are lengths: `|F_t| − μ_s N` over `k_t` is `|s| − μ_s ℓ` with `ℓ = N(δ)/k_t`.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::{Local, Normal, NormalLaw};
 
-/// What friction does in slip and on re-stick (`docs/physics.md#friction-laws`).
+/// Friction law in slip and on return to stick (`docs/physics.md#friction-laws`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FrictionLaw {
-    /// The paper's (54)–(59) in continuous time: the anchor is the projection in slip, the tangential force restarts at 0 on
-    /// re-stick.
+    /// (54)–(59) of the paper in continuous time: in slip the anchor is the projection, and on return to stick the
+    /// tangential force restarts at 0.
     Paper,
-    /// Elastic-plastic Coulomb (Cundall and Strack): the anchor is dragged, the force is continuous on re-stick.
+    /// Elastic-plastic Coulomb friction (Cundall and Strack): the anchor is dragged, the force is continuous on
+    /// return to stick.
     #[default]
     ReturnMapping,
 }
 
 impl FrictionLaw {
-    /// Every law, in the order of the documentation.
+    /// All laws, in the order of the documentation.
     pub const ALL: &'static [Self] = &[Self::Paper, Self::ReturnMapping];
-    /// Their words in files.
+    /// Names of all laws in files.
     pub const WORDS: &'static [&'static str] = &[Self::Paper.label(), Self::ReturnMapping.label()];
-    /// The law of a scene that names none.
+    /// Law of a scene without a law.
     pub const DEFAULT: Self = Self::ReturnMapping;
 
-    /// The word used in files and tables.
+    /// Name in files and tables.
     pub const fn label(self) -> &'static str {
         match self {
             Self::Paper => "paper",
@@ -37,65 +38,67 @@ impl FrictionLaw {
     }
 }
 
-/// The law of one contact, or of a whole pair before it is divided among its nodes.
+/// Law of one contact, or of a pair before its division among nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
-    /// Force along the normal.
+    /// Normal law.
     pub normal: Normal,
-    /// Stiffness of the tangential spring \[N/m\].
+    /// Stiffness of the tangential spring `k_t` \[N/m\].
     pub k_t: f64,
-    /// `C_t` \[N·s/m\].
+    /// Tangential dashpot `C_t` \[N·s/m\].
     pub c_t: f64,
-    /// `μ_s`.
+    /// Coefficient of static friction `μ_s` \[–\].
     pub mu_s: f64,
-    /// `μ_k`.
+    /// Coefficient of kinetic friction `μ_k` \[–\].
     pub mu_k: f64,
     /// Friction law.
     pub friction: FrictionLaw,
-    /// Whether the normal force is held at 0 or above; the phase in which it is, is a state of the contact.
+    /// Whether the normal force is held at 0 or above (`clamp`); whether it is held at 0 at present is part of a
+    /// contact's state.
     pub clamp: bool,
-    /// Speed below which sliding in two directions counts as stopped; 0 where sliding has one direction only \[m/s\].
+    /// Speed `v_stick` below which sliding in two directions counts as stopped; 0 for one direction of sliding
+    /// \[m/s\].
     pub v_stick: f64,
 }
 
-/// State of a closed contact with what it remembers.
+/// Mode of a closed contact, with the quantities that the forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// p stays at `anchor`, in the face's coordinates, from where the node projected as placed \[m\].
+    /// Stick: the anchor p stays on the face.
     Stick {
-        /// Where p is.
+        /// Position of p along the face, relative to the projection of the node as placed \[m\].
         anchor: DVec2,
     },
-    /// Sliding in `direction` (unit). The paper's law in two directions looks at `V_t` instead.
+    /// Slip along `direction`; law `paper` in two directions of sliding takes the direction of `V_t` instead.
     Slip {
         /// Unit direction of sliding in the face's axes.
         direction: DVec2,
     },
 }
 
-/// Forces on the node in the face's axes \[N\], and where p is.
+/// Forces on the node in the face's axes \[N\], and the anchor p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
-    /// Elastic normal force `N(δ)`.
+    /// Elastic normal force `N(δ)` \[N\].
     pub normal: f64,
-    /// Damping force along the normal.
+    /// Normal damping force \[N\].
     pub normal_damping: f64,
-    /// Tangential spring (stick, return mapping) or friction (paper's slip).
+    /// Force of the tangential spring (stick, return mapping), or friction (slip of law `paper`) \[N\].
     pub tangential: DVec2,
-    /// Tangential dashpot.
+    /// Force of the tangential dashpot \[N\].
     pub tangential_damping: DVec2,
-    /// `X_k − X_p` along the face \[m\].
+    /// Stretch, tangential part of `X_k − X_p` \[m\].
     pub stretch: DVec2,
-    /// `V_t` of (53b) \[m/s\].
+    /// Tangential velocity `V_t` of (53b) \[m/s\].
     pub sliding: DVec2,
-    /// `V_n` of (53b) \[m/s\].
+    /// Normal velocity `V_n` of (53b) \[m/s\].
     pub normal_velocity: f64,
-    /// Rate of p along the face: the plastic part of the motion \[m/s\].
+    /// Rate of the anchor along the face, the plastic part of the motion \[m/s\].
     pub anchor_rate: DVec2,
 }
 
 impl Forces {
-    /// Whole normal force \[N\].
+    /// Sum of the normal forces \[N\].
     pub fn normal_total(&self) -> f64 {
         self.normal + self.normal_damping
     }
@@ -109,23 +112,23 @@ impl Forces {
         ]
     }
 
-    /// Whole tangential force \[N\].
+    /// Sum of the tangential forces \[N\].
     pub fn tangential_total(&self) -> DVec2 {
         self.tangential + self.tangential_damping
     }
 }
 
-/// What happens to a contact at breakaway.
+/// Transition of a contact at breakaway.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Breakaway {
-    /// The slip that begins.
+    /// Mode after breakaway.
     pub mode: Mode,
-    /// Energy that the jump of p releases \[J\].
+    /// Energy released by the jump of the anchor \[J\].
     pub released: f64,
 }
 
 impl Law {
-    /// Whether friction acts at all: without it there is nothing to stick.
+    /// Whether the law has friction; without it there is no stick.
     pub fn has_friction(&self) -> bool {
         self.mu_s > 0.0
     }
@@ -136,7 +139,7 @@ impl Law {
         self.normal.length(here.penetration(), self.k_t)
     }
 
-    /// Length of a slipping contact's tangential spring, `μ_k ℓ`, 0 before the face \[m\].
+    /// Stretch of the tangential spring in slip, `μ_k ℓ`; 0 in front of the face \[m\].
     #[inline]
     pub fn slip_stretch(&self, here: &Local) -> f64 {
         (self.mu_k * self.length(here)).max(0.0)
@@ -148,7 +151,7 @@ impl Law {
         self.normal.length_slope(here.penetration(), self.k_t)
     }
 
-    /// Normal forces and velocities with the anchor at that stretch; no tangential force.
+    /// Normal forces and velocities with the anchor at stretch `stretch`, without tangential force.
     #[inline]
     pub(super) fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
         let (sliding, normal_velocity) = here.relative_velocity(stretch);
@@ -165,11 +168,12 @@ impl Law {
         }
     }
 
-    /// Mode of a contact that closes (`docs/physics.md#closing`): stick if the tangential force grows more slowly than its limit,
-    /// `k_t |V_t| < μ_s N′ |V_n|`, else slip along `V_t`. Where the normal velocity is 0, rates are accelerations.
+    /// Mode of a contact at its closing (`docs/physics.md#closing`): stick if the tangential force grows more slowly
+    /// than its limit, `k_t |V_t| < μ_s N′ |V_n|`, otherwise slip along `V_t`. Where both velocities are 0, the rates
+    /// given are accelerations.
     pub fn on_closing(&self, here: &Local, tangential: DVec2, normal: f64) -> Mode {
         let limit = self.mu_s * self.length_slope(here) * normal.abs();
-        // A law with N′(0) = 0 sticks where nothing moves along the face.
+        // For N′(0) = 0 a contact without tangential velocity sticks.
         let still = tangential == DVec2::ZERO && normal != 0.0 && self.has_friction();
         if still || tangential.length() < limit {
             Mode::Stick { anchor: here.way }
@@ -183,12 +187,12 @@ impl Law {
         self.normal.stored_energy(here.penetration()) + 0.5 * (self.k_t * forces.stretch.length_squared())
     }
 
-    /// Energy of an overlap of rounding size at the instant of closing, `½ N δ` by the trapezoidal rule \[J\].
+    /// Energy of an overlap of round-off size at closing, `½ N δ` by the trapezoidal rule \[J\].
     pub fn entry_energy(&self, here: &Local) -> f64 {
         0.5 * self.normal.elastic(here.penetration()) * here.penetration()
     }
 
-    /// Whether the normal force has zeros that end a phase of the clamp.
+    /// Whether the normal force has zeros inside a touch that switch the clamp.
     pub fn has_kinks(&self) -> bool {
         self.clamp && self.normal.can_pull()
     }

@@ -4,6 +4,7 @@
 //! functions of the state {open, stick, slip}; [`parameters`] derives a law's numbers from a scene's. All vectors are in the
 //! face's axes: first tangent, second tangent, outward normal.
 
+mod constants;
 pub mod friction;
 pub mod law;
 pub mod node_face;

@@ -1,80 +1,79 @@
-//! Where a node is relative to a face (paper equations (52), (53)).
+//! Position and velocity of a node relative to a face (paper, (52), (53); `docs/physics.md#contact-kinematics`).
 //!
-//! Everything is measured in the face's axes `(t1, t2, n)`, origin at its corner a, so that a law never sees a body.
-//! Velocities come twice: the rate of the node's coordinates in the face's frame, and `V = V_k − V_p` (53b), taken at the
-//! point p of the face that holds the node; on a turning face the two differ by `ω × (X_k − X_p)`.
+//! Quantities are in the face's axes `(t1, t2, n)` with their origin at corner a, so that a law is independent of
+//! bodies. There are two velocities: the rate of the node's coordinates in the face's frame, and `V = V_k − V_p`
+//! (53b) relative to the anchor p; on a rotating face they differ by `ω × (X_k − X_p)`.
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
+use super::constants::PLACED_ROUNDING;
 use crate::geometry::Face;
 
-/// A gap as placed is none below this part of the levers that it is the difference of.
-const PLACED: f64 = 4.0 * f64::EPSILON;
-
-/// Pose and twist of a body, all in the world frame.
+/// Pose and twist of a body, world axes.
 ///
-/// Place and attitude are kept as what they were as placed and what came since: their sum would round away the last digits
-/// of a gap, which is as small against the girder as what came since.
+/// Position and attitude are split into the placed ones and the change since: their sum would round off the last
+/// digits of a gap, which is as small against the girder as that change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where G was placed \[m\].
+    /// Position of G as placed \[m\].
     pub home: DVec3,
-    /// Displacement of G since \[m\].
+    /// Displacement of G since placed \[m\].
     pub shift: DVec3,
-    /// What it has turned since, less the identity: `D` of `R = (1 + D) R₀`.
+    /// Rotation since placed less the identity: `D` of `R = (1 + D) R₀` \[–\].
     pub turned: DMat3,
     /// Velocity of G \[m/s\].
     pub velocity: DVec3,
     /// Angular velocity \[rad/s\].
     pub spin: DVec3,
-    /// Whether it stands upright and moves in plan only: no roll, no pitch, no vertical velocity.
+    /// Whether the motion is plane: no roll, no pitch, no vertical velocity.
     pub level: bool,
 }
 
 impl Frame {
-    /// A frame at rest in the ground, world axes, about `home`.
+    /// A body at rest as placed, with G at `home`.
     pub fn fixed(home: DVec3) -> Self {
         let still = DVec3::ZERO;
         Self { home, shift: still, turned: DMat3::ZERO, velocity: still, spin: still, level: true }
     }
 
-    /// Where G is \[m\].
+    /// Position of G \[m\].
     pub fn origin(&self) -> DVec3 {
         self.home + self.shift
     }
 
-    /// A vector that turns with the body, from what it was as placed.
+    /// Present vector of one fixed to the body that is `placed` as placed.
     #[inline]
     pub fn turn(&self, placed: DVec3) -> DVec3 {
         placed + self.turned * placed
     }
 
-    /// Body axes in the columns, from what they were as placed.
+    /// Present body axes, in the columns, from those as placed.
     #[inline]
     pub fn rotation(&self, placed: &DMat3) -> DMat3 {
         *placed + self.turned * *placed
     }
 
-    /// How far a point at this distance from G has come since it was placed, at most \[m\].
+    /// Upper bound of the displacement since placed of a point at distance `arm` from G \[m\].
     pub fn moved(&self, arm: f64) -> f64 {
-        // Columns of D have the length of a chord, but for that along the axis.
+        // Half of the squared Frobenius norm of D is the squared chord `(2 sin θ/2)²` of a point at unit distance
+        // from the axis.
         let [x, y, z] = [self.turned.x_axis, self.turned.y_axis, self.turned.z_axis];
         let chord2 = 0.5 * (x.length_squared() + y.length_squared() + z.length_squared());
         self.shift.length() + chord2.sqrt() * arm
     }
 
-    /// How fast it is at most \[m/s\].
+    /// Upper bound of the speed of a point at distance `arm` from G \[m/s\].
     pub fn speed(&self, arm: f64) -> f64 {
         self.velocity.length() + self.spin.length() * arm
     }
 
-    /// World velocity of what is at `arm` from G and turns with the body \[m/s\].
+    /// World velocity of a point of the body at `arm` from G \[m/s\].
     pub fn velocity_at(&self, arm: DVec3) -> DVec3 {
         self.velocity + self.spin.cross(arm)
     }
 }
 
-/// The rotation of a unit quaternion less the identity, exact to the last digits of a small one.
+/// Rotation of a unit quaternion less the identity, without cancellation for a small rotation.
 pub fn turned_by(q: DQuat) -> DMat3 {
     let (x, y, z, w) = (2.0 * q.x, 2.0 * q.y, 2.0 * q.z, q.w);
     let (xx, yy, zz) = (x * q.x, y * q.y, z * q.z);
@@ -87,14 +86,14 @@ pub fn turned_by(q: DQuat) -> DMat3 {
     )
 }
 
-/// A node and a face as placed, world axes: what their motion since is counted from.
+/// Geometry of a node and a face as placed, world axes: reference of their motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Home {
     /// The face's axes `(t1, t2, n)` in the columns.
     pub axes: DMat3,
-    /// The node in them, from corner a \[m\].
+    /// Node from corner a, in the face's axes \[m\].
     at: DVec3,
-    /// Node from corner a \[m\].
+    /// Node from corner a, world axes \[m\].
     apart: DVec3,
     /// Node from its own body's G \[m\].
     pub arm: DVec3,
@@ -102,17 +101,17 @@ pub struct Home {
     pub lever: DVec3,
     /// Corner a from the face body's G \[m\].
     corner: DVec3,
-    /// Whether the face stands upright, its first tangent level.
+    /// Whether the face is vertical and its first tangent horizontal.
     pub upright: bool,
 }
 
 impl Home {
-    /// `g` \[m\].
+    /// Gap as placed \[m\].
     pub fn gap(&self) -> f64 {
         self.at.z
     }
 
-    /// The same as if both had been placed where they are in these poses, which do not move.
+    /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.
     #[must_use]
     pub fn seen_from(&self, node_body: &Frame, face_body: &Frame) -> Self {
         let Measured { here, arm, apart } = measure(self, node_body, face_body);
@@ -128,51 +127,52 @@ impl Home {
         }
     }
 
-    /// The same with the node there, in the face's axes from corner a \[m\].
+    /// Geometry with the node at `at` from corner a, in the face's axes \[m\].
     #[must_use]
     pub fn with_node(self, at: DVec3) -> Self {
         Self { at, ..self }
     }
 
-    /// Of `node`, a fixed point of one body, and a face of another, with where both were placed and their axes there.
+    /// Geometry of `node`, a fixed point of one body, and a face of another, with position of G and axes of both as
+    /// placed.
     pub fn of(node: DVec3, (node_home, node_axes): (DVec3, DMat3), face: &Face, (home, axes): (DVec3, DMat3)) -> Self {
         let (arm, corner) = (node_axes * node, axes * face.corners[0]);
         let lever = (node_home - home) + arm;
         let in_face = axes.transpose() * lever - face.corners[0];
         let along = DMat3::from_cols(face.tangent, face.bitangent, face.normal);
         let mut at = along.transpose() * in_face;
-        // What is placed on a face is on it: its places' rounding is no gap.
-        if at.z.abs() <= PLACED * (lever.length() + face.corners[0].length()) {
+        // A gap within round-off of the placed positions is 0.
+        if at.z.abs() <= PLACED_ROUNDING * (lever.length() + face.corners[0].length()) {
             at.z = 0.0;
         }
         Self { axes: axes * along, at, apart: lever - corner, arm, lever, corner, upright: face.is_upright() }
     }
 }
 
-/// A node relative to a face, in the face's axes.
+/// Position and velocity of a node relative to a face, in the face's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Local {
-    /// `g`, positive apart \[m\].
+    /// Gap `g`, positive apart \[m\].
     pub gap: f64,
-    /// `ġ` \[m/s\].
+    /// Rate of the gap `ġ` \[m/s\].
     pub gap_rate: f64,
     /// Projection of the node, from corner a \[m\].
     pub at: DVec2,
-    /// How far that is from where it was as placed, exact to the last digits of a small way \[m\].
+    /// Displacement of the projection since placed, without cancellation for a small one \[m\].
     pub way: DVec2,
-    /// Its rate in the face's frame \[m/s\].
+    /// Rate of the projection in the face's frame \[m/s\].
     pub rate: DVec2,
     /// Angular velocity of the face about its own axes `(t1, t2, n)` \[rad/s\].
     pub spin: DVec3,
 }
 
 impl Local {
-    /// `δ = −g` \[m\].
+    /// Penetration `δ = −g` \[m\].
     pub fn penetration(&self) -> f64 {
         -self.gap
     }
 
-    /// `(V_t, V_n)` of (53b) with the holding point at `at − stretch` \[m/s\].
+    /// Velocities `(V_t, V_n)` of (53b), relative to the anchor at `at − stretch` \[m/s\].
     pub fn relative_velocity(&self, stretch: DVec2) -> (DVec2, f64) {
         let w = self.spin;
         let tangential =
@@ -181,10 +181,10 @@ impl Local {
     }
 }
 
-/// A node against a face, and where it is from either body's G.
+/// A node relative to a face, with its levers from G of both bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// In the face's axes.
+    /// Position and velocity in the face's axes.
     pub here: Local,
     /// Node from its own body's G, world axes \[m\].
     pub arm: DVec3,
@@ -192,23 +192,24 @@ pub struct Measured {
     pub apart: DVec3,
 }
 
-/// Measures a node, a fixed point of one body, against a face of another.
+/// Position and velocity of a node, a fixed point of one body, relative to a face of another.
 #[inline]
 pub fn locate(home: &Home, node_body: &Frame, face_body: &Frame) -> Local {
     measure(home, node_body, face_body).here
 }
 
-/// The gap and its rate alone.
+/// Gap \[m\] and its rate \[m/s\] alone.
 #[inline]
 pub fn gap(home: &Home, node_body: &Frame, face_body: &Frame) -> [f64; 2] {
     let here = measure(home, node_body, face_body).here;
     [here.gap, here.gap_rate]
 }
 
-/// The same, with the node's levers.
+/// Position, velocity and levers of a node relative to a face.
 ///
 /// With `D` of both bodies, `e` an axis of the face as placed and `d = Δx + D_k arm − D_p corner`, the node is at
-/// `e·r₀ + e·(d + D_pᵀ (r₀ + d))` from corner a, where `r₀` is what it was: all but the first is as small as the motion.
+/// `e·r₀ + e·(d + D_pᵀ (r₀ + d))` from corner a, where `r₀` is its position as placed; all terms but the first are as
+/// small as the motion.
 #[inline]
 pub fn measure(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
     if node_body.level && face_body.level && home.upright {
@@ -224,7 +225,7 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
     let shifted = (node_body.shift - face_body.shift) + swung;
     let (arm, apart) = (home.arm + swung, home.lever + shifted);
     let velocity = node_body.velocity_at(arm) - face_body.velocity_at(apart);
-    // An abutment does not turn: the products with 0 left out, not a bit differs.
+    // The products with the zero rotation of an abutment are left out; the result is equal to the last bit.
     let (moved, velocity, spin) = if face_body.turned == DMat3::ZERO {
         (shifted, velocity, face_body.spin)
     } else {
@@ -245,7 +246,8 @@ fn measure_in_space(home: &Home, node_body: &Frame, face_body: &Frame) -> Measur
     Measured { here, arm, apart }
 }
 
-/// The same sums without the terms that are 0 between upright bodies: not a bit differs, at a third of the work.
+/// The sums of [`measure`] without the terms that are 0 in plane motion: equal to the last bit, at a third of the
+/// operations.
 #[inline]
 fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measured {
     let times = |m: &DMat3, v: DVec3| (m.x_axis.x * v.x + m.y_axis.x * v.y, m.x_axis.y * v.x + m.y_axis.y * v.y);
@@ -288,7 +290,7 @@ fn measure_in_plan(home: &Home, node_body: &Frame, face_body: &Frame) -> Measure
 mod tests {
     use super::*;
 
-    /// A body turned by `turn` about the vertical since it was placed, moving in plan.
+    /// A body rotated by `turn` about the vertical since placed, in plane motion.
     fn body(home: DVec3, turn: f64, spin: f64) -> Frame {
         Frame {
             shift: DVec3::new(0.013, -0.021, 0.0),
@@ -344,7 +346,7 @@ mod tests {
 
     #[test]
     fn what_is_placed_on_a_face_is_on_it() {
-        // 0.1 + 0.2 is not 0.3: two girders in a row end to end.
+        // 0.1 + 0.2 is not 0.3 in round-off: two girders end to end.
         let quad = [(0.0, -1.0, -1.0), (0.0, 1.0, -1.0), (0.0, 1.0, 1.0), (0.0, -1.0, 1.0)];
         let face = Face::new(quad.map(|(x, y, z)| DVec3::new(0.3 + x, y, z)), 1.0).expect("a square");
         let axes = DMat3::IDENTITY;
@@ -356,7 +358,7 @@ mod tests {
 
     #[test]
     fn a_small_motion_moves_the_gap_by_its_own_last_digit() {
-        // As far apart as the bodies are wide, the sum of places would know 1e-16 m.
+        // With positions of the size of the bodies, a sum would have a round-off of 1e-16 m.
         let face = face();
         let still = Frame::fixed(DVec3::ZERO);
         let placed = Frame::fixed(DVec3::new(9.0, 0.4, 0.0));

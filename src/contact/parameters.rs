@@ -1,43 +1,39 @@
-//! The law of a pair of facing ends and of each of its nodes, from a scene's numbers: paper equations (64), (65).
+//! Contact law of a pair of facing ends from the parameters of a scene, (64), (65) of the paper, and its division
+//! among nodes.
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use super::constants::{EDGE_TOLERANCE, V_STICK};
 use super::normal::{Linear, Normal, NormalLaw};
 use super::{FrictionLaw, Law};
 use crate::geometry::Face;
 
-/// Sliding in two directions below this speed counts as stopped (`docs/physics.md#stop`): a regularisation, tuned \[m/s\].
-const V_STICK: f64 = 1e-6;
-/// Projections this far outside a face, in parts of its size, count as on its edge; tuned: far above the rounding of ends
-/// placed edge on edge, 1e-16, and far below any width.
-const EDGE: f64 = 1e-9;
-
-/// Contact numbers of a pair of facing ends.
+/// Contact parameters of a pair of facing ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairNumbers {
-    /// `K` \[N/m\].
+    /// Stiffness `K` \[N/m\].
     pub stiffness: f64,
-    /// Reduced mass M of the two bodies \[kg\].
+    /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies \[kg\].
     pub mass: f64,
-    /// `e_n`.
+    /// Coefficient of restitution `e_n` \[–\].
     pub restitution_normal: f64,
-    /// `e_t`.
+    /// Coefficient of restitution `e_t` \[–\].
     pub restitution_tangential: f64,
-    /// `μ_s`.
+    /// Coefficient of static friction `μ_s` \[–\].
     pub mu_static: f64,
-    /// `μ_k`.
+    /// Coefficient of kinetic friction `μ_k` \[–\].
     pub mu_kinetic: f64,
     /// Friction law.
     pub friction: FrictionLaw,
-    /// Whether the normal force is held at 0 or above.
+    /// Whether the normal force is held at 0 or above (`clamp`).
     pub clamp: bool,
-    /// Whether sliding has one direction only.
+    /// Whether sliding has one direction.
     pub one_way: bool,
 }
 
-/// Kelvin–Voigt law of a whole pair: K along normal and tangent, dashpots of (65).
+/// Linear law of a whole pair: K along normal and tangents, dashpots of (65).
 pub fn law_of_pair(numbers: &PairNumbers) -> Law {
     let &PairNumbers { stiffness: k, mass, restitution_normal, restitution_tangential, .. } = numbers;
     let dashpots = dashpots(k, mass, restitution_normal, restitution_tangential);
@@ -54,32 +50,32 @@ pub fn law_of_pair(numbers: &PairNumbers) -> Law {
 }
 
 impl Law {
-    /// The law of one of `nodes` that share this one.
+    /// Law of one of `nodes` nodes that share this law.
     #[must_use]
     pub fn shared(&self, nodes: usize) -> Self {
         let parts = nodes as f64;
         Self { normal: self.normal.divided(parts), k_t: self.k_t / parts, c_t: self.c_t / parts, ..*self }
     }
 
-    /// Dashpots at the face.
+    /// Dashpots at penetration 0.
     pub fn dashpots(&self) -> Dashpots {
         Dashpots { normal: self.normal.damping_coefficient(0.0), tangential: self.c_t }
     }
 }
 
-/// Distance of a projection on a face, from its corner a, outside of the face's polygon, edges included; negative inside
-/// \[m\].
+/// Distance of a projection outside of the face's polygon, edges included; negative inside \[m\]. The projection is
+/// from corner a.
 #[inline]
 pub fn outside(face: &Face, at: DVec2) -> f64 {
-    -(face.inset_at(at) + EDGE * face.size())
+    -(face.inset_at(at) + EDGE_TOLERANCE * face.size())
 }
 
-/// Whether a projection is inside a face's polygon, edges included.
+/// Whether a projection is inside a face's polygon, edges included to [`EDGE_TOLERANCE`] of its size.
 pub fn is_over(face: &Face, at: DVec2) -> bool {
-    face.inset_at(at) >= -EDGE * face.size()
+    face.inset_at(at) >= -EDGE_TOLERANCE * face.size()
 }
 
-/// Number of nodes that share the law of a pair: those over the faces opposite, at least one.
+/// Number of nodes that share the law of a pair: those with projections inside the facing polygon, at least one.
 pub fn sharers<'a>(nodes: impl Iterator<Item = (&'a Face, DVec2)>) -> usize {
     nodes.filter(|(face, at)| is_over(face, *at)).count().max(1)
 }
@@ -87,24 +83,24 @@ pub fn sharers<'a>(nodes: impl Iterator<Item = (&'a Face, DVec2)>) -> usize {
 /// Dashpots of a pair of facing ends \[N·s/m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dashpots {
-    /// `C_n`.
+    /// Normal dashpot `C_n` \[N·s/m\].
     pub normal: f64,
-    /// `C_t`.
+    /// Tangential dashpot `C_t` \[N·s/m\].
     pub tangential: f64,
 }
 
-/// `ξ = −ln e / √(π² + (ln e)²)` (65), for a coefficient of restitution `0 < e ≤ 1`; 0 for e = 1.
+/// Damping ratio `ξ = −ln e / √(π² + (ln e)²)` (65) of a coefficient of restitution `0 < e ≤ 1` \[–\].
 pub fn damping_ratio(restitution: f64) -> f64 {
     let l = restitution.ln();
     -l / PI.hypot(l)
 }
 
-/// Mass that a pair of bodies moves with against each other, `M₁M₂/(M₁+M₂)`; a fixed body has infinite mass \[kg\].
+/// Reduced mass of two bodies, `M₁M₂/(M₁+M₂)`; a fixed body has infinite mass \[kg\].
 pub fn reduced_mass(first: f64, second: f64) -> f64 {
     if second.is_infinite() { first } else { first * second / (first + second) }
 }
 
-/// `C_i = 2 ξ_i √(K M)` (65), `M` the reduced mass.
+/// Dashpots `C_i = 2 ξ_i √(K M)` (65) with the reduced mass `M`.
 pub fn dashpots(stiffness: f64, mass: f64, restitution_normal: f64, restitution_tangential: f64) -> Dashpots {
     let critical = 2.0 * (stiffness * mass).sqrt();
     Dashpots {

@@ -1,7 +1,8 @@
-//! Friction laws: tangential force, anchor and switching functions of a contact that sticks or slips.
+//! Friction laws: tangential force, anchor and switching functions of a contact in stick or slip
+//! (`docs/physics.md#friction-laws`).
 //!
-//! The normal force enters as a length, `ℓ(δ) = N(δ)/k_t`, the stretch of the tangential spring that carries it: the cone
-//! `|F_t| ≤ μ_s N` is `|s| ≤ μ_s ℓ`. With `N = K δ` and `k_t = K`, as the paper has it, ℓ = δ.
+//! The normal force enters as a length, `ℓ(δ) = N(δ)/k_t`, the stretch of the tangential spring that carries it: the
+//! cone `|F_t| ≤ μ_s N` is `|s| ≤ μ_s ℓ`. With `N = K δ` and `k_t = K`, as in the paper, ℓ = δ.
 
 pub(super) mod paper;
 pub(super) mod return_mapping;
@@ -12,7 +13,7 @@ use super::law::{Breakaway, Forces, FrictionLaw, Law, Mode};
 use super::node_face::Local;
 
 impl Law {
-    /// Forces on the node; the caller asks only while the contact is closed.
+    /// Forces on the node of a closed contact \[N\].
     #[inline]
     pub fn forces(&self, mode: &Mode, here: &Local) -> Forces {
         match (mode, self.friction) {
@@ -22,7 +23,7 @@ impl Law {
         }
     }
 
-    /// Switching function: negative while the state holds, rises through 0 at breakaway in stick and at the stop in slip.
+    /// Switching function, negative while the state lasts: breakaway in stick \[m\], stop in slip \[m/s\].
     #[inline]
     pub fn switch(&self, mode: &Mode, here: &Local) -> f64 {
         match (mode, self.friction) {
@@ -32,7 +33,7 @@ impl Law {
         }
     }
 
-    /// What breakaway makes of a stick (`docs/physics.md#breakaway`).
+    /// Slip after breakaway, and the energy released (`docs/physics.md#breakaway`).
     pub fn on_breakaway(&self, anchor: DVec2, here: &Local) -> Breakaway {
         match self.friction {
             FrictionLaw::Paper => paper::breakaway(self, anchor, here),
@@ -40,7 +41,7 @@ impl Law {
         }
     }
 
-    /// What stopping makes of a slip (`docs/physics.md#stop`).
+    /// Stick after a stop (`docs/physics.md#stop`).
     pub fn on_stopping(&self, direction: DVec2, here: &Local) -> Mode {
         match self.friction {
             FrictionLaw::Paper => Mode::Stick { anchor: here.way },
@@ -51,7 +52,7 @@ impl Law {
     }
 }
 
-/// (57a), the same in both laws: tangential spring to the anchor and both dashpots.
+/// Forces in stick (57a), equal in both laws: tangential spring to the anchor and both dashpots.
 pub(super) fn stick(law: &Law, anchor: DVec2, here: &Local) -> Forces {
     let stretch = here.way - anchor;
     let pressed = law.pressed(here, stretch);
@@ -65,19 +66,19 @@ pub(in crate::contact) mod example {
     use crate::contact::normal::Linear;
     use crate::contact::{FrictionLaw, Law, Local, Normal};
 
-    /// A contact whose tangential spring is half as stiff as its normal one, so that ℓ = 2 δ.
+    /// A contact whose tangential spring has half the stiffness of its normal one, so that ℓ = 2 δ.
     pub(in crate::contact) fn law(friction: FrictionLaw) -> Law {
         let normal = Normal::Linear(Linear { k: 2e5, c: 0.0 });
         Law { normal, k_t: 1e5, c_t: 30.0, mu_s: 0.5, mu_k: 0.4, friction, clamp: false, v_stick: 0.0 }
     }
 
-    /// A node 1 mm in, at that place and rate along the first tangent.
+    /// A node at a penetration of 1 mm, at this position and rate along the first tangent.
     pub(in crate::contact) fn node(way: f64, rate: f64) -> Local {
         let (at, rate) = (DVec2::new(way, 0.0), DVec2::new(rate, 0.0));
         Local { gap: -1e-3, gap_rate: 0.0, at, way: at, rate, spin: DVec3::ZERO }
     }
 
-    /// Whether two numbers agree to rounding.
+    /// Whether two numbers agree to round-off.
     pub(in crate::contact) fn agree(what: &str, got: f64, expected: f64) {
         assert!((got - expected).abs() <= 1e-12 * expected.abs().max(1e-12), "{what}: {got} is not {expected}");
     }

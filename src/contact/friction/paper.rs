@@ -1,18 +1,16 @@
-//! The paper's friction (55)–(59), read in continuous time (`docs/physics.md#law-paper`).
+//! Friction law `paper`: (55)–(59) in continuous time (`docs/physics.md#law-paper`).
 //!
-//! In slip p is the projection of the node: no tangential spring, no tangential dashpot, friction `μ_k |F_n|` against the
-//! sliding velocity. On re-stick the tangential force starts again from 0, so a static load creeps; `return_mapping` is
-//! the law that holds.
+//! In slip the anchor is the projection of the node: tangential spring and dashpot are zero, and friction `μ_k |F_n|`
+//! opposes the sliding velocity. On return to stick the tangential force restarts from 0, so that a static load
+//! creeps; `return_mapping` holds one.
 
 use glam::DVec2;
 
+use crate::contact::constants::SLIDING_ROUNDING;
 use crate::contact::{Breakaway, Forces, Law, Local, Mode};
 
-/// Below this fraction of the node's speed, `V_t` at breakaway is rounding and the direction comes from the spring.
-const STILL: f64 = 1e-12;
-
-/// (57b), (59). With one direction of sliding, friction opposes `direction` until `V_t` stops; with two, it opposes
-/// `V_t / max(|V_t|, v_stick)`.
+/// Forces in slip, (57b), (59). With one direction of sliding, friction opposes `direction` until `V_t` stops; with
+/// two, it opposes `V_t / max(|V_t|, v_stick)`.
 pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
     let pressed = law.pressed(here, DVec2::ZERO);
     let sliding = pressed.sliding;
@@ -20,8 +18,9 @@ pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> For
     Forces { tangential: along * (-law.mu_k * pressed.normal), anchor_rate: sliding, ..pressed }
 }
 
-/// Rises through 0 when `V_t` stops (`docs/physics.md#stop`). With two directions of sliding it is above 0 for a moment only: smooth, so that
-/// looks on either side bend towards it, where the length of `V_t` would come to a point.
+/// Switching function of slip, through 0 when `V_t` stops (`docs/physics.md#stop`). With two directions of sliding it
+/// is quadratic in `V_t` and positive for a short time only, which its second difference shows on either side;
+/// `|V_t|` itself has a kink there.
 pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
     let (sliding, _) = here.relative_velocity(DVec2::ZERO);
     if law.v_stick > 0.0 {
@@ -31,12 +30,13 @@ pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) ->
     }
 }
 
-/// Breakaway (`docs/physics.md#breakaway`): friction opposes `V_t`, whatever its direction; where `V_t` is zero, it points along the spring's pull.
+/// Breakaway (`docs/physics.md#breakaway`): friction opposes `V_t`, whatever its direction; for zero `V_t` it points
+/// along the spring's pull.
 pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
     let (sliding, normal) = here.relative_velocity(DVec2::ZERO);
     let speed = sliding.length();
-    let still = STILL * (speed + normal.abs());
+    let still = SLIDING_ROUNDING * (speed + normal.abs());
     let direction = if speed > still { sliding / speed } else { stretch.try_normalize().unwrap_or(DVec2::X) };
     Breakaway { mode: Mode::Slip { direction }, released: 0.5 * law.k_t * stretch.length_squared() }
 }

@@ -1,15 +1,17 @@
-//! Elastic-plastic Coulomb friction after Cundall and Strack (1979): the default law
+//! Friction law `return-mapping`: elastic-plastic Coulomb friction after Cundall and Strack (1979), the default
 //! (`docs/physics.md#law-return-mapping`).
 //!
-//! In slip p is dragged behind so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k δ d`. The
-//! tangential dashpot acts on the rate of the spring's own stretch, `−C_t (V_t − q̇)`, q̇ the rate of p along the face, so
-//! the force is continuous on re-stick. Breakaway at `μ_s` lets the spring drop to `μ_k`.
+//! In slip the anchor is dragged so that the spring carries exactly `μ_k |F_n|`: the stretch is `s = μ_k δ d`. The
+//! tangential dashpot acts on the rate of the spring's own stretch, `−C_t (V_t − q̇)`, with q̇ the rate of the anchor
+//! along the face, so that the force is continuous on return to stick. Breakaway at `μ_s` reduces the stretch to
+//! `μ_k`.
 
 use glam::DVec2;
 
 use crate::contact::{Breakaway, Forces, Law, Local, Mode};
 
-/// Slip in the direction `d` of the stretch. A turning `d` (two directions of sliding) is a state of the integrator.
+/// Forces in slip in the direction `d` of the stretch. A `d` that turns (two directions of sliding) is a state of the
+/// integrator.
 pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> Forces {
     let stretch = direction * (law.mu_k * law.length(here));
     let pressed = law.pressed(here, stretch);
@@ -22,10 +24,11 @@ pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> For
     }
 }
 
-/// Rises through 0 when the plastic rate `λ = q̇·d` returns to 0 (`docs/physics.md#stop`).
+/// Switching function of slip, through 0 when the plastic rate `λ = q̇·d` returns to 0 (`docs/physics.md#stop`)
+/// \[m/s\].
 ///
-/// With `μ_k = 0` there is no stretch to give d: it is where the node slides to, and in two directions of sliding nothing
-/// comes to rest.
+/// With `μ_k = 0` there is no stretch to define d: d is the direction of sliding, and in two directions of sliding
+/// there is no return to stick.
 pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
     if law.mu_k == 0.0 && law.v_stick > 0.0 {
         return -here.rate.length();
@@ -33,10 +36,10 @@ pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) ->
     -(here.rate.dot(direction) + law.mu_k * law.length_slope(here) * here.gap_rate)
 }
 
-/// Breakaway: the stretch drops from `μ_s δ` to `μ_k δ`, along itself.
+/// Breakaway: the stretch is reduced along itself from `μ_s δ` to `μ_k δ`.
 pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
-    // Without a stretch there is nothing to pull: it slides where it goes.
+    // Without a stretch the direction of slip is that of the velocity.
     let (sliding, _) = here.relative_velocity(stretch);
     let direction = stretch.try_normalize().or(sliding.try_normalize()).unwrap_or(DVec2::X);
     let kept = law.mu_k * law.length(here);
@@ -55,7 +58,7 @@ mod tests {
         let forces = law.forces(&Mode::Slip { direction: DVec2::X }, &node(5e-4, 0.1));
         agree("friction", forces.tangential.x, -law.mu_k * forces.normal);
         agree("its stretch", forces.stretch.x, 8e-4);
-        // At constant penetration the anchor moves with the node: the stretch has no rate to damp.
+        // At constant penetration the anchor moves with the node: the stretch has no rate and the dashpot no force.
         assert_eq!(forces.tangential_damping, DVec2::ZERO, "nothing is stretched further");
     }
 

@@ -1,13 +1,13 @@
-//! A normal law defined outside of this package, as a fraction of a law that lives as long as the program.
+//! A normal law defined outside of this package, as a fraction of a law with static lifetime.
 
 use super::NormalLaw;
 
 /// `fraction` times the forces of `law`.
 #[derive(Clone, Copy, Debug)]
 pub struct Custom {
-    /// The law of a whole pair.
+    /// Law of the whole pair.
     law: &'static dyn NormalLaw,
-    /// Part of its forces that acts \[–\].
+    /// Fraction of its forces \[–\].
     fraction: f64,
 }
 
@@ -18,18 +18,18 @@ impl PartialEq for Custom {
 }
 
 impl Custom {
-    /// The whole of a law.
+    /// The whole of `law`.
     pub fn of(law: &'static dyn NormalLaw) -> Self {
         Self { law, fraction: 1.0 }
     }
 
-    /// The law of one of `parts` equal contacts that together have this one.
+    /// Law of one of `parts` equal contacts that act in parallel as this law.
     #[must_use]
     pub fn divided(self, parts: f64) -> Self {
         Self { fraction: self.fraction / parts, ..self }
     }
 
-    /// The law of `count` such contacts together.
+    /// Law of `count` contacts of this law in parallel.
     #[must_use]
     pub fn times(self, count: f64) -> Self {
         Self { fraction: self.fraction * count, ..self }
@@ -65,7 +65,7 @@ impl NormalLaw for Custom {
         self.fraction * self.law.damping_bound(deepest)
     }
 
-    /// A part of the force on a mass is the whole force on as many times the mass.
+    /// A fraction of the force on a mass has the motion of the whole force on the mass divided by the fraction.
     fn frequency(&self, mass: f64, speed: f64) -> f64 {
         self.law.frequency(mass / self.fraction, speed)
     }

@@ -2,23 +2,23 @@
 
 use super::NormalLaw;
 
-/// Kelvin–Voigt.
+/// Spring and dashpot in parallel (Kelvin–Voigt).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linear {
-    /// `K` \[N/m\].
+    /// Stiffness `K` \[N/m\].
     pub k: f64,
-    /// `C_n` \[N·s/m\].
+    /// Dashpot `C_n` \[N·s/m\].
     pub c: f64,
 }
 
 impl Linear {
-    /// The law of one of `parts` equal contacts that together have this one.
+    /// Law of one of `parts` equal contacts that act in parallel as this law.
     #[must_use]
     pub fn divided(self, parts: f64) -> Self {
         Self { k: self.k / parts, c: self.c / parts }
     }
 
-    /// The law of `count` such contacts together.
+    /// Law of `count` contacts of this law in parallel.
     #[must_use]
     pub fn times(self, count: f64) -> Self {
         Self { k: self.k * count, c: self.c * count }
@@ -68,17 +68,17 @@ impl NormalLaw for Linear {
         speed / self.frequency(mass, speed)
     }
 
-    /// The dashpot pulls on the way out, where `C |V_n|` exceeds `K δ`.
+    /// On the way out the dashpot pulls where `C |V_n|` exceeds `K δ`.
     fn can_pull(&self) -> bool {
         self.c > 0.0
     }
 
-    /// K alone: C follows from it by (65).
+    /// K alone, since C follows from it by (65).
     fn digest(&self, add: &mut dyn FnMut(f64)) {
         add(self.k);
     }
 
-    /// δ itself, to the last bit, where both springs are alike (57a).
+    /// δ itself to the last bit where both springs have one stiffness (57a).
     #[inline]
     fn length(&self, penetration: f64, k_t: f64) -> f64 {
         if self.k == k_t { penetration } else { self.elastic(penetration) / k_t }

@@ -1,8 +1,9 @@
-//! Normal contact laws: force over penetration δ and its rate.
+//! Normal contact laws: normal force as a function of the penetration δ and the normal velocity
+//! (`docs/physics.md#normal-law`).
 //!
-//! Everything that depends on the shape of `N(δ)` is a method of [`NormalLaw`]: forces, stored energy, stiffness, time
-//! scale and the scales that numerical tolerances are set by. A new law is one file with an implementation of the trait and one
-//! variant of [`Normal`].
+//! All quantities that depend on the shape of `N(δ)` are methods of [`NormalLaw`]: forces, stored energy, stiffness,
+//! time scale, and the scales of numerical tolerances. A new law is one file with an implementation of the trait, and
+//! one variant of [`Normal`].
 
 mod custom;
 mod linear;
@@ -47,7 +48,7 @@ pub trait NormalLaw: Debug + Send + Sync {
     /// Whether elastic and damping force together can be negative, a pull, at δ > 0.
     fn can_pull(&self) -> bool;
 
-    /// Numbers by which a digest tells two laws of one scene apart.
+    /// Parameters by which a digest distinguishes laws.
     fn digest(&self, add: &mut dyn FnMut(f64));
 
     /// Normal force as a length: the stretch of a spring of stiffness `k_t` that carries `N(δ)`, `N/k_t` \[m\].
@@ -55,32 +56,32 @@ pub trait NormalLaw: Debug + Send + Sync {
         self.elastic(penetration) / k_t
     }
 
-    /// Derivative of that length by δ \[–\].
+    /// Derivative of the length by δ, `N′/k_t` \[–\].
     fn length_slope(&self, penetration: f64, k_t: f64) -> f64 {
         self.tangent_stiffness(penetration) / k_t
     }
 
-    /// Size of the normal force at penetrations and speeds of that size, by which its zeros are judged \[N\].
+    /// Scale of the normal force at penetrations and speeds of these sizes, for the tolerance of its zeros \[N\].
     fn force_scale(&self, depth: f64, speed: f64) -> f64 {
         self.elastic(depth) + self.damping_coefficient(depth) * speed
     }
 
-    /// Size of the change of the normal force at δ by a change of δ of that size at that circular frequency \[N\].
+    /// Scale of the change of the normal force at δ by a change of δ of this size at this circular frequency \[N\].
     fn change_scale(&self, penetration: f64, change: f64, frequency: f64) -> f64 {
         change * (self.tangent_stiffness(penetration) + self.damping_coefficient(penetration) * frequency)
     }
 }
 
-/// The normal law of a contact: one of those that exist, by value.
+/// Normal law of a contact, stored by value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Normal {
     /// Kelvin–Voigt, (54).
     Linear(Linear),
-    /// A law from outside this package.
+    /// A law defined outside of this package.
     Custom(Custom),
 }
 
-/// The value of an expression for whichever law it is.
+/// Evaluates an expression for the law of either variant.
 macro_rules! of_each {
     ($normal:expr, $law:ident => $value:expr) => {
         match $normal {
@@ -91,7 +92,7 @@ macro_rules! of_each {
 }
 
 impl Normal {
-    /// The law of one of `parts` equal contacts that together have this one.
+    /// Law of one of `parts` equal contacts that act in parallel as this law.
     #[must_use]
     pub fn divided(self, parts: f64) -> Self {
         match self {
@@ -100,7 +101,7 @@ impl Normal {
         }
     }
 
-    /// The law of `count` such contacts of equal penetration together.
+    /// Law of `count` contacts of this law and of equal penetration in parallel.
     #[must_use]
     pub fn times(self, count: f64) -> Self {
         match self {
