@@ -1,4 +1,4 @@
-//! Constants of the integrators: value, unit, effect and reason.
+//! Tolerance factors of the integrators: unit, effect, and derivation or the word "tuned". All without a unit but counts.
 
 // Radau IIA: Newton iteration.
 
@@ -7,7 +7,9 @@ pub(super) const NEWTON_ITERATIONS: usize = 12;
 /// Newton's iteration ends when the remaining error of the stages is below this part of the tolerance (κ of Hairer and Wanner,
 /// section IV.8, there 0.01 to 0.1).
 pub(super) const NEWTON_RESIDUAL: f64 = 5e-2;
-/// An iteration whose corrections no longer shrink has reached rounding; it is accepted up to this part of the tolerance. Tuned.
+/// Part of [`NEWTON_RESIDUAL`] below which the first correction ends the iteration, without a convergence rate. Tuned.
+pub(super) const NEWTON_FIRST_SHARE: f64 = 2e-3;
+/// An iteration whose corrections no longer shrink has reached round-off; it is accepted up to this part of the tolerance. Tuned.
 pub(super) const NEWTON_STALLED: f64 = 0.2;
 /// Convergence rate up to which the Jacobian is kept for the next step: every iteration then gives a
 /// digit.
@@ -33,7 +35,7 @@ pub(super) const FIVE_STAGE_FACTOR: f64 = 4.0;
 /// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without a Jacobian.
 /// Tuned.
 pub(super) const QUIET_STEP: f64 = 0.3;
-/// The same per fourth root of the relative tolerance: the error estimate of three stages is of fourth order. Tuned.
+/// Largest such step per fourth root of the relative tolerance: the error estimate of three stages is of fourth order. Tuned.
 pub(super) const QUIET_STEP_PER_ROOT: f64 = 3.5;
 
 // Dormand–Prince 8(5,3).
@@ -47,27 +49,43 @@ pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
 /// Explicit steps that span more time constants of the fastest motion than this, though their error is below [`LIMITED_ERROR`], are
 /// limited by stability. Tuned.
 pub(super) const STABILITY_LIMITED: f64 = 0.7;
-/// Error, in parts of the tolerance, below which a step is not limited by accuracy: 0.02^(−1/8) = 1.6 times the step would do.
+/// Error, in parts of the tolerance, below which a step is not limited by accuracy: one of 0.02^(−1/8) = 1.6 times the length
+/// is within the tolerance.
 pub(super) const LIMITED_ERROR: f64 = 0.02;
+/// Safety factor of a step length that follows from an error estimate, and largest factor after a rejection (Hairer, Nørsett
+/// and Wanner, section II.4).
+pub(super) const STEP_SAFETY: f64 = 0.9;
+/// Least factor from one step length to the next. Tuned.
+pub(super) const SHORTEST_FACTOR: f64 = 0.2;
+/// Largest factor from one explicit step length to the next (that of the program DOP853).
+pub(super) const LONGEST_FACTOR_EXPLICIT: f64 = 6.0;
+/// Largest factor from one implicit step length to the next. Tuned.
+pub(super) const LONGEST_FACTOR_IMPLICIT: f64 = 8.0;
+/// Factor to the next attempt where Newton's method fails. Tuned.
+pub(super) const UNSOLVED_FACTOR: f64 = 0.25;
+/// Factor to the next attempt where the error of an explicit step is not finite. Tuned.
+pub(super) const OVERFLOW_FACTOR: f64 = 0.1;
+/// Part of its length by which a step is at most stretched to the cap: a shorter remainder would cost a step. Tuned.
+pub(super) const CAP_STRETCH: f64 = 1.05;
 /// Factor to the next attempt from the second rejection on, where the error is above [`NEARLY_ACCEPTED`]. Tuned.
 pub(super) const REPEATED_REJECTION: f64 = 0.2;
 /// Error of a rejected step up to which the estimate's own factor is used: 3^(1/8) shortens it by an eighth. Tuned.
 pub(super) const NEARLY_ACCEPTED: f64 = 3.0;
 /// Successive steps limited by stability after which the method changes. Tuned (DOP853 waits for 15).
 pub(super) const METHOD_CHANGE_STEPS: u32 = 4;
-/// Explicit steps between two events after which the implicit method is tried, doubled after each trial: noise in the right-hand side
-/// can limit explicit steps as well. Tuned.
+/// Explicit steps between two events after which the implicit method is tried, doubled after each trial: round-off in the
+/// right-hand side can limit explicit steps as well. Tuned.
 pub(super) const TRIAL_STEPS: u32 = 64;
 /// Time constants of the fastest motion that explicit steps span at the cost of one implicit step. Tuned.
 pub(super) const IMPLICIT_STEP_WORTH: f64 = 12.0;
 /// Error, in parts of the tolerance, below which the next implicit step will be longer: the method is not given up then. Tuned.
 pub(super) const GROWING_ERROR: f64 = 0.2;
-/// A step ends this many times the expected interval after its start when an event is likely: a little beyond the event. Tuned.
+/// Length of a step that is cut for a forecast event, per interval to the event: its end is beyond the event. Tuned.
 pub(super) const BEYOND_EVENT: f64 = 1.5;
-/// Part of the proposed step below which it is worth being cut short for a likely event. Tuned.
+/// Part of the proposed length below which a step is cut for a forecast event. Tuned.
 pub(in crate::dynamics) const WORTHWHILE_CUT: f64 = 0.3;
-/// Shortest interval to a likely event for which a step is cut short, relative to the time: shorter, the step would be lost in
-/// the rounding of its ends.
+/// Shortest interval to a forecast event for which a step is cut, relative to the time: a shorter step would be round-off of
+/// its ends.
 pub(super) const SHORTEST_CUT: f64 = 64.0 * f64::EPSILON;
 /// Components beyond which the elimination of an implicit step, which grows with their cube, costs more than short explicit steps.
 /// Tuned.

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-/// A number that can be eliminated with.
+/// Field of numbers for the elimination: real or complex.
 pub(in crate::dynamics) trait Scalar:
     Copy
     + std::ops::Sub<Output = Self>
@@ -14,15 +14,15 @@ pub(in crate::dynamics) trait Scalar:
 {
     /// 0.
     const ZERO: Self;
-    /// Size, for choosing a pivot.
+    /// Magnitude, for the choice of pivots.
     fn size(self) -> f64;
     /// `1/self`.
     fn recip(self) -> Self;
     /// `self − x`.
     fn less(self, x: f64) -> Self;
-    /// What [`Self::over`] divides by a pivot with.
+    /// Factor stored in place of a pivot, by which [`Self::over`] divides.
     fn divisor(self) -> Self;
-    /// Divided by the pivot that this is the divisor of.
+    /// Quotient of this number and the pivot with divisor `divisor`.
     fn over(self, divisor: Self) -> Self;
 }
 
@@ -65,7 +65,7 @@ impl Scalar for Complex64 {
         self - x
     }
 
-    /// A complex division costs as much as four products.
+    /// Multiplication by the stored reciprocal; a complex division costs four products.
     fn divisor(self) -> Self {
         self.inv()
     }
@@ -75,7 +75,7 @@ impl Scalar for Complex64 {
     }
 }
 
-/// A factored matrix, rows after one another, with the order of its rows; its pivots stand in it as their divisors.
+/// LU factors of a matrix in row order with the permutation of its rows; pivots are stored as their divisors.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct Lu<T> {
     entries: Vec<T>,
@@ -89,7 +89,8 @@ impl<T> Default for Lu<T> {
 }
 
 impl<T: Scalar> Lu<T> {
-    /// Factors the matrix of `n` rows that `entry(row, column)` describes; `false` when it is singular or not finite.
+    /// Factors the matrix of `n` rows with the entries `entry(row, column)`; `false` for one that is singular or not
+    /// finite.
     pub(in crate::dynamics) fn factor(&mut self, n: usize, entry: impl Fn(usize, usize) -> T) -> bool {
         self.entries.clear();
         for i in 0..n {
@@ -134,7 +135,7 @@ impl<T: Scalar> Lu<T> {
         true
     }
 
-    /// Solves for `right`; the answer goes to `out`.
+    /// Solves for the right-hand side `right` and writes the solution to `out`.
     pub(in crate::dynamics) fn solve(&self, right: &[T], out: &mut [T]) {
         let n = self.rows.len();
         for i in 0..n {
@@ -155,15 +156,15 @@ impl<T: Scalar> Lu<T> {
 }
 
 impl Lu<f64> {
-    /// Size of the smallest pivot: how far the matrix is from singular.
+    /// Magnitude of the smallest pivot, a measure of the distance from a singular matrix.
     pub(in crate::dynamics) fn least_pivot(&self) -> f64 {
         let n = self.rows.len();
         (0..n).map(|k| self.entries[k * n + k].abs()).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Solves as many equations as there are rows at once: the right-hand side stands behind the matrix in each, and then the
-/// answer; `false` where they are singular.
+/// Solves as many equations as there are rows; a row holds its right-hand side behind its matrix, replaced by the
+/// solution. `false` for singular equations.
 pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> bool {
     let n = rows.len();
     for k in 0..n {
@@ -186,8 +187,8 @@ pub(in crate::dynamics) fn eliminate<const N: usize>(rows: &mut [[f64; N]]) -> b
     true
 }
 
-/// Solves `A x = b` for `A_rc = entry(r, c)`, `b_r = right(r)`; none where a number is not finite. Where `A` is singular,
-/// `compliance` times its largest entry is added to the diagonal: redundant rows share the load equally.
+/// Solves `A x = b` for `A_rc = entry(r, c)`, `b_r = right(r)`; `None` for entries that are not finite. To a singular
+/// `A`, `compliance` times its largest entry is added on the diagonal, so that redundant rows share the load equally.
 pub(in crate::dynamics) fn solve_regularised(
     size: usize,
     entry: impl Fn(usize, usize) -> f64,

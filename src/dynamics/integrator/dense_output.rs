@@ -9,23 +9,23 @@ pub const DENSE_TERMS: usize = 8;
 const STEEPEST: [[f64; DENSE_TERMS - 1]; 2] =
     [[1.0, 1.0, 1.0, 0.193, 0.136, 0.0537, 0.0336], [0.0, 2.0, 4.0, 2.0, 2.0, 0.375, 0.243]];
 
-/// A continuous answer over one step: `[component][coefficient]`.
+/// Dense output of one step: `[component][coefficient]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DenseOutput {
-    /// Where the step begins \[s\].
+    /// Beginning of the step \[s\].
     pub from: f64,
-    /// Its length \[s\].
+    /// Length of the step \[s\].
     pub step: f64,
     coefficients: Vec<[f64; DENSE_TERMS]>,
 }
 
 impl DenseOutput {
-    /// A continuous answer from its coefficients.
+    /// Dense output of a step from `from` of length `step` with these coefficients.
     pub(in crate::dynamics) fn new(from: f64, step: f64, coefficients: Vec<[f64; DENSE_TERMS]>) -> Self {
         Self { from, step, coefficients }
     }
 
-    /// Components `range` at `t`, written to `out`.
+    /// Writes components `range` at `t` to `out`.
     #[inline]
     pub fn read(&self, range: std::ops::Range<usize>, t: f64, out: &mut [f64]) {
         let x = (t - self.from) / self.step;
@@ -34,32 +34,34 @@ impl DenseOutput {
         }
     }
 
-    /// One component at `t`.
+    /// Component `i` at `t`.
     #[inline]
     pub(in crate::dynamics) fn component(&self, i: usize, t: f64) -> f64 {
         Self::value(&self.coefficients[i], (t - self.from) / self.step)
     }
 
-    /// A component in the part `x` of the step: Horner in x and 1 − x by turns, from the highest coefficient down.
+    /// Component with coefficients `c` at the part `x` of the step \[–\]: Horner's scheme, alternately in x and 1 −
+    /// x.
     #[inline]
     pub(in crate::dynamics) fn value(c: &[f64; DENSE_TERMS], x: f64) -> f64 {
         let y = 1.0 - x;
         c[0] + x * (c[1] + y * (c[2] + x * (c[3] + y * (c[4] + x * (c[5] + y * (c[6] + x * c[7]))))))
     }
 
-    /// How far components `range` together are from their start at most, anywhere in the step.
+    /// Bound of the Euclidean distance of components `range` from their values at the start, within the step.
     pub(in crate::dynamics) fn displacement_bound(&self, range: std::ops::Range<usize>) -> f64 {
-        // Every coefficient stands before a product of factors from 0 to 1.
+        // Every coefficient is multiplied by a product of factors between 0 and 1.
         let far = |c: &[f64; DENSE_TERMS]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
         self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Bounds on `|ẏ|` and `|ÿ|` of components `range` together, anywhere in the step.
+    /// Bounds of the Euclidean norms of first and second derivative of components `range` within the step.
     pub(in crate::dynamics) fn derivative_bounds(&self, range: std::ops::Range<usize>) -> [f64; 2] {
         self.bounds_of(self.coefficients[range].iter().copied())
     }
 
-    /// The same of the difference to as many components from `other` on.
+    /// Bounds of the Euclidean norms of first and second derivative of the difference between components `range` and
+    /// as many components from `other` on, within the step.
     pub(in crate::dynamics) fn difference_derivative_bounds(
         &self,
         range: std::ops::Range<usize>,
@@ -80,13 +82,13 @@ impl DenseOutput {
         [squares[0].sqrt() / self.step, squares[1].sqrt() / (self.step * self.step)]
     }
 
-    /// The same answer for some components only.
+    /// Dense output of components `range` alone.
     #[must_use]
     pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
         Self { from: self.from, step: self.step, coefficients: self.coefficients[range].to_vec() }
     }
 
-    /// Every coefficient, for hashing.
+    /// All coefficients, for hashing.
     pub fn coefficients(&self) -> &[[f64; DENSE_TERMS]] {
         &self.coefficients
     }

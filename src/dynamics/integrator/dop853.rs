@@ -1,17 +1,19 @@
-//! Dormand–Prince 8(5,3): explicit Runge–Kutta of order 8 with a seventh-order continuous answer
-//! (Hairer, Nørsett and Wanner, section II.5). Knows no physics; all buffers are kept from step to step.
+//! Dormand–Prince 8(5,3): explicit Runge–Kutta method of order 8 with dense output of order 7 (Hairer, Nørsett and
+//! Wanner, section II.5). No physics; workspace is kept from step to step.
 
+use crate::dynamics::integrator::constants::{LONGEST_FACTOR_EXPLICIT, SHORTEST_FACTOR, STEP_SAFETY};
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853_tableau::{A, C, D, E3, E5};
 use crate::dynamics::integrator::system::System;
 
-/// Slopes of a step with those that its continuous answer needs.
+/// Slopes of a step, those of the dense output included.
 const DOP_STAGES: usize = 16;
 
-/// The integrator's memory for systems of one size.
+/// Workspace of the method for systems of one size.
 #[derive(Clone, Debug, Default)]
 pub struct Dop853 {
-    /// Row by row: of the stages, and the last four coefficients of the continuous answer per length of the step.
+    /// Slopes by stage; then, in the last four rows, the upper coefficients of the dense output divided by the step
+    /// length.
     slopes: Vec<f64>,
     stage: Vec<f64>,
     end: Vec<f64>,
@@ -19,7 +21,7 @@ pub struct Dop853 {
 }
 
 impl Dop853 {
-    /// Makes room for a system of `size` components.
+    /// Sizes the workspace for a system of `size` components.
     pub fn resize(&mut self, size: usize) {
         self.size = size;
         self.slopes.clear();
@@ -28,7 +30,7 @@ impl Dop853 {
         self.end.resize(size, 0.0);
     }
 
-    /// Sets the slope at the start of the next step.
+    /// Evaluates the slope at the start of the next step.
     pub fn start(&mut self, system: &mut impl System, t: f64, y: &[f64]) {
         let n = self.size;
         system.slope(t, y, &mut self.slopes[..n]);
@@ -39,7 +41,8 @@ impl Dop853 {
         &self.slopes[..self.size]
     }
 
-    /// Tries a step of length `h` from `(t, y)`, whose slope stands in row 0; returns the error, 1 being the tolerance.
+    /// Attempts a step of length `h` from `(t, y)`, with the slope there in row 0; returns the error in units of the
+    /// tolerance.
     pub fn attempt(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> f64 {
         for stage in 1..12 {
             self.evaluate(system, stage, t, y, h);
@@ -49,7 +52,7 @@ impl Dop853 {
         self.error(system, h)
     }
 
-    /// Error of the step just tried, as the code of the method's authors weighs the two estimates.
+    /// Error of the attempted step: the combination of fifth- and third-order estimates of the program DOP853.
     fn error(&mut self, system: &impl System, h: f64) -> f64 {
         let n = self.size;
         difference(&mut self.stage, E5, &self.slopes, n);
@@ -73,7 +76,7 @@ impl Dop853 {
         system.slope(t + C[stage] * h, &self.stage, &mut after[..n]);
     }
 
-    /// Accepts the step just tried: its continuous answer. The slope at its end becomes the next start.
+    /// Accepts the attempted step and returns its dense output; the slope at its end becomes that of the next start.
     pub fn accept(&mut self, system: &mut impl System, t: f64, y: &mut [f64], h: f64) -> DenseOutput {
         let n = self.size;
         system.slope(t + h, &self.end, &mut self.slopes[12 * n..13 * n]);
@@ -97,12 +100,13 @@ impl Dop853 {
         DenseOutput::new(t, h, coefficients)
     }
 
-    /// How many time constants of the fastest motion the step just accepted spans, from its last two stages, which are
-    /// for the same time (Hairer and Wanner, section IV.2).
+    /// Estimate of `h |λ|` for the fastest motion within the accepted step, from its last two stages, which are at
+    /// one time (Hairer and Wanner, section IV.2).
     pub fn stiffness(&mut self, system: &impl System, accepted: &DenseOutput) -> f64 {
         let n = self.size;
         for (i, c) in accepted.coefficients().iter().enumerate() {
-            // The first slope has made room for the next step's; the answer still knows it.
+            // Row 0 holds the slope of the next start by now; that of this start is a coefficient of the dense
+            // output.
             let slope = |j: usize| if j == 0 { (c[1] + c[2]) / accepted.step } else { self.slopes[j * n + i] };
             let moved: f64 = A[11].iter().map(|&(j, factor)| factor * slope(j)).sum();
             self.stage[i] = self.end[i] - (c[0] + accepted.step * moved);
@@ -138,9 +142,13 @@ fn difference(out: &mut [f64], row: &[(usize, f64)], slopes: &[f64], n: usize) {
     }
 }
 
-/// Factor for the next step from the error of the last: order 8, kept between a fifth and six.
+/// Factor to the length of the next step from the error of the last: `0.9 e^(−1/8)`, between 1/5 and 6.
 pub fn next_factor(error: f64) -> f64 {
-    if error == 0.0 { 6.0 } else { (0.9 * error.powf(-0.125)).clamp(0.2, 6.0) }
+    if error == 0.0 {
+        LONGEST_FACTOR_EXPLICIT
+    } else {
+        (STEP_SAFETY * error.powf(-0.125)).clamp(SHORTEST_FACTOR, LONGEST_FACTOR_EXPLICIT)
+    }
 }
 
 #[cfg(test)]
@@ -187,7 +195,7 @@ mod tests {
         assert!(seen(5.6543) < 1e-3, "of the error: {}", seen(5.6543));
     }
 
-    /// Largest error over one turn: at the steps, and halfway between them.
+    /// Largest error over one revolution, at the ends of steps and in their middle.
     fn errors(steps: u32) -> (f64, f64) {
         let h = std::f64::consts::TAU / f64::from(steps);
         let (mut rk, mut y, mut worst) = (Dop853::default(), vec![0.0, 1.0], (0.0f64, 0.0f64));

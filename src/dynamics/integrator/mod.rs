@@ -1,4 +1,5 @@
-//! Integrators of ordinary differential equations: explicit, implicit, and step-size control. No physics.
+//! Integrators of ordinary differential equations: explicit and implicit methods, dense output, step-size control. No
+//! physics.
 
 pub(in crate::dynamics) mod constants;
 pub(in crate::dynamics) mod dense_lu;

@@ -1,8 +1,8 @@
 //! The linear systems of an implicit step: `(s − J) x = r` for the shifts `s = λ/h` of the method's matrix.
 //!
-//! A mechanical system's places move at `ṗ = B v`, which elimination by hand halves: with `u` the displacement that
-//! `B u` is, its speeds obey `(s − D − K/s) v = r_v + K B⁺ r_p / s`, and `p = (r_p + B v)/s`. The change of `B` with the
-//! places is left out of the Jacobian: attitudes turn slowly against a step.
+//! Positions of a mechanical system obey `ṗ = B v`. Eliminated by hand, they halve the system: with the displacements
+//! `u`, `p = B u`, the velocities obey `(s − D − K/s) v = r_v + K B⁺ r_p / s`, and `p = (r_p + B v)/s`. The
+//! derivative of `B` by the positions is left out of the Jacobian: attitudes turn slowly against a step.
 
 use std::ops::Range;
 
@@ -12,38 +12,38 @@ use crate::dynamics::integrator::dense_lu::{Lu, Scalar};
 use crate::dynamics::integrator::radau_tableaus::RadauTableau;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock};
 
-/// A component of a place that a speed carries: `B` by its entries.
+/// An entry of `B`: a position component moved by a velocity.
 #[derive(Clone, Copy, Debug)]
 struct PositionRate {
-    /// Component of the state.
+    /// Index of the position component in the state.
     place: usize,
-    /// Number among the speeds.
+    /// Index of the velocity among the unknowns.
     speed: usize,
     value: f64,
 }
 
-/// A Jacobian, by what is left when the places are eliminated.
+/// Jacobian of a system after the elimination of its positions.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Jacobian {
     blocks: Vec<PositionBlock>,
     /// Components of the state that are unknowns.
     speeds: Vec<usize>,
-    /// The others.
+    /// Components of the state that are eliminated.
     places: Vec<usize>,
     carry: Vec<PositionRate>,
-    /// `|B_j|⁻²`, speed by speed; 0 where nothing is carried.
+    /// `|B_j|⁻²` for each velocity; 0 for one that moves no position.
     inverse: Vec<f64>,
     damping: Vec<f64>,
     stiffness: Vec<f64>,
 }
 
 impl Jacobian {
-    /// Unknowns.
+    /// Number of unknowns.
     pub(in crate::dynamics) fn size(&self) -> usize {
         self.speeds.len()
     }
 
-    /// Numbers of the unknowns among `n` components, and that nothing answers to anything.
+    /// Numbers the unknowns among `n` components, with zero matrices.
     pub(in crate::dynamics) fn quiet(&mut self, system: &impl ImplicitSystem, n: usize) {
         self.blocks.clear();
         self.blocks.extend(system.position_blocks());
@@ -64,8 +64,8 @@ impl Jacobian {
         }
     }
 
-    /// By differences at `(t, y)`, where the slope is `slope`: each unknown, and then each displacement, moves by what
-    /// changes the state by the root of a rounding.
+    /// Evaluates the Jacobian by difference quotients at `(t, y)` with slope `slope`; each unknown, and then each
+    /// displacement, is changed by the root of the machine epsilon times its scale.
     pub(in crate::dynamics) fn differentiate(
         &mut self,
         system: &mut impl ImplicitSystem,
@@ -106,7 +106,7 @@ impl Jacobian {
         }
     }
 
-    /// The column of the stiffness of the displacement that these entries describe.
+    /// Column of the stiffness for the displacement with these entries of `B`.
     fn displace(
         &mut self,
         system: &mut impl ImplicitSystem,
@@ -133,7 +133,7 @@ impl Jacobian {
         }
     }
 
-    /// `J x`.
+    /// Writes `J x` to `out`.
     pub(in crate::dynamics) fn times(&self, x: &[f64], out: &mut [f64]) {
         let m = self.size();
         out.fill(0.0);
@@ -149,25 +149,25 @@ impl Jacobian {
         }
     }
 
-    /// The unknowns' part of a vector.
+    /// Components of a vector that are unknowns.
     pub(in crate::dynamics) fn gather(&self, from: &[f64]) -> impl Iterator<Item = f64> {
         self.speeds.iter().map(|&i| from[i])
     }
 }
 
-/// One of the systems, factored.
+/// A factored stage system for one shift.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct NewtonMatrix<T> {
     lu: Lu<T>,
     /// `1/s`.
     inverse: T,
     right: Vec<T>,
-    /// The speeds found.
+    /// Velocities of the solution.
     pub found: Vec<T>,
 }
 
 impl<T: Scalar> NewtonMatrix<T> {
-    /// For the shift `s`; `false` when the system is singular.
+    /// Factors the system for the shift `s`; `false` for a singular one.
     pub(in crate::dynamics) fn factor(&mut self, linear: &Jacobian, s: T) -> bool {
         let (m, inverse) = (linear.size(), s.recip());
         self.inverse = inverse;
@@ -180,7 +180,7 @@ impl<T: Scalar> NewtonMatrix<T> {
         })
     }
 
-    /// Finds the speeds for the right-hand side `r`.
+    /// Solves for the velocities with the right-hand side `r`.
     pub(in crate::dynamics) fn solve(&mut self, linear: &Jacobian, r: &[T]) {
         let m = linear.size();
         self.right.clear();
@@ -201,12 +201,12 @@ impl<T: Scalar> NewtonMatrix<T> {
         self.lu.solve(right, &mut self.found);
     }
 
-    /// Completes `r` to the whole answer from the speeds.
+    /// Replaces the right-hand side `r` by the full solution, from the velocities.
     pub(in crate::dynamics) fn complete(&self, linear: &Jacobian, r: &mut [T]) {
         for (speed, &at) in self.found.iter().zip(&linear.speeds) {
             r[at] = *speed;
         }
-        // Every place, be it carried or not, is what is left over the shift.
+        // Every eliminated component is its residual divided by the shift.
         for &place in &linear.places {
             r[place] = r[place] * self.inverse;
         }
@@ -215,28 +215,28 @@ impl<T: Scalar> NewtonMatrix<T> {
         }
     }
 
-    /// Speeds that a right-hand side of speeds alone gives.
+    /// Velocities of the solution for a right-hand side in the velocities alone.
     pub(in crate::dynamics) fn respond(&self, right: &[T], out: &mut [T]) {
         self.lu.solve(right, out);
     }
 }
 
-/// The systems of a step, in the eigenvectors of the method's matrix: one real and a complex one for every two further
-/// stages.
+/// Stage systems of a step in the eigenvectors of the method's matrix: a real one, and a complex one for every two
+/// further stages.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct StageSystems {
-    /// The Jacobian.
+    /// Jacobian of the system.
     pub linear: Jacobian,
-    /// Of the real eigenvalue.
+    /// Stage system of the real eigenvalue.
     pub real: NewtonMatrix<f64>,
-    /// Of the complex ones, as many as the method has.
+    /// Stage systems of the complex eigenvalues, as many as the method has.
     pub complex: [NewtonMatrix<Complex64>; 3],
     right: Vec<f64>,
     rights: [Vec<Complex64>; 3],
 }
 
 impl StageSystems {
-    /// For a step of length `h`; `false` when one is singular.
+    /// Factors the systems for a step of length `h`; `false` for a singular one.
     pub(in crate::dynamics) fn factor(&mut self, table: &RadauTableau, h: f64) -> bool {
         let mut done = self.real.factor(&self.linear, table.real / h);
         for (system, &(re, im)) in self.complex.iter_mut().zip(table.complex) {
@@ -245,8 +245,8 @@ impl StageSystems {
         done
     }
 
-    /// Finds the speeds of a Newton correction, of `leading` components of stages `width` wide, from their slopes and
-    /// increments.
+    /// Solves for the velocities of a Newton correction from slopes and increments of the stages, with `leading` of
+    /// `width` components per stage.
     pub(in crate::dynamics) fn project(
         &mut self,
         table: &RadauTableau,
@@ -277,7 +277,7 @@ impl StageSystems {
         }
     }
 
-    /// The correction of the stages, `width` wide, from the speeds found.
+    /// Writes the correction of the stages, `width` components each, from the velocities found.
     pub(in crate::dynamics) fn expand(&mut self, table: &RadauTableau, correction: &mut [f64], width: usize) {
         self.real.complete(&self.linear, &mut self.right);
         for (right, system) in self.rights.iter_mut().zip(&self.complex[..table.complex.len()]) {
@@ -287,7 +287,7 @@ impl StageSystems {
             let weight = table.real_right[k];
             row.iter_mut().zip(&self.right).for_each(|(d, w)| *d = weight * w);
             for (right, found) in table.complex_right.iter().zip(&self.rights) {
-                // The conjugate eigenvector adds the conjugate.
+                // The conjugate eigenvector adds the complex conjugate.
                 let (a, b) = (2.0 * right[k].0, 2.0 * right[k].1);
                 row.iter_mut().zip(found).for_each(|(d, w)| *d += a * w.re - b * w.im);
             }
@@ -300,12 +300,12 @@ mod tests {
     use super::*;
     use crate::dynamics::integrator::system::System;
 
-    /// Two positions with linear springs and dashpots: blocks of one position and one velocity.
+    /// Two oscillators coupled by linear springs and dashpots: blocks of one position and one velocity.
     struct Springs;
 
     const K: [[f64; 2]; 2] = [[30.0, -8.0], [-8.0, 20.0]];
     const C: [[f64; 2]; 2] = [[0.5, -0.2], [-0.1, 0.9]];
-    /// Positions move by these multiples of the velocities.
+    /// Factors of `ṗ = B v`.
     const B: [f64; 2] = [1.0, 2.0];
 
     impl System for Springs {
@@ -342,7 +342,8 @@ mod tests {
         linear.times(&x, &mut product);
         Springs.slope(0.0, &x, &mut wanted);
         assert_eq!(linear.size(), 2, "velocities are the unknowns");
-        // Difference quotients of a linear function: rounding over the root of a rounding.
+        // Difference quotients of a linear function err by round-off over the increment, the root of the machine
+        // epsilon.
         (0..4).for_each(|i| assert!((product[i] - wanted[i]).abs() < 1e-6, "{product:?} against {wanted:?}"));
     }
 

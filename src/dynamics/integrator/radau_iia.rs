@@ -1,15 +1,16 @@
-//! Radau IIA: implicit, for what an explicit method follows only in steps far shorter than the motion (Hairer and Wanner,
-//! section IV.8): a stiff contact that lasts, the turning of a fast slip. Seven stages (order 13) as a rule; fewer where
-//! a step is short.
+//! Radau IIA methods (Hairer and Wanner, section IV.8) for systems that hold an explicit method to steps far shorter
+//! than the motion: a stiff contact that lasts, a slip direction that turns fast. Seven stages (order 13); five or
+//! three where these cost less.
 //!
-//! The stages are found by Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
-//! method's matrix: one real and a complex system for every two further stages. What turns too much within a step for one
-//! Jacobian (friction of sliding in two directions, the angles of slips) enters by its own [`LowRankCorrection`]. The continuous
-//! answer is the collocation polynomial itself.
+//! The stages follow from Newton's method with the Jacobian at the start of the step, in the eigenvectors of the
+//! method's matrix: a real system and a complex one for every two further stages. Parts of the system that turn too
+//! much within a step for one Jacobian (friction of sliding in two directions, slip angles) enter through a
+//! [`LowRankCorrection`]. The dense output is the collocation polynomial.
 
 use crate::dynamics::integrator::constants::{
-    EXTRAPOLATED_STEPS, FIVE_STAGE_FACTOR, FIVE_STAGE_TOLERANCE, NEWTON_GOOD_RATE, NEWTON_ITERATIONS, NEWTON_RESIDUAL,
-    NEWTON_STALLED, POWER_ROUNDS, QUIET_STEP, QUIET_STEP_PER_ROOT, SAME_STEP,
+    EXTRAPOLATED_STEPS, FIVE_STAGE_FACTOR, FIVE_STAGE_TOLERANCE, LONGEST_FACTOR_IMPLICIT, NEWTON_FIRST_SHARE,
+    NEWTON_GOOD_RATE, NEWTON_ITERATIONS, NEWTON_RESIDUAL, NEWTON_STALLED, POWER_ROUNDS, QUIET_STEP,
+    QUIET_STEP_PER_ROOT, SAME_STEP, SHORTEST_FACTOR, STEP_SAFETY,
 };
 use crate::dynamics::integrator::dense_output::{DENSE_TERMS, DenseOutput};
 use crate::dynamics::integrator::low_rank_correction::LowRankCorrection;
@@ -17,33 +18,33 @@ use crate::dynamics::integrator::newton_matrix::StageSystems;
 use crate::dynamics::integrator::radau_tableaus::{RADAU5, RADAU9, RADAU13, RadauTableau};
 use crate::dynamics::integrator::system::ImplicitSystem;
 
-/// Coefficients of the collocation polynomial beyond its start, as many as the largest number of stages.
+/// Coefficients of the collocation polynomial beyond its start, the largest number of stages.
 const COLLOCATION_TERMS: usize = DENSE_TERMS - 1;
-/// The integrator's memory for systems of one size.
+/// Workspace of the method for systems of one size.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct Radau {
     table: &'static RadauTableau,
     size: usize,
-    /// Components before those that follow.
+    /// Number of leading components, before the auxiliary ones.
     leading: usize,
     systems: StageSystems,
-    slides: LowRankCorrection,
-    /// Step and stages for which the matrices are factored; 0 when they are not.
+    low_rank: LowRankCorrection,
+    /// Step length and number of stages of the factored matrices; 0 without.
     factored: (f64, usize),
-    /// Whether the Jacobian is of the state at hand, and whether there is one.
+    /// Whether the Jacobian is that of the present state, and whether there is one.
     fresh: bool,
     known: bool,
-    /// Whether the step is so short that nothing changes within it but what follows or slides.
+    /// Whether the step is so short that only auxiliary components and ports change within it: no Jacobian is needed.
     quiet: bool,
-    /// How well the last solution converged.
+    /// Convergence rate of the last Newton iteration.
     rate: f64,
     stages: Vec<f64>,
     slopes: Vec<f64>,
-    /// Rates of the components that follow, stage by stage, and what is left of their equations.
+    /// Rates of the auxiliary components stage by stage, and the residuals of their equations.
     rates: Vec<f64>,
     follow: Vec<f64>,
     scratch: Scratch,
-    /// Length of the last accepted step, and its polynomial in increments.
+    /// Length and polynomial, in increments, of the last accepted step.
     last: Option<(f64, Vec<[f64; COLLOCATION_TERMS]>)>,
 }
 
@@ -56,10 +57,10 @@ struct Scratch {
 }
 
 impl Radau {
-    /// Makes room for a system of `size` components and forgets the last.
+    /// Sizes the workspace for a system of `size` components and discards what is known of the last.
     pub(in crate::dynamics) fn resize(&mut self, size: usize) {
         self.size = size;
-        self.slides.forget();
+        self.low_rank.forget();
         (self.rate, self.quiet) = (0.0, false);
         self.rates.clear();
         (self.factored, self.fresh, self.known, self.last) = ((0.0, 0), false, false, None);
@@ -68,7 +69,7 @@ impl Radau {
         }
     }
 
-    /// Tries a step of length `h` from `(t, y)`, where the slope is `slope`; returns the error, 1 being the tolerance,
+    /// Attempts a step of length `h` from `(t, y)` with slope `slope`; returns the error in units of the tolerance,
     /// infinite where Newton's method fails.
     pub(in crate::dynamics) fn attempt(
         &mut self,
@@ -88,20 +89,20 @@ impl Radau {
         }
         self.guess(h);
         if !self.solve(system, t, y, h) {
-            if self.slides.unite(system) || !self.fresh {
+            if self.low_rank.couple(system) || !self.fresh {
                 self.differentiate(system, t, y, slope);
                 return self.attempt(system, t, y, slope, h);
             }
             return f64::INFINITY;
         }
         let error = self.error(system, t, y, slope, h);
-        if self.rate > NEWTON_GOOD_RATE && self.slides.unite(system) {
+        if self.rate > NEWTON_GOOD_RATE && self.low_rank.couple(system) {
             self.known = false;
         }
         error
     }
 
-    /// With how many stages a step of length `h` is taken.
+    /// Method for a step of length `h`, by its number of stages.
     fn choose(&mut self, system: &impl ImplicitSystem, h: f64) {
         let tolerance = system.relative_tolerance();
         let short = QUIET_STEP.min(QUIET_STEP_PER_ROOT * tolerance.sqrt().sqrt());
@@ -117,13 +118,13 @@ impl Radau {
         }
     }
 
-    /// The Jacobian at the start of a step; none where nothing changes within it.
+    /// Evaluates the Jacobian at the start of a step, unless it is known or the step needs none.
     fn differentiate(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], slope: &[f64]) {
         let n = self.leading;
         let Scratch { state, slope: moved, .. } = &mut self.scratch;
         self.systems.linear.quiet(system, n);
-        if self.slides.together(system) {
-            self.slides.gather(system, &self.systems.linear, y, n);
+        if self.low_rank.coupled(system) {
+            self.low_rank.gather(system, &self.systems.linear, y, n);
         }
         if !self.quiet {
             system.slope(t, y, moved);
@@ -134,7 +135,7 @@ impl Radau {
         (self.known, self.fresh, self.factored) = (!self.quiet, true, (0.0, 0));
     }
 
-    /// Factors the systems for a step of length `h`, if they are not.
+    /// Factors the systems for a step of length `h`, unless they are; `false` for a singular one.
     fn factor(&mut self, h: f64) -> bool {
         let (table, stages) = (self.table, self.table.stages());
         if self.factored.1 == stages && (self.factored.0 - h).abs() <= SAME_STEP * h {
@@ -142,13 +143,13 @@ impl Radau {
         }
         let done = self.systems.factor(table, h);
         if done {
-            self.slides.factor(table, &self.systems);
+            self.low_rank.factor(table, &self.systems);
         }
         self.factored = if done { (h, stages) } else { (0.0, 0) };
         done
     }
 
-    /// Increments of the stages to begin with: the last step's polynomial, continued.
+    /// Initial increments of the stages: the polynomial of the last step, extrapolated.
     fn guess(&mut self, h: f64) {
         let Some((before, polynomial)) = self.last.as_ref().filter(|(before, _)| h < EXTRAPOLATED_STEPS * before)
         else {
@@ -163,7 +164,7 @@ impl Radau {
         }
     }
 
-    /// Newton's method for the stages.
+    /// Newton's method for the stages; whether it converged.
     fn solve(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> bool {
         let (n, mut before, mut rate) = (self.size, 0.0f64, 0.0f64);
         let (followers, stages) = (n - self.leading, self.table.stages());
@@ -176,12 +177,12 @@ impl Radau {
                 state.iter_mut().zip(y).zip(&self.stages[range.clone()]).for_each(|((s, y), z)| *s = y + z);
                 system.slope(t + c * h, state, &mut self.slopes[range]);
                 self.rates[stage * followers..(stage + 1) * followers].copy_from_slice(system.auxiliary_rates());
-                self.slides.record(stage, system.rank_one_terms());
+                self.low_rank.record(stage, system.rank_one_terms());
             }
             if !self.correct(h) {
                 return false;
             }
-            // Elimination leaves rounding where nothing may move.
+            // Components that never change are set to 0: elimination leaves round-off in them.
             self.scratch.correction.chunks_exact_mut(n).for_each(|stage| system.hold(stage));
             let size2 = self.scratch.correction.chunks_exact(n).map(|d| system.size2(d)).fold(0.0, |a, b| a + b);
             let size = (size2 / stages as f64).sqrt();
@@ -193,12 +194,12 @@ impl Radau {
                 rate = size / before;
             }
             self.rate = rate;
-            // What is left is what a geometric series of corrections would still add; where something turns, two corrections
-            // tell half of the digits of its ratio.
+            // Remaining error as the geometric series of further corrections; with auxiliary components the first
+            // ratio of two corrections is optimistic, and its root is used.
             let ratio = if round == 1 && followers > 0 { rate.sqrt() } else { rate };
             if size == 0.0
                 || (round > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= NEWTON_RESIDUAL)
-                || size <= 2e-3 * NEWTON_RESIDUAL
+                || size <= NEWTON_FIRST_SHARE * NEWTON_RESIDUAL
             {
                 return true;
             }
@@ -210,7 +211,8 @@ impl Radau {
         before <= NEWTON_STALLED
     }
 
-    /// One Newton correction from the stages and their slopes, eigenvector by eigenvector, and of what follows.
+    /// One Newton correction from stages and slopes, leading and auxiliary components; `false` for a singular
+    /// correction.
     fn correct(&mut self, h: f64) -> bool {
         let (n, leading, table) = (self.size, self.leading, self.table);
         let followers = n - leading;
@@ -223,7 +225,7 @@ impl Radau {
         }
         let rates = &self.rates;
         let rate = |k: usize, follower: usize| rates[k * followers + follower];
-        if !self.slides.complete(table, &mut self.systems, &mut self.follow, h, rate) {
+        if !self.low_rank.complete(table, &mut self.systems, &mut self.follow, h, rate) {
             return false;
         }
         let correction = &mut self.scratch.correction;
@@ -234,7 +236,7 @@ impl Radau {
         true
     }
 
-    /// Error of the stages just found: the embedded formula, filtered so that what decays at once does not count.
+    /// Error of the stages by the embedded formula, filtered by the real system so that fast decay does not count.
     fn error(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], slope: &[f64], h: f64) -> f64 {
         let error = self.filtered(system, slope, h);
         if error < 1.0 || !error.is_finite() {
@@ -259,7 +261,7 @@ impl Radau {
         let (first, follow) = found.split_at_mut(leading);
         self.systems.real.solve(&self.systems.linear, first);
         let rates = &self.rates;
-        if !self.slides.filter(shift, &mut self.systems.real, follow, |follower| rates[follower]) {
+        if !self.low_rank.filter(shift, &mut self.systems.real, follow, |follower| rates[follower]) {
             return f64::INFINITY;
         }
         self.systems.real.complete(&self.systems.linear, first);
@@ -267,14 +269,18 @@ impl Radau {
         if error.is_nan() { f64::INFINITY } else { error }
     }
 
-    /// Factor for the next step from the error of the last: the estimate is of the order of the stages' number, kept between
-    /// a fifth and eight.
+    /// Factor to the length of the next step from the error of the last: `0.9 e^(−1/(s+1))` for `s` stages, between
+    /// 1/5 and 8.
     pub(in crate::dynamics) fn next_factor(&self, error: f64) -> f64 {
         let order = self.table.stages() as f64;
-        if error == 0.0 { 8.0 } else { (0.9 * error.powf(-1.0 / (order + 1.0))).clamp(0.2, 8.0) }
+        if error == 0.0 {
+            LONGEST_FACTOR_IMPLICIT
+        } else {
+            (STEP_SAFETY * error.powf(-1.0 / (order + 1.0))).clamp(SHORTEST_FACTOR, LONGEST_FACTOR_IMPLICIT)
+        }
     }
 
-    /// Accepts the step just tried: its continuous answer; `y` becomes the state at its end.
+    /// Accepts the attempted step and returns its dense output; `y` becomes the state at its end.
     pub(in crate::dynamics) fn accept(&mut self, t: f64, y: &mut [f64], h: f64) -> DenseOutput {
         let n = self.size;
         let mut polynomial = vec![[0.0; COLLOCATION_TERMS]; n];
@@ -291,10 +297,11 @@ impl Radau {
         DenseOutput::new(t, h, coefficients)
     }
 
-    /// The fastest rate in the Jacobian at hand, by the power method in the system's own measure; 0 without one \[1/s\].
+    /// Spectral radius of the present Jacobian by the power method in the norm of the system, with the rates of
+    /// auxiliary components and ports \[1/s\]; these alone without a Jacobian.
     pub(in crate::dynamics) fn fastest(&mut self, system: &impl ImplicitSystem) -> f64 {
         let n = self.leading;
-        let mut rate = self.rates.iter().fold(self.slides.fastest(), |a, r| a.max(r.abs()));
+        let mut rate = self.rates.iter().fold(self.low_rank.fastest(), |a, r| a.max(r.abs()));
         let Scratch { state, slope, .. } = &mut self.scratch;
         state.fill(0.0);
         slope.fill(0.0);
@@ -305,7 +312,7 @@ impl Radau {
             if !(before > 0.0 && after > 0.0 && after.is_finite()) {
                 return rate;
             }
-            // An oscillation grows by turns: the last rounds tell.
+            // The norm of an oscillation grows alternately: the maximum over the last rounds.
             if round >= POWER_ROUNDS / 2 {
                 rate = rate.max(after / before);
             }
@@ -314,7 +321,7 @@ impl Radau {
         rate
     }
 
-    /// Nothing is known of what comes: after a kink.
+    /// Discards what is known of the system, after a kink.
     pub(in crate::dynamics) fn forget(&mut self) {
         (self.last, self.fresh) = (None, false);
     }
@@ -334,7 +341,7 @@ mod tests {
     use super::*;
     use crate::dynamics::integrator::system::System;
 
-    /// A slow circle that a fast decay pulls towards itself: Prothero and Robinson's problem beside an oscillator.
+    /// Harmonic oscillator with a component attracted to it by fast decay: the problem of Prothero and Robinson.
     struct Stiff(f64);
 
     impl System for Stiff {
@@ -350,7 +357,8 @@ mod tests {
 
     impl ImplicitSystem for Stiff {}
 
-    /// Largest errors over three units of time: of the circle and of what decays, at the ends of steps and between them.
+    /// Largest errors over three units of time of the oscillator and of the attracted component, at the ends of steps
+    /// and between.
     fn errors(steps: u32, stiffness: f64) -> [f64; 3] {
         let (mut system, h) = (Stiff(stiffness), 3.0 / f64::from(steps));
         let (mut radau, mut y, mut slope, mut worst) =

@@ -1,30 +1,30 @@
-//! Coefficients of the Radau IIA methods with three, five and seven stages (orders 5, 9 and 13), from their defining
-//! polynomials in sixty digits: collocation at the Radau nodes, the eigensystem of the inverse of the method's matrix, an
-//! embedded formula of the stages' number as its order that takes the slope at the start as one more stage (Hairer and Wanner,
+//! Coefficients of the Radau IIA methods with three, five and seven stages (orders 5, 9 and 13), computed with sixty
+//! digits from their definition: collocation at the Radau nodes, eigensystem of the inverse of the method's matrix,
+//! embedded formula of order s for s stages with the slope at the start as a further stage (Hairer and Wanner,
 //! section IV.8).
 
-/// A method.
+/// A Radau IIA method.
 #[derive(Debug)]
 pub(in crate::dynamics) struct RadauTableau {
     /// Nodes: zeros of `dˢ⁻¹/dxˢ⁻¹ xˢ⁻¹ (x − 1)ˢ`.
     pub c: &'static [f64],
     /// The real eigenvalue of `A⁻¹`.
     pub real: f64,
-    /// Its right eigenvector.
+    /// Right eigenvector of the real eigenvalue.
     pub real_right: &'static [f64],
-    /// Its left eigenvector.
+    /// Left eigenvector of the real eigenvalue.
     pub real_left: &'static [f64],
     /// The eigenvalues of `A⁻¹` above the real axis, as `(re, im)`.
     pub complex: &'static [(f64, f64)],
-    /// Their right eigenvectors, a row each.
+    /// Right eigenvectors of the complex eigenvalues, a row each.
     pub complex_right: &'static [&'static [(f64, f64)]],
-    /// Their left eigenvectors.
+    /// Left eigenvectors of the complex eigenvalues, a row each.
     pub complex_left: &'static [&'static [(f64, f64)]],
-    /// Error of the step from the stages' increments, before the part of the slope at its start.
+    /// Weights of the stages' increments in the error estimate, without the slope at the start.
     pub error: &'static [f64],
-    /// Coefficients of the continuous answer from the stages' increments.
+    /// Weights of the stages' increments in the coefficients of the dense output.
     pub dense: &'static [&'static [f64]],
-    /// The inverse of the method's matrix.
+    /// Inverse of the method's matrix.
     pub inverse: &'static [&'static [f64]],
 }
 
@@ -35,7 +35,7 @@ impl Default for &RadauTableau {
 }
 
 impl RadauTableau {
-    /// Stages.
+    /// Number of stages.
     pub(in crate::dynamics) fn stages(&self) -> usize {
         self.c.len()
     }

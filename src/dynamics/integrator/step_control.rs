@@ -1,9 +1,10 @@
-//! One step after another, by whichever method takes fewer evaluations: explicit steps of order eight, implicit ones where
-//! the explicit ones are held short by their stability or by noise. Knows no physics.
+//! Step-size control with automatic choice of the method: explicit steps of order 8, implicit ones where stability or
+//! noise holds the explicit ones short. No physics.
 
 use crate::dynamics::integrator::constants::{
-    BEYOND_EVENT, GROWING_ERROR, IMPLICIT_STEP_WORTH, LARGEST_IMPLICIT, LIMITED_ERROR, METHOD_CHANGE_STEPS,
-    NEARLY_ACCEPTED, REPEATED_REJECTION, SHORTEST_CUT, STABILITY_LIMITED, TRIAL_STEPS, WORTHWHILE_CUT,
+    BEYOND_EVENT, CAP_STRETCH, GROWING_ERROR, IMPLICIT_STEP_WORTH, LARGEST_IMPLICIT, LIMITED_ERROR,
+    METHOD_CHANGE_STEPS, NEARLY_ACCEPTED, OVERFLOW_FACTOR, REPEATED_REJECTION, SHORTEST_CUT, STABILITY_LIMITED,
+    STEP_SAFETY, TRIAL_STEPS, UNSOLVED_FACTOR, WORTHWHILE_CUT,
 };
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853;
@@ -11,40 +12,41 @@ use crate::dynamics::integrator::dop853::Dop853;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::system::ImplicitSystem;
 
-/// How an integrator goes on after an event.
+/// Method and step length with which an integrator continues after an event.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::dynamics) struct ControllerState {
-    /// Length of the step to try first; 0 where nothing is known \[s\].
+    /// Length of the first attempt; 0 for one from the frequency of the system \[s\].
     pub step: f64,
-    /// Whether explicit steps were too short.
+    /// Whether the method is implicit.
     pub stiff: bool,
 }
 
 impl ControllerState {
-    /// The more careful of two.
+    /// The shorter step and the implicit method of two states.
     pub(in crate::dynamics) fn with(self, other: Self) -> Self {
         let step = if self.step == 0.0 { other.step } else { self.step.min(other.step) };
         Self { step, stiff: self.stiff || other.stiff }
     }
 }
 
-/// Where a step may end and how short it may be.
+/// Limits of the end and the length of a step.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::dynamics) struct StepLimits {
-    /// It ends here at the latest \[s\].
+    /// Latest end \[s\].
     pub cap: f64,
-    /// Length of the very first try \[s\].
+    /// Length of the first attempt without a known step length \[s\].
     pub first: f64,
-    /// No step may be longer \[s\].
+    /// Largest length \[s\].
     pub longest: f64,
-    /// Something is likely to change so long after its start \[s\].
+    /// Forecast interval from the start of the step to the next event \[s\].
     pub soon: f64,
-    /// A shorter step cannot be followed \[s\].
+    /// Smallest length; a step that has to be shorter fails \[s\].
     pub smallest: f64,
 }
 
 impl StepLimits {
-    /// How far a step of length `h` from `t` is worth taking: not far beyond what is likely to end it \[s\].
+    /// Length to attempt of a step of length `h` from `t` \[s\]: [`BEYOND_EVENT`] times the forecast interval where
+    /// that is worth a cut, otherwise `h`.
     fn reach(&self, t: f64, h: f64) -> f64 {
         let enough = BEYOND_EVENT * self.soon;
         let room = self.smallest.max(SHORTEST_CUT * t);
@@ -52,24 +54,24 @@ impl StepLimits {
     }
 }
 
-/// Both methods for a system of one size, and which of them is in use.
+/// Both methods for a system of one size, and the one in use.
 #[derive(Debug, Default)]
 pub(in crate::dynamics) struct StepController {
     size: usize,
     rk: Dop853,
     radau: Option<Box<Radau>>,
-    /// Memory that another one has left.
+    /// Workspace of an implicit method that is not in use.
     spare: Option<Box<Radau>>,
     state: ControllerState,
-    /// Steps in a row that spoke against the method in use.
+    /// Successive steps that favour the other method.
     doubts: u32,
-    /// Steps with the method in use, and explicit ones after which the other is given a try.
+    /// Steps with the method in use, and explicit steps after which the implicit method is tried.
     steps: u32,
     trial: u32,
 }
 
 impl StepController {
-    /// For systems of `size` components, going on at `pace`.
+    /// A controller for systems of `size` components that continues with `pace`.
     pub(in crate::dynamics) fn new(size: usize, state: ControllerState) -> Self {
         let state = ControllerState { stiff: state.stiff && size <= LARGEST_IMPLICIT, ..state };
         let mut stepper = Self { size, state, trial: TRIAL_STEPS, ..Self::default() };
@@ -77,22 +79,22 @@ impl StepController {
         stepper
     }
 
-    /// Only stability will change the method: there is no noise that could hold explicit steps short.
+    /// Changes to the implicit method only where stability limits explicit steps: the right-hand side has no noise.
     pub(in crate::dynamics) fn expect_no_noise(&mut self) {
         self.trial = u32::MAX;
     }
 
-    /// Takes over the memory of an implicit method that is no longer in use.
+    /// Takes over the workspace of an implicit method of an ended island.
     pub(in crate::dynamics) fn borrow(&mut self, spare: Option<Box<Radau>>) {
         self.spare = spare;
     }
 
-    /// Gives its own away at its end.
+    /// Hands over the workspace of the implicit method, if there is one.
     pub(in crate::dynamics) fn give_back(&mut self) -> Option<Box<Radau>> {
         self.spare.take().or_else(|| self.radau.take())
     }
 
-    /// Evaluates the slope at the start of the next step anew: at a start, and after a kink.
+    /// Evaluates the slope at the start of the next step, for a first step and after a kink.
     pub(in crate::dynamics) fn start(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64]) {
         self.rk.start(system, t, y);
         if let Some(radau) = &mut self.radau {
@@ -100,7 +102,7 @@ impl StepController {
         }
     }
 
-    /// What is known of the system holds no longer.
+    /// Discards what is known of the system.
     pub(in crate::dynamics) fn forget(&mut self) {
         if let Some(radau) = &mut self.radau {
             radau.resize(self.size);
@@ -112,15 +114,16 @@ impl StepController {
         self.rk.slope()
     }
 
-    /// How it would go on.
+    /// Method and length of the next step.
     pub(in crate::dynamics) fn state(&self) -> ControllerState {
         self.state
     }
 
-    /// Takes a step from `(t, y)`: its continuous answer and its end; `y` becomes the state there.
+    /// Takes a step from `(t, y)` and returns its dense output and its end \[s\]; `y` becomes the state there.
     ///
     /// # Errors
-    /// The length of a step that would have to be shorter than the smallest.
+    ///
+    /// The length of a step that has to be shorter than the smallest.
     pub(in crate::dynamics) fn step(
         &mut self,
         system: &mut impl ImplicitSystem,
@@ -132,8 +135,8 @@ impl StepController {
         let mut refused = false;
         loop {
             let reach = limits.reach(t, h);
-            // A last sliver would cost as much as a step: stretch to the cap.
-            let end = if t + 1.05 * reach >= limits.cap { limits.cap } else { t + reach };
+            // A remainder before the cap would cost a step: the step is stretched to the cap.
+            let end = if t + CAP_STRETCH * reach >= limits.cap { limits.cap } else { t + reach };
             let taken = end - t;
             let (error, factor) = self.attempt(system, t, y, taken);
             if error <= 1.0 {
@@ -141,8 +144,9 @@ impl StepController {
                 self.state.step = if cut { h.max(taken * factor) } else { taken * factor }.min(limits.longest);
                 return Ok((self.accept(system, t, y, taken, error), end));
             }
-            // Refused twice, the estimate is no guide: something is over far sooner than the step.
-            h = taken * factor.min(if refused && error > NEARLY_ACCEPTED { REPEATED_REJECTION } else { 0.9 });
+            // After a second rejection the error estimate is unreliable: a motion within the step is over long before
+            // its end.
+            h = taken * factor.min(if refused && error > NEARLY_ACCEPTED { REPEATED_REJECTION } else { STEP_SAFETY });
             refused = true;
             if h < limits.smallest || t + h <= t {
                 return Err(h);
@@ -150,8 +154,8 @@ impl StepController {
         }
     }
 
-    /// Takes an explicit step that is part of one within the tolerance: its continuous answer; `y` becomes the state at its
-    /// end.
+    /// Takes an explicit step that is part of one within the tolerance and returns its dense output; `y` becomes the
+    /// state at its end.
     pub(in crate::dynamics) fn repeat_explicit(
         &mut self,
         system: &mut impl ImplicitSystem,
@@ -160,12 +164,13 @@ impl StepController {
         h: f64,
     ) -> DenseOutput {
         self.rk.start(system, t, y);
-        // Its estimate is known to be small enough.
+        // The error of the longer step was accepted.
         let _ = self.rk.attempt(system, t, y, h);
         self.rk.accept(system, t, y, h)
     }
 
-    /// The same of an implicit step; nothing where that is not within the tolerance. The next step has to be started.
+    /// Takes an implicit step that is part of one within the tolerance and returns its dense output, `None` above the
+    /// tolerance; `y` becomes the state at its end. The next step has to be started.
     pub(in crate::dynamics) fn repeat_implicit(
         &mut self,
         system: &mut impl ImplicitSystem,
@@ -182,7 +187,7 @@ impl StepController {
         Some(radau.accept(t, y, h))
     }
 
-    /// The error of a step of length `h`, 1 being the tolerance, and the factor to the next.
+    /// Attempts a step of length `h`: its error in units of the tolerance, and the factor to the next length.
     fn attempt(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.state.stiff {
             let spare = &mut self.spare;
@@ -192,20 +197,21 @@ impl StepController {
                 radau
             });
             let error = radau.attempt(system, t, y, self.rk.slope(), h);
-            (error, if error.is_finite() { radau.next_factor(error) } else { 0.25 })
+            (error, if error.is_finite() { radau.next_factor(error) } else { UNSOLVED_FACTOR })
         } else {
             let error = self.rk.attempt(system, t, y, h);
-            (error, if error.is_finite() { dop853::next_factor(error) } else { 0.1 })
+            (error, if error.is_finite() { dop853::next_factor(error) } else { OVERFLOW_FACTOR })
         }
     }
 
-    /// Accepts the step just tried and considers whether the other method would have done it for less.
+    /// Accepts the attempted step and compares its cost with that of the other method.
     fn accept(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &mut [f64], h: f64, error: f64) -> DenseOutput {
         let (dense, doubt) = match &mut self.radau {
             Some(radau) if self.state.stiff => {
                 let dense = radau.accept(t, y, h);
                 self.rk.start(system, t + h, y);
-                // What turns gets faster without bound where a touch ends: explicit steps would come to nothing.
+                // The rate of a slip direction grows without bound towards the end of a touch: explicit steps would
+                // become arbitrarily short.
                 (
                     dense,
                     system.auxiliary_count() == 0
@@ -254,7 +260,7 @@ mod tests {
         assert_eq!(limits(5e-16).reach(9.0, 1e-4), 1e-4, "less than a bit of the time it would end at");
     }
 
-    /// A decay at this rate towards `cos t`, and how often its slope was evaluated.
+    /// Decay at this rate towards `cos t`, with the number of evaluations of its slope.
     struct Relaxation {
         rate: f64,
         evaluations: u32,

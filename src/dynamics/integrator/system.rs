@@ -10,7 +10,7 @@ use glam::DVec2;
 pub trait System {
     /// `ẏ` at `(t, y)`.
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]);
-    /// Squared norm of a difference of states; 1 is what the tolerance allows.
+    /// Squared norm of a difference of states; 1 is the tolerance.
     fn size2(&self, difference: &[f64]) -> f64;
 }
 
@@ -26,7 +26,7 @@ pub trait ImplicitSystem: System {
     fn increment_scale(&self, _i: usize, y: f64) -> f64 {
         y.abs().max(1.0)
     }
-    /// Sets components of a difference of states to 0 that never change.
+    /// Sets the components that never change to 0 in a difference of states.
     fn hold(&self, _difference: &mut [f64]) {}
     /// The blocks of the leading components, if the system is of second order: the rates of a block's positions are linear in
     /// its velocities, `ṗ = B v` with orthogonal columns of `B`, and `f` does not depend on changes of positions outside of
@@ -34,11 +34,11 @@ pub trait ImplicitSystem: System {
     fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
         std::iter::empty()
     }
-    /// Bound on the rates of the system without its auxiliary components and ports, not exceeded by much \[1/s\].
+    /// Upper bound of the rates of the system without its auxiliary components and ports, approximate \[1/s\].
     fn rate_bound(&self) -> f64 {
         f64::INFINITY
     }
-    /// The relative tolerance that the norm's unit stands for.
+    /// Relative tolerance to which the unit of the norm corresponds.
     fn relative_tolerance(&self) -> f64 {
         0.0
     }
@@ -73,7 +73,7 @@ pub struct PositionBlock {
     pub from: usize,
     /// First velocity.
     pub velocities: usize,
-    /// What follows the last velocity.
+    /// Index after the last velocity.
     pub until: usize,
 }
 
@@ -87,6 +87,6 @@ pub struct RankOneTerm {
     pub input: DVec2,
     /// `z`, or the rate at which the auxiliary component changes, per unit of the output.
     pub output: DVec2,
-    /// Number of the auxiliary component that is `z`; nothing where the output gives `z` itself.
+    /// Number of the auxiliary component that is `z`; `None` where `z` is the output.
     pub auxiliary: Option<usize>,
 }
