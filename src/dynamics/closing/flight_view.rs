@@ -94,3 +94,81 @@ pub(in crate::dynamics) fn remember(world: &mut World, slots: [Option<usize>; 2]
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::world::example::in_flight;
+    use crate::scene::{Motion, Scene, presets};
+
+    const SAMPLES: u32 = 2000;
+
+    #[test]
+    fn a_search_covers_a_period_or_samples_or_the_run() {
+        let sine = Ground::Sine { amplitude: DVec3::X, omega: 4.0 * std::f64::consts::PI, phase: 0.3 };
+        let record = Ground::record(DVec3::X, 0.01, [0.0; 5]);
+        assert_eq!(horizon(&Ground::Still, 1.0, 60.0), 60.0, "nothing drives: to the end");
+        assert!((horizon(&sine, 1.0, 60.0) - 1.5).abs() < 1e-15, "a period of 2 Hz");
+        assert_eq!(horizon(&record, 1.0, 60.0), 1.0 + 0.01 * RECORD_SAMPLES_PER_SEARCH);
+        assert_eq!(horizon(&sine, 59.9, 60.0), 60.0, "no further than the run");
+    }
+
+    /// Every bound of two girders in flight is above the motion, and below `factor` times it.
+    fn expect_bounds(scene: &Scene, factor: f64) {
+        let states = [[0.01, 0.002, 0.003, 0.1, -0.2, 0.1], [-0.01, 0.001, 0.0, 0.05, 0.1, -0.3]];
+        let world = in_flight(scene, &states);
+        let until = 0.4;
+        let slots = [Some(0), Some(1)];
+        let sample = FlightSample::of(&world, slots, [0; 2], 0.0, until);
+        assert!(sample.bounds.iter().all(|bound| bound.window >= until) && sample.between.window >= until);
+        let times: Vec<f64> = (0..=SAMPLES).map(|i| until * f64::from(i) / f64::from(SAMPLES)).collect();
+        let frames: Vec<[Frame; 2]> = times.iter().map(|&t| [0, 1].map(|slot| world.frame(slot, 0, t))).collect();
+        let largest = |of: &dyn Fn(&[Frame; 2]) -> f64| frames.iter().map(of).fold(0.0, f64::max);
+        let step = until / f64::from(SAMPLES);
+        let change = |of: &dyn Fn(&[Frame; 2]) -> DVec3| {
+            frames.windows(2).map(|two| (of(&two[1]) - of(&two[0])).length() / step).fold(0.0, f64::max)
+        };
+        let between = &sample.between;
+        let mut pairs = vec![
+            ("relative reach", largest(&|f| (f[0].shift - f[1].shift).length()), between.reach),
+            ("relative speed", largest(&|f| (f[0].velocity - f[1].velocity).length()), between.speed),
+            ("relative acceleration", change(&|f| f[0].velocity - f[1].velocity), between.acceleration),
+        ];
+        for (i, bound) in sample.bounds.iter().enumerate() {
+            pairs.extend([
+                ("reach", largest(&|f| f[i].shift.length()), bound.reach),
+                ("speed", largest(&|f| f[i].velocity.length()), bound.speed),
+                ("spin", largest(&|f| f[i].spin.length()), bound.spin),
+                ("acceleration", change(&|f| f[i].velocity), bound.acceleration),
+                ("spin rate", change(&|f| f[i].spin), bound.spin_rate),
+            ]);
+        }
+        for (name, value, bound) in pairs {
+            assert!(value <= bound * (1.0 + 1e-9) && bound < factor * value, "{name}: {bound} against {value}");
+        }
+    }
+
+    #[test]
+    fn bounds_hold_in_free_flight_and_are_not_far_above() {
+        let mut scene = presets::load("row-of-5").expect("a preset");
+        scene.motion = Motion::None;
+        expect_bounds(&scene, 3.0);
+    }
+
+    #[test]
+    fn bounds_hold_under_a_sine_whatever_its_phase() {
+        expect_bounds(&presets::load("row-of-5").expect("a preset"), 20.0);
+    }
+
+    #[test]
+    fn the_ground_is_at_rest_and_a_girder_moves_against_it_as_it_moves() {
+        let scene = presets::load("row-of-5").expect("a preset");
+        let world = in_flight(&scene, &[[0.01, 0.0, 0.0, 0.1, 0.0, 0.0]]);
+        let sample = FlightSample::of(&world, [None, Some(0)], [0; 2], 0.0, 0.1);
+        let [ground, girder] = &sample.bounds;
+        assert_eq!([ground.reach, ground.speed, ground.acceleration], [0.0; 3]);
+        assert_eq!([sample.between.reach, sample.between.speed], [girder.reach, girder.speed]);
+        assert_eq!(sample.frames[0].velocity, DVec3::ZERO);
+        assert_eq!(sample.frames[1].velocity, world.frame(0, 0, 0.0).velocity);
+    }
+}

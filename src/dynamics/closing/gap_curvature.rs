@@ -77,3 +77,81 @@ fn bound(world: &World, slot: usize, from: f64, to: f64) -> MotionBounds {
         _ => MotionBounds::still(f64::INFINITY),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::gap;
+    use crate::dynamics::penalty3d::example::{SPEED, free_to_turn, row, wall};
+    use crate::dynamics::world::example::planned;
+
+    const SAMPLES: u32 = 400;
+
+    fn times(until: f64) -> Vec<f64> {
+        (0..=SAMPLES).map(|i| until * f64::from(i) / f64::from(SAMPLES)).collect()
+    }
+
+    fn until(world: &World) -> f64 {
+        world.islands[0].as_ref().expect("an island").until
+    }
+
+    /// Largest difference quotient of a contact's gap rate over the planned step, and its bound \[m/s²\].
+    fn curvatures(world: &World, contact: usize) -> [f64; 2] {
+        let track = &world.contacts[contact];
+        let (site, until) = (&world.model.contacts[track.site], until(world));
+        let rate = |t: f64| gap(&site.home, &world.side(contact, 0, t), &world.side(contact, 1, t))[1];
+        let rates: Vec<f64> = times(until).into_iter().map(rate).collect();
+        let step = until / f64::from(SAMPLES);
+        let largest = rates.windows(2).map(|two| (two[1] - two[0]).abs() / step).fold(0.0, f64::max);
+        let pair = &world.pairs[track.pair];
+        let bounds = GapCurvature::of(world, pair.slots, 0.0, until);
+        assert!(bounds.holds(until), "a step's bounds hold to its end");
+        let arms = [track.geometry.arm, track.geometry.apart];
+        [largest, bounds.curvature(usize::from(track.slots[0] == pair.slots[1]), arms, until)]
+    }
+
+    #[test]
+    fn the_bound_is_above_the_second_derivative_of_every_gap_and_not_far_above() {
+        let spinning = [0.0, 0.0, 0.0, SPEED, 0.1, 2.0];
+        let other = [0.0, 0.0, 0.0, -SPEED, 0.0, -1.0];
+        let worlds = [planned(&free_to_turn(wall()), &[spinning]), planned(&free_to_turn(row()), &[spinning, other])];
+        for world in worlds {
+            let all: Vec<[f64; 2]> = (0..world.contacts.len()).map(|contact| curvatures(&world, contact)).collect();
+            assert!(all.iter().all(|[value, bound]| value <= bound), "{all:?} m/s²");
+            let [value, bound] = all.iter().fold([0.0f64; 2], |[v, b], [value, bound]| [v.max(*value), b.max(*bound)]);
+            assert!(bound < 10.0 * value, "{bound} m/s² against {value}");
+        }
+    }
+
+    #[test]
+    fn a_common_acceleration_of_one_island_cancels() {
+        let drift = [0.0, 0.0, 0.0, 1.0, 0.3, 0.0];
+        let world = planned(&row(), &[drift, drift]);
+        let bounds = GapCurvature::of(&world, [Some(0), Some(1)], 0.0, until(&world));
+        assert!(bounds.curvature(0, [0.1, 0.1], until(&world)) < 1e-9, "{bounds:?}");
+        let alone = GapCurvature::of(&world, [Some(0), None], 0.0, until(&world));
+        assert!(alone.speed >= 1.0, "against the ground the speed counts: {alone:?}");
+    }
+
+    #[test]
+    fn two_points_stay_within_the_bounds_of_their_separation() {
+        let world = planned(&free_to_turn(row()), &[[0.0, 0.0, 0.0, SPEED, 0.1, 2.0], [0.0; 6]]);
+        let (until, arm) = (until(&world), glam::DVec3::new(0.03, -0.02, 0.0));
+        let point = |slot: usize, t: f64| {
+            let frame = world.frame(slot, 0, t);
+            frame.origin() + frame.turn(arm)
+        };
+        let apart = |t: f64| point(1, t) - point(0, t);
+        let bounds = GapCurvature::of(&world, [Some(0), Some(1)], 0.0, until);
+        let bounds = bounds.separation([arm.length(); 2], apart(0.0).length(), until);
+        let times = times(until);
+        let farthest = times.iter().map(|&t| apart(t).length()).fold(0.0, f64::max);
+        assert!(farthest <= bounds.distance && bounds.distance < 1.1 * farthest, "{bounds:?} against {farthest} m");
+        let step = until / f64::from(SAMPLES);
+        let speeds: Vec<glam::DVec3> = times.windows(2).map(|two| (apart(two[1]) - apart(two[0])) / step).collect();
+        let fastest = speeds.iter().map(|v| v.length()).fold(0.0, f64::max);
+        assert!(fastest <= bounds.speed && bounds.speed < 3.0 * fastest, "{bounds:?} against {fastest} m/s");
+        let sharpest = speeds.windows(2).map(|two| (two[1] - two[0]).length() / step).fold(0.0, f64::max);
+        assert!(sharpest <= bounds.acceleration, "{bounds:?} against {sharpest} m/s²");
+    }
+}

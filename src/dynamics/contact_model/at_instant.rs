@@ -208,3 +208,99 @@ impl AtInstant<'_> {
             .max(POSITION_ROUNDING * size)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+
+    use crate::dynamics::penalty3d::contact_state::Contact;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, closed, wall};
+    use crate::scene::Direction;
+
+    const DEPTH: f64 = 1e-3;
+
+    /// A girder at a wall at this displacement and velocity along x, under a constant push along y, all nodes in slip under a
+    /// law that stops at 1e-6 m/s in two directions.
+    fn pressed(kind: Kind, [x, u]: [f64; 2], push: f64) -> (World, EventInstant) {
+        let mut scene = wall();
+        (scene.kind, scene.gravity) = (kind, 0.0);
+        scene.girders[0].held = vec![Direction::Roll, Direction::Pitch, Direction::Yaw];
+        let slip = |_: &Local| Mode::Slip { direction: DVec2::X };
+        let (mut model, active) = closed(&scene, slip);
+        model.bodies[0].push.y = push;
+        let mut world = World::of(&Arc::new(model), 0);
+        for mut contact in active {
+            contact.closed.law.v_stick = 1e-6;
+            let track = world.contacts.iter_mut().find(|track| track.site == contact.site).expect("a contact");
+            track.state = Contact::Closed(contact.closed);
+        }
+        let body = &world.model.bodies[0];
+        let (mut state, base) = (body.initial(), body.placed());
+        (state[0], state[body.positions()]) = (x, u);
+        let now = EventInstant::of(&world, vec![0], vec![base], vec![state], 0.0);
+        (world, now)
+    }
+
+    fn state(world: &World, contact: usize) -> ClosedContact {
+        *world.contacts[contact].state.closed().expect("closed")
+    }
+
+    #[test]
+    fn accelerations_are_those_of_the_springs_and_the_push() {
+        let push = 3.0;
+        let (world, now) = pressed(Kind::Planar, [DEPTH, 0.0], push);
+        let at = AtInstant { world: &world, now: &now };
+        let (.., here) = at.since(0, &now.since);
+        assert!((here.penetration() - DEPTH).abs() < 1e-15, "{} m in", here.penetration());
+        let (tangential, normal) = at.relative_acceleration(0, &here);
+        let out = STIFFNESS * DEPTH / MASS;
+        assert!((normal / out - 1.0).abs() < 1e-6, "{normal} m/s² is not K δ/m = {out}");
+        assert!((tangential.length() / (push / MASS) - 1.0).abs() < 1e-6, "{tangential} m/s² is not F/m");
+    }
+
+    #[test]
+    fn a_stop_holds_up_to_static_friction() {
+        // Four nodes of K/4 each take a quarter of the push: stick for F ≤ μ_s K δ.
+        let (world, _) = pressed(Kind::Spatial, [DEPTH, 0.0], 0.0);
+        let limit = state(&world, 0).law.mu_s * STIFFNESS * DEPTH;
+        for (part, holds) in [(0.0, true), (0.999, true), (-0.999, true), (1.001, false), (-1.001, false)] {
+            let (world, now) = pressed(Kind::Spatial, [DEPTH, 0.0], part * limit);
+            let at = AtInstant { world: &world, now: &now };
+            assert_eq!(at.can_hold(0, &state(&world, 0)), holds, "{part} of the limit");
+        }
+    }
+
+    #[test]
+    fn the_regularisation_length_follows_the_deepest_of_overlap_speed_and_push() {
+        let omega = (STIFFNESS / MASS).sqrt();
+        let length = |at: [f64; 2], law: fn(&mut Law)| {
+            let (world, now) = pressed(Kind::Planar, at, 0.0);
+            let at = AtInstant { world: &world, now: &now };
+            let (.., here) = at.since(0, &now.since);
+            let mut chosen = Law { friction: FrictionLaw::ReturnMapping, mu_k: 0.4, ..state(&world, 0).law };
+            law(&mut chosen);
+            at.regularisation_length(0, &chosen, &here)
+        };
+        let near = |value: f64, expected: f64| (value / expected - 1.0).abs() < 1e-6;
+        let pressed_in = length([DEPTH, 0.0], |_| {});
+        assert!(near(pressed_in, 1e-3 * 0.4 * DEPTH), "overlap: {pressed_in} m");
+        let hit = length([0.0, SPEED], |_| {});
+        assert!(near(hit, 1e-3 * 0.4 * SPEED / omega), "v/ω: {hit} m");
+        let smooth = length([0.0, SPEED], |law| law.mu_k = 0.01);
+        assert!(near(smooth, 1e-3 * 0.05 * SPEED / omega), "least friction: {smooth} m");
+        assert_eq!(length([0.0, SPEED], |law| law.mu_k = 0.0), 0.0, "no friction, no direction");
+        assert_eq!(length([0.0, SPEED], |law| law.v_stick = 0.0), 0.0, "one direction of sliding");
+        assert_eq!(length([0.0, SPEED], |law| law.friction = FrictionLaw::Paper), 0.0, "law paper");
+        let touching = length([0.0; 2], |_| {});
+        assert!(touching > 0.0 && touching < 1e-14, "round-off of a place: {touching} m");
+    }
+
+    #[test]
+    fn the_placed_pose_is_told_from_any_other() {
+        let (world, now) = pressed(Kind::Planar, [0.0, SPEED], 0.0);
+        assert!(AtInstant { world: &world, now: &now }.is_as_placed(&now.frames[0]), "whatever its velocity");
+        let (world, now) = pressed(Kind::Planar, [1e-300, 0.0], 0.0);
+        assert!(!AtInstant { world: &world, now: &now }.is_as_placed(&now.frames[0]), "displaced");
+    }
+}

@@ -105,3 +105,67 @@ pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64)
     }
     frames
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::contact_model::islands::assemble;
+    use crate::dynamics::integrator::step_control::ControllerState;
+    use crate::dynamics::model::body::Body;
+    use crate::dynamics::penalty3d::example::{MASS, SPEED, STIFFNESS, row, wall};
+    use crate::dynamics::world::example::planned;
+    use crate::scene::Scene;
+
+    /// Forecast within `horizon` for bodies at displacements and velocities along x, in an island of those in `slots`, with the
+    /// contacts of the numbers in `open` open and armed and the others in stick.
+    fn forecast(scene: &Scene, states: &[[f64; 2]], slots: &[usize], open: &[usize], horizon: f64) -> f64 {
+        let states: Vec<_> = states.iter().map(|&[x, u]| [x, 0.0, 0.0, u, 0.0, 0.0]).collect();
+        let mut world = planned(scene, &states);
+        for &contact in open {
+            world.contacts[contact].state = Contact::Open { armed: true };
+        }
+        let bases = slots.iter().map(|&slot| Body::placed(&world.model.bodies[slot])).collect();
+        let y = slots.iter().flat_map(|&slot| states[slot]).collect();
+        let island = assemble(&world, slots, bases, y, 0.0, ControllerState::default());
+        earliest_change(&world, &island, horizon)
+    }
+
+    fn omega() -> f64 {
+        (STIFFNESS / MASS).sqrt()
+    }
+
+    #[test]
+    fn an_opening_is_forecast_from_gap_and_rate() {
+        // x = (v/ω) sin φ before the end of the half sine by φ, moving out: it opens at φ/ω.
+        let phase: f64 = 0.05;
+        let state = [SPEED / omega() * phase.sin(), -SPEED * phase.cos()];
+        let after = forecast(&wall(), &[state], &[0], &[], 0.1 / omega());
+        assert!((omega() * after / phase - 1.0).abs() < 2e-3, "{} rad is not {phase}", omega() * after);
+    }
+
+    #[test]
+    fn nothing_is_forecast_beyond_the_horizon_or_on_the_way_in() {
+        let phase: f64 = 0.05;
+        let (depth, rate) = (SPEED / omega() * phase.sin(), SPEED * phase.cos());
+        let at = |rate: f64, horizon: f64| forecast(&wall(), &[[depth, rate]], &[0], &[], horizon / omega());
+        assert_eq!(at(-rate, 0.04), f64::INFINITY, "later than that");
+        assert_eq!(at(-rate, 1e-5), f64::INFINITY, "too short a horizon to difference over");
+        assert_eq!(at(rate, 0.1), f64::INFINITY, "it goes in");
+    }
+
+    #[test]
+    fn a_closing_is_forecast_from_gap_and_rate() {
+        let gap = 1e-4;
+        let after = forecast(&wall(), &[[-gap, SPEED]], &[0], &[0, 1], 1.0);
+        assert!((after * SPEED / gap - 1.0).abs() < 1e-9, "{after} s is not {}", gap / SPEED);
+    }
+
+    #[test]
+    fn a_contact_with_a_body_outside_of_the_island_is_left_out() {
+        let gap = 1e-4;
+        let states = [[-gap, SPEED], [0.0, 0.0]];
+        let [both, one] = [&[0, 1][..], &[0]].map(|slots| forecast(&row(), &states, slots, &[0, 1, 2, 3], 1.0));
+        assert!((both * SPEED / gap - 1.0).abs() < 1e-9, "{both} s is not {}", gap / SPEED);
+        assert_eq!(one, f64::INFINITY, "the closing search finds it");
+    }
+}

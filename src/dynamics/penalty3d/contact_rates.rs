@@ -84,3 +84,112 @@ fn decay_rows(body: &Body, contact: &ActiveContact, axes: &DMat3, (section, arm)
     };
     directions.into_iter().map(row).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Normal;
+    use crate::contact::normal::Linear;
+    use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, free_to_turn, row, stick, wall};
+    use crate::scene::Scene;
+
+    const DASHPOT: f64 = 30.0;
+
+    /// A scene with all nodes in stick, with equal dashpots along the normal and the tangents of each.
+    fn damped(scene: &Scene) -> (Model, Vec<ActiveContact>) {
+        let (model, mut active) = closed(scene, stick);
+        for contact in &mut active {
+            let law = &mut contact.closed.law;
+            (law.normal, law.c_t) = (Normal::Linear(Linear { k: law.k_t, c: DASHPOT }), DASHPOT);
+        }
+        (model, active)
+    }
+
+    fn bodies(model: &Model) -> Vec<usize> {
+        (0..model.bodies.len()).collect()
+    }
+
+    /// Largest eigenvalue of `M⁻¹ C` in plane motion with `C = Σ c b bᵀ` over the dashpots, by the power method.
+    fn spectral_radius(model: &Model, active: &[ActiveContact]) -> f64 {
+        let inverse =
+            |body: &Body| DVec3::new(1.0, 1.0, if body.free[5] { 1.0 / body.gyration2 } else { 0.0 }) / body.mass;
+        let mut q: Vec<DVec3> = (0..model.bodies.len()).map(|i| DVec3::new(0.3, 0.5, 0.7) / (i as f64 - 1.7)).collect();
+        let mut radius = 0.0;
+        for _ in 0..500 {
+            let mut next = vec![DVec3::ZERO; q.len()];
+            for contact in active {
+                let home = &model.contacts[contact.site].home;
+                let sides = [(contact.node, home.arm, 1.0), (contact.face, home.lever, -1.0)];
+                for axis in [home.axes.x_axis, home.axes.y_axis, home.axes.z_axis] {
+                    let row = |arm: DVec3| DVec3::new(axis.x, axis.y, arm.cross(axis).z);
+                    let rates = sides.map(|(side, arm, sign)| side.map_or(0.0, |i| sign * row(arm).dot(q[i])));
+                    for (side, arm, sign) in sides {
+                        let Some(i) = side else { continue };
+                        next[i] += inverse(&model.bodies[i]) * row(arm) * (sign * DASHPOT * (rates[0] + rates[1]));
+                    }
+                }
+            }
+            radius = next.iter().map(|q| q.length_squared()).sum::<f64>().sqrt();
+            q = next.into_iter().map(|next| next / radius).collect();
+        }
+        radius
+    }
+
+    #[test]
+    fn flush_translation_decays_at_the_bound_exactly() {
+        // Two nodes at the wall, c each; four nodes between two girders, which approach each other.
+        for (scene, expected) in [(wall(), 2.0 * DASHPOT / MASS), (row(), 8.0 * DASHPOT / MASS)] {
+            let (model, active) = damped(&scene);
+            let bound = decay(&model, &bodies(&model), &active, &[]);
+            assert!((bound / expected - 1.0).abs() < 1e-12, "{bound} 1/s is not {expected}");
+            let radius = spectral_radius(&model, &active);
+            assert!((bound / radius - 1.0).abs() < 1e-9, "{bound} 1/s is not the spectral radius {radius}");
+        }
+    }
+
+    #[test]
+    fn with_rotation_the_bound_is_above_the_spectral_radius_and_not_far_above() {
+        for scene in [wall(), row()].map(free_to_turn) {
+            let (model, active) = damped(&scene);
+            let (bound, radius) = (decay(&model, &bodies(&model), &active, &[]), spectral_radius(&model, &active));
+            assert!(radius <= bound * (1.0 + 1e-12) && bound < 2.5 * radius, "{bound} 1/s against {radius}");
+        }
+    }
+
+    #[test]
+    fn the_dashpot_of_a_slip_without_tangential_damping_does_not_count() {
+        let (model, mut active) = damped(&wall());
+        for contact in &mut active {
+            contact.closed.mode = Mode::Slip { direction: glam::DVec2::X };
+            contact.closed.law.normal = Normal::Linear(Linear { k: STIFFNESS, c: 0.0 });
+        }
+        assert_eq!(decay(&model, &[0], &active, &[]), 0.0, "law paper: friction only");
+        for contact in &mut active {
+            contact.closed.law.friction = FrictionLaw::ReturnMapping;
+        }
+        let bound = decay(&model, &[0], &active, &[]);
+        assert!((bound / (2.0 * DASHPOT / MASS) - 1.0).abs() < 1e-12, "return mapping: {bound} 1/s");
+    }
+
+    #[test]
+    fn the_frequency_of_one_node_is_that_of_its_spring_on_the_mass_seen_at_a_corner() {
+        // Held against rotation the factor of mobility is 1, which the bound leaves out; at the corner of a rectangle in plan
+        // it is 1 + r²/i² = 4, and the bound has the distance in space.
+        for (scene, corner) in [(wall(), 1.0), (free_to_turn(wall()), 4.0)] {
+            let (model, active) = damped(&scene);
+            let omega = fastest(&model, &bodies(&model), &active, &[]);
+            let expected = (corner * 0.5 * STIFFNESS / MASS).sqrt();
+            assert!(omega >= expected * (1.0 - 1e-12) && omega < 2.02 * expected, "{omega} rad/s against {expected}");
+            let rate = quickest(&model, &active, &[]);
+            let expected = corner * DASHPOT / MASS;
+            assert!(rate >= expected * (1.0 - 1e-12) && rate < 4.04 * expected, "{rate} 1/s against {expected}");
+        }
+    }
+
+    #[test]
+    fn without_connections_a_frequency_is_left_and_no_decay() {
+        let (model, _) = damped(&wall());
+        assert_eq!(fastest(&model, &[0], &[], &[]), LEAST_SQUARED_FREQUENCY.sqrt(), "no bearings either");
+        assert_eq!([quickest(&model, &[], &[]), decay(&model, &[0], &[], &[])], [0.0; 2]);
+    }
+}

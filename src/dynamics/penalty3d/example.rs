@@ -14,11 +14,11 @@ use crate::dynamics::{Body, ContactSite, Model};
 use crate::scene::{Scene, format};
 
 /// Mass of a girder \[kg\].
-pub(super) const MASS: f64 = 2.0;
+pub(in crate::dynamics) const MASS: f64 = 2.0;
 /// Impact speed of the examples \[m/s\].
-pub(super) const SPEED: f64 = 0.5;
+pub(in crate::dynamics) const SPEED: f64 = 0.5;
 /// Stiffness of a pair \[N/m\].
-pub(super) const STIFFNESS: f64 = 1.55e5;
+pub(in crate::dynamics) const STIFFNESS: f64 = 1.55e5;
 
 const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\nheld = [\"yaw\"]\n";
 const CONTACT: &str = "[contact]\nstiffness_n_per_m = 1.55e5\nrestitution_normal = 1.0\nrestitution_tangential = 1.0\n\
@@ -29,21 +29,27 @@ fn scene(text: &str) -> Scene {
 }
 
 /// An elastic girder without bearings and without rotation about Z, flush against a wall.
-pub(super) fn wall() -> Scene {
+pub(in crate::dynamics) fn wall() -> Scene {
     let abutment = "[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\ngap_m = 0.0\nwidth_m = 2.0\n";
     scene(&format!("name = \"wall\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\n{GIRDER}{abutment}{CONTACT}"))
 }
 
 /// Two girders of this kind end to end.
-pub(super) fn row() -> Scene {
+pub(in crate::dynamics) fn row() -> Scene {
     let [one, two] = [("one", 0.0), ("two", 0.19)]
         .map(|(name, x)| format!("[[girder]]\nname = \"{name}\"\nposition_m = [{x}, 0.0, 0.0]\n{GIRDER}"));
     scene(&format!("name = \"row\"\nduration_s = 1.0\n{one}{two}{CONTACT}"))
 }
 
+/// The scene with its girders free to rotate about Z.
+pub(in crate::dynamics) fn free_to_turn(mut scene: Scene) -> Scene {
+    scene.girders.iter_mut().for_each(|girder| girder.held.clear());
+    scene
+}
+
 /// The compiled scene, with every node closed whose projection is inside a face as placed, in the mode given by
 /// `mode`.
-pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Vec<ActiveContact>) {
+pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Vec<ActiveContact>) {
     let model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
     let frame = |body: Option<usize>, site: &ContactSite| {
         body.map_or(site.stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
@@ -77,21 +83,25 @@ pub(super) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) -> (Model, Ve
 }
 
 /// Stick with the anchor at the node's projection.
-pub(super) fn stick(here: &Local) -> Mode {
+pub(in crate::dynamics) fn stick(here: &Local) -> Mode {
     Mode::Stick { anchor: here.way }
 }
 
 /// An island of all bodies of a model at t = 0 with these displacements \[m\] and velocities \[m/s\] `x, y, ẋ, ẏ`.
-pub(super) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
+pub(in crate::dynamics) fn island(model: &Model, active: Vec<ActiveContact>, states: &[[f64; 4]]) -> Island {
+    island_of(model, active, states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect())
+}
+
+/// An island of all bodies of a model at t = 0 in the states `y`, body by body.
+pub(in crate::dynamics) fn island_of(model: &Model, active: Vec<ActiveContact>, y: Vec<f64>) -> Island {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases = model.bodies.iter().map(Body::placed).collect();
-    let y = states.iter().flat_map(|&[x, y, u, v]| [x, y, 0.0, u, v, 0.0]).collect();
     let contacts: Vec<_> = active.into_iter().enumerate().collect();
     Island::new(model, bodies.clone(), (bodies, bases), (contacts, Vec::new()), y, 0.0, ControllerState::default())
 }
 
 /// Plans steps until the first event: its time \[s\], with all events within 1 ps of it.
-pub(super) fn first_event(model: &Model, island: &mut Island) -> (f64, Vec<Due>) {
+pub(in crate::dynamics) fn first_event(model: &Model, island: &mut Island) -> (f64, Vec<Due>) {
     for _ in 0..1000 {
         island.plan(model, 1.0, f64::INFINITY).expect("a step that can be made");
         if let Some(found) = first_due(model, island, 1e-12) {

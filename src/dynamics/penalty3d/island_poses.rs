@@ -89,3 +89,92 @@ impl Island {
         (one.len() == other.len()).then(|| dense.difference_derivative_bounds(one, other.start))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::penalty3d::example::{SPEED, closed, free_to_turn, island_of, row, stick, wall};
+
+    const SAMPLES: u32 = 400;
+
+    /// An island with its first step planned.
+    fn planned(scene: &crate::scene::Scene, y: Vec<f64>) -> (Model, Island) {
+        let (model, active) = closed(scene, stick);
+        let mut island = island_of(&model, active, y);
+        island.plan(&model, 1.0, f64::INFINITY).expect("a step that can be made");
+        (model, island)
+    }
+
+    /// A girder that hits a wall, slides along it and turns.
+    fn hit() -> (Model, Island) {
+        planned(&free_to_turn(wall()), vec![0.0, 0.0, 0.0, SPEED, 0.1, 2.0])
+    }
+
+    fn times(island: &Island) -> Vec<f64> {
+        (0..=SAMPLES).map(|i| island.from + (island.until - island.from) * f64::from(i) / f64::from(SAMPLES)).collect()
+    }
+
+    /// Largest length of the differences of neighbouring vectors, per interval.
+    fn steepest(values: &[glam::DVec3], interval: f64) -> f64 {
+        values.windows(2).map(|two| (two[1] - two[0]).length() / interval).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn bounds_on_the_motion_hold_and_are_not_far_above() {
+        let (model, island) = hit();
+        let frames: Vec<Frame> = times(&island).iter().map(|&t| island.frame_since(&model, 0, 0, t)).collect();
+        let interval = (island.until - island.from) / f64::from(SAMPLES);
+        let largest = |of: fn(&Frame) -> glam::DVec3| frames.iter().map(|f| of(f).length()).fold(0.0, f64::max);
+        let change = |of: fn(&Frame) -> glam::DVec3| steepest(&frames.iter().map(of).collect::<Vec<_>>(), interval);
+        let bound = island.bound(&model, 0);
+        let pairs = [
+            ("speed", largest(|f| f.velocity), bound.speed),
+            ("spin", largest(|f| f.spin), bound.spin),
+            ("acceleration", change(|f| f.velocity), bound.acceleration),
+            ("spin rate", change(|f| f.spin), bound.spin_rate),
+        ];
+        for (name, value, bound) in pairs {
+            assert!(value <= bound * (1.0 + 1e-9) && bound < 4.0 * value, "{name}: {bound} against {value}");
+        }
+    }
+
+    #[test]
+    fn no_point_of_a_body_leaves_its_excursion() {
+        let (model, island) = hit();
+        let arm = glam::DVec3::new(0.095, 0.035, 0.0);
+        let place = |t: f64| {
+            let frame = island.frame_since(&model, 0, 0, t);
+            frame.shift + frame.turned * arm
+        };
+        for from in [island.from, f64::midpoint(island.from, island.until)] {
+            let far = times(&island).into_iter().filter(|t| *t >= from).map(|t| (place(t) - place(from)).length());
+            let (far, bound) = (far.fold(0.0, f64::max), island.excursion(&model, 0, arm.length(), from));
+            assert!(far <= bound && bound < 6.0 * far, "from {from} s: {bound} m against {far}");
+        }
+    }
+
+    #[test]
+    fn a_common_motion_is_no_relative_motion() {
+        let drift = [0.0, 0.0, 0.0, 1.0, 0.3, 0.0];
+        let (model, island) = planned(&row(), [drift, drift].concat());
+        let [speed, acceleration] = island.apart(&model, [0, 1]).expect("two rigid girders");
+        assert!(speed < 1e-12 && acceleration < 1e-9, "{speed} m/s, {acceleration} m/s²");
+        let towards = |u: f64| [0.0, 0.0, 0.0, u, 0.0, 0.0];
+        let (model, island) = planned(&row(), [towards(SPEED), towards(-SPEED)].concat());
+        let [speed, _] = island.apart(&model, [0, 1]).expect("two rigid girders");
+        assert!((2.0 * SPEED..4.0 * SPEED).contains(&speed), "{speed} m/s of an approach at {}", 2.0 * SPEED);
+    }
+
+    #[test]
+    fn states_and_poses_are_those_of_the_dense_output_and_of_the_end() {
+        let (model, island) = hit();
+        assert_eq!(island.state_at(&model, 0, island.until), island.y, "the end to the last bit");
+        assert_eq!(island.state_at(&model, 0, island.from)[3..], [SPEED, 0.1, 2.0], "the start");
+        let times = times(&island);
+        let frames = island.frames_since(&model, &times);
+        let alone: Vec<Frame> = times.iter().map(|&t| island.frame(&model, 0, 0, t)).collect();
+        assert_eq!(frames.len(), times.len(), "one section of one body");
+        let same = |(since, whole): (&Frame, &Frame)| since.shift == whole.shift && since.velocity == whole.velocity;
+        assert!(frames.iter().zip(&alone).all(same), "the reference pose is the placed one");
+    }
+}

@@ -19,4 +19,4 @@ pub(in crate::dynamics) mod island_retake;
 pub(in crate::dynamics) mod link_events;
 
 #[cfg(test)]
-mod example;
+pub(in crate::dynamics) mod example;

@@ -6,6 +6,8 @@
 
 pub(in crate::dynamics) mod axial_gap;
 mod constants;
+#[cfg(test)]
+pub(in crate::dynamics) mod example;
 pub(in crate::dynamics) mod poses;
 pub(in crate::dynamics) mod setup;
 pub(in crate::dynamics) mod site_geometry;
