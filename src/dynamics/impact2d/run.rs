@@ -208,7 +208,7 @@ mod tests {
     fn a_search_that_is_cut_short_counts_as_work() {
         let (work, looks) = first_search(0.0);
         assert!(work == 0 && looks < 1000, "{looks} looks");
-        // 100,000 looks reach a few microseconds of it: 3e6 such searches would take days.
+        // 100,000 looks reach 2e-8 s (601 searches came to 1.1e-5 s in 57 s): 3e6 such searches would take days.
         let (work, looks) = first_search(1e13);
         assert!(work == CUT_SHORT_WORK && looks > u64::from(MAX_ADVANCES), "{work} for {looks} looks");
     }
