@@ -12,7 +12,7 @@ pub struct Motion {
     pub place: DVec3,
     /// Displacement of G from where it was placed \[m\].
     pub displacement: DVec3,
-    /// Rotation about the vertical since placed, anticlockwise, without jumps at ±π \[rad\].
+    /// Rotation about the vertical since placed, anticlockwise: without jumps at ±π in plan, between −π and π in space \[rad\].
     pub theta: f64,
     /// Attitude, body to world, heading included.
     pub attitude: DQuat,
@@ -183,7 +183,7 @@ pub struct Ledger {
     pub jump_device: f64,
     /// Brought in by a start or an entry with overlap (negative: energy that appeared).
     pub jump_entry: f64,
-    /// What the balance leaves over: stored + lost − worked − initial. 0 but for rounding and integration error.
+    /// What the balance leaves over: stored + lost + released − worked − initial. 0 but for rounding and integration error.
     pub residual: f64,
     /// Largest energy in play, to compare the residual with.
     pub scale: f64,

@@ -74,6 +74,22 @@ impl NormalLaw for Custom {
         self.law.depth(mass / self.fraction, speed)
     }
 
+    fn length(&self, penetration: f64, k_t: f64) -> f64 {
+        self.fraction * self.law.length(penetration, k_t)
+    }
+
+    fn length_slope(&self, penetration: f64, k_t: f64) -> f64 {
+        self.fraction * self.law.length_slope(penetration, k_t)
+    }
+
+    fn force_scale(&self, depth: f64, speed: f64) -> f64 {
+        self.fraction * self.law.force_scale(depth, speed)
+    }
+
+    fn change_scale(&self, penetration: f64, change: f64, frequency: f64) -> f64 {
+        self.fraction * self.law.change_scale(penetration, change, frequency)
+    }
+
     fn can_pull(&self) -> bool {
         self.law.can_pull()
     }

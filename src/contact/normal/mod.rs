@@ -2,8 +2,8 @@
 //! (`docs/physics.md#normal-law`).
 //!
 //! All quantities that depend on the shape of `N(δ)` are methods of [`NormalLaw`]: forces, stored energy, stiffness,
-//! time scale, and the scales of numerical tolerances. A new law is one file with an implementation of the trait, and
-//! one variant of [`Normal`].
+//! time scale, and the scales of numerical tolerances. A new law is one file with an implementation of the trait, one
+//! variant of [`Normal`] and its arms in `of_each!`, [`Normal::divided`] and [`Normal::times`].
 
 mod custom;
 mod linear;
@@ -168,5 +168,13 @@ impl NormalLaw for Normal {
     #[inline]
     fn length_slope(&self, penetration: f64, k_t: f64) -> f64 {
         of_each!(self, law => law.length_slope(penetration, k_t))
+    }
+
+    fn force_scale(&self, depth: f64, speed: f64) -> f64 {
+        of_each!(self, law => law.force_scale(depth, speed))
+    }
+
+    fn change_scale(&self, penetration: f64, change: f64, frequency: f64) -> f64 {
+        of_each!(self, law => law.change_scale(penetration, change, frequency))
     }
 }

@@ -182,7 +182,7 @@ impl Transitions<'_> {
             Reason::Edge => self.open(contact, &closed, EventKind::LeftFace),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
-                self.enter_without_event(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed })
+                self.enter_without_event(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed });
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Event loop of the impact model for one group of bodies: flights in closed form, hits located to round-off, lasting contact
+//! Handlers of the impact model's events for one group of bodies: flights in closed form, hits located to round-off, lasting contact
 //! in steps.
 
 use std::sync::Arc;

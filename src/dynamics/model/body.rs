@@ -118,7 +118,7 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Pose and twist of a section counted from a reference pose, of a state that is.
     fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame;
 
-    /// Rotation about the vertical without jumps at ±π \[rad\], and attitude since the body was placed.
+    /// Rotation about the vertical (in plan without jumps at ±π) \[rad\], and attitude since the body was placed.
     fn attitude(&self, state: &[f64]) -> (f64, DQuat);
 
     /// Reference pose by its [`numbers`](ReferencePose::numbers); by none, where the body was placed.

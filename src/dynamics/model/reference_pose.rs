@@ -1,4 +1,5 @@
-//! Where a body stood when it was last caught: what its motion in contact is counted from.
+//! Pose of a body at the start of its present contact, or where its motion was last rebased: the origin that its motion in
+//! contact is counted from.
 //!
 //! A contact of a stiff face and a light girder is pressed by less than the last digit of where the girder is. So bodies that
 //! touch are integrated as what they moved since the first of their touches, and node and face are measured as if they had

@@ -65,9 +65,8 @@ impl ActiveLink {
         }
     }
 
-    /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A
-    /// point at distance `p` beyond the corners' `r` has at most `(p/r)²` times their mobility, since `1 + p²/i² ≤ (1
-    /// + r²/i²) (p/r)²`.
+    /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A point at a
+    /// distance p beyond the corners' r has at most `(p/r)²` times their mobility: `1 + p²/i² ≤ (1 + r²/i²) (p/r)²`.
     pub(in crate::dynamics) fn mobility(&self, model: &Model) -> f64 {
         let link = self.of(model);
         link.bodies.iter().zip(link.arms).filter_map(|(body, arm)| Some((&model.bodies[(*body)?], arm))).fold(

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Connection, Device, Phase, Separation, SeparationBounds, Switch};
-use girderbench::scene::{Scene, ViewPreset};
+use girderbench::dynamics::model::groups::LinkError;
+use girderbench::scene::{ModelKind, Scene, ViewPreset};
 use girderbench::sim::{History, Session};
 use girderbench::view::{Background, Bounds, Camera, ViewInput, draw_list};
 use glam::{DMat3, DVec3};
@@ -266,6 +267,23 @@ fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut() {
     let turned = 1e-3;
     within("its west end", f64::from(tight.from.x) - (west.x + 0.2), turned);
     within("its east end", f64::from(tight.to.x) - (east.x - 0.2), turned);
+}
+
+#[test]
+fn the_impact_model_refuses_a_device_in_words() {
+    let mut scene = two_girders("planar", [SPEED, 0.0], 1.0);
+    scene.model.kind = ModelKind::Impact;
+    let mut model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let anchor = |body, x| Anchor::Body { body, point: DVec3::X * x };
+    let cable = || Arc::new(undamped());
+    assert_eq!(model.link("r", [anchor(0, 0.2), anchor(7, 0.0)], DMat3::IDENTITY, cable()), Err(LinkError::NoBody(7)));
+    assert_eq!(model.link("r", [anchor(0, 0.2), anchor(0, 0.0)], DMat3::IDENTITY, cable()), Err(LinkError::SameBody));
+    model.link("restrainer", [anchor(0, 0.2), anchor(1, -0.2)], DMat3::IDENTITY, cable()).expect("two bodies");
+    let mut session = Session::of_model(&scene, model);
+    session.advance(scene.duration, &mut |_| true);
+    let history = session.finish();
+    let stop = history.stop().expect("a refusal");
+    assert!(stop.t == 0.0 && stop.reason.contains("device"), "{stop:?}");
 }
 
 #[test]
