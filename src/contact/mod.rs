@@ -1,8 +1,8 @@
 //! Contact laws at one point of contact, independent of bodies (`docs/physics.md#contact-kinematics`; paper section 4).
 //!
-//! [`node_face`] measures a node against a face; a [`Law`] (a [`Normal`] law and a [`FrictionLaw`]) gives forces and switching
-//! functions of the state {open, stick, slip}; [`parameters`] derives a law's numbers from a scene's. All vectors are in the
-//! face's axes: first tangent, second tangent, outward normal.
+//! [`node_face`] measures a node against a face; a [`Law`] (a [`Normal`] law and a [`FrictionLaw`]) gives forces and
+//! switching functions of the state {open, stick, slip}; [`parameters`] derives a law's numbers from a scene's. All
+//! vectors are in the face's axes: first tangent, second tangent, outward normal.
 
 mod constants;
 pub mod friction;

@@ -38,8 +38,8 @@ pub trait NormalLaw: Debug + Send + Sync {
     /// Largest tangent damping at penetrations up to `deepest` \[N·s/m\].
     fn damping_bound(&self, deepest: f64) -> f64;
 
-    /// Circular frequency π/t of a contact of duration t between a mass \[kg\] and a fixed face at that impact speed \[m/s\],
-    /// without damping \[rad/s\].
+    /// Circular frequency π/t of a contact of duration t between a mass \[kg\] and a fixed face at that impact speed
+    /// \[m/s\], without damping \[rad/s\].
     fn frequency(&self, mass: f64, speed: f64) -> f64;
 
     /// Largest penetration of that impact \[m\].

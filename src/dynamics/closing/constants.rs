@@ -1,14 +1,14 @@
 //! Tolerance factors of the closing search: unit, effect, and derivation or the word "tuned".
 
-/// Least relative error of a gap's rate, per speed of node and face \[–\]; a larger tolerance of the run takes its place.
-/// Tuned: 64 units of round-off.
+/// Least relative error of a gap's rate, per speed of node and face \[–\]; a larger tolerance of the run takes its
+/// place. Tuned: 64 units of round-off.
 pub(in crate::dynamics) const SPEED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Interval over which velocities are differenced for the acceleration at a closing, and after which a touch that the
-/// samples do not decide is sampled again, in simultaneity intervals of the pair \[–\]. Tuned: 1e-7 rad of the contact's
-/// oscillation, short against it and 100 times the interval of simultaneous events.
+/// samples do not decide is sampled again, in simultaneity intervals of the pair \[–\]. Tuned: 1e-7 rad of the
+/// contact's oscillation, short against it and 100 times the interval of simultaneous events.
 pub(in crate::dynamics) const CLOSING_INTERVAL: f64 = 100.0;
-/// Samples of a gap at equal intervals of a planned step, both ends included, with which the subdivision begins; the bound
-/// on the gap's second derivative decides where it is refined. Tuned.
+/// Samples of a gap at equal intervals of a planned step, both ends included, with which the subdivision begins; the
+/// bound on the gap's second derivative decides where it is refined. Tuned.
 pub(in crate::dynamics) const STEP_SAMPLES: usize = 5;
 /// Contribution to a run's work of a search that ended at its bound of advances before its horizon. Tuned.
 pub(in crate::dynamics) const CUT_SEARCH_WORK: usize = 5_000;

@@ -1,5 +1,6 @@
 //! States and poses of the bodies that an event concerns, and quantities of their contacts at that time: position and
-//! velocity of a node relative to its face, relative acceleration, regularisation length, the stick condition after a stop.
+//! velocity of a node relative to its face, relative acceleration, regularisation length, the stick condition after a
+//! stop.
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
@@ -116,8 +117,8 @@ impl AtInstant<'_> {
         locate(&site.home, &sides[0], &sides[1])
     }
 
-    /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and the
-    /// node relative to its face: the formulation of a closed contact.
+    /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and
+    /// the node relative to its face: the formulation of a closed contact.
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
         let at = track.state.closed().and_then(|closed| closed.solver.rebased_node);
@@ -144,8 +145,8 @@ impl AtInstant<'_> {
         self.world.model.kind == Kind::Planar && frame.shift.truncate() == DVec2::ZERO && frame.turned == DMat3::ZERO
     }
 
-    /// Whether a contact whose sliding in two directions has stopped can stick: the tangential force that keeps `V_t` at
-    /// zero is at most `μ_s |F_n|` (`docs/physics.md#stop`).
+    /// Whether a contact whose sliding in two directions has stopped can stick: the tangential force that keeps `V_t`
+    /// at zero is at most `μ_s |F_n|` (`docs/physics.md#stop`).
     pub(in crate::dynamics) fn can_hold(&self, contact: usize, closed: &ClosedContact) -> bool {
         let track = &self.world.contacts[contact];
         let (home, sides, _) = self.since(contact, &self.now.since);
@@ -164,7 +165,8 @@ impl AtInstant<'_> {
                 mobility += DMat2::from_cols(along(axes[0]), along(axes[1]));
             }
         }
-        // Present friction less M_t a_t / N, with M_t the effective mass and N the number of sliding contacts of the pair.
+        // Present friction less M_t a_t / N, with M_t the effective mass and N the number of sliding contacts of the
+        // pair.
         let sliding = |c: &usize| {
             matches!(self.world.contacts[*c].state.closed(), Some(ClosedContact { mode: Mode::Slip { .. }, .. }))
         };
@@ -174,8 +176,8 @@ impl AtInstant<'_> {
         needed.is_nan() || needed.length() <= closed.law.mu_s * action.forces.normal
     }
 
-    /// Tangential and normal acceleration of a node relative to its face under the present forces \[m/s²\], by a forward
-    /// difference of the relative velocity over 1e-7 rad of the pair's contact oscillation.
+    /// Tangential and normal acceleration of a node relative to its face under the present forces \[m/s²\], by a
+    /// forward difference of the relative velocity over 1e-7 rad of the pair's contact oscillation.
     pub(in crate::dynamics) fn relative_acceleration(&self, contact: usize, here: &Local) -> (DVec2, f64) {
         let dt = CLOSING_INTERVAL * self.world.pairs[self.world.contacts[contact].pair].simultaneity;
         let island = assemble(
@@ -190,9 +192,9 @@ impl AtInstant<'_> {
         ((next.rate - here.rate) / dt, (next.gap_rate - here.gap_rate) / dt)
     }
 
-    /// Regularisation length `ℓ` of a slip direction that turns \[m\], `docs/physics.md#law-return-mapping`: proportional to
-    /// the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`, with ω the contact frequency of the pair; 0 for
-    /// a law whose slip direction is no state.
+    /// Regularisation length `ℓ` of a slip direction that turns \[m\], `docs/physics.md#law-return-mapping`:
+    /// proportional to the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`, with ω the contact
+    /// frequency of the pair; 0 for a law whose slip direction is no state.
     pub(in crate::dynamics) fn regularisation_length(&self, contact: usize, law: &Law, here: &Local) -> f64 {
         // At μ_k = 0 the tangential force vanishes and has no direction.
         if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
@@ -220,8 +222,8 @@ mod tests {
 
     const DEPTH: f64 = 1e-3;
 
-    /// A girder at a wall at this displacement and velocity along x, under a constant push along y, all nodes in slip under a
-    /// law that stops at 1e-6 m/s in two directions.
+    /// A girder at a wall at this displacement and velocity along x, under a constant push along y, all nodes in slip
+    /// under a law that stops at 1e-6 m/s in two directions.
     fn pressed(kind: Kind, [x, u]: [f64; 2], push: f64) -> (World, EventInstant) {
         let mut scene = wall();
         (scene.kind, scene.gravity) = (kind, 0.0);

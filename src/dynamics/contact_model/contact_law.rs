@@ -1,13 +1,13 @@
-//! Law of a contact: stiffness and dashpots of its pair, divided among the nodes that face each other when the pair first
-//! closes (`docs/physics.md#sharing-of-a-pairs-stiffness`).
+//! Law of a contact: stiffness and dashpots of its pair, divided among the nodes that face each other when the pair
+//! first closes (`docs/physics.md#sharing-of-a-pairs-stiffness`).
 
 use crate::contact::{Law, parameters};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::world::World;
 use crate::scene::Sharing;
 
-/// Law of a contact that closes. The number of nodes that share stiffness and dashpots is determined when the first contact
-/// of the pair closes and kept until all of them are open.
+/// Law of a contact that closes. The number of nodes that share stiffness and dashpots is determined when the first
+/// contact of the pair closes and kept until all of them are open.
 pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventInstant) -> Law {
     let number = world.contacts[contact].pair;
     if world.pairs[number].sharers == 0 {

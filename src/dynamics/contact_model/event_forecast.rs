@@ -1,7 +1,9 @@
-//! Forecast of the next event of an island by linear extrapolation of switching functions and gaps from the start of a step.
+//! Forecast of the next event of an island by linear extrapolation of switching functions and gaps from the start of
+//! a step.
 //!
-//! Two nodes of one edge close microseconds after one another; the forecast ends an implicit step near the next event, so
-//! that the part of it behind the event is not computed and discarded. It chooses the length of a step and no event.
+//! Two nodes of one edge close microseconds after one another; the forecast ends an implicit step near the next
+//! event, so that the part of it behind the event is not computed and discarded. It chooses the length of a step and
+//! no event.
 
 use crate::contact::{Frame, Local, locate};
 use crate::dynamics::Model;
@@ -21,9 +23,9 @@ enum Change {
     Closing(usize),
 }
 
-/// Time from the start of an island's next step to its first event within `horizon` by linear extrapolation, infinite without
-/// one \[s\]. The event is confirmed by a second evaluation at the forecast time; its location in the step is independent of
-/// this estimate.
+/// Time from the start of an island's next step to its first event within `horizon` by linear extrapolation, infinite
+/// without one \[s\]. The event is confirmed by a second evaluation at the forecast time; its location in the step is
+/// independent of this estimate.
 pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horizon: f64) -> f64 {
     let (dt, horizon) = (SLOPE_PHASE / island.omega(), horizon.min(FORECAST_PHASE / island.omega()));
     if horizon <= dt {
@@ -47,7 +49,8 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
         }
     }
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // Confirmed by its value at the forecast time; the time is that of the secant's zero where the value is still negative.
+    // Confirmed by its value at the forecast time; the time is that of the secant's zero where the value is still
+    // negative.
     let confirmed = |&(after, start, change): &(f64, f64, Change)| {
         let there = local(world, island, change, &frames_after(island, &world.model, after))?;
         let there = switching_value(world, island, change, &there);
@@ -92,8 +95,8 @@ fn switching_value(world: &World, island: &Island, change: Change, here: &Local)
     }
 }
 
-/// Poses of the sections of an island's bodies relative to their reference poses, `dt` after the start of the next step, with constant
-/// acceleration.
+/// Poses of the sections of an island's bodies relative to their reference poses, `dt` after the start of the next
+/// step, with constant acceleration.
 pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
     let slope = island.stepper.slope();
     let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
@@ -116,8 +119,8 @@ mod tests {
     use crate::dynamics::world::example::planned;
     use crate::scene::Scene;
 
-    /// Forecast within `horizon` for bodies at displacements and velocities along x, in an island of those in `slots`, with the
-    /// contacts of the numbers in `open` open and armed and the others in stick.
+    /// Forecast within `horizon` for bodies at displacements and velocities along x, in an island of those in
+    /// `slots`, with the contacts of the numbers in `open` open and armed and the others in stick.
     fn forecast(scene: &Scene, states: &[[f64; 2]], slots: &[usize], open: &[usize], horizon: f64) -> f64 {
         let states: Vec<_> = states.iter().map(|&[x, u]| [x, 0.0, 0.0, u, 0.0, 0.0]).collect();
         let mut world = planned(scene, &states);

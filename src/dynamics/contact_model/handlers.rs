@@ -15,8 +15,8 @@ use crate::dynamics::penalty3d::island::{Distance, Island};
 use crate::dynamics::world::tracks::Trajectory;
 
 impl ContactRun {
-    /// Handles the end of an island's planned step or the event within it: the step is committed as far as `t`, contacts and
-    /// devices change state, and trajectories are rebuilt.
+    /// Handles the end of an island's planned step or the event within it: the step is committed as far as `t`,
+    /// contacts and devices change state, and trajectories are rebuilt.
     pub(in crate::dynamics) fn end_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.world.islands[number].take() else { return };
         self.commit_island(&mut island, t);
@@ -68,8 +68,8 @@ impl ContactRun {
         }
     }
 
-    /// Handles the closing of a pair at `t` with all contacts that close within its simultaneity interval; continues the
-    /// search where none is due.
+    /// Handles the closing of a pair at `t` with all contacts that close within its simultaneity interval; continues
+    /// the search where none is due.
     pub(in crate::dynamics) fn close_pair(&mut self, pair: usize, t: f64) {
         let limit = t + self.world.pairs[pair].simultaneity;
         let closes = |&c: &usize| self.world.contacts[c].closing.is_some_and(|at| at <= limit);
@@ -98,13 +98,14 @@ impl ContactRun {
         for contact in entered {
             self.transitions(&now).close(contact);
         }
-        // An impact lasts about a radian of the contact's oscillation. The error estimate of an implicit step is blind to a
-        // motion that decays within the step; the first step therefore follows from the island's frequency.
+        // An impact lasts about a radian of the contact's oscillation. The error estimate of an implicit step is
+        // blind to a motion that decays within the step; the first step therefore follows from the island's
+        // frequency.
         self.rebuild(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
     }
 
-    /// Ends at `t` the trajectories of bodies and of all bodies in an island with them: their states, and the method and
-    /// length of their integrators' next steps.
+    /// Ends at `t` the trajectories of bodies and of all bodies in an island with them: their states, and the method
+    /// and length of their integrators' next steps.
     pub(in crate::dynamics) fn release(&mut self, slots: &[usize], t: f64) -> (EventInstant, ControllerState) {
         let mut all = BTreeSet::new();
         let mut pace = ControllerState::default();

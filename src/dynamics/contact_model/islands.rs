@@ -1,5 +1,5 @@
-//! Assembly of islands (bodies joined by a chain of closed contacts and acting devices), their numbers, and reuse of their
-//! implicit integrators.
+//! Assembly of islands (bodies joined by a chain of closed contacts and acting devices), their numbers, and reuse of
+//! their implicit integrators.
 
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::integrator::radau_iia::Radau;
@@ -40,8 +40,8 @@ impl IslandStock {
         self.spare.extend(island.give_back());
     }
 
-    /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `pace` is the
-    /// method and the length of its first step.
+    /// Creates an island at `start` and writes the flights of its bodies into their paths; returns its number. `pace`
+    /// is the method and the length of its first step.
     pub(in crate::dynamics) fn create(
         &mut self,
         world: &mut World,

@@ -1,5 +1,5 @@
-//! The contact model (`docs/physics.md#contact-events`) as an implementer of the event loop: free flight, closing, stick,
-//! slip and opening.
+//! The contact model (`docs/physics.md#contact-events`) as an implementer of the event loop: free flight, closing,
+//! stick, slip and opening.
 
 pub(in crate::dynamics) mod at_instant;
 mod constants;

@@ -1,8 +1,9 @@
-//! The run of one group of bodies under the contact model: setup at t = 0, planning of steps, searches, and the end of the run.
+//! The run of one group of bodies under the contact model: setup at t = 0, planning of steps, searches, and the end
+//! of the run.
 //!
-//! Every body has a trajectory beyond the present time: a flight in closed form, or the planned step of its island. Every pair
-//! has the time of its next closing on these trajectories. An event changes the trajectories of the bodies that it concerns
-//! and the searches of their pairs, and no others.
+//! Every body has a trajectory beyond the present time: a flight in closed form, or the planned step of its island.
+//! Every pair has the time of its next closing on these trajectories. An event changes the trajectories of the bodies
+//! that it concerns and the searches of their pairs, and no others.
 
 use std::sync::Arc;
 
@@ -115,9 +116,9 @@ impl ContactRun {
         Transitions { world: &mut self.world, events: &mut self.events, schedule: &mut self.schedule, now }
     }
 
-    /// Gives bodies their new trajectories from the time of the event on: bodies joined by closed contacts or acting devices
-    /// form islands; of the others planar ones fly in closed form and spatial ones are integrated alone. `pace` is the method
-    /// and the length of the islands' first steps.
+    /// Gives bodies their new trajectories from the time of the event on: bodies joined by closed contacts or acting
+    /// devices form islands; of the others planar ones fly in closed form and spatial ones are integrated alone.
+    /// `pace` is the method and the length of the islands' first steps.
     pub(in crate::dynamics) fn rebuild(&mut self, now: EventInstant, pace: ControllerState) {
         let EventInstant { t, slots, bases, mut states, .. } = now;
         let mut new_islands = Vec::new();
@@ -186,8 +187,8 @@ impl ContactRun {
         self.world.islands[number] = Some(island);
     }
 
-    /// Enters in the island the first event within its planned step; its time. Of events of a contact and a device at equal
-    /// times the contact's comes first; the device's is located at the start of the next step.
+    /// Enters in the island the first event within its planned step; its time. Of events of a contact and a device at
+    /// equal times the contact's comes first; the device's is located at the start of the next step.
     fn find_due(&mut self, island: &mut Island) -> Option<f64> {
         let contacts = self.first_due(island);
         let link = link_events::first_due(&self.world.model, island);
@@ -208,8 +209,8 @@ impl ContactRun {
         }
     }
 
-    /// The first events of an island's contacts within its planned step, and their time. An event well inside the step has
-    /// the step retaken to end at it.
+    /// The first events of an island's contacts within its planned step, and their time. An event well inside the
+    /// step has the step retaken to end at it.
     fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<Due>)> {
         let (model, simultaneity) = (Arc::clone(&self.world.model), SIMULTANEOUS_PHASE / island.omega());
         let (t, due) = event_location::first_due(&model, island, simultaneity)?;

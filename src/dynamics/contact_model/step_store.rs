@@ -1,7 +1,8 @@
 //! Storage of integration steps: as polynomials, or by their initial states, from which a step is recomputed when read.
 //!
-//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; an initial state takes a seventh of the memory and
-//! microseconds to read. A run stores polynomials up to the memory limit of the model and initial states from then on.
+//! A polynomial is read in nanoseconds and takes up to 400 bytes a body; an initial state takes a seventh of the
+//! memory and microseconds to read. A run stores polynomials up to the memory limit of the model and initial states
+//! from then on.
 
 use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
@@ -25,8 +26,8 @@ impl StepStore {
         self.polynomials >= world.model.polynomials / world.model.groups.len().max(1)
     }
 
-    /// Stores an island's planned step by its initial state; its number. `None` where polynomials are still stored, or where
-    /// a recomputed step would not be equal to the last bit.
+    /// Stores an island's planned step by its initial state; its number. `None` where polynomials are still stored,
+    /// or where a recomputed step would not be equal to the last bit.
     pub(in crate::dynamics) fn keep_start(&mut self, world: &World, island: &mut Island) -> Option<u32> {
         if !self.keeps_starts(world)
             || island.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
@@ -59,8 +60,8 @@ impl StepStore {
         Some(members)
     }
 
-    /// Number of the flight that ended at `t` in this reference pose and this state relative to it, to the last bit; `None`
-    /// without one.
+    /// Number of the flight that ended at `t` in this reference pose and this state relative to it, to the last bit;
+    /// `None` without one.
     pub(in crate::dynamics) fn landing(
         world: &World,
         slot: usize,

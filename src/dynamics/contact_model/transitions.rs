@@ -30,8 +30,8 @@ pub(in crate::dynamics) struct Transitions<'a> {
     pub now: &'a EventInstant,
 }
 
-/// Enters a contact's state from `t` on in its track and its log, with the origin of its anchor: the displacement of the node
-/// along the face from the placed to the reference poses.
+/// Enters a contact's state from `t` on in its track and its log, with the origin of its anchor: the displacement of
+/// the node along the face from the placed to the reference poses.
 pub(in crate::dynamics) fn enter(
     world: &mut World,
     contact: usize,
@@ -134,8 +134,8 @@ impl Transitions<'_> {
         self.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
-    /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is inside
-    /// the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
+    /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is
+    /// inside the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
         let now = self.now;
         let as_placed: Vec<bool> = now.frames.iter().map(|frame| self.at().is_as_placed(frame)).collect();

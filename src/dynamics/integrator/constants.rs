@@ -1,59 +1,63 @@
-//! Tolerance factors of the integrators: unit, effect, and derivation or the word "tuned". All without a unit but counts.
+//! Tolerance factors of the integrators: unit, effect, and derivation or the word "tuned". All without a unit but
+//! counts.
 
 // Radau IIA: Newton iteration.
 
 /// Most Newton iterations per attempt; then the step is shortened. Tuned.
 pub(super) const NEWTON_ITERATIONS: usize = 12;
-/// Newton's iteration ends when the remaining error of the stages is below this part of the tolerance (κ of Hairer and Wanner,
-/// section IV.8, there 0.01 to 0.1).
+/// Newton's iteration ends when the remaining error of the stages is below this part of the tolerance (κ of Hairer
+/// and Wanner, section IV.8, there 0.01 to 0.1).
 pub(super) const NEWTON_RESIDUAL: f64 = 5e-2;
 /// Part of [`NEWTON_RESIDUAL`] below which the first correction ends the iteration, without a convergence rate. Tuned.
 pub(super) const NEWTON_FIRST_SHARE: f64 = 2e-3;
-/// An iteration whose corrections no longer shrink has reached round-off; it is accepted up to this part of the tolerance. Tuned.
+/// An iteration whose corrections no longer shrink has reached round-off; it is accepted up to this part of the
+/// tolerance. Tuned.
 pub(super) const NEWTON_STALLED: f64 = 0.2;
 /// Convergence rate up to which the Jacobian is kept for the next step: every iteration then gives a
 /// digit.
 pub(super) const NEWTON_GOOD_RATE: f64 = 0.1;
-/// Relative difference of step lengths up to which the factored matrices are reused: far below the effect of the approximate
-/// Jacobian on the rate of convergence.
+/// Relative difference of step lengths up to which the factored matrices are reused: far below the effect of the
+/// approximate Jacobian on the rate of convergence.
 pub(super) const SAME_STEP: f64 = 1e-6;
-/// Rounds of the power method for the spectral radius of the Jacobian; the second half is read. Tuned: the estimate is compared
-/// with a bound that is good to a factor.
+/// Rounds of the power method for the spectral radius of the Jacobian; the second half is read. Tuned: the estimate
+/// is compared with a bound that is good to a factor.
 pub(super) const POWER_ROUNDS: usize = 12;
-/// Ratio of step lengths up to which the last collocation polynomial is extrapolated for the start of the iteration: beyond, a
-/// polynomial of degree 7 is worse than no change.
+/// Ratio of step lengths up to which the last collocation polynomial is extrapolated for the start of the iteration:
+/// beyond, a polynomial of degree 7 is worse than no change.
 pub(super) const EXTRAPOLATED_STEPS: f64 = 10.0;
 
 // Radau IIA: choice of the number of stages.
 
-/// Relative tolerance from which five stages are used instead of seven: with coarser tolerances fewer stages cost less. See
-/// docs/cost.md.
+/// Relative tolerance from which five stages are used instead of seven: with coarser tolerances fewer stages cost
+/// less. See docs/cost.md.
 pub(super) const FIVE_STAGE_TOLERANCE: f64 = 1e-6;
-/// Factor on the error estimate of five stages. Measured: a sliding deck is 1.7e-6 m off at a tolerance of 1e-4 with factor 1, and
-/// 1.7e-7 m with factor 4.
+/// Factor on the error estimate of five stages. Measured: a sliding deck is 1.7e-6 m off at a tolerance of 1e-4 with
+/// factor 1, and 1.7e-7 m with factor 4.
 pub(super) const FIVE_STAGE_FACTOR: f64 = 4.0;
-/// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without a Jacobian.
-/// Tuned.
+/// Largest step, in units of the shortest time constant without auxiliary components, that three stages take without
+/// a Jacobian. Tuned.
 pub(super) const QUIET_STEP: f64 = 0.3;
-/// Largest such step per fourth root of the relative tolerance: the error estimate of three stages is of fourth order. Tuned.
+/// Largest such step per fourth root of the relative tolerance: the error estimate of three stages is of fourth
+/// order. Tuned.
 pub(super) const QUIET_STEP_PER_ROOT: f64 = 3.5;
 
 // Dormand–Prince 8(5,3).
 
-/// Time constants of a decay that an explicit step may span for its error estimate to exceed its error: at 5.65 of them, inside
-/// the region of stability, the fifth-order estimate crosses 0 while a quarter of the decaying part is left.
+/// Time constants of a decay that an explicit step may span for its error estimate to exceed its error: at 5.65 of
+/// them, inside the region of stability, the fifth-order estimate crosses 0 while a quarter of the decaying part is
+/// left.
 pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
 
 // Step control.
 
-/// Explicit steps that span more time constants of the fastest motion than this, though their error is below [`LIMITED_ERROR`], are
-/// limited by stability. Tuned.
+/// Explicit steps that span more time constants of the fastest motion than this, though their error is below
+/// [`LIMITED_ERROR`], are limited by stability. Tuned.
 pub(super) const STABILITY_LIMITED: f64 = 0.7;
-/// Error, in parts of the tolerance, below which a step is not limited by accuracy: one of 0.02^(−1/8) = 1.6 times the length
-/// is within the tolerance.
+/// Error, in parts of the tolerance, below which a step is not limited by accuracy: one of 0.02^(−1/8) = 1.6 times
+/// the length is within the tolerance.
 pub(super) const LIMITED_ERROR: f64 = 0.02;
-/// Safety factor of a step length that follows from an error estimate, and largest factor after a rejection (Hairer, Nørsett
-/// and Wanner, section II.4).
+/// Safety factor of a step length that follows from an error estimate, and largest factor after a rejection (Hairer,
+/// Nørsett and Wanner, section II.4).
 pub(super) const STEP_SAFETY: f64 = 0.9;
 /// Least factor from one step length to the next. Tuned.
 pub(super) const SHORTEST_FACTOR: f64 = 0.2;
@@ -73,20 +77,21 @@ pub(super) const REPEATED_REJECTION: f64 = 0.2;
 pub(super) const NEARLY_ACCEPTED: f64 = 3.0;
 /// Successive steps limited by stability after which the method changes. Tuned (DOP853 waits for 15).
 pub(super) const METHOD_CHANGE_STEPS: u32 = 4;
-/// Explicit steps between two events after which the implicit method is tried, doubled after each trial: round-off in the
-/// right-hand side can limit explicit steps as well. Tuned.
+/// Explicit steps between two events after which the implicit method is tried, doubled after each trial: round-off in
+/// the right-hand side can limit explicit steps as well. Tuned.
 pub(super) const TRIAL_STEPS: u32 = 64;
 /// Time constants of the fastest motion that explicit steps span at the cost of one implicit step. Tuned.
 pub(super) const IMPLICIT_STEP_WORTH: f64 = 12.0;
-/// Error, in parts of the tolerance, below which the next implicit step will be longer: the method is not given up then. Tuned.
+/// Error, in parts of the tolerance, below which the next implicit step will be longer: the method is not given up
+/// then. Tuned.
 pub(super) const GROWING_ERROR: f64 = 0.2;
 /// Length of a step that is cut for a forecast event, per interval to the event: its end is beyond the event. Tuned.
 pub(super) const BEYOND_EVENT: f64 = 1.5;
 /// Part of the proposed length below which a step is cut for a forecast event. Tuned.
 pub(in crate::dynamics) const WORTHWHILE_CUT: f64 = 0.3;
-/// Shortest interval to a forecast event for which a step is cut, relative to the time: a shorter step would be round-off of
-/// its ends.
+/// Shortest interval to a forecast event for which a step is cut, relative to the time: a shorter step would be
+/// round-off of its ends.
 pub(super) const SHORTEST_CUT: f64 = 64.0 * f64::EPSILON;
-/// Components beyond which the elimination of an implicit step, which grows with their cube, costs more than short explicit steps.
-/// Tuned.
+/// Components beyond which the elimination of an implicit step, which grows with their cube, costs more than short
+/// explicit steps. Tuned.
 pub(super) const LARGEST_IMPLICIT: usize = 160;

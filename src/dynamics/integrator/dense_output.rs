@@ -1,11 +1,12 @@
-//! Dense output: the interpolant of a step as eight coefficients per component, `u(x) = c₀ + x (c₁ + y (c₂ + x (c₃ + …)))` with
-//! `x = (t − t₀)/h`, `y = 1 − x` (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I", section II.6).
+//! Dense output: the interpolant of a step as eight coefficients per component, `u(x) = c₀ + x (c₁ + y (c₂ + x (c₃ +
+//! …)))` with `x = (t − t₀)/h`, `y = 1 − x` (Hairer, Nørsett and Wanner, "Solving Ordinary Differential Equations I",
+//! section II.6).
 
 /// Coefficients of the interpolant per component.
 pub const DENSE_TERMS: usize = 8;
 
-/// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x, on
-/// \[0, 1\], rounded up.
+/// Largest first and second derivatives of the interpolant's factors `x, xy, x²y, x²y², x³y², x³y³, x⁴y³`, y = 1 − x,
+/// on \[0, 1\], rounded up.
 const STEEPEST: [[f64; DENSE_TERMS - 1]; 2] =
     [[1.0, 1.0, 1.0, 0.193, 0.136, 0.0537, 0.0336], [0.0, 2.0, 4.0, 2.0, 2.0, 0.375, 0.243]];
 

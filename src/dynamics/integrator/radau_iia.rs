@@ -382,7 +382,8 @@ mod tests {
     fn the_order_is_thirteen_and_seven_between_the_steps() {
         let order = |a: f64, b: f64| (a / b).log2();
         let (coarse, fine) = (errors(1, 1.0), errors(2, 1.0));
-        // A linear step is the Padé approximation (6, 7) of the exponential: error 6! 7!/(13! 14!) h¹⁴, here of two steps.
+        // A linear step is the Padé approximation (6, 7) of the exponential: error 6! 7!/(13! 14!) h¹⁴, here of two
+        // steps.
         let pade = 2.0 * 720.0 * 5040.0 / (6_227_020_800.0 * 87_178_291_200.0) * 1.5f64.powi(14);
         assert!((0.3..1.5).contains(&(fine[0] / pade)), "steps: {} against {pade}", fine[0]);
         assert!(order(coarse[2], fine[2]) > 6.5, "between: {coarse:?} {fine:?}");

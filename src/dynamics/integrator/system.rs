@@ -1,8 +1,8 @@
 //! Systems of ordinary differential equations `ẏ = f(t, y)` as the integrators see them.
 //!
-//! Explicit methods need the right-hand side and a norm ([`System`]); implicit ones also what their Newton matrix is built from
-//! ([`ImplicitSystem`]): increments for difference quotients, the block structure, and the part of the Jacobian that is
-//! evaluated at every stage, which is of low rank ([`RankOneTerm`]).
+//! Explicit methods need the right-hand side and a norm ([`System`]); implicit ones also what their Newton matrix is
+//! built from ([`ImplicitSystem`]): increments for difference quotients, the block structure, and the part of the
+//! Jacobian that is evaluated at every stage, which is of low rank ([`RankOneTerm`]).
 
 use glam::DVec2;
 
@@ -14,23 +14,24 @@ pub trait System {
     fn size2(&self, difference: &[f64]) -> f64;
 }
 
-/// What an implicit method needs beyond the right-hand side. The defaults describe a system without structure: a dense Jacobian
-/// by difference quotients, no auxiliary components, no term of low rank.
+/// What an implicit method needs beyond the right-hand side. The defaults describe a system without structure: a
+/// dense Jacobian by difference quotients, no auxiliary components, no term of low rank.
 ///
-/// The last [`auxiliary_count`](Self::auxiliary_count) components are *auxiliary*: each obeys a scalar equation of its own and is
-/// coupled to the leading components through one [`RankOneTerm`] only. A *port* is a pair of inputs `u` (two components) and
-/// outputs `w = W y` (two components): the leading components obey `ẏ = … + B u`, and rank-one terms give `u` from `w`.
+/// The last [`auxiliary_count`](Self::auxiliary_count) components are *auxiliary*: each obeys a scalar equation of
+/// its own and is coupled to the leading components through one [`RankOneTerm`] only. A *port* is a pair of inputs
+/// `u` (two components) and outputs `w = W y` (two components): the leading components obey `ẏ = … + B u`, and
+/// rank-one terms give `u` from `w`.
 pub trait ImplicitSystem: System {
-    /// Scale of component `i`, whose value is `y`, for the increments of difference quotients: large against the rounding of
-    /// `f`, small against the distance over which `f` is linear.
+    /// Scale of component `i`, whose value is `y`, for the increments of difference quotients: large against the
+    /// rounding of `f`, small against the distance over which `f` is linear.
     fn increment_scale(&self, _i: usize, y: f64) -> f64 {
         y.abs().max(1.0)
     }
     /// Sets the components that never change to 0 in a difference of states.
     fn hold(&self, _difference: &mut [f64]) {}
-    /// The blocks of the leading components, if the system is of second order: the rates of a block's positions are linear in
-    /// its velocities, `ṗ = B v` with orthogonal columns of `B`, and `f` does not depend on changes of positions outside of
-    /// the range of `B`.
+    /// The blocks of the leading components, if the system is of second order: the rates of a block's positions are
+    /// linear in its velocities, `ṗ = B v` with orthogonal columns of `B`, and `f` does not depend on changes of
+    /// positions outside of the range of `B`.
     fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
         std::iter::empty()
     }
@@ -58,11 +59,11 @@ pub trait ImplicitSystem: System {
     fn rank_one_terms(&self) -> &[RankOneTerm] {
         &[]
     }
-    /// While `frozen`, evaluations keep the inputs' directions of the last evaluation before, and all that switches with them its
-    /// branch: difference quotients then leave the terms of low rank out of the Jacobian.
+    /// While `frozen`, evaluations keep the inputs' directions of the last evaluation before, and all that switches
+    /// with them its branch: difference quotients then leave the terms of low rank out of the Jacobian.
     fn freeze(&mut self, _frozen: bool) {}
-    /// The columns of `B` and the rows of `W` of a port at `y`, over the leading components: two of each, all 0 as given, and 0
-    /// for positions.
+    /// The columns of `B` and the rows of `W` of a port at `y`, over the leading components: two of each, all 0 as
+    /// given, and 0 for positions.
     fn port(&self, _port: usize, _y: &[f64], _input: &mut [f64], _output: &mut [f64]) {}
 }
 
@@ -77,8 +78,8 @@ pub struct PositionBlock {
     pub until: usize,
 }
 
-/// A rank-one part of the response of a port's input to its output, `du = input · z`, where `z = output · dw`, or where `z` is
-/// an auxiliary component driven by that.
+/// A rank-one part of the response of a port's input to its output, `du = input · z`, where `z = output · dw`, or
+/// where `z` is an auxiliary component driven by that.
 #[derive(Clone, Copy, Debug)]
 pub struct RankOneTerm {
     /// Number of the port.

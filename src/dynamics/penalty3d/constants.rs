@@ -18,8 +18,8 @@ pub(in crate::dynamics) const LEVEL_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// \[–\]: a gap is a sum of three terms. A larger value would exceed errors of the method, which add up over a thousand
 /// elastic touches. Tuned.
 pub(in crate::dynamics) const EXPLICIT_ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Round-off of position and velocity over an implicit step, which spans many radians, per distance moved \[–\]: the force of
-/// every stage carries the round-off of its positions, which a shorter step does not reduce. Tuned.
+/// Round-off of position and velocity over an implicit step, which spans many radians, per distance moved \[–\]: the
+/// force of every stage carries the round-off of its positions, which a shorter step does not reduce. Tuned.
 pub(in crate::dynamics) const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Least distance moved, per size of body or face, that round-off is proportional to \[–\]. Tuned.
 pub(in crate::dynamics) const SIZE_ROUNDING_SHARE: f64 = 1e-3;
@@ -28,8 +28,9 @@ pub(in crate::dynamics) const NEAR_BASE: f64 = 1e-2;
 /// Lower bound of the error scale, per round-off of the contact point's position \[–\]. Prevents resolving undamped
 /// oscillations below round-off. Tuned.
 pub(in crate::dynamics) const ROUNDING_FLOOR: f64 = 0.1;
-/// Lower bound of the error scale where a slip direction turns, per round-off of the contact point's position \[–\]: steps are
-/// implicit and need not resolve such an oscillation. Tuned: at 0.1 contacts of grams on 1e12 N/m exceed their tolerance.
+/// Lower bound of the error scale where a slip direction turns, per round-off of the contact point's position \[–\]:
+/// steps are implicit and need not resolve such an oscillation. Tuned: at 0.1 contacts of grams on 1e12 N/m exceed
+/// their tolerance.
 pub(in crate::dynamics) const ROUNDING_FLOOR_TURNING: f64 = 0.01;
 
 // Error scale
@@ -37,8 +38,8 @@ pub(in crate::dynamics) const ROUNDING_FLOOR_TURNING: f64 = 0.01;
 /// Steps with contact of a body after which the tolerance of each falls in proportion to their number \[–\]: the
 /// errors of a long run have one sign and add up, to no more than their logarithm then. Tuned.
 pub(in crate::dynamics) const LONG_RUN_CONTACT: f64 = 1000.0;
-/// Steps without contact of a body after which the tolerance of each falls in proportion to their number \[–\]: a rotating
-/// girder errs by a twelfth of a tolerance in each. Tuned.
+/// Steps without contact of a body after which the tolerance of each falls in proportion to their number \[–\]: a
+/// rotating girder errs by a twelfth of a tolerance in each. Tuned.
 pub(in crate::dynamics) const LONG_RUN_FREE: f64 = 250.0;
 /// Least speed that errors are relative to at a point of reversal, per speed gained by its acceleration in one radian
 /// \[–\]. Tuned.
@@ -46,15 +47,15 @@ pub(in crate::dynamics) const REVERSAL_SPEED: f64 = 0.1;
 /// Least speed that errors are relative to, per speed gained in one radian from ground motion, weight and push \[–\].
 /// Tuned.
 pub(in crate::dynamics) const REST_SPEED: f64 = 1e-3;
-/// Least square of an island's circular frequency \[rad²/s²\]: that of a body without contact and bearings, for which steps
-/// and error scales need a frequency above 0. Tuned.
+/// Least square of an island's circular frequency \[rad²/s²\]: that of a body without contact and bearings, for which
+/// steps and error scales need a frequency above 0. Tuned.
 pub(in crate::dynamics) const LEAST_SQUARED_FREQUENCY: f64 = 1e-6;
 /// Acceleration that stands for no load at all \[m/s²\]: keeps the error scale of a body at rest above 0. Tuned.
 pub(in crate::dynamics) const LEAST_ACCELERATION: f64 = 1e-9;
 /// Least tolerance of a step with contact \[–\], the finest that a scene can ask for: below it, errors are round-off.
 pub(in crate::dynamics) const FINEST_TOLERANCE: f64 = 1e-13;
-/// Least tolerance of a step without contact \[–\], where no stiff spring is between position and force. Measured: a million
-/// steps of a tumbling girder change its energy by 1e-10 at 1e-13, and by a tenth of that at 1e-14.
+/// Least tolerance of a step without contact \[–\], where no stiff spring is between position and force. Measured: a
+/// million steps of a tumbling girder change its energy by 1e-10 at 1e-13, and by a tenth of that at 1e-14.
 pub(in crate::dynamics) const FINEST_TOLERANCE_FREE: f64 = 1e-14;
 
 // Step length
@@ -68,8 +69,8 @@ pub(in crate::dynamics) const FIRST_PHASE: f64 = 0.48;
 /// Longest implicit step with contact, in radians of the ground motion \[rad\]: a stiff contact follows the ground
 /// quasi-statically, and an error measured by the contact's own speed does not show it. Tuned.
 pub(in crate::dynamics) const GROUND_PHASE_CONTACT: f64 = 1.0;
-/// Longest step without contact, in radians of the ground motion \[rad\]. Measured: a step of four radians errs by 0.4 of a
-/// coarse tolerance, with one sign, and its error follows no order.
+/// Longest step without contact, in radians of the ground motion \[rad\]. Measured: a step of four radians errs by
+/// 0.4 of a coarse tolerance, with one sign, and its error follows no order.
 pub(in crate::dynamics) const GROUND_PHASE_FREE: f64 = 2.0;
 /// An event nearer to either end of a step than this part of it starts from the dense output \[–\]; otherwise the
 /// step is retaken to end at the event. Tuned.
@@ -77,8 +78,8 @@ pub(in crate::dynamics) const RETAKE_MARGIN: f64 = 0.03;
 /// Distance beyond the event, per length, at which a retaken explicit step ends \[–\]. Tuned: past the error of the
 /// event's time.
 pub(in crate::dynamics) const OVERSHOOT_EXPLICIT: f64 = 1e-3;
-/// Distance beyond the event, per length, at which a retaken implicit step ends \[–\]; its last stage is its end and depends
-/// on the forces beyond the event. Tuned.
+/// Distance beyond the event, per length, at which a retaken implicit step ends \[–\]; its last stage is its end and
+/// depends on the forces beyond the event. Tuned.
 pub(in crate::dynamics) const OVERSHOOT_IMPLICIT: f64 = 1e-5;
 /// Tolerance below which implicit steps are retaken too \[–\]. Measured: at 1e-9 and above a 30 m deck is as exact
 /// without, for a tenth less work.
@@ -86,10 +87,11 @@ pub(in crate::dynamics) const RETAKE_TOLERANCE: f64 = 1e-9;
 
 // Event location
 
-/// Samples of a switching function in an explicit step. The step is short against all motions in it, so that five samples
-/// show every sign change except short excursions, and the second difference of three samples shows those.
+/// Samples of a switching function in an explicit step. The step is short against all motions in it, so that five
+/// samples show every sign change except short excursions, and the second difference of three samples shows those.
 pub(in crate::dynamics) const SAMPLES_EXPLICIT: usize = 5;
-/// Samples in an implicit step whose phase is between the two [`SHORT_PHASES`]: half the interval of [`SAMPLES_EXPLICIT`].
+/// Samples in an implicit step whose phase is between the two [`SHORT_PHASES`]: half the interval of
+/// [`SAMPLES_EXPLICIT`].
 pub(in crate::dynamics) const SAMPLES_MEDIUM: usize = 2 * SAMPLES_EXPLICIT - 1;
 /// Samples in an implicit step, which may span several oscillations of a contact.
 pub(in crate::dynamics) const SAMPLES_IMPLICIT: usize = 17;
@@ -99,8 +101,8 @@ pub(in crate::dynamics) const SHORT_PHASES: [f64; 2] = [2.5, 5.0];
 /// At the start of a step, values below this part of a switching function's scale are the zero that the last event
 /// left \[–\]. Tuned.
 pub(in crate::dynamics) const ZERO_BAND: f64 = 1e-10;
-/// Dead band of the opening of a node that moves out, per round-off of its entry \[–\]: bounds the delay of the opening.
-/// Tuned.
+/// Dead band of the opening of a node that moves out, per round-off of its entry \[–\]: bounds the delay of the
+/// opening. Tuned.
 pub(in crate::dynamics) const PARTING_BAND: f64 = 0.1;
 /// Phase of a step from which on round-off of speeds is that of positions over the step's length \[rad\]. Tuned.
 pub(in crate::dynamics) const SPEED_ROUNDING_PHASE: f64 = 16.0;

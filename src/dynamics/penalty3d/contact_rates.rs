@@ -1,5 +1,5 @@
-//! Upper bounds of the circular frequency and of the decay rates of closed contacts: sums over the contacts of stiffness or
-//! dashpot times mobility (Gershgorin). Time scales and error scales of an island follow from them.
+//! Upper bounds of the circular frequency and of the decay rates of closed contacts: sums over the contacts of
+//! stiffness or dashpot times mobility (Gershgorin). Time scales and error scales of an island follow from them.
 
 use glam::{DMat3, DVec3};
 
@@ -173,8 +173,8 @@ mod tests {
 
     #[test]
     fn the_frequency_of_one_node_is_that_of_its_spring_on_the_mass_seen_at_a_corner() {
-        // Held against rotation the factor of mobility is 1, which the bound leaves out; at the corner of a rectangle in plan
-        // it is 1 + r²/i² = 4, and the bound has the distance in space.
+        // Held against rotation the factor of mobility is 1, which the bound leaves out; at the corner of a rectangle
+        // in plan it is 1 + r²/i² = 4, and the bound has the distance in space.
         for (scene, corner) in [(wall(), 1.0), (free_to_turn(wall()), 4.0)] {
             let (model, active) = damped(&scene);
             let omega = fastest(&model, &bodies(&model), &active, &[]);

@@ -37,8 +37,8 @@ impl Island {
         self.with_state(model, index, t, |body, state| body.frame_since(section, state))
     }
 
-    /// Value of `take` at the state of a body at `t` within the planned step, relative to its reference pose, as the dense
-    /// output gives it.
+    /// Value of `take` at the state of a body at `t` within the planned step, relative to its reference pose, as the
+    /// dense output gives it.
     fn with_state<T>(&self, model: &Model, index: usize, t: f64, take: impl FnOnce(&Body, &[f64]) -> T) -> T {
         let (range, body) = (self.layout.range(index), self.body(model, index));
         match &self.dense {
@@ -47,8 +47,8 @@ impl Island {
         }
     }
 
-    /// Poses of all sections of the bodies at `times` within the planned step, relative to their reference poses, time by
-    /// time.
+    /// Poses of all sections of the bodies at `times` within the planned step, relative to their reference poses,
+    /// time by time.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
         let mut frames = Vec::with_capacity(times.len() * self.layout.section_count());
         for &t in times {

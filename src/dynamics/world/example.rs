@@ -10,8 +10,8 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 use crate::scene::Scene;
 
-/// The group of a scene at t = 0 with all contacts in stick whose nodes are over their faces as placed, and all bodies in
-/// one island from `states`, its first step planned.
+/// The group of a scene at t = 0 with all contacts in stick whose nodes are over their faces as placed, and all
+/// bodies in one island from `states`, its first step planned.
 pub(in crate::dynamics) fn planned(scene: &Scene, states: &[PlanarState]) -> World {
     let (model, active) = example::closed(scene, example::stick);
     let mut island = example::island_of(&model, active.clone(), states.concat());

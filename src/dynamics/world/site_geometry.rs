@@ -1,4 +1,5 @@
-//! Geometry of a contact site as placed, and the bound on its gap that follows from bounds on the motion of both bodies.
+//! Geometry of a contact site as placed, and the bound on its gap that follows from bounds on the motion of both
+//! bodies.
 
 use crate::contact::Local;
 use crate::dynamics::Model;
