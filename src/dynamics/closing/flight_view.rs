@@ -101,7 +101,7 @@ mod tests {
     use crate::dynamics::world::example::in_flight;
     use crate::scene::{Motion, Scene, presets};
 
-    const SAMPLES: u32 = 2000;
+    const FLIGHT_SAMPLES: u32 = 2000;
 
     #[test]
     fn a_search_covers_a_period_or_samples_or_the_run() {
@@ -121,10 +121,10 @@ mod tests {
         let slots = [Some(0), Some(1)];
         let sample = FlightSample::of(&world, slots, [0; 2], 0.0, until);
         assert!(sample.bounds.iter().all(|bound| bound.window >= until) && sample.between.window >= until);
-        let times: Vec<f64> = (0..=SAMPLES).map(|i| until * f64::from(i) / f64::from(SAMPLES)).collect();
+        let times: Vec<f64> = (0..=FLIGHT_SAMPLES).map(|i| until * f64::from(i) / f64::from(FLIGHT_SAMPLES)).collect();
         let frames: Vec<[Frame; 2]> = times.iter().map(|&t| [0, 1].map(|slot| world.frame(slot, 0, t))).collect();
         let largest = |of: &dyn Fn(&[Frame; 2]) -> f64| frames.iter().map(of).fold(0.0, f64::max);
-        let step = until / f64::from(SAMPLES);
+        let step = until / f64::from(FLIGHT_SAMPLES);
         let change = |of: &dyn Fn(&[Frame; 2]) -> DVec3| {
             frames.windows(2).map(|two| (of(&two[1]) - of(&two[0])).length() / step).fold(0.0, f64::max)
         };

@@ -85,10 +85,10 @@ mod tests {
     use crate::dynamics::penalty3d::example::{SPEED, free_to_turn, row, wall};
     use crate::dynamics::world::example::planned;
 
-    const SAMPLES: u32 = 400;
+    const RATE_SAMPLES: u32 = 400;
 
     fn times(until: f64) -> Vec<f64> {
-        (0..=SAMPLES).map(|i| until * f64::from(i) / f64::from(SAMPLES)).collect()
+        (0..=RATE_SAMPLES).map(|i| until * f64::from(i) / f64::from(RATE_SAMPLES)).collect()
     }
 
     fn until(world: &World) -> f64 {
@@ -101,7 +101,7 @@ mod tests {
         let (site, until) = (&world.model.contacts[track.site], until(world));
         let rate = |t: f64| gap(&site.home, &world.side(contact, 0, t), &world.side(contact, 1, t))[1];
         let rates: Vec<f64> = times(until).into_iter().map(rate).collect();
-        let step = until / f64::from(SAMPLES);
+        let step = until / f64::from(RATE_SAMPLES);
         let largest = rates.windows(2).map(|two| (two[1] - two[0]).abs() / step).fold(0.0, f64::max);
         let pair = &world.pairs[track.pair];
         let bounds = GapCurvature::of(world, pair.slots, 0.0, until);
@@ -147,7 +147,7 @@ mod tests {
         let times = times(until);
         let farthest = times.iter().map(|&t| apart(t).length()).fold(0.0, f64::max);
         assert!(farthest <= bounds.distance && bounds.distance < 1.1 * farthest, "{bounds:?} against {farthest} m");
-        let step = until / f64::from(SAMPLES);
+        let step = until / f64::from(RATE_SAMPLES);
         let speeds: Vec<glam::DVec3> = times.windows(2).map(|two| (apart(two[1]) - apart(two[0])) / step).collect();
         let fastest = speeds.iter().map(|v| v.length()).fold(0.0, f64::max);
         assert!(fastest <= bounds.speed && bounds.speed < 3.0 * fastest, "{bounds:?} against {fastest} m/s");

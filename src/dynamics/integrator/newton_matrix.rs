@@ -303,8 +303,8 @@ mod tests {
     /// Two oscillators coupled by linear springs and dashpots: blocks of one position and one velocity.
     struct Springs;
 
-    const K: [[f64; 2]; 2] = [[30.0, -8.0], [-8.0, 20.0]];
-    const C: [[f64; 2]; 2] = [[0.5, -0.2], [-0.1, 0.9]];
+    const STIFFNESS_MATRIX: [[f64; 2]; 2] = [[30.0, -8.0], [-8.0, 20.0]];
+    const DAMPING_MATRIX: [[f64; 2]; 2] = [[0.5, -0.2], [-0.1, 0.9]];
     /// Factors of `ṗ = B v`.
     const B: [f64; 2] = [1.0, 2.0];
 
@@ -312,7 +312,8 @@ mod tests {
         fn slope(&mut self, _: f64, y: &[f64], out: &mut [f64]) {
             for i in 0..2 {
                 out[2 * i] = B[i] * y[2 * i + 1];
-                out[2 * i + 1] = (0..2).map(|j| -K[i][j] * y[2 * j] - C[i][j] * y[2 * j + 1]).sum();
+                out[2 * i + 1] =
+                    (0..2).map(|j| -STIFFNESS_MATRIX[i][j] * y[2 * j] - DAMPING_MATRIX[i][j] * y[2 * j + 1]).sum();
             }
         }
 

@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::dynamics::penalty3d::example::{SPEED, closed, free_to_turn, island_of, row, stick, wall};
 
-    const SAMPLES: u32 = 400;
+    const POSE_SAMPLES: u32 = 400;
 
     /// An island with its first step planned.
     fn planned(scene: &crate::scene::Scene, y: Vec<f64>) -> (Model, Island) {
@@ -111,7 +111,9 @@ mod tests {
     }
 
     fn times(island: &Island) -> Vec<f64> {
-        (0..=SAMPLES).map(|i| island.from + (island.until - island.from) * f64::from(i) / f64::from(SAMPLES)).collect()
+        (0..=POSE_SAMPLES)
+            .map(|i| island.from + (island.until - island.from) * f64::from(i) / f64::from(POSE_SAMPLES))
+            .collect()
     }
 
     /// Largest length of the differences of neighbouring vectors, per interval.
@@ -123,7 +125,7 @@ mod tests {
     fn bounds_on_the_motion_hold_and_are_not_far_above() {
         let (model, island) = hit();
         let frames: Vec<Frame> = times(&island).iter().map(|&t| island.frame_since(&model, 0, 0, t)).collect();
-        let interval = (island.until - island.from) / f64::from(SAMPLES);
+        let interval = (island.until - island.from) / f64::from(POSE_SAMPLES);
         let largest = |of: fn(&Frame) -> glam::DVec3| frames.iter().map(|f| of(f).length()).fold(0.0, f64::max);
         let change = |of: fn(&Frame) -> glam::DVec3| steepest(&frames.iter().map(of).collect::<Vec<_>>(), interval);
         let bound = island.bound(&model, 0);
