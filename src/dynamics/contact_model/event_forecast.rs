@@ -147,6 +147,25 @@ mod tests {
     }
 
     #[test]
+    fn an_opening_that_a_push_delays_is_corrected_by_the_secant() {
+        // Against the push P the girder comes out slower than it starts: x = p + (x₀ − p) cos φ + (v₀/ω) sin φ, p = P/K.
+        let (depth, rest): (f64, f64) = (1e-5, 1e-2);
+        // 10 % above the speed that just reaches the face.
+        let rate = -1.1 * (2.0 * rest * depth).sqrt() * omega();
+        let mut scene = wall();
+        scene.girders[0].push.force[0] = STIFFNESS * rest;
+        let place = |phase: f64| rest + (depth - rest) * phase.cos() + rate / omega() * phase.sin();
+        let linear = -depth * omega() / rate;
+        assert!(place(linear) > 0.1 * depth, "still in at the linear forecast");
+        let exact = crate::dynamics::locate::root::root(|phase| -place(phase), 0.0, 3.0 * linear);
+        let after = omega() * forecast(&scene, &[[depth, rate]], &[0], &[], 0.3 / omega());
+        assert!(
+            (after / exact - 1.0).abs() < 0.5 * (linear / exact - 1.0).abs(),
+            "{after} rad, not {exact}; linear {linear}"
+        );
+    }
+
+    #[test]
     fn nothing_is_forecast_beyond_the_horizon_or_on_the_way_in() {
         let phase: f64 = 0.05;
         let (depth, rate) = (SPEED / omega() * phase.sin(), SPEED * phase.cos());

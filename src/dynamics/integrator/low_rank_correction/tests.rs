@@ -71,12 +71,16 @@ fn creeping_friction_is_stepped_over_in_a_billion_of_its_time_constants() {
     }
 }
 
+/// Speed of a body on which friction of 1 acts: a step of 0.1 spans 100 time constants of its turning.
+const SLOW: f64 = 1e-3;
 /// Regularisation length of a slip direction.
-const LENGTH: f64 = 1e-8;
+const LENGTH: f64 = 1e-11;
 
-/// A unit mass under friction of 1 in a direction `d(φ)` that follows the velocity, `φ̇ = d⊥·v/ℓ`, and under the force for
-/// which the velocity turns at a rate of 1: `v = (cos t, sin t)` and `φ = t − α`, with `sin α = ℓ`.
+/// A unit mass under friction of 1 in a direction `d(φ)` that follows the velocity, `φ̇ = d⊥·v/ℓ`, and under the force
+/// for which the velocity turns at a rate of 1: `v = v₀ (cos t, sin t)` and `φ = t − α`, with `sin α = ℓ/v₀`.
 struct Following {
+    /// 1, or 2 with one at which nothing acts, which has the direction solved together with the velocity.
+    ports: usize,
     terms: Vec<RankOneTerm>,
     rates: [f64; 1],
 }
@@ -84,7 +88,7 @@ struct Following {
 impl System for Following {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
         let (v, d) = (DVec2::new(y[0], y[1]), DVec2::from_angle(y[2]));
-        let force = DVec2::from_angle(t).perp() + DVec2::from_angle(t - LENGTH.asin());
+        let force = DVec2::from_angle(t).perp() * SLOW + DVec2::from_angle(t - (LENGTH / SLOW).asin());
         out[..2].copy_from_slice(&(force - d).to_array());
         out[2] = d.perp().dot(v) / LENGTH;
         self.rates = [-d.dot(v) / LENGTH];
@@ -92,7 +96,7 @@ impl System for Following {
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
-        d.iter().map(|x| (x / 1e-10).powi(2)).sum()
+        [d[0] / SLOW, d[1] / SLOW, d[2]].iter().map(|x| (x / 1e-10).powi(2)).sum()
     }
 }
 
@@ -106,14 +110,17 @@ impl ImplicitSystem for Following {
     }
 
     fn port_count(&self) -> usize {
-        1
+        self.ports
     }
 
     fn rank_one_terms(&self) -> &[RankOneTerm] {
         &self.terms
     }
 
-    fn port(&self, _: usize, _: &[f64], push: &mut [f64], view: &mut [f64]) {
+    fn port(&self, port: usize, _: &[f64], push: &mut [f64], view: &mut [f64]) {
+        if port > 0 {
+            return;
+        }
         push.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
         view.copy_from_slice(&[1.0, 0.0, 0.0, 1.0]);
     }
@@ -121,17 +128,19 @@ impl ImplicitSystem for Following {
 
 #[test]
 fn a_direction_that_follows_is_stepped_over_in_ten_million_of_its_time_constants() {
-    let mut system = Following { terms: Vec::new(), rates: [0.0] };
-    let (mut radau, mut y, mut slope) = (Radau::default(), vec![1.0, 0.0, -LENGTH.asin()], vec![0.0; 3]);
-    radau.resize(3);
-    for i in 0..10 {
-        let (t, h) = (0.1 * f64::from(i), 0.1);
-        system.slope(t, &y, &mut slope);
-        let error = radau.attempt(&mut system, t, &y, &slope, h);
-        assert!(error.is_finite(), "Newton's method ends at {t}");
-        radau.accept(t, &mut y, h);
-        let off = DVec2::new(y[0], y[1]) - DVec2::from_angle(t + h);
-        assert!(off.length() < 1e-9, "{y:?} is {off} off at {t}");
-        assert!((y[2] - (t + h - LENGTH.asin())).abs() < 1e-9, "an angle of {} at {t}", y[2]);
+    for ports in [1, 2] {
+        let mut system = Following { ports, terms: Vec::new(), rates: [0.0] };
+        let (mut radau, mut y, mut slope) = (Radau::default(), vec![SLOW, 0.0, -(LENGTH / SLOW).asin()], vec![0.0; 3]);
+        radau.resize(3);
+        for i in 0..10 {
+            let (t, h) = (0.1 * f64::from(i), 0.1);
+            system.slope(t, &y, &mut slope);
+            let error = radau.attempt(&mut system, t, &y, &slope, h);
+            assert!(error.is_finite(), "Newton's method ends at {t}, {ports} ports");
+            radau.accept(t, &mut y, h);
+            let off = DVec2::new(y[0], y[1]) - DVec2::from_angle(t + h) * SLOW;
+            assert!(off.length() < 1e-9 * SLOW, "{y:?} is {off} off at {t}");
+            assert!((y[2] - (t + h - (LENGTH / SLOW).asin())).abs() < 1e-9, "an angle of {} at {t}", y[2]);
+        }
     }
 }
