@@ -61,7 +61,7 @@ pub(in crate::dynamics) fn earliest_change(world: &World, island: &Island, horiz
 
 /// Switching functions of the island's closed contacts, and the armed open contacts of its bodies.
 fn changes(world: &World, island: &Island) -> Vec<Change> {
-    let states = (0..island.active.len())
+    let states = (0..island.system.active.len())
         .flat_map(|number| reasons(island, number).map(move |reason| Change::State(number, reason)));
     let open = |contact: &usize| world.contacts[*contact].state == Contact::Open { armed: true };
     let pairs = world.pairs_of(&island.slots).into_iter();
@@ -72,15 +72,15 @@ fn changes(world: &World, island: &Island) -> Vec<Change> {
 /// Position and velocity of a node relative to its face; `None` for a contact with a body outside the island.
 fn local(world: &World, island: &Island, change: Change, frames: &[Frame]) -> Option<Local> {
     let contact = match change {
-        Change::State(number, _) => return Some(island.active[number].look(&world.model, frames)),
+        Change::State(number, _) => return Some(island.system.active[number].look(&world.model, frames)),
         Change::Closing(contact) => &world.contacts[contact],
     };
     let site = &world.model.contacts[contact.site];
     let frame = |which: usize| match contact.slots[which] {
         Some(slot) => {
             let index = island.slots.binary_search(&slot).ok()?;
-            let section = island.layout.sections(index).start + contact.sections[which];
-            Some(island.bases[index].whole(frames.get(section)?))
+            let section = island.system.layout.sections(index).start + contact.sections[which];
+            Some(island.system.bases[index].whole(frames.get(section)?))
         }
         None => Some(site.stand),
     };
@@ -100,9 +100,9 @@ fn switching_value(world: &World, island: &Island, change: Change, here: &Local)
 pub(in crate::dynamics) fn frames_after(island: &Island, model: &Model, dt: f64) -> Vec<Frame> {
     let slope = island.stepper.slope();
     let mut moved: Vec<f64> = island.y.iter().zip(slope).map(|(y, rate)| y + dt * rate).collect();
-    let mut frames = Vec::with_capacity(island.layout.section_count());
-    for (i, &body) in island.bodies.iter().enumerate() {
-        let (part, body) = (island.layout.range(i), &model.bodies[body]);
+    let mut frames = Vec::with_capacity(island.system.layout.section_count());
+    for (i, &body) in island.system.bodies.iter().enumerate() {
+        let (part, body) = (island.system.layout.range(i), &model.bodies[body]);
         body.add_accelerations(&mut moved[part.clone()], &slope[part.clone()], dt);
         body.push_frames(&moved[part], &mut frames);
     }

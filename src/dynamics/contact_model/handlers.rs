@@ -25,7 +25,7 @@ impl ContactRun {
             return;
         }
         let states = (0..island.slots.len()).map(|index| island.state_at(&self.world.model, index, t)).collect();
-        let now = EventInstant::of(&self.world, island.slots.clone(), island.bases.clone(), states, t);
+        let now = EventInstant::of(&self.world, island.slots.clone(), island.system.bases.clone(), states, t);
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
         }
@@ -36,7 +36,7 @@ impl ContactRun {
             alternates |= self.world.contacts[contact].changes.at_instant > ALTERNATING_EVENTS;
         }
         if let Some(due) = island.link_due.take() {
-            self.change_link(island.links[due.index].track, Switch::Function(due.switch), &now);
+            self.change_link(island.system.links[due.index].track, Switch::Function(due.switch), &now);
         }
         self.islands.take_back(number, &mut island);
         // Under alternating stick and slip the next step length follows from the island's frequency.
@@ -62,8 +62,8 @@ impl ContactRun {
     fn rebase(&mut self, island: &mut Island, t: f64) {
         let model = Arc::clone(&self.world.model);
         island.rebase(&model);
-        for (active, &contact) in island.active.iter().zip(&island.contacts) {
-            let bases = [active.node, active.face].map(|side| island.bases.get(side?));
+        for (active, &contact) in island.system.active.iter().zip(&island.contacts) {
+            let bases = [active.node, active.face].map(|side| island.system.bases.get(side?));
             transitions::enter(&mut self.world, contact, Contact::Closed(active.closed), bases, t);
         }
     }

@@ -30,7 +30,7 @@ impl StepStore {
     /// or where a recomputed step would not be equal to the last bit.
     pub(in crate::dynamics) fn keep_start(&mut self, world: &World, island: &mut Island) -> Option<u32> {
         if !self.keeps_starts(world)
-            || island.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
+            || island.system.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
         {
             return None;
         }
@@ -43,13 +43,13 @@ impl StepStore {
             (self.replay.open(members, logged_states)?, flown)
         };
         island.stretch = Some(stretch);
-        self.replay.push(stretch, length, (!flown).then(|| island.layout.states(&states)))
+        self.replay.push(stretch, length, (!flown).then(|| island.system.layout.states(&states)))
     }
 
     /// An island's bodies with their reference poses, each either the end of a flight or stored.
     fn members(&mut self, world: &World, island: &mut Island) -> Option<Vec<Member>> {
         let mut members = Vec::with_capacity(island.slots.len());
-        for (&slot, base) in island.slots.iter().zip(&mut island.bases) {
+        for (&slot, base) in island.slots.iter().zip(&mut island.system.bases) {
             if base.flown.is_none() && base.kept.is_none() {
                 base.kept = Some(self.replay.keep(base)?);
             }
@@ -89,12 +89,14 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };
-    island.active.iter().zip(&island.contacts).map(logged).collect()
+    island.system.active.iter().zip(&island.contacts).map(logged).collect()
 }
 
 /// Whether the initial states of an island's planned step are the ends of flights, for all of its bodies.
 fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
-    island.slots.iter().zip(&island.bases).zip(island.layout.states(states)).all(|((&slot, base), state)| {
-        base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
-    })
+    island.slots.iter().zip(&island.system.bases).zip(island.system.layout.states(states)).all(
+        |((&slot, base), state)| {
+            base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
+        },
+    )
 }

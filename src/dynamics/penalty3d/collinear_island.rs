@@ -207,7 +207,8 @@ mod tests {
     use crate::dynamics::integrator::system::System;
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::penalty3d::contact_state::ClosedContact;
-    use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
+    use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+    use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
     use crate::dynamics::{Body, ContactSite};
     use crate::scene::{Motion, Scene, presets};
 
@@ -276,21 +277,16 @@ mod tests {
     fn slopes(model: &Model, active: &[ActiveContact], line: Option<&CollinearIsland>, y: &[f64]) -> Vec<f64> {
         let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         let mut out = vec![9.0; y.len()];
+        let parts = (bodies, layout(model), bases(model));
+        let system = CoupledSystem::without_rates(parts, active.to_vec(), Vec::new(), Vec::new());
         let mut field = EquationsOfMotion {
             model,
-            bodies: &bodies,
-            layout: &layout(model),
-            bases: &bases(model),
-            active,
-            links: &[],
+            system: &system,
             piece: model.ground.piece(model.ground.piece_number(0.3)),
             scale: ErrorScale::default(),
             angles: &[],
             line,
-            frames: &mut Vec::new(),
-            wrenches: &mut Vec::new(),
-            rates: &mut Vec::new(),
-            sliding: &mut Sliding::of(active),
+            workspace: &mut Workspace::of(active),
         };
         field.slope(0.3, y, &mut out);
         out

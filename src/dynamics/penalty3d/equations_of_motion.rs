@@ -9,17 +9,15 @@ use crate::contact::{Forces, Frame, Local, Mode};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::{Counted, Point};
-use crate::dynamics::model::coordinates::state_layout::StateLayout;
-use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
-use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_rates::quickest;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -39,16 +37,8 @@ pub(in crate::dynamics) struct ErrorScale {
 pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     /// Constant data of the scene.
     pub model: &'a Model,
-    /// Numbers of its bodies in the model.
-    pub bodies: &'a [usize],
-    /// Positions of their states in the vector.
-    pub layout: &'a StateLayout,
-    /// Reference poses of their states.
-    pub bases: &'a [ReferencePose],
-    /// Its closed contacts.
-    pub active: &'a [ActiveContact],
-    /// Its devices whose force acts.
-    pub links: &'a [ActiveLink],
+    /// Bodies and the connections that act on them.
+    pub system: &'a CoupledSystem,
     /// Interval of the ground motion that contains the step.
     pub piece: LinearPiece,
     /// Error scale.
@@ -57,14 +47,36 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub angles: &'a [f64],
     /// The collinear island, where the conditions on bodies and contacts hold.
     pub line: Option<&'a CollinearIsland>,
-    /// Workspace: poses of the bodies relative to their reference poses.
-    pub frames: &'a mut Vec<Frame>,
-    /// Workspace: wrenches on the bodies.
-    pub wrenches: &'a mut Vec<Wrench>,
+    /// Workspace.
+    pub workspace: &'a mut Workspace,
+}
+
+/// Workspace of an evaluation of the equations of motion.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Workspace {
+    /// Poses of the sections of the bodies relative to their reference poses.
+    pub frames: Vec<Frame>,
+    /// Wrenches on the sections of the bodies.
+    pub wrenches: Vec<Wrench>,
     /// Derivative of the rate of each slip angle by the angle \[1/s\], negative.
-    pub rates: &'a mut Vec<f64>,
+    pub rates: Vec<f64>,
     /// Contacts that slide in two directions.
-    pub sliding: &'a mut Sliding,
+    pub sliding: Sliding,
+}
+
+impl Workspace {
+    /// For these closed contacts.
+    pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
+        Self { sliding: Sliding::of(active), ..Self::default() }
+    }
+
+    /// Forgets the last evaluation.
+    fn clear(&mut self) {
+        self.frames.clear();
+        self.wrenches.clear();
+        self.rates.clear();
+        self.sliding.channels.clear();
+    }
 }
 
 /// Linearisation of contacts that slide in two directions, for implicit steps.
@@ -148,48 +160,54 @@ impl EquationsOfMotion<'_> {
 
     fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
         let mut slider = 0;
-        for (number, active) in self.active.iter().enumerate() {
+        for (number, active) in self.system.active.iter().enumerate() {
             let site = &self.model.contacts[active.site];
-            let node = active.node.map_or(&site.stand, |_| &self.frames[active.sections[0]]);
-            let face = active.face.map_or(&site.stand, |_| &self.frames[active.sections[1]]);
+            let node = active.node.map_or(&site.stand, |_| &self.workspace.frames[active.sections[0]]);
+            let face = active.face.map_or(&site.stand, |_| &self.workspace.frames[active.sections[1]]);
             let at_once = active.turns_at_once();
             let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
             // A copy only where the sliding is frozen: a contact is evaluated some ten times a step.
             let mut held;
             let mut closed = &active.closed;
-            if self.sliding.held {
+            if self.workspace.sliding.held {
                 held = active.closed;
                 if at_once {
-                    mode = Mode::Slip { direction: self.sliding.against[slider] };
+                    mode = Mode::Slip { direction: self.workspace.sliding.against[slider] };
                     held.law.v_stick = 0.0;
                 }
                 // Friction in front of the face is held as it was: a difference quotient across the face would be
                 // that of neither side.
                 held.solver.at_face = false;
-                if self.sliding.loose[number] {
+                if self.workspace.sliding.loose[number] {
                     held.law.mu_k = 0.0;
                 }
                 closed = &held;
             }
             let action = contact_force::act_in(&active.home, closed, &mode, node, face);
-            if !self.sliding.held {
-                self.sliding.loose[number] = closed.is_loose(&action.here);
+            if !self.workspace.sliding.held {
+                self.workspace.sliding.loose[number] = closed.is_loose(&action.here);
             }
             if active.node.is_some() {
-                self.wrenches[active.sections[0]].push(action.force, action.node_arm);
+                self.workspace.wrenches[active.sections[0]].push(action.force, action.node_arm);
             }
             if active.face.is_some() {
-                self.wrenches[active.sections[1]].push(-action.force, action.face_arm);
+                self.workspace.wrenches[active.sections[1]].push(-action.force, action.face_arm);
             }
             if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
                 let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;
                 out[at] = direction.perp_dot(action.here.rate) / length;
-                self.rates.push(-direction.dot(action.here.rate) / length);
-                self.sliding.follows([slider, self.rates.len() - 1], closed, direction, &action, length);
+                self.workspace.rates.push(-direction.dot(action.here.rate) / length);
+                self.workspace.sliding.follows(
+                    [slider, self.workspace.rates.len() - 1],
+                    closed,
+                    direction,
+                    &action,
+                    length,
+                );
                 slider += 1;
             } else if at_once {
-                if !self.sliding.held {
-                    self.sliding.turns(slider, closed, &action.here, &action.forces);
+                if !self.workspace.sliding.held {
+                    self.workspace.sliding.turns(slider, closed, &action.here, &action.forces);
                 }
                 slider += 1;
             }
@@ -199,62 +217,58 @@ impl EquationsOfMotion<'_> {
 
 impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        let model = self.model;
-        self.frames.clear();
-        self.wrenches.clear();
-        self.rates.clear();
-        self.sliding.channels.clear();
+        let (model, system) = (self.model, self.system);
+        self.workspace.clear();
         if let Some(line) = self.line.filter(|line| line.holds(y)) {
-            line.slope(model, self.bodies, self.bases, self.ground(t), y, out);
+            line.slope(model, &system.bodies, &system.bases, self.ground(t), y, out);
             return;
         }
-        for (i, &body) in self.bodies.iter().enumerate() {
-            model.bodies[body].push_frames(&y[self.layout.range(i)], self.frames);
+        for (i, &body) in system.bodies.iter().enumerate() {
+            model.bodies[body].push_frames(&y[system.layout.range(i)], &mut self.workspace.frames);
         }
-        self.wrenches.resize(self.frames.len(), Wrench::default());
+        self.workspace.wrenches.resize(self.workspace.frames.len(), Wrench::default());
         self.contacts(y, out);
-        for link in self.links {
-            link.push(model, self.bases, self.frames, self.wrenches);
+        for link in &system.links {
+            link.push(model, &system.bases, &self.workspace.frames, &mut self.workspace.wrenches);
         }
         let ground = self.ground(t);
-        for (i, &body) in self.bodies.iter().enumerate() {
-            let part = self.layout.range(i);
-            let sections = self.layout.sections(i);
-            let frames = &self.frames[sections.clone()];
-            let now = Counted { base: &self.bases[i], frames, state: &y[part.clone()] };
-            model.bodies[body].slope(now, &self.wrenches[sections], ground, &mut out[part]);
+        for (i, &body) in system.bodies.iter().enumerate() {
+            let (part, sections) = (system.layout.range(i), system.layout.sections(i));
+            let frames = &self.workspace.frames[sections.clone()];
+            let now = Counted { base: &system.bases[i], frames, state: &y[part.clone()] };
+            model.bodies[body].slope(now, &self.workspace.wrenches[sections], ground, &mut out[part]);
         }
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
         let omega2 = self.scale.omega * self.scale.omega;
         let mut sum = 0.0;
-        for (i, &body) in self.bodies.iter().enumerate() {
-            let [place, speed] = self.model.bodies[body].size2(&d[self.layout.range(i)]);
+        for (i, &body) in self.system.bodies.iter().enumerate() {
+            let [place, speed] = self.model.bodies[body].size2(&d[self.system.layout.range(i)]);
             // A sum, not a maximum: a NaN propagates and rejects the step.
             sum += (speed + omega2 * place) / (self.scale.speed * self.scale.speed);
         }
-        let angles = d[self.layout.len()..].iter().zip(self.angles);
+        let angles = d[self.system.layout.len()..].iter().zip(self.angles);
         sum + angles.map(|(d, allowed)| (d / allowed) * (d / allowed)).sum::<f64>()
     }
 }
 
 impl ImplicitSystem for EquationsOfMotion<'_> {
     fn hold(&self, difference: &mut [f64]) {
-        for (i, &body) in self.bodies.iter().enumerate() {
-            self.model.bodies[body].hold(&mut difference[self.layout.range(i)]);
+        for (i, &body) in self.system.bodies.iter().enumerate() {
+            self.model.bodies[body].hold(&mut difference[self.system.layout.range(i)]);
         }
     }
 
     fn position_blocks(&self) -> impl Iterator<Item = PositionBlock> {
-        self.bodies.iter().enumerate().map(|(i, &body)| {
-            let Range { start: from, end: until } = self.layout.range(i);
+        self.system.bodies.iter().enumerate().map(|(i, &body)| {
+            let Range { start: from, end: until } = self.system.layout.range(i);
             PositionBlock { from, velocities: from + self.model.bodies[body].positions(), until }
         })
     }
 
     fn rate_bound(&self) -> f64 {
-        self.scale.omega.max(quickest(self.model, self.active, self.links))
+        self.scale.omega.max(quickest(self.model, &self.system.active, &self.system.links))
     }
 
     fn relative_tolerance(&self) -> f64 {
@@ -262,27 +276,27 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn auxiliary_count(&self) -> usize {
-        self.active.iter().filter(|a| a.angle.is_some()).count()
+        self.system.active.iter().filter(|a| a.angle.is_some()).count()
     }
 
     fn auxiliary_rates(&self) -> &[f64] {
-        self.rates
+        &self.workspace.rates
     }
 
     fn port_count(&self) -> usize {
-        self.sliding.sliders.len()
+        self.workspace.sliding.sliders.len()
     }
 
     fn rank_one_terms(&self) -> &[RankOneTerm] {
-        &self.sliding.channels
+        &self.workspace.sliding.channels
     }
 
     fn freeze(&mut self, held: bool) {
-        self.sliding.held = held;
+        self.workspace.sliding.held = held;
     }
 
     fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
-        let Some(active) = self.sliding.sliders.get(slider).map(|&i| &self.active[i]) else { return };
+        let Some(active) = self.workspace.sliding.sliders.get(slider).map(|&i| &self.system.active[i]) else { return };
         // Faces of planar scenes have one direction of sliding.
         if self.model.kind == Kind::Planar {
             return;
@@ -292,7 +306,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
         let own = self.model.sections(active.site);
         let frames = [(active.node, own[0]), (active.face, own[1])].map(|(side, section)| {
             side.map_or(site.stand, |i| {
-                self.model.bodies[self.bodies[i]].frame_since(section, &y[self.layout.range(i)])
+                self.model.bodies[self.system.bodies[i]].frame_since(section, &y[self.system.layout.range(i)])
             })
         });
         let turned = active.turned(y);
@@ -302,17 +316,17 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
             let along = frames[1].turn(along);
             for (which, (side, arm, sign)) in sides.into_iter().enumerate() {
                 let Some(i) = side else { continue };
-                let body = &self.model.bodies[self.bodies[i]];
-                let here = self.bases[i].whole(&frames[which]);
-                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.layout.range(i)]);
+                let body = &self.model.bodies[self.system.bodies[i]];
+                let here = self.system.bases[i].whole(&frames[which]);
+                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
                 body.port(Point { section: own[which], frame: &here, arm }, along * sign, columns);
             }
         }
     }
 
     fn increment_scale(&self, i: usize, y: f64) -> f64 {
-        let Some((index, component)) = self.layout.body_of(i) else { return 1.0 };
-        let body = &self.model.bodies[self.bodies[index]];
+        let Some((index, component)) = self.system.layout.body_of(i) else { return 1.0 };
+        let body = &self.model.bodies[self.system.bodies[index]];
         y.abs().max(body.increment_scale(component, self.scale.place, self.scale.omega))
     }
 }

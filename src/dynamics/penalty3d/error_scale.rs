@@ -8,7 +8,6 @@ use crate::dynamics::penalty3d::constants::{
     IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, NEAR_BASE, REST_SPEED, REVERSAL_SPEED,
     ROUNDING_FLOOR, ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
 };
-use crate::dynamics::penalty3d::contact_rates::decay;
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::event_location::is_at_face;
 use crate::dynamics::penalty3d::island::{Distance, Island};
@@ -22,23 +21,25 @@ impl Island {
         let (mut speed2, mut place, mut roundoff) = (0.0f64, 0.0f64, 0.0f64);
         let (mut farthest, mut near) = (0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
-        let turns = self.active.iter().any(|active| active.angle.is_some());
+        let turns = self.system.active.iter().any(|active| active.angle.is_some());
         let floor = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
-        self.frames.clear();
-        for (i, &b) in self.bodies.iter().enumerate() {
+        self.workspace.frames.clear();
+        for (i, &b) in self.system.bodies.iter().enumerate() {
             let body = &model.bodies[b];
-            body.push_frames(&self.y[self.layout.range(i)], &mut self.frames);
-            let here = &self.frames[self.layout.sections(i).start];
+            body.push_frames(&self.y[self.system.layout.range(i)], &mut self.workspace.frames);
+            let here = &self.workspace.frames[self.system.layout.sections(i).start];
             let spin = here.spin.length() * model.bodies[b].gyration2.sqrt();
             speed2 = speed2.max(here.velocity.length_squared() + spin * spin);
-            place = place.max(here.shift.length() + self.radii[i]);
-            let since = here.moved(self.radii[i]);
-            self.moved[i] = self.bases[i].pose().moved(self.radii[i]) + since;
+            place = place.max(here.shift.length() + self.system.radii[i]);
+            let since = here.moved(self.system.radii[i]);
+            self.moved[i] = self.system.bases[i].pose().moved(self.system.radii[i]) + since;
             let known = since.max(floor * self.moved[i]);
             // Round-off of a position acts through the frequency of the connections, however fast the body rotates.
-            roundoff = roundoff.max(self.omega * known + here.speed(self.radii[i]));
-            (farthest, near) =
-                (farthest.max(since), near.max(NEAR_BASE * self.moved[i].max(SIZE_ROUNDING_SHARE * self.radii[i])));
+            roundoff = roundoff.max(self.system.omega * known + here.speed(self.system.radii[i]));
+            (farthest, near) = (
+                farthest.max(since),
+                near.max(NEAR_BASE * self.moved[i].max(SIZE_ROUNDING_SHARE * self.system.radii[i])),
+            );
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
@@ -47,16 +48,16 @@ impl Island {
                 acceleration = acceleration.max(self.acceleration(model, i));
             }
         }
-        let omega = self.omega.max(self.turning());
+        let omega = self.system.omega.max(self.turning());
         self.angles.clear();
         if !self.is_free() {
             speed2 = 0.0;
         }
-        for (number, active) in self.active.iter().enumerate() {
+        for (number, active) in self.system.active.iter().enumerate() {
             if self.first_like(number) != number {
                 continue;
             }
-            let here = active.look(model, &self.frames);
+            let here = active.look(model, &self.workspace.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {
                 speed2 = speed2.max((omega * (here.way - anchor)).length_squared() + here.rate.length_squared());
@@ -69,8 +70,8 @@ impl Island {
                 self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
             }
         }
-        for link in &self.links {
-            let (motion, _) = link.motion(model, &self.bases, &self.frames);
+        for link in &self.system.links {
+            let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
             let [gap, rate] = link.of(model).device.gap(&link.phase, &motion);
             speed2 = speed2.max((omega * gap).powi(2) + rate * rate);
         }
@@ -101,13 +102,13 @@ impl Island {
         if !self.is_free() {
             return 0.0;
         }
-        self.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
+        self.workspace.frames.iter().map(|frame| frame.spin.length()).fold(0.0, f64::max)
     }
 
     /// Acceleration of a body at the start of the next step, rotation included by its radius of gyration \[m/s²\].
     fn acceleration(&self, model: &Model, index: usize) -> f64 {
-        let slope = &self.stepper.slope()[self.layout.range(index)];
-        let [_, squared] = model.bodies[self.bodies[index]].size2(slope);
+        let slope = &self.stepper.slope()[self.system.layout.range(index)];
+        let [_, squared] = model.bodies[self.system.bodies[index]].size2(slope);
         squared.sqrt()
     }
 
@@ -129,18 +130,18 @@ impl Island {
     pub(in crate::dynamics) fn longest(&mut self, model: &Model) -> f64 {
         let pace = self.stepper.state();
         // A sum of the largest single rate bounds the decay rate; the sharper bound is computed only near the limit.
-        let sum = self.quickest * (self.active.len() + self.links.len()) as f64;
+        let sum = self.system.quickest * self.system.connection_count() as f64;
         if pace.stiff || pace.step > 0.0 && pace.step * sum < RESOLVED_DECAY {
             return f64::INFINITY;
         }
-        let decay = *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links));
+        let decay = self.system.decay_bound(model);
         if decay > 0.0 { RESOLVED_DECAY / decay } else { f64::INFINITY }
     }
 
     /// Length to which round-off of a contact's positions is proportional \[m\]: displacement of both sides since
     /// placed, at least [`SIZE_ROUNDING_SHARE`] of their size.
     pub(in crate::dynamics) fn reach(&self, model: &Model, number: usize) -> f64 {
-        let active = &self.active[number];
+        let active = &self.system.active[number];
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
     }
@@ -150,13 +151,13 @@ impl Island {
     /// a spring that vanishes with the penetration.
     pub(in crate::dynamics) fn note_faces(&mut self, model: &Model) -> bool {
         let mut changed = false;
-        for number in 0..self.active.len() {
-            if self.active[number].closed.law.friction != FrictionLaw::Paper {
+        for number in 0..self.system.active.len() {
+            if self.system.active[number].closed.law.friction != FrictionLaw::Paper {
                 continue;
             }
-            let here = self.active[number].look(model, &self.frames);
+            let here = self.system.active[number].look(model, &self.workspace.frames);
             let at_face = is_at_face(model, self, number, &here);
-            let active = &mut self.active[number];
+            let active = &mut self.system.active[number];
             changed |= active.closed.solver.at_face != at_face && here.gap > 0.0;
             active.closed.solver.at_face = at_face;
         }

@@ -19,7 +19,7 @@ use crate::dynamics::{ContactSite, Model};
 
 /// Position and velocity of a node relative to its face at `t` within an island's planned step.
 pub(in crate::dynamics) fn local_at(model: &Model, island: &Island, number: usize, t: f64) -> Local {
-    let active = &island.active[number];
+    let active = &island.system.active[number];
     let site = &model.contacts[active.site];
     let own = model.sections(active.site);
     let frame =
@@ -36,7 +36,7 @@ pub(in crate::dynamics) fn function(
     here: &Local,
     t: f64,
 ) -> f64 {
-    let active = &island.active[number];
+    let active = &island.system.active[number];
     match reason {
         Reason::Opening => here.gap,
         Reason::Edge => {
@@ -57,7 +57,7 @@ pub(in crate::dynamics) fn function(
 }
 
 pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
-    let closed = &island.active[number].closed;
+    let closed = &island.system.active[number].closed;
     // On one axis the tangential spring has no stretch, and breakaway coincides with opening.
     let switches = closed.law.has_friction() && !island.is_in_line();
     let kinks = closed.law.has_kinks();
@@ -92,9 +92,10 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     let (mut found, mut earliest): (Vec<(f64, Due)>, f64) = (Vec::new(), f64::INFINITY);
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
-    let (frames, sections) = (island.frames_since(model, &times), island.layout.section_count());
-    for number in (0..island.active.len()).filter(|&number| island.first_like(number) == number) {
-        let samples: [Local; N] = std::array::from_fn(|i| island.active[number].look(model, &frames[i * sections..]));
+    let (frames, sections) = (island.frames_since(model, &times), island.system.layout.section_count());
+    for number in (0..island.system.active.len()).filter(|&number| island.first_like(number) == number) {
+        let samples: [Local; N] =
+            std::array::from_fn(|i| island.system.active[number].look(model, &frames[i * sections..]));
         for reason in reasons(island, number) {
             if reason == Reason::Edge && is_inside(model, island, number, &samples[0]) {
                 continue;
@@ -106,7 +107,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
                 std::array::from_fn(|i| function(model, island, number, reason, &samples[i], times[i]) - band);
             let value_at =
                 |t: f64| function(model, island, number, reason, &local_at(model, island, number, t), t) - band;
-            let passing = reason == Reason::Switching && island.active[number].closed.solver.passing_stop;
+            let passing = reason == Reason::Switching && island.system.active[number].closed.solver.passing_stop;
             let entering = is_entering(model, island, number, &samples[0]);
             let rounding = POSITION_ROUNDING * island.reach(model, number);
             let zero = match reason {
@@ -130,7 +131,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + simultaneity).map(|(_, due)| *due).collect();
     let like = |d: &Due| {
         let Due { number, reason } = *d;
-        let others = (number + 1..island.active.len()).filter(move |&other| island.first_like(other) == number);
+        let others = (number + 1..island.system.active.len()).filter(move |&other| island.first_like(other) == number);
         others.map(move |number| Due { number, reason })
     };
     due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
@@ -141,7 +142,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
 
 /// Whether a node stays inside its polygon for the whole step, by bounds on the excursions of both bodies.
 fn is_inside(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
-    let active = &island.active[number];
+    let active = &island.system.active[number];
     let arms = model.contacts[active.site].levers(here);
     let excursions = [active.node, active.face].into_iter().zip(arms);
     let excursions = excursions.map(|(side, arm)| side.map_or(0.0, |i| island.excursion(model, i, arm, island.from)));
@@ -165,7 +166,7 @@ fn regularisation_creep(closed: &ClosedContact, here: &Local) -> f64 {
 /// switching function: [`ZERO_BAND`] of its scale, doubled with each retry. Stick and slip then exclude each other by
 /// less than the regularisation or round-off.
 fn retry_band(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f64 {
-    let retries = island.active[number].closed.solver.retries;
+    let retries = island.system.active[number].closed.solver.retries;
     if retries < FREE_RETRIES || reason != Reason::Switching || is_sticking(island, number) {
         return 0.0;
     }
@@ -180,7 +181,7 @@ fn reversal(model: &Model, island: &Island, number: usize, t: f64) -> f64 {
 }
 
 fn is_sticking(island: &Island, number: usize) -> bool {
-    matches!(island.active[number].closed.mode, Mode::Stick { .. })
+    matches!(island.system.active[number].closed.mode, Mode::Stick { .. })
 }
 
 /// Largest penetration of a node that counts as being at its face \[m\], from round-off of position and of the time
@@ -203,7 +204,7 @@ fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> b
 /// Dead band of a switching function, in its unit: behind the face that of a repeated breakaway or of the clamp's
 /// round-off; at the face the round-off of gap, stretch and their rates, whose signs are undetermined.
 fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
-    let closed = &island.active[number].closed;
+    let closed = &island.system.active[number].closed;
     let entry = entry_depth(model, island, number, here);
     if here.gap <= -entry {
         let rounding = POSITION_ROUNDING * island.reach(model, number);
@@ -240,7 +241,7 @@ fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
         return;
     }
     let reasons_due: Vec<Reason> = due.iter().map(|d| d.reason).collect();
-    for number in 0..island.active.len() {
+    for number in 0..island.system.active.len() {
         for &reason in &reasons_due {
             let known = due.iter().any(|d| d.number == number);
             if !known && function(model, island, number, reason, &local_at(model, island, number, t), t) > 0.0 {
@@ -253,7 +254,7 @@ fn also_due(model: &Model, island: &Island, t: f64, due: &mut Vec<Due>) {
 
 /// Scale of a switching function over its samples, in its unit: tells the zero that the last event left from a value.
 fn scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f64 {
-    let closed = &island.active[number].closed;
+    let closed = &island.system.active[number].closed;
     let largest = |f: fn(&Local) -> f64| samples.iter().map(f).fold(0.0, f64::max);
     let depth = largest(|l| l.gap.abs());
     let speed = largest(|l| l.gap_rate.abs() + l.rate.length());

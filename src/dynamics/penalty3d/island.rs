@@ -1,22 +1,21 @@
 //! An island: bodies joined by closed contacts or acting devices, integrated as one system of equations.
 
-use crate::contact::{Frame, Mode};
+use crate::contact::Mode;
 use crate::dynamics::Model;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::{ControllerState, StepController, StepLimits};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
-use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
-use crate::dynamics::penalty3d::contact_rates::{fastest, quickest};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
+use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::due::LinkDue;
-use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 
@@ -25,18 +24,10 @@ use crate::motion::LinearPiece;
 pub(in crate::dynamics) struct Island {
     /// Slots of its bodies, ascending.
     pub slots: Vec<usize>,
-    /// Numbers of its bodies in the model.
-    pub(in crate::dynamics) bodies: Vec<usize>,
-    /// Positions of their states in `y`.
-    pub(in crate::dynamics) layout: StateLayout,
-    /// Reference poses of their states in `y`.
-    pub(in crate::dynamics) bases: Vec<ReferencePose>,
-    /// Closed contacts between them.
-    pub active: Vec<ActiveContact>,
-    /// Numbers of those contacts in the group.
+    /// Its bodies and the connections that act on them.
+    pub(in crate::dynamics) system: CoupledSystem,
+    /// Numbers of its closed contacts in the group.
     pub contacts: Vec<usize>,
-    /// Devices whose force acts on its bodies.
-    pub links: Vec<ActiveLink>,
     /// Beginning of the planned step \[s\].
     pub from: f64,
     /// End of the planned step \[s\].
@@ -63,22 +54,12 @@ pub(in crate::dynamics) struct Island {
     /// Error scale of the planned step.
     pub(super) measure: ErrorScale,
     pub(in crate::dynamics) stepper: StepController,
-    pub(in crate::dynamics) omega: f64,
-    /// Largest decay rate of the dashpot of a single connection \[1/s\].
-    pub(in crate::dynamics) quickest: f64,
-    /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
-    pub(in crate::dynamics) decay: Option<f64>,
-    /// Largest distance of a corner from G, per body \[m\].
-    pub(in crate::dynamics) radii: Vec<f64>,
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
     /// Distance of its bodies from their reference poses, by its effect on round-off.
     pub(in crate::dynamics) distance: Distance,
-    pub(in crate::dynamics) frames: Vec<Frame>,
-    wrenches: Vec<Wrench>,
-    rates: Vec<f64>,
+    pub(super) workspace: Workspace,
     pub(in crate::dynamics) angles: Vec<f64>,
-    sliding: Sliding,
     line: Option<CollinearIsland>,
     /// Whether the present state is on that axis.
     in_line: bool,
@@ -107,48 +88,23 @@ impl Island {
         model: &Model,
         slots: Vec<usize>,
         (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
-        (contacts, mut links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
+        (contacts, links): (Vec<(usize, ActiveContact)>, Vec<ActiveLink>),
         mut y: Vec<f64>,
         t: f64,
         pace: ControllerState,
     ) -> Self {
-        let mut active: Vec<ActiveContact> = contacts.iter().map(|(_, a)| *a).collect();
-        for a in &mut active {
-            if let Some(angle) = a.closed.turning() {
-                a.angle = Some(y.len());
-                y.push(angle);
-            }
-        }
-        let layout = StateLayout::of(bodies.iter().map(|&b| &model.bodies[b]));
-        let states = bodies.iter().zip(layout.states(&y));
-        let mut frames = Vec::with_capacity(layout.section_count());
-        states.for_each(|(&b, state)| model.bodies[b].push_frames(state, &mut frames));
-        for link in &mut links {
-            link.find_sections(&layout);
-        }
-        for a in &mut active {
-            a.find_sections(model, &layout);
-            a.depth = a.expected_depth(model, &frames);
-        }
+        let (contacts, active) = contacts.into_iter().unzip();
+        let system = CoupledSystem::of(model, (bodies, bases), (active, links), &mut y);
         // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
         // implicit steps.
-        let turns = active.iter().any(|a| a.angle.is_some());
-        let joined = !active.is_empty() || !links.is_empty();
-        let pace = ControllerState { stiff: pace.stiff && joined || turns, ..pace };
-        let radii: Vec<f64> = bodies.iter().map(|&b| model.bodies[b].radius).collect();
+        let turns = system.active.iter().any(|a| a.angle.is_some());
+        let pace = ControllerState { stiff: pace.stiff && !system.is_free() || turns, ..pace };
         let mut island = Self {
-            omega: fastest(model, &bodies, &active, &links),
-            quickest: quickest(model, &active, &links),
-            decay: None,
-            moved: vec![0.0; radii.len()],
-            radii,
+            moved: vec![0.0; system.bodies.len()],
+            workspace: Workspace::of(&system.active),
             slots,
-            bodies,
-            layout,
-            bases,
-            contacts: contacts.into_iter().map(|(c, _)| c).collect(),
-            active,
-            links,
+            system,
+            contacts,
             from: t,
             until: t,
             due: Vec::new(),
@@ -165,18 +121,13 @@ impl Island {
             stepper: StepController::new(y.len(), pace),
             y,
             distance: Distance::Near,
-            frames: Vec::new(),
-            wrenches: Vec::new(),
-            rates: Vec::new(),
             angles: Vec::new(),
-            sliding: Sliding::default(),
             line: None,
             in_line: false,
         };
         if island.is_free() {
             island.stepper.expect_no_noise();
         }
-        island.sliding = Sliding::of(&island.active);
         island.find_line(model);
         island.rewind(model, t);
         island
@@ -194,7 +145,7 @@ impl Island {
 
     /// Stores the state at which the slope at the start of the next step was evaluated.
     pub(super) fn note_raw(&mut self, y: &[f64]) {
-        if self.layout.has_unit_parts() {
+        if self.system.layout.has_unit_parts() {
             self.next_raw.clear();
             self.next_raw.extend_from_slice(y);
         }
@@ -208,19 +159,12 @@ impl Island {
     ) -> EquationsOfMotion<'a> {
         EquationsOfMotion {
             model,
-            bodies: &self.bodies,
-            layout: &self.layout,
-            bases: &self.bases,
-            active: &self.active,
-            links: &self.links,
+            system: &self.system,
             piece,
             scale,
             angles: &self.angles,
             line: self.line.as_ref(),
-            frames: &mut self.frames,
-            wrenches: &mut self.wrenches,
-            rates: &mut self.rates,
-            sliding: &mut self.sliding,
+            workspace: &mut self.workspace,
         }
     }
 
@@ -241,14 +185,14 @@ impl Island {
         }
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
-        let known = self.sliding.sliders.is_empty() && self.sloped == (t, number);
-        let loose = self.active.iter().any(|active| active.closed.solver.at_face);
+        let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);
+        let loose = self.system.active.iter().any(|active| active.closed.solver.at_face);
         self.explicit = !self.stepper.state().stiff;
-        self.again = known && !loose && self.explicit && self.links.is_empty();
+        self.again = known && !loose && self.explicit && self.system.links.is_empty();
         // Contacts of one face act in parallel and are faster than the stiffest of them alone. The first step has
         // only its own error estimate, which is unreliable far beyond the limit of stability.
-        let together = (2.0 / (self.active.len() + self.links.len()).clamp(2, 4) as f64).sqrt();
-        let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.quickest };
+        let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();
+        let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
         let cap = self.drive_cap(model, cap);
@@ -257,7 +201,7 @@ impl Island {
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
         self.note_raw(&y);
-        normalise(model, &self.bodies, &self.layout, &mut y);
+        normalise(model, &self.system.bodies, &self.system.layout, &mut y);
         (self.stepper, self.y) = (stepper, y);
         let (dense, end) = outcome.map_err(|step| StepTooSmall { step })?;
         // The slope is evaluated at the sum, from which `end` can differ by the last bit.
@@ -276,14 +220,21 @@ impl Island {
 
     /// Whether no connection acts on its bodies but their bearings.
     pub(in crate::dynamics) fn is_free(&self) -> bool {
-        self.active.is_empty() && self.links.is_empty()
+        self.system.active.is_empty() && self.system.links.is_empty()
     }
 
     /// Finds the axis along which its bodies move, if there is one.
     fn find_line(&mut self, model: &Model) {
-        let contacts_alone = self.links.is_empty();
-        let line =
-            contacts_alone.then(|| CollinearIsland::of(model, &self.bodies, &self.layout, &self.bases, &self.active));
+        let contacts_alone = self.system.links.is_empty();
+        let line = contacts_alone.then(|| {
+            CollinearIsland::of(
+                model,
+                &self.system.bodies,
+                &self.system.layout,
+                &self.system.bases,
+                &self.system.active,
+            )
+        });
         self.line = line.flatten();
         self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
     }
@@ -302,13 +253,13 @@ impl Island {
     /// axis in it, and the coordinate of the body's reference pose \[m\]. `None` off the axis.
     pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
         let line = self.line.as_ref().filter(|line| self.in_line && line.axis() == axis)?;
-        let base = self.bases[index].planar()[axis];
+        let base = self.system.bases[index].planar()[axis];
         self.dense.as_ref().map(|dense| (dense, line.components(index), base))
     }
 
     /// State of a contact with its slip direction at `t`.
     pub(in crate::dynamics) fn closed_at(&self, number: usize, t: f64) -> ClosedContact {
-        let active = &self.active[number];
+        let active = &self.system.active[number];
         let mut closed = active.closed;
         if let Some(at) = active.angle {
             let mut angle = [self.y[at]];
@@ -322,7 +273,7 @@ impl Island {
 
     /// Dense output of the planned step for one body.
     pub(in crate::dynamics) fn path(&self, index: usize) -> Option<StepPolynomial> {
-        let (part, base) = (self.layout.range(index), Some(&self.bases[index]));
+        let (part, base) = (self.system.layout.range(index), Some(&self.system.bases[index]));
         self.dense.as_ref().map(|dense| StepPolynomial::of(dense, part, base))
     }
 
@@ -331,19 +282,19 @@ impl Island {
     pub(in crate::dynamics) fn again(&self, model: &Model) -> Option<(f64, Vec<f64>)> {
         let dense = self.dense.as_ref().filter(|dense| self.again && dense.from == self.from)?;
         let mut start = dense.coefficients().iter().map(|c| c[0]);
-        if !self.layout.has_unit_parts() {
+        if !self.system.layout.has_unit_parts() {
             return Some((dense.step, start.collect()));
         }
         // Normalising a normalised quaternion can change its last bit.
         let mut normal = self.raw.clone();
-        normalise(model, &self.bodies, &self.layout, &mut normal);
+        normalise(model, &self.system.bodies, &self.system.layout, &mut normal);
         let same = normal.iter().all(|x| start.next().is_some_and(|y| x.to_bits() == y.to_bits()));
         same.then(|| (dense.step, self.raw.clone()))
     }
 
     /// Dense output of the planned step for the slip angle of one contact; `None` where the angle is no state.
     pub(in crate::dynamics) fn angle_path(&self, number: usize) -> Option<DenseOutput> {
-        let at = self.active[number].angle?;
+        let at = self.system.active[number].angle?;
         self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
@@ -364,7 +315,7 @@ impl Island {
 
     /// Circular frequency of its fastest contact, device or bearing \[rad/s\].
     pub(in crate::dynamics) fn omega(&self) -> f64 {
-        self.omega
+        self.system.omega
     }
 }
 

@@ -10,12 +10,12 @@ use crate::dynamics::penalty3d::island::Island;
 
 impl Island {
     fn body<'a>(&self, model: &'a Model, index: usize) -> &'a Body {
-        &model.bodies[self.bodies[index]]
+        &model.bodies[self.system.bodies[index]]
     }
 
     /// State of a body at `t` within the planned step, relative to its reference pose.
     pub(in crate::dynamics) fn state_at(&self, model: &Model, index: usize, t: f64) -> Vec<f64> {
-        let range = self.layout.range(index);
+        let range = self.system.layout.range(index);
         match &self.dense {
             Some(dense) if t < self.until => {
                 let mut out = vec![0.0; range.len()];
@@ -29,7 +29,7 @@ impl Island {
 
     /// Pose of a section of a body at `t` within the planned step, relative to its placed pose.
     pub(in crate::dynamics) fn frame(&self, model: &Model, index: usize, section: usize, t: f64) -> Frame {
-        self.bases[index].whole(&self.frame_since(model, index, section, t))
+        self.system.bases[index].whole(&self.frame_since(model, index, section, t))
     }
 
     /// Pose of a section of a body at `t` within the planned step, relative to its reference pose.
@@ -40,7 +40,7 @@ impl Island {
     /// Value of `take` at the state of a body at `t` within the planned step, relative to its reference pose, as the
     /// dense output gives it.
     fn with_state<T>(&self, model: &Model, index: usize, t: f64, take: impl FnOnce(&Body, &[f64]) -> T) -> T {
-        let (range, body) = (self.layout.range(index), self.body(model, index));
+        let (range, body) = (self.system.layout.range(index), self.body(model, index));
         match &self.dense {
             Some(dense) => body.with_state(|state| dense.read(range, t, state), |state| take(body, state)),
             None => take(body, &self.y[range]),
@@ -50,9 +50,9 @@ impl Island {
     /// Poses of all sections of the bodies at `times` within the planned step, relative to their reference poses,
     /// time by time.
     pub(in crate::dynamics) fn frames_since(&self, model: &Model, times: &[f64]) -> Vec<Frame> {
-        let mut frames = Vec::with_capacity(times.len() * self.layout.section_count());
+        let mut frames = Vec::with_capacity(times.len() * self.system.layout.section_count());
         for &t in times {
-            for index in 0..self.bodies.len() {
+            for index in 0..self.system.bodies.len() {
                 self.with_state(model, index, t, |body, state| body.push_frames(state, &mut frames));
             }
         }
@@ -61,7 +61,7 @@ impl Island {
 
     /// Components in the island's vector of the components `own` of a body's state.
     fn components(&self, index: usize, own: Range<usize>) -> Range<usize> {
-        let from = self.layout.range(index).start;
+        let from = self.system.layout.range(index).start;
         from + own.start..from + own.end
     }
 

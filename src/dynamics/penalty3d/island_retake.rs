@@ -20,8 +20,8 @@ impl Island {
         let y: Vec<f64> = dense.coefficients().iter().map(|c| c[0]).collect();
         if !self.explicit {
             let turns = |due: &Due| match due.reason {
-                Reason::Opening => self.active[due.number].angle.is_some(),
-                Reason::Switching => self.active[due.number].turns_at_once(),
+                Reason::Opening => self.system.active[due.number].angle.is_some(),
+                Reason::Switching => self.system.active[due.number].turns_at_once(),
                 Reason::Edge | Reason::Kink => false,
             };
             return model.tolerance < RETAKE_TOLERANCE && due.iter().any(turns) && self.end_turning_beyond(model, t, y);
@@ -34,7 +34,7 @@ impl Island {
         std::mem::swap(&mut self.raw, &mut self.next_raw);
         let dense = stepper.repeat_explicit(&mut self.field(model, piece, ErrorScale::default()), from, &mut y, h);
         self.note_raw(&y);
-        normalise(model, &self.bodies, &self.layout, &mut y);
+        normalise(model, &self.system.bodies, &self.system.layout, &mut y);
         self.sloped = (from + dense.step, number);
         (self.stepper, self.y, self.until, self.dense) = (stepper, y, from + dense.step, Some(dense));
         true
@@ -52,7 +52,7 @@ impl Island {
         let dense = stepper.repeat_implicit(&mut self.field(model, piece, measure), from, &mut y, h);
         let ended = dense.is_some();
         if let Some(dense) = dense {
-            normalise(model, &self.bodies, &self.layout, &mut y);
+            normalise(model, &self.system.bodies, &self.system.layout, &mut y);
             (self.y, self.until, self.dense) = (y, from + dense.step, Some(dense));
         }
         self.stepper = stepper;

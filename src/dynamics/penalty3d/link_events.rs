@@ -10,23 +10,24 @@ use crate::dynamics::penalty3d::island::Island;
 
 /// The first end of a phase of the island's devices within its planned step, and its time \[s\]; `None` without one.
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
-    if island.links.is_empty() {
+    if island.system.links.is_empty() {
         return None;
     }
     let last = sample_count(island) - 1;
     let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
     let times: Vec<f64> = (0..=last).map(|i| if i == last { island.until } else { island.from + part(i) }).collect();
-    let sections = island.layout.section_count();
+    let sections = island.system.layout.section_count();
     let frames = island.frames_since(model, &times);
     let mut found: Option<(f64, LinkDue)> = None;
-    for (index, active) in island.links.iter().enumerate() {
+    for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
-        let motions: Vec<_> = frames.chunks_exact(sections).map(|f| active.motion(model, &island.bases, f).0).collect();
+        let motions: Vec<_> =
+            frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
         let size = motions.iter().map(|m| link.device.gap(&active.phase, m)[0].abs()).fold(0.0, f64::max);
         let zero = ZERO_BAND * size + POSITION_ROUNDING * link.size();
         for number in 0..link.device.switches(&active.phase) {
             let switch = |frames: &[Frame]| {
-                link.device.switch(number, &active.phase, &active.motion(model, &island.bases, frames).0)
+                link.device.switch(number, &active.phase, &active.motion(model, &island.system.bases, frames).0)
             };
             let values: Vec<f64> = motions.iter().map(|m| link.device.switch(number, &active.phase, m)).collect();
             let value_at = |t: f64| switch(&island.frames_since(model, &[t]));

@@ -8,6 +8,7 @@ pub(in crate::dynamics) mod constants;
 pub mod contact_force;
 pub(in crate::dynamics) mod contact_rates;
 pub mod contact_state;
+pub(in crate::dynamics) mod coupled_system;
 pub(in crate::dynamics) mod due;
 pub(in crate::dynamics) mod equations_of_motion;
 pub(in crate::dynamics) mod error_scale;

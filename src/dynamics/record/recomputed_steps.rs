@@ -14,7 +14,8 @@ use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
-use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Sliding};
+use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
 use crate::dynamics::penalty3d::island::normalise;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
@@ -197,27 +198,20 @@ impl Replay {
                 self.starts.read(start + i, state);
             }
         }
-        let (mut frames, mut wrenches, mut rates) = (Vec::new(), Vec::new(), Vec::new());
         let line = CollinearIsland::of(past.model, &bodies, &layout, &bases, &active);
+        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new());
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
-            links: &[],
             model: past.model,
-            bodies: &bodies,
-            layout: &layout,
-            bases: &bases,
-            active: &active,
+            system: &system,
             piece,
             scale: ErrorScale::default(),
             angles: &[],
             line: line.as_ref(),
-            frames: &mut frames,
-            wrenches: &mut wrenches,
-            rates: &mut rates,
-            sliding: &mut Sliding::of(&active),
+            workspace: &mut Workspace::of(&system.active),
         };
         let dense = again(&mut field, from, &mut y, length);
-        (dense, layout, bases)
+        (dense, system.layout, system.bases)
     }
 
     /// Memory of the steps \[bytes\].
@@ -244,7 +238,7 @@ fn again(field: &mut EquationsOfMotion<'_>, from: f64, y: &mut [f64], length: f6
     let mut rk = Dop853::default();
     rk.resize(y.len());
     rk.start(field, from, y);
-    normalise(field.model, field.bodies, field.layout, y);
+    normalise(field.model, &field.system.bodies, &field.system.layout, y);
     // Its error was accepted when it was computed first.
     let _ = rk.attempt(field, from, y, length);
     rk.accept(field, from, y, length)

@@ -18,7 +18,7 @@ impl World {
             Trajectory::Island { island, index } => match &self.islands[*island] {
                 Some(island) => {
                     let mut state = island.state_at(&self.model, *index, t);
-                    self.model.bodies[track.body].restore(&island.bases[*index].numbers(), &mut state);
+                    self.model.bodies[track.body].restore(&island.system.bases[*index].numbers(), &mut state);
                     state
                 }
                 None => Vec::new(),
@@ -34,7 +34,7 @@ impl World {
             && let Some(island) = &self.islands[island]
             && !island.is_free()
         {
-            return (island.bases[index], island.state_at(&self.model, index, t));
+            return (island.system.bases[index], island.state_at(&self.model, index, t));
         }
         let mut state = self.state(slot, t);
         (self.model.bodies[track.body].rebase(&mut state), state)

@@ -7,27 +7,24 @@ use crate::contact::normal::Linear;
 use crate::contact::{FrictionLaw, Law, Normal};
 use crate::dynamics::Body;
 use crate::dynamics::model::coordinates::planar::WIDTH;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::example::{MASS, closed, row, stick, wall};
 
 /// Rates of states counted from the placed poses, and of an error of such size its squared norm.
 fn rates(model: &Model, active: &[ActiveContact], y: &[f64], scale: ErrorScale) -> (Vec<f64>, f64) {
     let bodies: Vec<usize> = (0..model.bodies.len()).collect();
     let bases: Vec<ReferencePose> = model.bodies.iter().map(Body::placed).collect();
+    let layout = StateLayout::of(model.bodies.iter());
+    let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
     let mut equations = EquationsOfMotion {
         model,
-        bodies: &bodies,
-        layout: &StateLayout::of(model.bodies.iter()),
-        bases: &bases,
-        active,
-        links: &[],
+        system: &system,
         piece: model.ground.piece(model.ground.piece_number(0.0)),
         scale,
         angles: &[],
         line: None,
-        frames: &mut Vec::new(),
-        wrenches: &mut Vec::new(),
-        rates: &mut Vec::new(),
-        sliding: &mut Sliding::of(active),
+        workspace: &mut Workspace::of(active),
     };
     let mut out = vec![0.0; y.len()];
     equations.slope(0.0, y, &mut out);

@@ -1,0 +1,144 @@
+//! Bodies and the connections that act on them: what is constant of an island between two events.
+
+use crate::dynamics::Model;
+use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::reference_pose::ReferencePose;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
+use crate::dynamics::penalty3d::active_link::ActiveLink;
+use crate::dynamics::penalty3d::contact_rates::{decay, fastest, quickest};
+
+/// Bodies joined by connections, with bounds on the rates of the connections.
+#[derive(Debug)]
+pub(in crate::dynamics) struct CoupledSystem {
+    /// Numbers of the bodies in the model.
+    pub bodies: Vec<usize>,
+    /// Positions of their states in the vector of the integrator.
+    pub layout: StateLayout,
+    /// Reference poses of their states.
+    pub bases: Vec<ReferencePose>,
+    /// Closed contacts.
+    pub active: Vec<ActiveContact>,
+    /// Devices whose force acts.
+    pub links: Vec<ActiveLink>,
+    /// Largest distance of a corner from G, per body \[m\].
+    pub radii: Vec<f64>,
+    /// Upper bound of the circular frequency of a connection or a bearing \[rad/s\].
+    pub omega: f64,
+    /// Largest decay rate of the dashpot of a single connection \[1/s\].
+    pub quickest: f64,
+    /// Upper bound of the decay rate of all dashpots together \[1/s\]; `None` until it is needed.
+    decay: Option<f64>,
+}
+
+impl CoupledSystem {
+    /// Of bodies with their states in `y` relative to reference poses; the angles of slips that turn are appended to `y`.
+    pub(in crate::dynamics) fn of(
+        model: &Model,
+        (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
+        (mut active, mut links): (Vec<ActiveContact>, Vec<ActiveLink>),
+        y: &mut Vec<f64>,
+    ) -> Self {
+        for a in &mut active {
+            if let Some(angle) = a.closed.turning() {
+                a.angle = Some(y.len());
+                y.push(angle);
+            }
+        }
+        let layout = StateLayout::of(bodies.iter().map(|&b| &model.bodies[b]));
+        let states = bodies.iter().zip(layout.states(y));
+        let mut frames = Vec::with_capacity(layout.section_count());
+        states.for_each(|(&b, state)| model.bodies[b].push_frames(state, &mut frames));
+        for link in &mut links {
+            link.find_sections(&layout);
+        }
+        for a in &mut active {
+            a.find_sections(model, &layout);
+            a.depth = a.expected_depth(model, &frames);
+        }
+        let radii = bodies.iter().map(|&b| model.bodies[b].radius).collect();
+        Self {
+            omega: fastest(model, &bodies, &active, &links),
+            quickest: quickest(model, &active, &links),
+            ..Self::without_rates((bodies, layout, bases), active, links, radii)
+        }
+    }
+
+    /// Without bounds on rates, which a step of known length does not need.
+    pub(in crate::dynamics) fn without_rates(
+        (bodies, layout, bases): (Vec<usize>, StateLayout, Vec<ReferencePose>),
+        active: Vec<ActiveContact>,
+        links: Vec<ActiveLink>,
+        radii: Vec<f64>,
+    ) -> Self {
+        Self { bodies, layout, bases, active, links, radii, omega: 0.0, quickest: 0.0, decay: None }
+    }
+
+    /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.
+    pub(in crate::dynamics) fn is_free(&self) -> bool {
+        self.active.is_empty() && self.links.is_empty()
+    }
+
+    /// Number of connections whose force acts.
+    pub(in crate::dynamics) fn connection_count(&self) -> usize {
+        self.active.len() + self.links.len()
+    }
+
+    /// Upper bound of the decay rate of all dashpots together \[1/s\].
+    pub(in crate::dynamics) fn decay_bound(&mut self, model: &Model) -> f64 {
+        *self.decay.get_or_insert_with(|| decay(model, &self.bodies, &self.active, &self.links))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::Body;
+    use crate::dynamics::penalty3d::example::{MASS, STIFFNESS, closed, row, stick, wall};
+    use crate::scene::Scene;
+
+    /// All bodies of a scene with the contacts that are closed as placed, in stick.
+    fn system(scene: &Scene, contacts: usize) -> (Model, CoupledSystem) {
+        let (model, mut active) = closed(scene, stick);
+        active.truncate(contacts);
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        let bases = model.bodies.iter().map(Body::placed).collect();
+        let mut y: Vec<f64> = model.bodies.iter().flat_map(Body::initial).collect();
+        let width = y.len();
+        let system = CoupledSystem::of(&model, (bodies, bases), (active, Vec::new()), &mut y);
+        assert_eq!(y.len(), width, "no slip turns, no angle is appended");
+        (model, system)
+    }
+
+    #[test]
+    fn bodies_without_an_acting_connection_are_free() {
+        let (_, free) = system(&wall(), 0);
+        assert!(free.is_free() && free.connection_count() == 0);
+        let (_, pressed) = system(&wall(), 2);
+        assert!(!pressed.is_free() && pressed.connection_count() == 2);
+        assert!(free.omega < 1.0 && pressed.omega >= (STIFFNESS / 2.0 / MASS).sqrt(), "{} rad/s", pressed.omega);
+    }
+
+    #[test]
+    fn all_dashpots_together_decay_no_slower_than_the_fastest_and_no_faster_than_their_sum() {
+        let (mut model, active) = closed(&row(), stick);
+        for body in &mut model.bodies {
+            body.free[5] = false;
+        }
+        let (bodies, bases) = ((0..2).collect(), model.bodies.iter().map(Body::placed).collect());
+        let mut y: Vec<f64> = model.bodies.iter().flat_map(Body::initial).collect();
+        let damped: Vec<ActiveContact> = active
+            .into_iter()
+            .map(|mut contact| {
+                contact.closed.law.c_t = 40.0;
+                contact
+            })
+            .collect();
+        let count = damped.len() as f64;
+        let mut system = CoupledSystem::of(&model, (bodies, bases), (damped, Vec::new()), &mut y);
+        let together = system.decay_bound(&model);
+        assert!(system.quickest > 0.0 && together > 0.0, "{together} 1/s");
+        // A contact slows both of its bodies; each body has the sum of its contacts.
+        assert!(together <= 2.0 * count * system.quickest, "{together} against {} 1/s", system.quickest);
+        assert_eq!(together, system.decay_bound(&model), "kept");
+    }
+}
