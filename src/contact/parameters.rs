@@ -70,7 +70,7 @@ pub fn outside(face: &Face, at: DVec2) -> f64 {
     -(face.inset_at(at) + EDGE_TOLERANCE * face.size())
 }
 
-/// Whether a projection is inside a face's polygon, edges included to [`EDGE_TOLERANCE`] of its size.
+/// Whether a projection is inside a face's polygon, edges included to `EDGE_TOLERANCE` of its size.
 pub fn is_over(face: &Face, at: DVec2) -> bool {
     face.inset_at(at) >= -EDGE_TOLERANCE * face.size()
 }
