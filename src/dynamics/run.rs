@@ -1,4 +1,4 @@
-//! The run of one group of bodies under either model: advanced by the one event loop, asked for states, and ended.
+//! The run of one group of bodies under either model: advance, states at a time, result.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use crate::scene::ModelKind;
 /// What the run of a group leaves behind.
 #[derive(Debug)]
 pub struct Finished {
-    /// How far it came \[s\].
+    /// Time reached \[s\].
     pub end: f64,
     /// Why it stopped early.
     pub stop: Option<Stop>,
@@ -43,7 +43,7 @@ pub trait Run: std::fmt::Debug + Send + Sync {
     /// Handles everything that is due until `until` \[s\].
     fn advance(&mut self, until: f64);
 
-    /// How many events of contacts have come up; the impact model keeps hits instead.
+    /// Number of contact events so far; 0 under the impact model, which records hits instead.
     fn events(&self) -> usize;
 
     /// What has been done so far, counted.

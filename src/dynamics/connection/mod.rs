@@ -1,7 +1,7 @@
 //! Connections: forces between two points, of two bodies or of a body and the ground.
 //!
 //! A closed contact, a bearing and a device (cable, bumper, damper, shear key) are connections. What the solver asks of any of
-//! them is the trait [`Connection`]: the force on the first point (the second feels its opposite), the stored energy, the
+//! them is the trait [`Connection`]: the force on the first point (the opposite acts on the second), the stored energy, the
 //! dissipated power, and upper bounds of stiffness and damping for its time scales. What it asks of a device, whose force may
 //! set in and end, is the trait [`Device`]: phases, switching functions, and the gap until the force sets in. A [`Link`] puts
 //! a device between two points of a model.

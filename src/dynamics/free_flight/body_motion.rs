@@ -81,7 +81,7 @@ impl BodyMotion {
         }
     }
 
-    /// Keeps the states that later look-ups up to `t` start from.
+    /// Stores the states from which evaluations up to `t` start.
     pub(in crate::dynamics) fn remember(&self, flight: &mut BodyFlight, t: f64) {
         if let (Self::Girder(motion), BodyFlight::Girder(flight)) = (self, flight) {
             motion.remember(flight, t);

@@ -3,7 +3,7 @@
 //! Without eccentricity the girder is three [`Oscillator`]s. Under a sine each splits into its steady response and a
 //! free part; under a record each advances exactly from sample to sample. Eccentric bearings and undamped resonance go
 //! through [`CoupledPropagator`]. Whatever the form, a flight also bounds its own speed and acceleration, so that a search for
-//! crossings can leap without missing one.
+//! crossings misses none.
 
 use glam::{DMat3, DVec3};
 
@@ -63,7 +63,7 @@ enum FlightForm {
 }
 
 impl Flight {
-    /// Whether it keeps states beyond its start, for looking up a record's answer fast.
+    /// Whether states at samples of a record beyond the start are stored.
     pub(in crate::dynamics) fn has_anchors(&self) -> bool {
         matches!(self.form, FlightForm::Record { .. })
     }
@@ -142,7 +142,7 @@ impl FreeMotion {
         self.steady_in(dof, self.ground.phase(t))
     }
 
-    /// The same by the ground's phase.
+    /// As above, from the ground's phase.
     fn steady_in(&self, dof: &[UncoupledAxis; 3], [s, c]: [f64; 2]) -> PlanarState {
         let Ground::Sine { omega, .. } = self.ground else { return [0.0; WIDTH] };
         planar::of_parts([0, 1, 2].map(|i| dof[i].steady([s, c], omega)))
@@ -206,7 +206,7 @@ impl FreeMotion {
         self.parts_in(flight, t, self.ground.phase(t))
     }
 
-    /// The same by the ground's phase at `t`.
+    /// As above, from the ground's phase at `t`.
     pub(in crate::dynamics) fn parts_in(
         &self,
         flight: &Flight,
@@ -266,7 +266,7 @@ impl FreeMotion {
         }
     }
 
-    /// Keeps the states that later look-ups up to `t` start from.
+    /// Stores the states from which evaluations up to `t` start.
     pub fn remember(&self, flight: &mut Flight, t: f64) {
         let FlightForm::Record { first, anchors } = &mut flight.form else { return };
         let first = *first;

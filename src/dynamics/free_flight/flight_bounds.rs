@@ -1,4 +1,4 @@
-//! How far, how fast and how sharply a flight can move at most, so that a search for crossings can leap.
+//! Upper bounds of displacement, speed and acceleration in flight, for conservative advancement.
 
 use glam::DVec3;
 
@@ -22,7 +22,7 @@ impl FreeMotion {
         self.bound_from(t, state, None, horizon)
     }
 
-    /// The same, where the free part may be known already.
+    /// Bounds from `t`, given the free part if it has been computed.
     pub(in crate::dynamics) fn bound_from(
         &self,
         t: f64,
@@ -107,7 +107,7 @@ impl UncoupledAxis {
     }
 }
 
-/// `√(a² + b²)` of numbers far from the ends of the scale.
+/// `√(a² + b²)` without protection against overflow.
 fn length(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }

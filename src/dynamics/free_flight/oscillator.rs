@@ -87,7 +87,7 @@ impl Oscillator {
         self.carry(&self.free(tau), start, force, tau)
     }
 
-    /// The same by the factors over τ.
+    /// As above, from the factors over τ.
     #[inline]
     pub(in crate::dynamics) fn carry(
         &self,

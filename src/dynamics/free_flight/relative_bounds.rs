@@ -1,8 +1,8 @@
-//! How far, fast and sharply two girders can move against each other: less than the sum of what each can do.
+//! Upper bounds of the relative displacement, speed and acceleration of two girders: sharper than the sum of both.
 //!
 //! Under one ground motion the steady responses of like girders cancel, and the difference of two free motions of like
-//! oscillators is a free motion itself, whose energy never grows. In a row that sways as one no gap can close, and no
-//! look at it is needed until somebody is hit.
+//! oscillators is a free motion itself, whose energy never grows. In a row that moves in phase no gap can close, and none is
+//! evaluated until a girder of it is hit.
 
 use crate::dynamics::free_flight::constants::ALIKE;
 use crate::dynamics::free_flight::flight::{FreeMotion, FreeMotionForm};
@@ -101,7 +101,7 @@ impl GirderInFlight<'_> {
     }
 }
 
-/// Whether two oscillators are the same but for rounding: girders of one frequency and other masses.
+/// Whether two oscillators are equal within round-off: girders of one frequency and different masses.
 pub(in crate::dynamics) fn alike([a, b]: [&UncoupledAxis; 2]) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() <= ALIKE * x.abs().max(y.abs());
     near(a.oscillator.omega2, b.oscillator.omega2) && near(a.oscillator.gamma, b.oscillator.gamma)

@@ -1,6 +1,6 @@
 //! A face that slides along a wall, in closed form (state e, (17)–(20)).
 //!
-//! The girder cannot turn and stays on the wall, so one number is left, the way `u` along `s`. With `f` all forces per mass
+//! The girder cannot turn and stays on the wall, so one coordinate is left, the displacement `u` along `s`. With `f` all forces per mass
 //! but the wall's, `N/m = −n·f` and `T = −μ_k σ N`, so `ü = d·f` with `d = s + μ_k σ n`. Forces of bearings and dashpots are
 //! linear in `u` and `u̇`: friction only tilts the direction along which they are felt, and what is left is one oscillator
 //! `ü + (d·C s/m) u̇ + (d·K s/m) u = d·(f(0) − a_g)`. Bearings that are so unlike along x and y that the tilt makes a negative
@@ -20,7 +20,7 @@ use crate::motion::{Ground, LinearPiece};
 pub struct SlidingFace {
     /// When it begins \[s\].
     pub from: f64,
-    /// Longest time over which looks at it see every turn \[s\].
+    /// Longest sampling interval that resolves every reversal \[s\].
     pub sight: f64,
     place: DVec3,
     along: DVec2,
@@ -31,7 +31,7 @@ pub struct SlidingFace {
 enum SlidingForm {
     /// Free part at the start, constant force and its rate, steady response to the sine.
     Oscillator { oscillator: Oscillator, part: [f64; 2], force: [f64; 2], steady: SteadyResponse },
-    /// The same as a matrix; what it is made of is kept for hashing.
+    /// Propagator as a matrix; its coefficients are stored for hashing.
     Matrix { system: Box<CoupledPropagator>, start: Box<matrix_exponential::AugmentedState>, felt: ProjectedForces },
 }
 

@@ -27,7 +27,7 @@ impl Model {
         Self::of(scene, facing::find(scene)?)
     }
 
-    /// The same, where it is known who faces whom.
+    /// Compiles a scene whose facing pairs are known.
     ///
     /// # Errors
     /// What validation would have said about faces.

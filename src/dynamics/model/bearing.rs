@@ -135,7 +135,7 @@ fn ratio(part: f64, whole: f64) -> f64 {
 }
 
 /// Vertical forces that carry a weight on the bearings without a moment about G, shared by vertical stiffness: the
-/// least-norm answer of `Σ f = W`, `Σ f l = 0`. Where the bearings stand on a line or a point, what they can.
+/// least-norm answer of `Σ f = W`, `Σ f l = 0`. Bearings on a line or a point leave a moment.
 pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     let levers: Vec<DVec3> = bearings.iter().map(|b| axes * b.place).collect();
     let shares: Vec<f64> = bearings.iter().map(|b| b.stiffness.z).collect();
@@ -144,7 +144,8 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
         let row = DVec3::new(1.0, l.x, l.y);
         gram += DMat3::from_cols(row * (row.x * k), row * (row.y * k), row * (row.z * k));
     }
-    // A hair of stiffness in the two moment rows keeps a line of bearings solvable without moving a full plan.
+    // 1e-14 of the moment stiffness on the diagonal keeps the matrix of bearings on a line regular; with bearings in plan it
+    // changes the forces by as small a part.
     let floor = 1e-14 * (gram.y_axis.y + gram.z_axis.z).max(f64::MIN_POSITIVE);
     gram.y_axis.y += floor;
     gram.z_axis.z += floor;
@@ -165,7 +166,7 @@ pub fn carry(weight: f64, bearings: &mut [Bearing], axes: DMat3) -> Standing {
     }
 }
 
-/// Whether what stands off the diagonal is rounding, against the geometric mean of the diagonal it couples.
+/// Whether the off-diagonal entries are round-off, relative to the geometric mean of the diagonal it couples.
 pub(in crate::dynamics) fn is_diagonal(m: &DMat3) -> bool {
     (0..3).all(|i| (0..i).all(|j| m.col(i)[j].abs() <= DECOUPLED * (m.col(i)[i] * m.col(j)[j]).sqrt()))
 }

@@ -43,7 +43,7 @@ pub struct Body {
     pub radius: f64,
     /// How fast it can answer.
     pub rate_bounds: RateBounds,
-    /// What it stands on.
+    /// Bearings.
     pub bearings: Vec<Bearing>,
     /// Its weight on them; nothing in a planar scene.
     pub standing: Standing,
@@ -151,7 +151,7 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Sets components of a difference to 0 that never change.
     fn hold(&self, _body: &Body, _difference: &mut [f64]) {}
 
-    /// Size of component `i` of bodies of size `place` \[m\] that swing at `omega` \[rad/s\], for difference quotients.
+    /// Size of component `i` of bodies of size `place` \[m\] with circular frequency `omega` \[rad/s\], for difference quotients.
     fn increment_scale(&self, i: usize, place: f64, omega: f64) -> f64;
 
     /// How far a point of any section at `arm` from G goes at most, where components `range` together go as far as `way(range)` \[m\].

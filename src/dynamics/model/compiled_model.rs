@@ -31,7 +31,7 @@ pub struct Model {
     pub contacts: Vec<ContactSite>,
     /// Links: devices between two points.
     pub links: Vec<Link>,
-    /// Groups of bodies that a chain of pairs and links joins, each in rising order: they never feel one another.
+    /// Groups of bodies that a chain of pairs and links joins, each in rising order; no force acts between two groups.
     pub groups: Vec<Vec<usize>>,
     /// Pairs of each group, in rising order.
     pub group_pairs: Vec<Vec<usize>>,

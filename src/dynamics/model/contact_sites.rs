@@ -1,4 +1,4 @@
-//! Which nodes are declared against which faces (Fig. 24): both ways between girders, one way against a backwall unless a
+//! Contact sites, each a node against a face (Fig. 24): both ways between girders, one way against a backwall unless a
 //! corner of the backwall can enter the girder's face.
 
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! Bounds on a body's motion over a stretch of time, by which a search for crossings leaps.
+//! Upper bounds of a body's motion over an interval of time, from which conservative advancement takes its step.
 
 /// Bounds on a motion over `[t, t + window]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -27,7 +27,7 @@ pub struct Pair {
     pub gap: f64,
     /// Its contacts, numbers in [`Model::contacts`](crate::dynamics::Model::contacts).
     pub contacts: std::ops::Range<usize>,
-    /// Whether sliding has one direction only: the faces are vertical and nobody can move vertically, roll or pitch.
+    /// Whether sliding has one direction only: the faces are vertical and no body can move vertically, roll or pitch.
     pub one_way: bool,
 }
 

@@ -3,7 +3,8 @@
 //!
 //! A contact of a stiff face and a light girder is pressed by less than the last digit of where the girder is. So bodies that
 //! touch are integrated as what they moved since the first of their touches, and node and face are measured as if they had
-//! been placed there ([`Home::seen_from`]): a gap then rounds with how far it went in contact, not with how far it came.
+//! been placed there ([`Home::seen_from`]): the round-off of a gap is then proportional to the
+//! displacement during contact, not to that since the body was placed.
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
@@ -19,7 +20,7 @@ pub struct ReferencePose {
     shift: DVec3,
     /// Level: the angle that it had turned \[rad\].
     angle: f64,
-    /// In space: the same as a quaternion.
+    /// Rotation as a quaternion, in space.
     turn: DQuat,
     /// What it had turned, less the identity.
     turned: DMat3,
@@ -95,7 +96,7 @@ pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&ReferencePose
     at.map_or(home, |at| home.with_node(at))
 }
 
-/// How far the node was there from where it was as placed, along the face \[m\].
+/// Displacement of the node along the face at the reference poses, since placed \[m\].
 pub(in crate::dynamics) fn way_to(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2]) -> DVec2 {
     locate(&site.home, &pose(site, node), &pose(site, face)).way
 }

@@ -86,7 +86,7 @@ pub(in crate::dynamics) fn acceleration(body: &Body, point: &Point<'_>, force: D
 fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
     let [inertia, inverse] = &body.inertia;
     if body.free[3..] == [true; 3] {
-        // In the body frame, where the inertia stands still.
+        // In the body frame, where the inertia is constant.
         let rotation = here.rotation(&body.axes);
         let into_body = rotation.transpose();
         let spin = into_body * here.spin;
@@ -101,7 +101,7 @@ fn spin_rate(body: &Body, here: &Frame, moment: DVec3) -> DVec3 {
 fn free_inverse(body: &Body, rotation: &DMat3, moment: DVec3) -> DVec3 {
     let mut matrix = world_inertia(body, rotation);
     let mut right = moment;
-    // A held direction becomes an equation of its own: its rate is 0.
+    // The row and column of a held direction are replaced by those of the identity: its rate is 0.
     for i in 0..3 {
         if !body.free[3 + i] {
             for j in 0..3 {

@@ -77,7 +77,7 @@ impl Body {
         of_each!(self, c => c.initial(self))
     }
 
-    /// Takes a state that `read` writes; that of a rigid body stands on the stack.
+    /// Evaluates on a state that `read` writes, which is on the stack for a rigid body.
     #[inline]
     pub fn with_state<T>(&self, read: impl FnOnce(&mut [f64]), take: impl FnOnce(&[f64]) -> T) -> T {
         let through = |state: &mut [f64]| {

@@ -118,7 +118,7 @@ pub fn slope(body: &Body, state: &[f64], contact: &Wrench, ground: DVec3, out: &
     slope_from(body, DVec3::ZERO, state, contact, ground, out);
 }
 
-/// The same of a state counted from `x, y, θ`.
+/// Rate of a state relative to the reference position `x, y, θ`.
 #[inline]
 fn slope_from(body: &Body, base: DVec3, state: &[f64], contact: &Wrench, ground: DVec3, out: &mut [f64]) {
     let (state, Some(out)) = (whole(state), out.first_chunk_mut::<WIDTH>()) else { return };

@@ -1,4 +1,4 @@
-//! Where the states of several bodies stand in one vector.
+//! Offsets of the states of several bodies in one vector.
 
 use std::ops::Range;
 
