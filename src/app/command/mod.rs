@@ -25,9 +25,24 @@ pub use time::{TimeCommand, Way};
 pub use view::{Follow, Sight, Tool, ViewCommand};
 pub use window::WindowCommand;
 
-/// One command, by its group.
-#[derive(Clone, Debug)]
-pub enum Command {
+/// Declares the groups of [`Command`], each with the conversion of its own commands.
+macro_rules! groups {
+    ($($(#[$doc:meta])* $group:ident($command:ty)),* $(,)?) => {
+        /// One command, by its group.
+        #[derive(Clone, Debug)]
+        pub enum Command {
+            $($(#[$doc])* $group($command),)*
+        }
+
+        $(impl From<$command> for Command {
+            fn from(command: $command) -> Self {
+                Self::$group(command)
+            }
+        })*
+    };
+}
+
+groups! {
     /// Playing, seeking, the stretch of time shown.
     Time(TimeCommand),
     /// A change of the scene, undo, redo.
@@ -51,31 +66,5 @@ pub enum Command {
     /// Lessons.
     Learn(Learn),
     /// The window itself.
-    Window(WindowCommand),
-}
-
-/// A command of a group is a command.
-macro_rules! group {
-    ($($group:ident($command:ty)),* $(,)?) => {
-        $(impl From<$command> for Command {
-            fn from(command: $command) -> Self {
-                Self::$group(command)
-            }
-        })*
-    };
-}
-
-group! {
-    Time(TimeCommand),
-    Edit(EditCommand),
-    Place(PlaceCommand),
-    Hand(HandCommand),
-    Select(SelectCommand),
-    View(ViewCommand),
-    Compare(CompareCommand),
-    File(FileCommand),
-    Keep(Keep),
-    Film(Filming),
-    Learn(Learn),
     Window(WindowCommand),
 }

@@ -16,12 +16,9 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
-/// Searches the beginning of a link's force from `t` on and enters it in the link's track.
+/// Searches the beginning of the force of a link, which does not act, from `t` on and enters it in the link's track.
 pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
     world.links[link].begins = None;
-    if world.link_acts(link) {
-        return NextClosing::at(f64::INFINITY);
-    }
     let slots = world.links[link].slots;
     match first_step_end(world, slots) {
         Some(until) => {

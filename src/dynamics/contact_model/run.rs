@@ -226,8 +226,11 @@ impl ContactRun {
         for pair in self.world.pairs_of(slots) {
             self.search(pair, t);
         }
+        // A device whose force acts is not in the queue: its island finds the end of the phase.
         for link in self.world.links_of(slots) {
-            self.search_link(link, t);
+            if !self.world.link_acts(link) {
+                self.search_link(link, t);
+            }
         }
     }
 

@@ -177,27 +177,15 @@ impl Cluster {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::impact2d::example::{cluster, touch};
 
     /// Two girders of 2 kg and 3 kg that touch at a point with unlike levers.
     fn touching() -> (Cluster, ContactPoint) {
         let inverse = |mass: f64, i2: f64| DVec3::new(1.0 / mass, 1.0 / mass, 1.0 / (mass * i2));
         let n = DVec2::from_angle(0.4);
-        let cluster = Cluster {
-            inverse: [inverse(2.0, 0.01), inverse(3.0, 0.02)].into_iter().collect(),
-            velocity: [DVec3::new(-0.3, 0.2, 4.0), DVec3::new(0.1, -0.5, -2.0)].into_iter().collect(),
-        };
+        let bodies = cluster([inverse(2.0, 0.01), inverse(3.0, 0.02)], [[-0.3, 0.2, 4.0], [0.1, -0.5, -2.0]]);
         let arms = [DVec2::new(0.1, 0.03), DVec2::new(-0.08, 0.05)];
-        let point = ContactPoint {
-            bodies: [Some(0), Some(1)],
-            n,
-            s: n.perp(),
-            arms,
-            gap: 0.0,
-            inset: 1.0,
-            along: 0.0,
-            bias: [0.0; 2],
-        };
-        (cluster, point)
+        (bodies, touch([Some(0), Some(1)], n, arms, 0.0))
     }
 
     #[test]

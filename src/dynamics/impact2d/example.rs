@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::dynamics::Model;
+use crate::dynamics::impact2d::delassus::{Cluster, ContactPoint};
 use crate::dynamics::impact2d::instant::ImpactInstant;
 use crate::dynamics::impact2d::kinematics::Kinematics;
 use crate::dynamics::impact2d::world::World;
@@ -73,4 +74,19 @@ pub(in crate::dynamics::impact2d) fn touching(model: &Model, kinematics: &Kinema
     sites.retain(|&site| point(site).gap.abs() < 1e-12);
     sites.sort_by(|&a, &b| point(a).along.total_cmp(&point(b).along));
     sites
+}
+
+/// Bodies with these inverse inertias over `(x, y, θ)` and velocities.
+pub(in crate::dynamics::impact2d) fn cluster<const N: usize>(inverse: [DVec3; N], velocity: [[f64; 3]; N]) -> Cluster {
+    Cluster { inverse: inverse.into_iter().collect(), velocity: velocity.into_iter().map(DVec3::from).collect() }
+}
+
+/// A closed contact well inside its face, `along` s from the face's middle \[m\], with these levers of its bodies \[m\].
+pub(in crate::dynamics::impact2d) fn touch(
+    bodies: [Option<usize>; 2],
+    n: DVec2,
+    arms: [DVec2; 2],
+    along: f64,
+) -> ContactPoint {
+    ContactPoint { bodies, n, s: n.perp(), arms, gap: 0.0, inset: 1.0, along, bias: [0.0; 2] }
 }

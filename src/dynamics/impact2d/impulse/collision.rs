@@ -235,21 +235,19 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::dynamics::impact2d::example::{cluster, touch};
 
     /// A girder of 1 kg, 0.19 × 0.07 m, flush at a wall with normal −x.
     fn at_wall(velocity: [f64; 3]) -> (Cluster, ContactManifold) {
         let n = DVec2::NEG_X;
         let i2 = (0.19 * 0.19 + 0.07 * 0.07) / 12.0;
-        let cluster = Cluster {
-            inverse: [DVec3::new(1.0, 1.0, 1.0 / i2)].into_iter().collect(),
-            velocity: [DVec3::from(velocity)].into_iter().collect(),
-        };
+        let girder = cluster([DVec3::new(1.0, 1.0, 1.0 / i2)], [velocity]);
         let end = |along: f64| {
             let arms = [DVec2::new(0.095, -along), DVec2::ZERO];
-            ContactPoint { bodies: [Some(0), None], n, s: n.perp(), arms, gap: 0.0, inset: 1.0, along, bias: [0.0; 2] }
+            touch([Some(0), None], n, arms, along)
         };
         let points = [end(-0.035), end(0.035)].into_iter().collect();
-        (cluster, ContactManifold { pair: 0, sites: [0, 1].into_iter().collect(), points })
+        (girder, ContactManifold { pair: 0, sites: [0, 1].into_iter().collect(), points })
     }
 
     fn hit(velocity: [f64; 3], flush: Flush, inelastic: bool) -> (Collision, [Cluster; 2]) {

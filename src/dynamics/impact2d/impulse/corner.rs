@@ -98,28 +98,15 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     use super::*;
+    use crate::dynamics::impact2d::example::{cluster, touch};
 
     const CORNER_LAW: Coefficients = Coefficients { e_n: 0.4, e_t: -0.3, mu_s: 0.5, mu_k: 0.4 };
 
     /// A girder of 1 kg with i² = 0.01 m² at a wall with normal −x, touching at this lever.
     fn at_wall(arm: [f64; 2], velocity: [f64; 3]) -> (Cluster, ContactPoint) {
         let n = DVec2::NEG_X;
-        let cluster = Cluster {
-            inverse: [DVec3::new(1.0, 1.0, 100.0)].into_iter().collect(),
-            velocity: [DVec3::from(velocity)].into_iter().collect(),
-        };
-        let arms = [DVec2::from(arm), DVec2::ZERO];
-        let point = ContactPoint {
-            bodies: [Some(0), None],
-            n,
-            s: n.perp(),
-            arms,
-            gap: 0.0,
-            inset: 1.0,
-            along: 0.0,
-            bias: [0.0; 2],
-        };
-        (cluster, point)
+        let girder = cluster([DVec3::new(1.0, 1.0, 100.0)], [velocity]);
+        (girder, touch([Some(0), None], n, [DVec2::from(arm), DVec2::ZERO], 0.0))
     }
 
     #[test]

@@ -161,6 +161,7 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     use super::*;
+    use crate::dynamics::impact2d::example::{cluster, touch};
 
     const FACE_LAW: Coefficients = Coefficients { e_n: 0.4, e_t: -1.0, mu_s: 0.2, mu_k: 0.15 };
 
@@ -168,15 +169,12 @@ mod tests {
     fn at_wall(lever: f64, velocity: [f64; 3]) -> (Cluster, Ends) {
         let n = DVec2::NEG_X;
         let i2 = (0.19 * 0.19 + 0.07 * 0.07) / 12.0;
-        let cluster = Cluster {
-            inverse: [DVec3::new(1.0, 1.0, 1.0 / i2)].into_iter().collect(),
-            velocity: [DVec3::from(velocity)].into_iter().collect(),
-        };
+        let girder = cluster([DVec3::new(1.0, 1.0, 1.0 / i2)], [velocity]);
         let end = |along: f64| {
             let arms = [DVec2::new(0.095, 0.0) + n.perp() * along, DVec2::ZERO];
-            ContactPoint { bodies: [Some(0), None], n, s: n.perp(), arms, gap: 0.0, inset: 1.0, along, bias: [0.0; 2] }
+            touch([Some(0), None], n, arms, along)
         };
-        (cluster, [end(lever - 0.035), end(lever + 0.035)])
+        (girder, [end(lever - 0.035), end(lever + 0.035)])
     }
 
     #[test]
@@ -185,8 +183,8 @@ mod tests {
         assert_eq!(centroid(&cluster, &ends), 0.5, "(49)");
         // One end at rest: |ζ| = b_f/3 (50), (51).
         let (cluster, ends) = at_wall(0.0, [0.035, 0.0, 1.0]);
-        assert!((centroid(&cluster, &ends) - 0.5).abs() - 1.0 / 6.0 < 1e-15, "a third of the half length");
-        assert!((centroid(&cluster, &ends) - 0.5).abs() > 0.16, "off the centre");
+        let offset = (centroid(&cluster, &ends) - 0.5).abs();
+        assert!((offset - 1.0 / 6.0).abs() < 1e-15, "a third of the half length: {offset}");
         let (cluster, ends) = at_wall(0.0, [1e-3, 0.0, 1.0]);
         let part = centroid(&cluster, &ends);
         assert!(part == 0.0 || part == 1.0, "at an end: {part}");
