@@ -1,5 +1,7 @@
 //! What a picture is made from, and what can be picked in it.
 
+use glam::DVec3;
+
 use super::camera::Camera;
 use super::list::Background;
 use crate::scene::{Overlays, Scene};
@@ -50,10 +52,18 @@ pub struct ViewInput<'a> {
 /// Ghosts of other runs that can be told apart.
 pub const MOST_KEPT: usize = 4;
 
+/// Arrows and cones shorter than this are not drawn \[points\].
+pub(super) const LEAST_FORCE: f64 = 1.5;
+
 impl ViewInput<'_> {
     /// Width over height.
     pub fn aspect(&self) -> f64 {
         f64::from(self.size[0].max(1)) / f64::from(self.size[1].max(1))
+    }
+
+    /// World length of a point of the picture at a place \[m\].
+    pub(super) fn point_length(&self, at: DVec3) -> f64 {
+        self.camera.metres_per_pixel(at, f64::from(self.size[1])) * f64::from(self.pixels_per_point)
     }
 
     /// Whether displacements are shown larger or smaller than they are.

@@ -15,6 +15,7 @@ mod devices;
 mod exaggerated;
 mod forces;
 mod friction_circle;
+mod friction_cone;
 pub mod gap;
 mod hiding;
 mod input;
