@@ -97,6 +97,8 @@ pub enum OfEnergy {
     Bearings,
     /// Strain of the contacts.
     Contacts,
+    /// Stored in devices.
+    Devices,
     /// Potential of gravity.
     Gravity,
     /// Work of the ground and of pushes.
@@ -105,6 +107,8 @@ pub enum OfEnergy {
     LostBearings,
     /// Lost in the contacts' dashpots and hits.
     LostContacts,
+    /// Lost in devices, and released where their phases change.
+    LostDevices,
     /// Lost in friction.
     Friction,
     /// What the balance leaves over.
@@ -150,14 +154,16 @@ const OF_CONTACT: [(&str, OfContact); 7] = [
     ("use", OfContact::Use),
     ("state", OfContact::State),
 ];
-const OF_ENERGY: [(&str, OfEnergy); 9] = [
+const OF_ENERGY: [(&str, OfEnergy); 11] = [
     ("kinetic", OfEnergy::Kinetic),
     ("bearings", OfEnergy::Bearings),
     ("contacts", OfEnergy::Contacts),
+    ("devices", OfEnergy::Devices),
     ("gravity", OfEnergy::Gravity),
     ("work", OfEnergy::Work),
     ("lost-bearings", OfEnergy::LostBearings),
     ("lost-contacts", OfEnergy::LostContacts),
+    ("lost-devices", OfEnergy::LostDevices),
     ("friction", OfEnergy::Friction),
     ("residual", OfEnergy::Residual),
 ];
@@ -183,7 +189,9 @@ impl Quantity {
             let name = format!("{}|{}", site.node, site.face_name);
             all.extend(OF_CONTACT.map(|(of, what)| (format!("{name}.{of}"), Self::Contact(i, what))));
         }
-        all.extend(OF_ENERGY.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
+        let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
+        let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || !model.links.is_empty());
+        all.extend(energies.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
         all.extend([("ground.x".to_owned(), Self::Ground(false)), ("ground.y".to_owned(), Self::Ground(true))]);
         all
     }
@@ -285,10 +293,12 @@ fn of_energy(history: &History, what: OfEnergy, t: f64) -> f64 {
         OfEnergy::Kinetic => e.kinetic,
         OfEnergy::Bearings => e.bearing,
         OfEnergy::Contacts => e.contact,
+        OfEnergy::Devices => e.device,
         OfEnergy::Gravity => e.gravity,
         OfEnergy::Work => e.work_ground + e.work_push,
         OfEnergy::LostBearings => e.loss_bearing,
         OfEnergy::LostContacts => e.loss_normal + e.loss_tangential + e.loss_hits,
+        OfEnergy::LostDevices => e.loss_device + e.jump_device,
         OfEnergy::Friction => e.loss_friction,
         OfEnergy::Residual => e.residual,
     }

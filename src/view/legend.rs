@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::ViewInput;
 use super::area::Area;
+use super::devices;
 use super::forces::glyph;
 use super::labels::text_size;
 use super::list::{Mark, Rgba};
@@ -34,6 +35,8 @@ enum Sign {
     Arrow(Rgba),
     State(ContactState),
     Cone,
+    /// A device whose force acts, or an idle one.
+    Device(bool),
     Grid,
     Girder,
     Ghost,
@@ -101,6 +104,10 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         rows.push(row(Sign::State(ContactState::Slip), "slip"));
         rows.push(row(Sign::State(ContactState::Open), "just opened"));
     }
+    if !moment.devices.is_empty() {
+        rows.push(row(Sign::Device(true), "device whose force acts"));
+        rows.push(row(Sign::Device(false), "idle device"));
+    }
     if can_touch && !moment.laws.is_empty() {
         rows.push(row(Sign::None, format!("friction law: {}", moment.laws.join(", "))));
     }
@@ -165,6 +172,10 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
         Sign::Arrow(color) => {
             out.push(stroke([p(2.0, 0.0), p(20.0, 0.0)], 3.2 * ppp, color));
             out.push(Mark::Fill { points: vec![p(18.0, -5.0), p(30.0, 0.0), p(18.0, 5.0)], color });
+        }
+        Sign::Device(acts) => {
+            let (width, color) = devices::stroke(acts, ppp, palette);
+            out.push(stroke([p(2.0, 0.0), p(28.0, 0.0)], width, color));
         }
         Sign::State(state) => out.push(glyph(p(15.0, 0.0), state, ppp, palette)),
         Sign::Cone => {

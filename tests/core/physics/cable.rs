@@ -8,7 +8,9 @@ use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Connection, Device, Phase, Separation, SeparationBounds, Switch};
 use girderbench::dynamics::model::groups::LinkError;
 use girderbench::scene::{ModelKind, Scene, ViewPreset};
+use girderbench::sim::quantity::Quantity;
 use girderbench::sim::{History, Session};
+use girderbench::view::list::Mark;
 use girderbench::view::{Background, Bounds, Camera, ViewInput, draw_list};
 use glam::{DMat3, DVec3};
 
@@ -237,11 +239,11 @@ fn a_cable_beside_the_axes_turns_the_girders_and_keeps_angular_momentum_and_ener
 }
 
 #[test]
-fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut() {
+fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut_and_the_legend_has_both() {
     let scene = two_girders("planar", [SPEED, 0.0], 1.0);
     let history = run(&scene, undamped(), 0.03);
     let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(&scene), 1.5);
-    let strokes = |t: f64| {
+    let drawn = |t: f64| {
         let input = ViewInput {
             scene: &scene,
             history: Some(&history),
@@ -257,9 +259,9 @@ fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut() {
             background: Background::Studio,
             title: None,
         };
-        let lines = draw_list(&input).xray_lines;
-        lines.into_iter().filter(|line| line.group == "device").collect::<Vec<_>>()
+        draw_list(&input)
     };
+    let strokes = |t: f64| drawn(t).xray_lines.into_iter().filter(|line| line.group == "device").collect::<Vec<_>>();
     let taut = history.link_phases(0)[1].0 + 1e-3;
     let ([slack], [tight]) = (&strokes(0.5)[..], &strokes(taut)[..]) else { panic!("one stroke each") };
     assert!(tight.width > 2.0 * slack.width && tight.color != slack.color, "{tight:?} against {slack:?}");
@@ -267,6 +269,19 @@ fn a_cable_is_drawn_between_its_ends_thick_while_it_is_taut() {
     let turned = 1e-3;
     within("its west end", f64::from(tight.from.x) - (west.x + 0.2), turned);
     within("its east end", f64::from(tight.to.x) - (east.x - 0.2), turned);
+    let marks = drawn(0.5).marks;
+    for (words, sign) in [("device whose force acts", tight), ("idle device", slack)] {
+        let at = marks.iter().find_map(|mark| match mark {
+            Mark::Text { text, at, .. } if text == words => Some(*at),
+            _ => None,
+        });
+        let at = at.unwrap_or_else(|| panic!("the legend has a row for: {words}"));
+        let is_sign = |mark: &Mark| {
+            matches!(mark, Mark::Stroke { points, width, color }
+                if points[0].y == at.y && (*width, *color) == (sign.width, sign.color))
+        };
+        assert!(marks.iter().any(is_sign), "{words}: a stroke as the device has it");
+    }
 }
 
 #[test]
@@ -293,6 +308,14 @@ fn what_a_damped_cable_loses_is_booked() {
     let books = history.ledger(1.0);
     assert!(books.loss_device > 0.01 * books.scale, "{} J of {}", books.loss_device, books.scale);
     within("ledger", books.residual / books.scale, 1e-9);
+    let taut = history.link_phases(0)[1].0 + 2e-3;
+    for t in [0.5, taut, 1.0] {
+        let energy = |name: &str| Quantity::find(history.model(), name).expect("a plotted energy").at(&history, t);
+        let plotted = ["energy.kinetic", "energy.devices", "energy.lost-devices"].map(energy);
+        within("plotted energies", plotted.iter().sum::<f64>() / (0.5 * MASS * SPEED * SPEED) - 1.0, 1e-9);
+        assert_eq!(plotted[1] > 0.0, t == taut, "{} J stored at {t} s", plotted[1]);
+        assert_eq!(plotted[2] > 0.0, t >= taut, "{} J lost at {t} s", plotted[2]);
+    }
     let [west, east] = [0, 1].map(|girder| history.motion(girder, 1.0).velocity.x);
     within("momentum", (west + east) / SPEED - 1.0, 1e-12);
     assert!(east > 0.0 && east < west, "less than an exchange: {west}, {east}");

@@ -129,6 +129,7 @@ fn quantities_are_what_the_history_says() {
         near(Quantity::Contact(now.contact, OfContact::Use).at(&history, t), 1.0, 1e-9, "on the rim while it slips");
     }
     assert_eq!(Quantity::find(history.model(), "nobody.x"), None, "nobody");
+    assert_eq!(Quantity::find(history.model(), "energy.devices"), None, "a scene without devices");
 }
 
 #[test]
