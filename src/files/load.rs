@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use crate::motion::csv;
+use crate::motion::format::read as read_series;
 use crate::scene::validate::validate;
 use crate::scene::{Motion, Scene, SceneError, SceneErrors, format, overrides, presets};
 
@@ -80,7 +80,7 @@ pub fn read_record(path: &Path) -> Result<(f64, Vec<f64>), SceneErrors> {
 fn series(path: &Path, missing: impl Fn(String) -> SceneErrors) -> Result<(f64, Vec<f64>), SceneErrors> {
     let shown = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| missing(format!("{shown} ({error})")))?;
-    let series = csv::read(&bytes)
+    let series = read_series(&bytes, path)
         .map_err(|error| complaint(&shown, &format!("line {}", error.line), error.value, &error.remedy))?;
     Ok((series.dt, series.samples))
 }

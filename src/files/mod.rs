@@ -9,6 +9,7 @@ mod recovery;
 mod save;
 mod stamp;
 
+pub use crate::motion::format::{FORMATS as RECORD_FORMATS, formats_in_words, is_record};
 pub use load::{ReadError, load_scene, load_unsaved, read, read_record};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};

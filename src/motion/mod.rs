@@ -3,7 +3,7 @@
 //! A ground acceleration `a_g(t)` enters the bodies as `−m a_g`. It is either nothing, a sine, or a record that is
 //! linear between samples; each is piecewise analytic, which is what lets free flight have a closed form.
 
-pub mod csv;
+pub mod format;
 
 use std::sync::Arc;
 

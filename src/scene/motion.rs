@@ -32,7 +32,12 @@ pub const RECORD: &[Key] = &[
         Fallback::Needed("must be given with samples_m_s2"),
         "interval between samples, s",
     ),
-    Key::new("file", Range::Free, Fallback::Needed("this or samples_m_s2"), "a two-column CSV beside the scene's file"),
+    Key::new(
+        "file",
+        Range::Free,
+        Fallback::Needed("this or samples_m_s2"),
+        "a file that holds it, beside the scene's file",
+    ),
     Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample"),
     Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees"),
 ];
@@ -62,7 +67,7 @@ pub struct RecordMotion {
     /// Interval between samples \[s\].
     #[serde(rename = "dt_s", default, skip_serializing_if = "Option::is_none")]
     pub dt: Option<f64>,
-    /// A two-column CSV (`t_s, a_m_s2`), relative to the scene's file.
+    /// File of the record, relative to the scene's file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// Multiplies every sample.

@@ -8,6 +8,8 @@ use rfd::{AsyncFileDialog, FileHandle};
 
 use crate::app::command::{Command, Export, FileCommand, FilmFormat, Filming};
 use crate::app::host::Wake;
+use crate::app::text;
+use crate::files::RECORD_FORMATS;
 
 /// Dialogs that are open, and what was chosen in them.
 pub(in crate::app) struct Dialogs {
@@ -42,7 +44,10 @@ impl Dialogs {
 
     /// Which record shakes the ground.
     pub(in crate::app) fn record(&self) {
-        self.wait(AsyncFileDialog::new().add_filter("CSV", &["csv", "txt"]).pick_file(), FileCommand::Record);
+        let all: Vec<&str> = RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect();
+        let dialog = AsyncFileDialog::new().add_filter(text::RECORDS, &all);
+        let dialog = RECORD_FORMATS.iter().fold(dialog, |dialog, f| dialog.add_filter(f.name, f.extensions));
+        self.wait(dialog.pick_file(), FileCommand::Record);
     }
 
     /// Where to save the scene.

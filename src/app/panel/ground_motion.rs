@@ -7,6 +7,7 @@ use crate::app::command::{Command, EditCommand, FileCommand};
 use crate::app::field::{CLICK, Change, Place, choice_line, complain, slider, tag};
 use crate::app::unit::{ACCELERATION, DEGREES, GRAVITIES, HERTZ, PURE, SECONDS};
 use crate::app::{edits, text};
+use crate::files::formats_in_words;
 use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
 
 /// Which kind of motion it is.
@@ -128,7 +129,7 @@ fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<
                 out.push(FileCommand::Record(draft.trim().into()).into());
             }
         }
-        if ui.button(text::CHOOSE).on_hover_text(text::CHOOSE_HINT).clicked() {
+        if ui.button(text::CHOOSE).on_hover_text(formats_in_words()).clicked() {
             out.push(FileCommand::AskRecord.into());
         }
     });

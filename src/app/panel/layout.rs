@@ -17,6 +17,7 @@ use crate::app::style::theme::{self, Palette};
 use crate::app::text;
 use crate::app::time::{timeline, transport};
 use crate::app::viewport::show;
+use crate::files::is_record;
 
 /// How often progress on a thread is shown.
 const PROGRESS: Duration = Duration::from_millis(50);
@@ -163,8 +164,8 @@ fn keep_work(bench: &mut Workbench) -> Option<Duration> {
     again
 }
 
-/// What a file that is dropped onto the window is for: a table is a record, anything else a scene.
+/// What a file that is dropped onto the window is for: a record by its extension, anything else a scene.
 fn dropped_on(path: &Path) -> FileCommand {
-    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if is_table { FileCommand::Record(path.to_owned()) } else { FileCommand::Open(path.to_owned()) }
+    let path = path.to_owned();
+    if is_record(&path) { FileCommand::Record(path) } else { FileCommand::Open(path) }
 }

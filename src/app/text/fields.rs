@@ -23,7 +23,8 @@ pub(in crate::app) const PHASE: &str = "Phase φ0";
 pub(in crate::app) const RECORD_FILE: &str = "Record file";
 pub(in crate::app) const RECORD_IN_SCENE: &str = "in the scene itself";
 pub(in crate::app) const CHOOSE: &str = "Choose…";
-pub(in crate::app) const CHOOSE_HINT: &str = "A table of two columns: time in s, acceleration in m/s²";
+/// Files of every format of records.
+pub(in crate::app) const RECORDS: &str = "Records";
 pub(in crate::app) const KEEP_RECORD: &str = "Keep its samples in the scene";
 pub(in crate::app) const KEEP_RECORD_HINT: &str = "The file is not needed then";
 pub(in crate::app) const RECORD_DT: &str = "Interval";

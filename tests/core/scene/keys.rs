@@ -1,5 +1,6 @@
 //! The list of keys, the reader of files, the checks of a scene and the documentation say the same.
 
+use girderbench::motion::format::FORMATS;
 use girderbench::scene::keys::{self, Fallback, Key, Range, TABLES};
 use girderbench::scene::{ContactNumber, ContactSettings, Scene, SceneErrors, facing, format, overrides, validate};
 use toml::{Table, Value};
@@ -189,6 +190,15 @@ fn the_documentation_says_what_the_program_does() {
             assert_eq!(range.replace("1e-2", "0.01"), range_in_words(key.range), "{at}");
             assert_eq!(*meaning, key.meaning, "{at}");
         }
+    }
+}
+
+#[test]
+fn every_format_of_records_is_documented() {
+    let page = std::fs::read_to_string("docs/scene-format.md").expect("the documentation is there");
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    for format in FORMATS {
+        assert!(page.contains(&format!("- {}", format.words())), "{}", format.words());
     }
 }
 

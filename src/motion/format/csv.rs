@@ -3,42 +3,41 @@
 //! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading. The
 //! samples must be evenly spaced; the first one is the acceleration at t = 0, whatever its own time.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::{Reader, ReaderBuilder, StringRecord, Trim};
+
+use super::record::{Format, RecordError, Series};
 
 /// Printed times are rounded; they may be off by this part of the interval.
 const UNEVEN: f64 = 0.01;
 
-/// What is wrong with a record.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}: found {value}; {remedy}")]
-pub struct RecordError {
-    /// Line in the file, from 1.
-    pub line: u64,
-    /// What stands there.
-    pub value: String,
-    /// What would be right.
-    pub remedy: String,
+/// This format.
+pub(super) const FORMAT: Format = Format {
+    name: "CSV",
+    extensions: &["csv", "txt"],
+    contents: "two columns, time in s and acceleration in m/s², one line a sample",
+    sniff,
+    read,
+};
+
+/// Whether two numbers stand in the first line, or in the second below a heading.
+fn sniff(bytes: &[u8]) -> bool {
+    let records = reader(bytes).into_records().take(2);
+    let mut numbers = records.map(|record| record.is_ok_and(|record| numbers(&record, 0).is_ok()));
+    numbers.any(|found| found)
 }
 
-/// An evenly sampled acceleration.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Series {
-    /// Interval \[s\].
-    pub dt: f64,
-    /// Samples from t = 0 on \[m/s²\].
-    pub samples: Vec<f64>,
+fn reader(bytes: &[u8]) -> Reader<&[u8]> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).trim(Trim::All).from_reader(text)
 }
 
 /// Reads a record.
 ///
 /// # Errors
 /// The first line that is not two numbers, or that breaks the even spacing; fewer than two samples.
-pub fn read(bytes: &[u8]) -> Result<Series, RecordError> {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader =
-        ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).trim(Trim::All).from_reader(text);
+fn read(bytes: &[u8]) -> Result<Series, RecordError> {
     let (mut times, mut samples) = (Vec::new(), Vec::new());
-    for (n, record) in reader.records().enumerate() {
+    for (n, record) in reader(bytes).records().enumerate() {
         let record = record.map_err(|error| unreadable(&error))?;
         let line = record.position().map_or(0, csv::Position::line);
         match numbers(&record, line) {
