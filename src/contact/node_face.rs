@@ -127,12 +127,6 @@ impl Home {
         }
     }
 
-    /// Geometry with the node at `at` from corner a, in the face's axes \[m\].
-    #[must_use]
-    pub fn with_node(self, at: DVec3) -> Self {
-        Self { at, ..self }
-    }
-
     /// Geometry of `node`, a fixed point of one body, and a face of another, with position of G and axes of both as
     /// placed.
     pub fn of(node: DVec3, (node_home, node_axes): (DVec3, DMat3), face: &Face, (home, axes): (DVec3, DMat3)) -> Self {

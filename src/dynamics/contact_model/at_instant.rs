@@ -121,9 +121,8 @@ impl AtInstant<'_> {
     /// the node relative to its face: the formulation of a closed contact.
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
-        let at = track.state.closed().and_then(|closed| closed.solver.rebased_node);
         let bases = track.slots.map(|slot| self.now.base(slot));
-        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], bases, at);
+        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], bases);
         let sides = [0, 1].map(|which| self.side(contact, which, frames));
         (home, sides, locate(&home, &sides[0], &sides[1]))
     }

@@ -7,11 +7,10 @@ use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
 use crate::dynamics::contact_model::run::ContactRun;
-use crate::dynamics::contact_model::transitions;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::due::Due;
-use crate::dynamics::penalty3d::island::{Distance, Island};
+use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::world::tracks::Trajectory;
 
 impl ContactRun {
@@ -46,26 +45,13 @@ impl ContactRun {
     /// Plans the next step of an island whose step ended without an event, and searches the pairs of its bodies again.
     fn continue_island(&mut self, number: usize, mut island: Box<Island>, t: f64) {
         let model = Arc::clone(&self.world.model);
-        // A new reference pose is of use only where a step follows.
-        if island.distance == Distance::Strayed && t < model.duration {
-            self.rebase(&mut island, t);
-        } else if model.ground.next_kink(island.from) <= t {
+        if model.ground.next_kink(island.from) <= t {
             island.rewind(&model, t);
         }
         let slots = island.slots.clone();
         self.world.islands[number] = Some(island);
         self.plan(number);
         self.search_around(&slots, t);
-    }
-
-    /// Takes the present poses of an island's bodies as their reference poses.
-    fn rebase(&mut self, island: &mut Island, t: f64) {
-        let model = Arc::clone(&self.world.model);
-        island.rebase(&model);
-        for (active, &contact) in island.system.active.iter().zip(&island.contacts) {
-            let bases = [active.node, active.face].map(|side| island.system.bases.get(side?));
-            transitions::enter(&mut self.world, contact, Contact::Closed(active.closed), bases, t);
-        }
     }
 
     /// Handles the closing of a pair at `t` with all contacts that close within its simultaneity interval; continues

@@ -10,7 +10,7 @@ use crate::dynamics::contact_model::constants::{
 };
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
-use crate::dynamics::model::reference_pose::{self, ReferencePose};
+use crate::dynamics::model::reference_pose;
 use crate::dynamics::penalty3d::constants::FREE_RETRIES;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
@@ -28,33 +28,6 @@ pub(in crate::dynamics) struct Transitions<'a> {
     pub schedule: &'a mut Schedule,
     /// States of the bodies that the event concerns.
     pub now: &'a EventInstant,
-}
-
-/// Enters a contact's state from `t` on in its track and its log, with the origin of its anchor: the displacement of
-/// the node along the face from the placed to the reference poses.
-pub(in crate::dynamics) fn enter(
-    world: &mut World,
-    contact: usize,
-    state: Contact,
-    bases: [Option<&ReferencePose>; 2],
-    t: f64,
-) {
-    let track = &mut world.contacts[contact];
-    let way = match state {
-        // The origin is kept as long as the contact is closed and its reference poses are not replaced.
-        Contact::Closed(now)
-            if track.state.closed().is_some_and(|before| before.solver.rebased_node == now.solver.rebased_node) =>
-        {
-            track.log.way()
-        }
-        // Without friction there is no tangential spring and no anchor.
-        Contact::Closed(now) if now.law.has_friction() => {
-            reference_pose::way_to(&world.model.contacts[track.site], bases)
-        }
-        _ => DVec2::ZERO,
-    };
-    (track.state, track.rearmed_at) = (state, None);
-    track.log.push(t, state, way);
 }
 
 impl Transitions<'_> {
@@ -75,10 +48,22 @@ impl Transitions<'_> {
         self.count(contact);
     }
 
-    /// Enters a contact's state from the time of the event on.
+    /// Enters a contact's state from the time of the event on in its track and its log, with the origin of its anchor:
+    /// the displacement of the node along the face from the placed to the reference poses.
     fn enter_state(&mut self, contact: usize, state: Contact) {
-        let bases = self.world.contacts[contact].slots.map(|slot| self.now.base(slot));
-        enter(self.world, contact, state, bases, self.now.t);
+        let track = &mut self.world.contacts[contact];
+        let way = match state {
+            // The origin is kept as long as the contact is closed.
+            Contact::Closed(_) if track.state.closed().is_some() => track.log.way(),
+            // Without friction there is no tangential spring and no anchor.
+            Contact::Closed(now) if now.law.has_friction() => {
+                let bases = track.slots.map(|slot| self.now.base(slot));
+                reference_pose::way_to(&self.world.model.contacts[track.site], bases)
+            }
+            _ => DVec2::ZERO,
+        };
+        (track.state, track.rearmed_at) = (state, None);
+        track.log.push(self.now.t, state, way);
     }
 
     /// Counts a change of a contact; ends the run above [`CONTACT_EVENTS_PER_INSTANT`] or [`CONTACT_EVENTS_PER_TOUCH`].

@@ -102,13 +102,6 @@ impl StepController {
         }
     }
 
-    /// Discards what is known of the system.
-    pub(in crate::dynamics) fn forget(&mut self) {
-        if let Some(radau) = &mut self.radau {
-            radau.resize(self.size);
-        }
-    }
-
     /// Slope at the start of the next step.
     pub(in crate::dynamics) fn slope(&self) -> &[f64] {
         self.rk.slope()

@@ -1,5 +1,4 @@
-//! Pose of a body at the start of its present contact, or where its motion was last rebased: the origin that its motion in
-//! contact is counted from.
+//! Pose of a body at the start of its present contact: the origin that its motion in contact is counted from.
 //!
 //! A contact of a stiff face and a light girder is pressed by less than the last digit of where the girder is. So bodies that
 //! touch are integrated as what they moved since the first of their touches, and node and face are measured as if they had
@@ -89,11 +88,9 @@ impl ReferencePose {
     }
 }
 
-/// Node and face of a contact as if they had been placed where the bases of their bodies are; an abutment stands. `at`, if
-/// it is known better than by these.
-pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2], at: Option<DVec3>) -> Home {
-    let home = site.home.seen_from(&pose(site, node), &pose(site, face));
-    at.map_or(home, |at| home.with_node(at))
+/// Node and face of a contact as if they had been placed where the bases of their bodies are; an abutment stands.
+pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
+    site.home.seen_from(&pose(site, node), &pose(site, face))
 }
 
 /// Displacement of the node along the face at the reference poses, since placed \[m\].
@@ -166,7 +163,7 @@ mod tests {
             let mut since = away(model.kind);
             let base = body.rebase(&mut since);
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));
-            let home = seen_from(site, bases, None);
+            let home = seen_from(site, bases);
             let look = |state: &[f64]| {
                 let own = body.frame_since(0, state);
                 let whole = base.whole(&own);

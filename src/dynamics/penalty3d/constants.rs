@@ -23,8 +23,6 @@ pub(in crate::dynamics) const EXPLICIT_ROUNDING: f64 = 8.0 * f64::EPSILON;
 pub(in crate::dynamics) const IMPLICIT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Least distance moved, per size of body or face, that round-off is proportional to \[–\]. Tuned.
 pub(in crate::dynamics) const SIZE_ROUNDING_SHARE: f64 = 1e-3;
-/// Displacement from the reference pose below which no new one is needed, per displacement since placed \[–\]. Tuned.
-pub(in crate::dynamics) const NEAR_BASE: f64 = 1e-2;
 /// Lower bound of the error scale, per round-off of the contact point's position \[–\]. Prevents resolving undamped
 /// oscillations below round-off. Tuned.
 pub(in crate::dynamics) const ROUNDING_FLOOR: f64 = 0.1;

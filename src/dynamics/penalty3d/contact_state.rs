@@ -1,6 +1,6 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
 
@@ -33,9 +33,6 @@ pub struct ClosedContact {
 /// State of a closed contact that belongs to the numerical method, not to the law.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SolverState {
-    /// Position of the node in the face's axes at the reference poses, where these were replaced during the touch
-    /// \[m\].
-    pub rebased_node: Option<DVec3>,
     /// Regularisation length `ℓ` of a slip direction that turns (`docs/physics.md#law-return-mapping`), added to the
     /// stretch in the denominator of the angle's rate; 0 for none \[m\].
     pub regularisation: f64,
@@ -125,6 +122,8 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
+
     use crate::contact::Normal;
     use crate::contact::normal::Linear;
 

@@ -5,12 +5,12 @@ use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 use crate::dynamics::penalty3d::constants::{
     EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
-    IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, NEAR_BASE, REST_SPEED, REVERSAL_SPEED,
-    ROUNDING_FLOOR, ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
+    IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
+    ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
 };
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
 use crate::dynamics::penalty3d::event_location::is_at_face;
-use crate::dynamics::penalty3d::island::{Distance, Island};
+use crate::dynamics::penalty3d::island::Island;
 use crate::motion::Ground;
 
 impl Island {
@@ -19,7 +19,6 @@ impl Island {
     /// bodies does not enter, since the force of a pressed contact is as exact as its penetration.
     pub(in crate::dynamics) fn scale(&mut self, model: &Model) -> ErrorScale {
         let (mut speed2, mut place, mut roundoff) = (0.0f64, 0.0f64, 0.0f64);
-        let (mut farthest, mut near) = (0.0f64, 0.0f64);
         let (mut weight, mut pushed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
         let turns = self.system.active.iter().any(|active| active.angle.is_some());
         let floor = if turns { ROUNDING_FLOOR_TURNING } else { ROUNDING_FLOOR };
@@ -36,10 +35,6 @@ impl Island {
             let known = since.max(floor * self.moved[i]);
             // Round-off of a position acts through the frequency of the connections, however fast the body rotates.
             roundoff = roundoff.max(self.system.omega * known + here.speed(self.system.radii[i]));
-            (farthest, near) = (
-                farthest.max(since),
-                near.max(NEAR_BASE * self.moved[i].max(SIZE_ROUNDING_SHARE * self.system.radii[i])),
-            );
             pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
@@ -86,8 +81,6 @@ impl Island {
             if self.is_free() { (LONG_RUN_FREE, FINEST_TOLERANCE_FREE) } else { (LONG_RUN_CONTACT, FINEST_TOLERANCE) };
         let demanded = model.tolerance * (long_run / self.taken as f64).min(1.0);
         let tolerance = demanded.max(model.tolerance.min(finest));
-        let strayed = !self.is_free() && farthest > near && rounding * omega * farthest > tolerance * speed;
-        self.distance = if strayed { Distance::Strayed } else { Distance::Near };
         let speed = tolerance * speed + rounding * (roundoff + rest);
         // Error of a slip angle as displacement of the anchor: stretch times angle.
         for stretch in &mut self.angles {

@@ -56,22 +56,11 @@ pub(in crate::dynamics) struct Island {
     pub(in crate::dynamics) stepper: StepController,
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
-    /// Distance of its bodies from their reference poses, by its effect on round-off.
-    pub(in crate::dynamics) distance: Distance,
     pub(super) workspace: Workspace,
     pub(in crate::dynamics) angles: Vec<f64>,
     line: Option<CollinearIsland>,
     /// Whether the present state is on that axis.
     in_line: bool,
-}
-
-/// Distance of bodies from their reference poses, by its effect on round-off.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::dynamics) enum Distance {
-    /// The round-off of the distance is less than the allowed error of a step.
-    Near,
-    /// The round-off of the distance exceeds the allowed error: new reference poses are needed.
-    Strayed,
 }
 
 /// A step shorter than the smallest that is followed.
@@ -120,7 +109,6 @@ impl Island {
             measure: ErrorScale::default(),
             stepper: StepController::new(y.len(), pace),
             y,
-            distance: Distance::Near,
             angles: Vec::new(),
             line: None,
             in_line: false,
@@ -208,14 +196,6 @@ impl Island {
         self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
-    }
-
-    /// Begins the next step afresh after the reference poses were replaced.
-    pub(in crate::dynamics) fn counted_anew(&mut self, model: &Model) {
-        (self.distance, self.stretch, self.dense) = (Distance::Near, None, None);
-        self.find_line(model);
-        self.stepper.forget();
-        self.rewind(model, self.until);
     }
 
     /// Whether no connection acts on its bodies but their bearings.

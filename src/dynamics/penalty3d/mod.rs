@@ -15,7 +15,6 @@ pub(in crate::dynamics) mod error_scale;
 pub(in crate::dynamics) mod event_location;
 pub(in crate::dynamics) mod island;
 pub(in crate::dynamics) mod island_poses;
-pub(in crate::dynamics) mod island_rebase;
 pub(in crate::dynamics) mod island_retake;
 pub(in crate::dynamics) mod link_events;
 

@@ -1,9 +1,7 @@
 //! States of one contact over time as stored in a history: the law once per touch, vectors and origins once where
 //! they repeat.
 
-use std::num::NonZeroU32;
-
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::contact::{FrictionLaw, Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
@@ -30,8 +28,6 @@ struct Touch {
     law: u32,
     /// Origin of anchors: displacement of the node along the face from the placed to the reference poses \[m\].
     way: DVec2,
-    /// Number of the node's position at the reference poses, where these were replaced during the touch.
-    at: Option<NonZeroU32>,
 }
 
 /// States of a contact in order of time, and the angle of its slip direction where that is a state of the integrator.
@@ -45,8 +41,6 @@ pub struct ContactLog {
     /// Law of each touch with the pair's stiffness and dashpots as shared, and its regularisation length \[m\].
     laws: Vec<(Law, f64)>,
     touches: Vec<Touch>,
-    /// Positions of the node in the face's axes at replaced reference poses \[m\].
-    carried: Vec<DVec3>,
     /// Angle of the slip direction in the face's axes \[rad\] per step, with the beginning of the step \[s\].
     pub angles: Vec<(f64, DenseOutput)>,
 }
@@ -58,14 +52,13 @@ impl ContactLog {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
             Contact::Closed(ClosedContact { law, mode, held_at_zero, solver }) => {
-                let SolverState { rebased_node, regularisation, passing_stop, .. } = solver;
+                let SolverState { regularisation, passing_stop, .. } = solver;
                 if self.laws.last() != Some(&(law, regularisation)) {
                     self.laws.push((law, regularisation));
                 }
                 // Memory ends before a u32 overflows: four billion touches of one contact.
                 let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
-                let at = rebased_node.and_then(|at| self.carry(at));
-                let touch = Touch { law: last(self.laws.len()), way, at };
+                let touch = Touch { law: last(self.laws.len()), way };
                 if self.touches.last() != Some(&touch) {
                     self.touches.push(touch);
                 }
@@ -88,14 +81,6 @@ impl ContactLog {
             self.vectors.push(vector);
         }
         u32::try_from(self.vectors.len() - 1).unwrap_or(u32::MAX)
-    }
-
-    /// Stores a position of the node; its number, from 1 on.
-    fn carry(&mut self, at: DVec3) -> Option<NonZeroU32> {
-        if self.carried.last() != Some(&at) {
-            self.carried.push(at);
-        }
-        u32::try_from(self.carried.len()).ok().and_then(NonZeroU32::new)
     }
 
     /// States with their beginnings \[s\], anchors relative to the placed poses; a slip direction that turns at its
@@ -127,7 +112,6 @@ impl ContactLog {
             + self.vectors.len() * size_of::<DVec2>()
             + self.laws.len() * size_of::<(Law, f64)>()
             + self.touches.len() * size_of::<Touch>()
-            + self.carried.len() * size_of::<DVec3>()
             + self.angles.len() * size_of::<(f64, DenseOutput)>()
             + angles
     }
@@ -136,7 +120,6 @@ impl ContactLog {
     fn whole(&self, kept: Kept) -> Contact {
         let mut contact = self.entered(kept);
         if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept) {
-            closed.solver.rebased_node = None;
             if let Mode::Stick { anchor } = &mut closed.mode {
                 *anchor += self.touches[touch as usize].way;
             }
@@ -148,15 +131,14 @@ impl ContactLog {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { touch, hold, passing_stop, held_at_zero } => {
-                let Touch { law, at, .. } = self.touches[touch as usize];
-                let at = at.and_then(|number| self.carried.get(number.get() as usize - 1)).copied();
+                let law = self.touches[touch as usize].law;
                 let (law, regularisation) = self.laws[law as usize];
                 let mode = match hold {
                     Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
                     Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
                 };
                 let at_face = law.friction == FrictionLaw::Paper;
-                let solver = SolverState { rebased_node: at, regularisation, passing_stop, retries: 0, at_face };
+                let solver = SolverState { regularisation, passing_stop, retries: 0, at_face };
                 Contact::Closed(ClosedContact { law, mode, held_at_zero, solver })
             }
         }
@@ -201,7 +183,6 @@ impl ContactLog {
         self.vectors.shrink_to_fit();
         self.laws.shrink_to_fit();
         self.touches.shrink_to_fit();
-        self.carried.shrink_to_fit();
         self.angles.shrink_to_fit();
     }
 }

@@ -277,7 +277,7 @@ fn active(
         face,
         sections: [0; 2],
         closed,
-        home: reference_pose::seen_from(site, sides, closed.solver.rebased_node),
+        home: reference_pose::seen_from(site, sides),
         angle: None,
         depth: 0.0,
     };
