@@ -214,7 +214,7 @@ impl ContactRun {
     fn first_due(&mut self, island: &mut Island) -> Option<(f64, Vec<Due>)> {
         let (model, simultaneity) = (Arc::clone(&self.world.model), SIMULTANEOUS_PHASE / island.omega());
         let (t, due) = event_location::first_due(&model, island, simultaneity)?;
-        if !island.end_beyond(&model, t, &due) {
+        if !island.end_beyond(&model, t) {
             return Some((t, due));
         }
         self.schedule.effort.steps += 1;

@@ -162,24 +162,6 @@ impl StepController {
         self.rk.accept(system, t, y, h)
     }
 
-    /// Takes an implicit step that is part of one within the tolerance and returns its dense output, `None` above the
-    /// tolerance; `y` becomes the state at its end. The next step has to be started.
-    pub(in crate::dynamics) fn repeat_implicit(
-        &mut self,
-        system: &mut impl ImplicitSystem,
-        t: f64,
-        y: &mut [f64],
-        h: f64,
-    ) -> Option<DenseOutput> {
-        self.rk.start(system, t, y);
-        let radau = self.radau.as_mut()?;
-        radau.forget();
-        if radau.attempt(system, t, y, self.rk.slope(), h) > 1.0 {
-            return None;
-        }
-        Some(radau.accept(t, y, h))
-    }
-
     /// Attempts a step of length `h`: its error in units of the tolerance, and the factor to the next length.
     fn attempt(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &[f64], h: f64) -> (f64, f64) {
         if self.state.stiff {

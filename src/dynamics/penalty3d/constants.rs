@@ -71,17 +71,11 @@ pub(in crate::dynamics) const GROUND_PHASE_CONTACT: f64 = 1.0;
 /// 0.4 of a coarse tolerance, with one sign, and its error follows no order.
 pub(in crate::dynamics) const GROUND_PHASE_FREE: f64 = 2.0;
 /// An event nearer to either end of a step than this part of it starts from the dense output \[–\]; otherwise the
-/// step is retaken to end at the event. Tuned.
+/// explicit step is retaken to end at the event. Tuned.
 pub(in crate::dynamics) const RETAKE_MARGIN: f64 = 0.03;
-/// Distance beyond the event, per length, at which a retaken explicit step ends \[–\]. Tuned: past the error of the
-/// event's time.
-pub(in crate::dynamics) const OVERSHOOT_EXPLICIT: f64 = 1e-3;
-/// Distance beyond the event, per length, at which a retaken implicit step ends \[–\]; its last stage is its end and
-/// depends on the forces beyond the event. Tuned.
-pub(in crate::dynamics) const OVERSHOOT_IMPLICIT: f64 = 1e-5;
-/// Tolerance below which implicit steps are retaken too \[–\]. Measured: at 1e-9 and above a 30 m deck is as exact
-/// without, for a tenth less work.
-pub(in crate::dynamics) const RETAKE_TOLERANCE: f64 = 1e-9;
+/// Distance beyond the event, per length, at which a retaken step ends \[–\]. Tuned: past the error of the event's
+/// time.
+pub(in crate::dynamics) const RETAKE_OVERSHOOT: f64 = 1e-3;
 
 // Event location
 

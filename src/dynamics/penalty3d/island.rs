@@ -51,8 +51,6 @@ pub(in crate::dynamics) struct Island {
     /// Number of stretches in the longest path of its bodies, with the planned step.
     pub taken: usize,
     pub(super) explicit: bool,
-    /// Error scale of the planned step.
-    pub(super) measure: ErrorScale,
     pub(in crate::dynamics) stepper: StepController,
     /// Bound of the displacement of a corner since placed at the start of the step, per body \[m\].
     pub(in crate::dynamics) moved: Vec<f64>,
@@ -106,7 +104,6 @@ impl Island {
             dense: None,
             taken: 0,
             explicit: false,
-            measure: ErrorScale::default(),
             stepper: StepController::new(y.len(), pace),
             y,
             angles: Vec::new(),
@@ -167,7 +164,6 @@ impl Island {
         self.from = t;
         self.taken += 1;
         let scale = self.scale(model);
-        self.measure = scale;
         if self.note_faces(model) {
             self.rewind(model, t);
         }
