@@ -119,10 +119,10 @@ impl ContactLog {
     /// A state with its anchor relative to the placed poses.
     fn whole(&self, kept: Kept) -> Contact {
         let mut contact = self.entered(kept);
-        if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept) {
-            if let Mode::Stick { anchor } = &mut closed.mode {
-                *anchor += self.touches[touch as usize].way;
-            }
+        if let (Contact::Closed(closed), Kept::Closed { touch, .. }) = (&mut contact, kept)
+            && let Mode::Stick { anchor } = &mut closed.mode
+        {
+            *anchor += self.touches[touch as usize].way;
         }
         contact
     }
