@@ -8,6 +8,7 @@ mod row;
 use divan::Bencher;
 use egui::{Context, Rect, pos2, vec2};
 use girderbench::app::{SelectCommand, TimeCommand, Workbench};
+use girderbench::files::SceneSource;
 use girderbench::scene::{Scene, presets};
 use girderbench::view::Target;
 
@@ -17,7 +18,7 @@ fn main() {
 
 /// A window that has come to rest on a scene, with a girder selected.
 fn window(scene: Scene) -> (Workbench, Context) {
-    let mut bench = Workbench::new(scene, None);
+    let mut bench = Workbench::new(scene, SceneSource::New);
     bench.set_estimates(false);
     bench.set_silent();
     bench.wait();

@@ -51,8 +51,7 @@ pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure>
 #[cfg(feature = "gui")]
 fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
     use crate::app::AppError;
-    let path = presets::get(&args.scene).is_none().then(|| PathBuf::from(&args.scene));
-    match crate::app::run(scene.clone(), path) {
+    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene)) {
         Ok(()) => Ok(None),
         Err(ended @ AppError::Ended { .. }) => Err(Failure::NoPicture(ended.to_string())),
         // A display that nothing can draw on is as good as none.

@@ -7,6 +7,7 @@ mod load;
 mod recent;
 mod recovery;
 mod save;
+mod scene_source;
 mod stamp;
 
 pub use crate::motion::format::{FORMATS as RECORD_FORMATS, formats_in_words, is_record};
@@ -14,4 +15,5 @@ pub use load::{ReadError, load_scene, load_unsaved, read, read_record};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
 pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
+pub use scene_source::SceneSource;
 pub use stamp::Stamp;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
+use super::scene_source::SceneSource;
 use crate::scene::{Motion, Scene, format};
 
 /// A file that could not be written.
@@ -20,14 +21,13 @@ pub struct WriteError {
 /// Saves a scene as TOML.
 ///
 /// A record is written by the path it was read from if that path, seen from the new folder, is there; else its samples
-/// go into the scene, so that a saved scene always opens again. Of the text of `opened`, the file that the scene was read
-/// from, comments, order and spelling stay; without such a file the text is written anew.
+/// go into the scene, so that a saved scene always opens again. Of the text that the scene was read from comments, order and
+/// spelling stay; where there is none the text is written anew.
 ///
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
-pub fn save_scene(scene: &Scene, opened: Option<&Path>, path: &Path) -> Result<(), WriteError> {
-    let text = opened.and_then(|file| std::fs::read_to_string(file).ok());
-    persist(stage_scene(scene, text.as_deref(), path)?, path)
+pub fn save_scene(scene: &Scene, source: &SceneSource, path: &Path) -> Result<(), WriteError> {
+    persist(stage_scene(scene, source.text().as_deref(), path)?, path)
 }
 
 /// Puts a scene on the disk beside `path`, in `text` where there is one, down to the medium: a power cut after the

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use girderbench::files::{check_folder, load_scene, save_scene, write_atomic, write_set};
+use girderbench::files::{SceneSource, check_folder, load_scene, save_scene, write_atomic, write_set};
 use girderbench::scene::{Motion, Scene, presets};
 
 fn folder() -> tempfile::TempDir {
@@ -81,7 +81,7 @@ fn a_saved_preset_opens_as_it_was() {
     for preset in presets::all() {
         let scene = presets::load(preset.name).expect("a preset");
         let path = folder.path().join(format!("{}.toml", preset.name));
-        save_scene(&scene, None, &path).expect("saved");
+        save_scene(&scene, &SceneSource::New, &path).expect("saved");
         assert_eq!(load(&path), scene, "{} comes back", preset.name);
     }
 }
@@ -100,8 +100,8 @@ fn a_scene_saved_away_from_its_record_takes_the_samples_along() {
     let (here, there) = (folder(), folder());
     let scene = load(&write_recorded_scene(here.path()));
     let (beside, away) = (here.path().join("copy.toml"), there.path().join("copy.toml"));
-    save_scene(&scene, None, &beside).expect("saved");
-    save_scene(&scene, None, &away).expect("saved");
+    save_scene(&scene, &SceneSource::New, &beside).expect("saved");
+    save_scene(&scene, &SceneSource::New, &away).expect("saved");
     let series = |scene: &Scene| match &scene.motion {
         Motion::Record(record) => record.series().map(|(dt, samples)| (dt, samples.to_vec())),
         _ => None,
@@ -120,11 +120,11 @@ fn a_saved_scene_keeps_the_comments_of_the_file_that_it_was_read_from() {
     scene.contact.mu_static = 0.25;
     let expected = text.replacen("mu_static = 0.20", "mu_static = 0.25", 1);
     for path in [&copy, &mine] {
-        save_scene(&scene, Some(&mine), path).expect("saved");
+        save_scene(&scene, &SceneSource::File(mine.clone()), path).expect("saved");
         assert_eq!(fs::read_to_string(path).expect("text"), expected, "one value has changed");
     }
     fs::remove_file(&mine).expect("gone");
-    save_scene(&scene, Some(&mine), &copy).expect("saved without it");
+    save_scene(&scene, &SceneSource::File(mine.clone()), &copy).expect("saved without it");
     assert_eq!(load(&copy), scene, "written anew");
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use girderbench::files::{SideFile, find_beside, load_scene, load_unsaved, save_scene};
+use girderbench::files::{SceneSource, SideFile, find_beside, load_scene, load_unsaved, save_scene};
 use girderbench::scene::{Scene, presets};
 
 /// Where the child writes; set in the child alone.
@@ -39,7 +39,7 @@ fn write_for_ever() {
     let file = folder.join("mine.toml");
     let mut side = SideFile::create(&scene(0), &file).expect("written");
     for writing in 1.. {
-        save_scene(&scene(writing), None, &file).expect("written");
+        save_scene(&scene(writing), &SceneSource::New, &file).expect("written");
         side.write(&scene(writing)).expect("written");
     }
 }

@@ -7,11 +7,12 @@ mod row;
 use egui::epaint::{ClippedPrimitive, Primitive};
 use egui::{Context, RawInput, Rect, pos2, vec2};
 use girderbench::app::Workbench;
+use girderbench::files::SceneSource;
 use girderbench::scene::Scene;
 
 /// Vertices of a frame of a row's window, once it has come to rest.
 fn vertices(girders: usize) -> usize {
-    let mut bench = Workbench::new(Scene { duration: 1.0, ..row::of(girders) }, None);
+    let mut bench = Workbench::new(Scene { duration: 1.0, ..row::of(girders) }, SceneSource::New);
     bench.set_estimates(false);
     bench.wait();
     let context = Context::default();

@@ -9,7 +9,7 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::{FileCommand, WindowCommand, Workbench};
-use girderbench::files::{find_in, load_scene, save_scene};
+use girderbench::files::{SceneSource, find_in, load_scene, save_scene};
 use girderbench::scene::{Scene, presets};
 
 /// A window on the opening scene that keeps its lists and unsaved work in a folder, without waiting.
@@ -24,7 +24,7 @@ fn kept(folder: &Path) -> Harness<'static, Workbench> {
 /// A scene file of one's own.
 fn file(folder: &Path, name: &str) -> PathBuf {
     let path = folder.join(name);
-    save_scene(&presets::load("skew60-abutment").expect("ships"), None, &path).expect("written");
+    save_scene(&presets::load("skew60-abutment").expect("ships"), &SceneSource::New, &path).expect("written");
     path
 }
 
@@ -199,7 +199,7 @@ fn change(path: &Path) -> Scene {
     let mut scene = load_scene(&path.to_string_lossy(), &[]).expect("good");
     scene.girders[0].skew_deg = 52.25;
     scene.description.push_str(" Changed.");
-    save_scene(&scene, None, path).expect("written");
+    save_scene(&scene, &SceneSource::New, path).expect("written");
     scene
 }
 

@@ -5,6 +5,7 @@ use egui::{Key, Modifiers, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use girderbench::app::Workbench;
+use girderbench::files::SceneSource;
 use girderbench::scene::presets;
 use glam::DVec3;
 
@@ -20,7 +21,7 @@ pub(crate) fn open(preset: &str) -> Harness<'static, Workbench> {
 
 /// A workbench on a preset that leaves the machine alone while idle, so that tests do not depend on time.
 pub(crate) fn bench(preset: &str) -> Workbench {
-    let mut bench = Workbench::new(presets::load(preset).expect("the preset ships"), None);
+    let mut bench = Workbench::new(presets::load(preset).expect("the preset ships"), SceneSource::New);
     bench.set_estimates(false);
     bench.wait();
     bench

@@ -4,6 +4,7 @@ use super::harness::{builder, settle, show};
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
 use girderbench::app::{EditCommand, WindowCommand, Workbench};
+use girderbench::files::SceneSource;
 use girderbench::scene::presets;
 
 /// Inputs of one monkey; four of them make ten thousand.
@@ -111,7 +112,7 @@ fn monkey(seed: u64, preset: &str) {
     let mut first = presets::load(preset).expect("ships");
     // Every input may run the scene anew.
     first.duration = 2.0;
-    let mut workbench = Workbench::new(first.clone(), None);
+    let mut workbench = Workbench::new(first.clone(), SceneSource::New);
     workbench.set_estimates(false);
     workbench.set_silent();
     let mut harness = builder([1280.0, 720.0]).build_ui_state(show, workbench);

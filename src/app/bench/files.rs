@@ -1,6 +1,6 @@
 //! Commands about files, films and lessons: what they do to the parts of the workbench together.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::workbench::Workbench;
 use crate::app::command::{Export, FileCommand, Filming, Keep, Learn};
@@ -8,16 +8,16 @@ use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::disk::{export, film, record};
 use crate::app::edits;
 use crate::app::plot::plot_files;
-use crate::files::{Found, load_scene, load_unsaved};
+use crate::files::{Found, SceneSource, load_scene, load_unsaved};
 use crate::scene::Scene;
 use crate::snapshot::Shot;
 
 impl Workbench {
     pub(super) fn apply_file(&mut self, command: FileCommand) {
         match command {
-            FileCommand::OpenPreset(name) => self.open(&name, None),
-            FileCommand::Open(path) => self.open(&path.to_string_lossy(), Some(path.clone())),
-            FileCommand::New => self.take_up(edits::empty(), None),
+            FileCommand::OpenPreset(name) => self.open(&name),
+            FileCommand::Open(path) => self.open(&path.to_string_lossy()),
+            FileCommand::New => self.take_up(edits::empty(), SceneSource::New),
             FileCommand::AskOpen => self.dialogs.open(),
             FileCommand::AskRecord => self.dialogs.record(),
             FileCommand::Record(path) => {
@@ -57,7 +57,7 @@ impl Workbench {
             Ok(Left::Recover(found)) => self.recover(found),
             Ok(Left::Reload(file)) => {
                 let mine = self.files.document.origin_id();
-                self.open(&file.to_string_lossy(), Some(file.clone()));
+                self.open(&file.to_string_lossy());
                 // Given up; undo brings it back, and then it is kept again.
                 self.files.session.forget_work(mine);
             }
@@ -110,7 +110,7 @@ impl Workbench {
         match lesson.scene() {
             Ok(scene) => {
                 self.aim_next = Some(scene.view.camera);
-                self.take_up(scene, None);
+                self.take_up(scene, lesson.source());
                 self.learning = learning;
                 self.playback.clock.t = lesson.at.min(self.end());
             }
@@ -118,19 +118,20 @@ impl Workbench {
         }
     }
 
-    fn open(&mut self, name: &str, file: Option<PathBuf>) {
+    /// Opens a preset or a file.
+    fn open(&mut self, name: &str) {
         match load_scene(name, &[]) {
-            Ok(scene) => self.take_up(scene, file),
+            Ok(scene) => self.take_up(scene, SceneSource::of(name)),
             Err(errors) => self.window.say(errors.to_string()),
         }
     }
 
     /// Goes on with another scene; undo brings the one before back.
-    fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) {
+    fn take_up(&mut self, scene: Scene, source: SceneSource) {
         self.keep_work_now();
         self.learning.close();
         self.look_as(&scene);
-        let taken = self.files.take_up(scene, file);
+        let taken = self.files.take_up(scene, source);
         self.after(taken);
     }
 

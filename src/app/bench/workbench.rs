@@ -1,6 +1,6 @@
 //! The workbench: a scene, its answer, and how both are looked at.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -20,6 +20,7 @@ use crate::app::time::playback::Playback;
 use crate::app::viewport::display::Display;
 use crate::app::viewport::picture::Viewport;
 use crate::app::viewport::seen::Seen;
+use crate::files::SceneSource;
 use crate::scene::{Scene, ViewPreset};
 
 /// The state of the window, each part with its own job.
@@ -48,7 +49,7 @@ pub struct Workbench {
 
 impl Workbench {
     /// Opens on a scene and runs it.
-    pub fn new(scene: Scene, file: Option<PathBuf>) -> Self {
+    pub fn new(scene: Scene, source: SceneSource) -> Self {
         let wake: Wake = Arc::new(|| ());
         let mut bench = Self {
             runner: Runner::default(),
@@ -67,7 +68,7 @@ impl Workbench {
             aim_next: None,
             dressed: false,
             wake,
-            files: SceneFiles::new(scene, file),
+            files: SceneFiles::new(scene, source),
         };
         bench.runner.start(bench.files.document.scene());
         bench

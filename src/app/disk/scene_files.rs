@@ -7,7 +7,7 @@ use crate::app::command::Keep;
 use crate::app::disk::session_files::{Compared, SessionFiles};
 use crate::app::edits::Document;
 use crate::app::text;
-use crate::files::{Found, save_scene};
+use crate::files::{Found, SceneSource, save_scene};
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError};
 
@@ -43,8 +43,8 @@ pub(in crate::app) struct SceneFiles {
 
 impl SceneFiles {
     /// A scene as it was read; nothing is kept yet.
-    pub(in crate::app) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
-        Self { document: Document::new(scene, file), session: SessionFiles::default() }
+    pub(in crate::app) fn new(scene: Scene, source: SceneSource) -> Self {
+        Self { document: Document::new(scene, source), session: SessionFiles::default() }
     }
 
     /// The name of the file, or of a scene without one.
@@ -62,10 +62,10 @@ impl SceneFiles {
     ///
     /// # Errors
     /// As [`Document::open`].
-    pub(in crate::app) fn take_up(&mut self, scene: Scene, file: Option<PathBuf>) -> Result<bool, EditError> {
-        let opened = self.document.open(scene, file.clone());
-        if let Some(file) = file {
-            self.session.opened(&file, self.document.scene());
+    pub(in crate::app) fn take_up(&mut self, scene: Scene, source: SceneSource) -> Result<bool, EditError> {
+        let opened = self.document.open(scene, source.clone());
+        if let Some(file) = source.file() {
+            self.session.opened(file, self.document.scene());
         }
         opened.map(|()| true)
     }
@@ -75,7 +75,7 @@ impl SceneFiles {
         if self.document.file() == Some(path) && self.session.is_kept() && !self.compare().same {
             return Saved::Question;
         }
-        if let Err(error) = save_scene(as_seen, self.document.file(), path) {
+        if let Err(error) = save_scene(as_seen, &self.document.source(), path) {
             return Saved::Failed(error.to_string());
         }
         self.forget_work();
@@ -123,7 +123,7 @@ impl SceneFiles {
             self.document.edit(Edit::Scene(Box::new(scene)), None)
         } else {
             self.keep_work_now(as_seen);
-            let opened = self.document.open(scene, found.file);
+            let opened = self.document.open(scene, found.file.map_or(SceneSource::New, SceneSource::File));
             self.document.unsave();
             opened.map(|()| true)
         };
@@ -153,13 +153,14 @@ impl SceneFiles {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::edits;
     use crate::scene::presets;
 
     #[test]
     fn a_saved_scene_is_named_after_its_file_and_lost_no_more() {
         let folder = tempfile::tempdir().expect("a folder");
         let scene = presets::load(presets::OPENING).expect("ships");
-        let mut files = SceneFiles::new(scene.clone(), None);
+        let mut files = SceneFiles::new(scene.clone(), SceneSource::New);
         assert_eq!((files.name(), files.folder()), (scene.name.clone(), Path::new("")), "no file yet");
         let renamed = Scene { name: "east".into(), ..scene };
         files.document.edit(Edit::Scene(Box::new(renamed)), None).expect("fits");
@@ -169,5 +170,28 @@ mod tests {
         assert!(!files.document.is_dirty(), "it is on the disk");
         assert_eq!((files.name().as_str(), files.folder()), ("bridge.toml", folder.path()), "named after it");
         assert!(matches!(files.save(&as_seen, folder.path()), Saved::Failed(_)), "a folder is no file");
+    }
+
+    #[test]
+    fn a_preset_is_saved_with_its_comments() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for preset in presets::all() {
+            let scene = presets::load(preset.name).expect("ships");
+            let mut files = SceneFiles::new(scene.clone(), SceneSource::of(preset.name));
+            let path = folder.path().join(preset.name).with_extension("toml");
+            let saved = |files: &mut SceneFiles| {
+                let scene = files.document.scene().clone();
+                assert!(matches!(files.save(&scene, &path), Saved::Done(_)), "there is room");
+                std::fs::read_to_string(&path).expect("text")
+            };
+            assert_eq!(saved(&mut files), preset.text, "{}: as it comes", preset.name);
+            let mut files = SceneFiles::new(edits::empty(), SceneSource::New);
+            files.take_up(scene.clone(), SceneSource::of(preset.name)).expect("fits");
+            files.document.edit(edits::duration(&scene, 7.25), None).expect("fits");
+            let line = preset.text.lines().find(|line| line.starts_with("duration_s = ")).expect("it has one");
+            assert_eq!(saved(&mut files), preset.text.replacen(line, "duration_s = 7.25", 1), "{}", preset.name);
+            assert!(line.contains('#') || preset.text.contains('#'), "{} has comments", preset.name);
+            assert_eq!(files.document.source(), SceneSource::File(path.clone()), "from then on a file");
+        }
     }
 }

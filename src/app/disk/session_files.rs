@@ -233,17 +233,17 @@ impl SessionFiles {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::save_scene;
+    use crate::files::{SceneSource, save_scene};
     use crate::scene::presets;
 
     /// A document that was read from a file in a folder of its own, and the files of its session.
     fn opened(folder: &Path) -> (SessionFiles, Document) {
         let scene = presets::load(presets::OPENING).expect("ships");
         let file = folder.join("bridge.toml");
-        save_scene(&scene, None, &file).expect("written");
+        save_scene(&scene, &SceneSource::New, &file).expect("written");
         let mut files = SessionFiles { folder: Some(folder.to_owned()), ..SessionFiles::default() };
         files.opened(&file, &scene);
-        (files, Document::new(scene, Some(file)))
+        (files, Document::new(scene, SceneSource::File(file)))
     }
 
     #[test]
@@ -252,7 +252,7 @@ mod tests {
         let (mut files, mut document) = opened(folder.path());
         assert!(files.compare(&mut document).same, "as it was left");
         let other = Scene { name: "a longer name than before".into(), ..document.scene().clone() };
-        save_scene(&other, None, document.file().expect("it has one")).expect("written");
+        save_scene(&other, &SceneSource::New, document.file().expect("it has one")).expect("written");
         assert_eq!(files.compare(&mut document), Compared { same: false, notice: None }, "another scene");
         assert!(files.asks(), "what to do about it");
         files.keep_mine(&mut document);

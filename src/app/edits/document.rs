@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::change::rename;
 use crate::app::command::EditCommand;
 use crate::app::text;
+use crate::files::SceneSource;
 use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
 
@@ -14,7 +15,7 @@ struct Origin {
     id: u64,
     /// Steps done when it began: opening a scene is a step that can be undone, and then the older file is meant again.
     depth: usize,
-    file: Option<PathBuf>,
+    source: SceneSource,
     /// What is on the disk, unless something else is by now.
     saved: Option<Scene>,
 }
@@ -31,8 +32,8 @@ pub(in crate::app) struct Document {
 
 impl Document {
     /// A scene as it was read.
-    pub(in crate::app) fn new(scene: Scene, file: Option<PathBuf>) -> Self {
-        let origins = vec![Origin { id: 0, depth: 0, file, saved: Some(scene.clone()) }];
+    pub(in crate::app) fn new(scene: Scene, source: SceneSource) -> Self {
+        let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()) }];
         Self { scene, steps: UndoStack::default(), origins, begun: 1, revision: 0 }
     }
 
@@ -50,7 +51,12 @@ impl Document {
     }
 
     pub(in crate::app) fn file(&self) -> Option<&Path> {
-        self.origin()?.file.as_deref()
+        self.origin()?.source.file()
+    }
+
+    /// What it was read from or saved to.
+    pub(in crate::app) fn source(&self) -> SceneSource {
+        self.origin().map_or(SceneSource::New, |o| o.source.clone())
     }
 
     /// Whether something would be lost by closing.
@@ -156,22 +162,22 @@ impl Document {
     ///
     /// # Errors
     /// None that is known: any scene can be put in another's place.
-    pub(in crate::app) fn open(&mut self, scene: Scene, file: Option<PathBuf>) -> Result<(), EditError> {
+    pub(in crate::app) fn open(&mut self, scene: Scene, source: SceneSource) -> Result<(), EditError> {
         self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
-        self.begin(file, scene);
+        self.begin(source, scene);
         Ok(())
     }
 
     /// It is on the disk now.
     pub(in crate::app) fn saved_as(&mut self, file: PathBuf) {
-        self.begin(Some(file), self.scene.clone());
+        self.begin(SceneSource::File(file), self.scene.clone());
         self.steps.seal();
     }
 
-    fn begin(&mut self, file: Option<PathBuf>, saved: Scene) {
+    fn begin(&mut self, source: SceneSource, saved: Scene) {
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth < depth);
-        self.origins.push(Origin { id: self.begun, depth, file, saved: Some(saved) });
+        self.origins.push(Origin { id: self.begun, depth, source, saved: Some(saved) });
         self.begun += 1;
     }
 }
@@ -189,7 +195,7 @@ mod tests {
     #[test]
     fn undo_leads_back_to_what_is_saved() {
         let scene = presets::load(presets::OPENING).expect("ships");
-        let mut document = Document::new(scene.clone(), None);
+        let mut document = Document::new(scene.clone(), SceneSource::New);
         assert!(document.apply(renamed("east")).expect("fits") && document.is_dirty(), "another scene");
         assert!(!document.apply(renamed("east")).expect("fits"), "the same again is no change");
         assert!(document.apply(EditCommand::Undo).expect("there is a step") && !document.is_dirty(), "as read");
@@ -200,7 +206,7 @@ mod tests {
 
     #[test]
     fn a_gesture_is_undone_as_a_whole() {
-        let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), None);
+        let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
         let before = document.scene().clone();
         for duration in [1.0, 2.0, 3.0] {
             let edit = crate::app::edits::duration(document.scene(), duration);

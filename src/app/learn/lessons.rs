@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
+use crate::files::SceneSource;
 use crate::scene::edit::Edit;
 use crate::scene::{Scene, SceneErrors, format};
 
@@ -76,6 +77,11 @@ pub fn lessons() -> &'static [Lesson] {
 }
 
 impl Lesson {
+    /// The text of its scene.
+    pub(in crate::app) fn source(&self) -> SceneSource {
+        SceneSource::Shipped(self.toml)
+    }
+
     /// The scene that it opens with.
     ///
     /// # Errors

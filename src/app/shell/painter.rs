@@ -255,7 +255,7 @@ mod tests {
 
     /// A window that has come to rest after an edit.
     fn shown() -> Shown {
-        let mut bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), None);
+        let mut bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), crate::files::SceneSource::New);
         bench.set_estimates(false);
         bench.apply(PlaceCommand::AddGirder);
         bench.wait();

@@ -3,7 +3,6 @@
 //! A frame is drawn when something has happened, never otherwise: the event loop sleeps until an event, a thread's news
 //! or the time that the workbench has asked to be woken at.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -22,6 +21,7 @@ use crate::app::host::now;
 use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
+use crate::files::SceneSource;
 use crate::render::GpuError;
 use crate::scene::Scene;
 
@@ -55,10 +55,10 @@ pub enum AppError {
 /// # Errors
 /// [`AppError::NoDisplay`] when the machine has no display, [`AppError::NoWindow`] when none can be opened on it,
 /// [`AppError::Ended`] when it was open and the display or the graphics device went away for good.
-pub fn run(scene: Scene, file: Option<PathBuf>) -> Result<(), AppError> {
+pub fn run(scene: Scene, source: SceneSource) -> Result<(), AppError> {
     let event_loop = EventLoop::<News>::with_user_event().build().map_err(|_| AppError::NoDisplay)?;
     let proxy = event_loop.create_proxy();
-    let mut shell = Shell { bench: Workbench::new(scene, file), proxy, open: None, failed: None };
+    let mut shell = Shell { bench: Workbench::new(scene, source), proxy, open: None, failed: None };
     let ran = event_loop.run_app(&mut shell);
     shell.ended(ran.err().map(|problem| problem.to_string()))
 }
@@ -294,7 +294,7 @@ mod tests {
     #[ignore = "wants a display: tests/window/smoke.sh brings one"]
     fn a_real_window_goes_on_when_its_device_is_lost() {
         let event_loop = on_any_thread().build().expect("a display");
-        let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), None);
+        let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
         let girders = bench.scene().girders.len();
         let shell = Shell { bench, proxy: event_loop.create_proxy(), open: None, failed: None };
         let mut losing = Losing { shell, frames: 0, seen: Vec::new() };

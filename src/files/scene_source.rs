@@ -1,0 +1,39 @@
+//! What a scene was read from: the text that it is saved into.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use crate::scene::presets;
+
+/// What a scene was read from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum SceneSource {
+    /// Nothing: it was made in the program.
+    #[default]
+    New,
+    /// A text that comes with the program: of a preset, of a lesson.
+    Shipped(&'static str),
+    /// A file.
+    File(PathBuf),
+}
+
+impl SceneSource {
+    /// What [`load_scene`](super::load_scene) reads under this name: a preset where one has it, else a file.
+    pub fn of(name_or_path: &str) -> Self {
+        presets::get(name_or_path).map_or_else(|| Self::File(name_or_path.into()), |preset| Self::Shipped(preset.text))
+    }
+
+    /// The file, if it is one.
+    pub fn file(&self) -> Option<&Path> {
+        if let Self::File(file) = self { Some(file) } else { None }
+    }
+
+    /// The text as it is now; nothing for a new scene, or where the file can no longer be read.
+    pub(super) fn text(&self) -> Option<Cow<'static, str>> {
+        match self {
+            Self::New => None,
+            Self::Shipped(text) => Some(Cow::Borrowed(text)),
+            Self::File(file) => std::fs::read_to_string(file).ok().map(Cow::Owned),
+        }
+    }
+}
