@@ -29,13 +29,13 @@ table! {
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Initial, INITIAL {
         #[serde(with = "super::two_or_three")]
-        displacement: [f64; 3] = "displacement_m", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        displacement: [f64; 3] = "displacement_m" as "Starts at", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m; a third only in a spatial scene";
-        rotation_deg: f64 = "rotation_deg", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
+        rotation_deg: f64 = "rotation_deg" as "Starts turned", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
         #[serde(with = "super::two_or_three")]
-        velocity: [f64; 3] = "velocity_m_s", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        velocity: [f64; 3] = "velocity_m_s" as "Starts with v", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m/s";
-        spin_deg_s: f64 = "spin_deg_s", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
+        spin_deg_s: f64 = "spin_deg_s" as "Starts with spin", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
     }
 }
 
@@ -44,9 +44,9 @@ table! {
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Push, PUSH {
         #[serde(with = "super::two_or_three")]
-        force: [f64; 3] = "force_n", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        force: [f64; 3] = "force_n" as "Push", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "constant force at G, world frame, N";
-        moment: f64 = "moment_n_m", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
+        moment: f64 = "moment_n_m" as "Push moment", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
     }
 }
 
@@ -54,9 +54,9 @@ table! {
     /// Length of seat under each end, along the axis, for what remains of it \[m\].
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Seat, SEAT {
-        plus: Option<f64> = "+x", Range::Positive, Fallback::Words("not looked at"),
+        plus: Option<f64> = "+x" as "Seat at +x", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the +x end, m";
-        minus: Option<f64> = "-x", Range::Positive, Fallback::Words("not looked at"),
+        minus: Option<f64> = "-x" as "Seat at -x", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the -x end, m";
     }
 }
@@ -69,17 +69,17 @@ table! {
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Girder, GIRDER {
         name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
-        length: f64 = "length_m", Range::Positive, Fallback::Needed("must be given"), "length along the axis, m";
-        width: f64 = "width_m", Range::Positive, Fallback::Needed("must be given"), "width square to the axis, m";
-        thickness: f64 = "thickness_m", Range::Positive, Fallback::Needed("must be given"), "depth of the deck, m";
+        length: f64 = "length_m" as "Length a₀", Range::Positive, Fallback::Needed("must be given"), "length along the axis, m";
+        width: f64 = "width_m" as "Width b₀", Range::Positive, Fallback::Needed("must be given"), "width square to the axis, m";
+        thickness: f64 = "thickness_m" as "Thickness t₀", Range::Positive, Fallback::Needed("must be given"), "depth of the deck, m";
         #[serde(default = "straight")]
-        skew_deg: f64 = "skew_deg", Range::Between([0.0, 180.0]), Fallback::Number(STRAIGHT),
-            "skew angle β between the axis and the support line, degrees; 90 is straight";
-        mass: f64 = "mass_kg", Range::Positive, Fallback::Needed("must be given"), "mass, kg";
+        skew_deg: f64 = "skew_deg" as "Skew β", Range::Between([0.0, 180.0]), Fallback::Number(STRAIGHT),
+            "skew angle β between the axis and the support line, degrees; 90 is straight", slider [20.0, 160.0];
+        mass: f64 = "mass_kg" as "Mass m", Range::Positive, Fallback::Needed("must be given"), "mass, kg";
         #[serde(default)]
-        position: [f64; 3] = "position_m", Range::Like("three numbers"), Fallback::Zeros(3), "where G is placed, m";
+        position: [f64; 3] = "position_m" as "Position", Range::Like("three numbers"), Fallback::Zeros(3), "where G is placed, m";
         #[serde(default)]
-        heading_deg: f64 = "heading_deg", Range::Any, Fallback::Number(0.0),
+        heading_deg: f64 = "heading_deg" as "Heading", Range::Any, Fallback::Number(0.0),
             "direction of the axis in plan, degrees from world x; multiples of 90 are exact";
         bearings: Option<Bearings> = "bearings", Range::Free, Fallback::Words("none: it flies free"),
             "what it stands on, see below";

@@ -31,29 +31,35 @@ pub const RECORD: &[Key] = &[
         Range::Positive,
         Fallback::Needed("must be given with samples_m_s2"),
         "interval between samples, s",
-    ),
+    )
+    .labelled("Interval")
+    .slid([0.001, 0.1]),
     Key::new(
         "file",
         Range::Free,
         Fallback::Needed("this or samples_m_s2"),
         "a file that holds it, beside the scene's file",
     ),
-    Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample"),
-    Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees"),
+    Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample")
+        .labelled("Record scale")
+        .slid([0.0, 3.0]),
+    Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees")
+        .labelled("Angle α")
+        .slid([-180.0, 180.0]),
 ];
 
 table! {
     /// `kind = "sine"`: `A sin(2π f t + φ0)`.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     struct SineMotion, SINE {
-        amplitude_g: Option<f64> = "amplitude_g", Range::Any, Fallback::Needed("this or the next"),
-            "A as a multiple of 9.80665 m/s²";
-        amplitude: Option<f64> = "amplitude_m_s2", Range::Any, Fallback::Needed("this or the last"), "A, m/s²";
-        frequency_hz: f64 = "frequency_hz", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz";
+        amplitude_g: Option<f64> = "amplitude_g" as "Amplitude", Range::Any, Fallback::Needed("this or the next"),
+            "A as a multiple of 9.80665 m/s²", slider [0.0, 1.0];
+        amplitude: Option<f64> = "amplitude_m_s2" as "Amplitude", Range::Any, Fallback::Needed("this or the last"), "A, m/s²", slider [0.0, STANDARD_GRAVITY];
+        frequency_hz: f64 = "frequency_hz" as "Frequency", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz", slider [0.1, 10.0];
         #[serde(default)]
-        phase_deg: f64 = "phase_deg", Range::Any, Fallback::Number(0.0), "φ0, degrees";
+        phase_deg: f64 = "phase_deg" as "Phase φ0", Range::Any, Fallback::Number(0.0), "φ0, degrees", slider [-180.0, 180.0];
         #[serde(default)]
-        angle_deg: f64 = "angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees";
+        angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
     }
 }
 

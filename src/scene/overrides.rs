@@ -23,6 +23,11 @@ const REPLACES: &[(&str, &[&str])] = &[
     ("file", &["samples_m_s2", "dt_s"]),
 ];
 
+/// Keys of the same table that go when this key is given: they say the same thing in another way.
+pub fn replaced_by(key: &str) -> &'static [&'static str] {
+    REPLACES.iter().find(|(setting, _)| *setting == key).map_or(&[], |(_, rivals)| *rivals)
+}
+
 /// The scene with one value set: `path=value`.
 ///
 /// # Errors
@@ -170,8 +175,7 @@ fn item_of<'l>(list: &'l mut [Value], item: &str) -> Option<&'l mut Value> {
 }
 
 fn set(table: &mut Table, key: &str, value: Value) {
-    let rivals = REPLACES.iter().filter(|(setting, _)| *setting == key).flat_map(|(_, rivals)| *rivals);
-    for rival in rivals {
+    for rival in replaced_by(key) {
         table.remove(*rival);
     }
     table.insert(key.to_owned(), value);

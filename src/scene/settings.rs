@@ -17,9 +17,9 @@ table! {
     /// `[solver]`: how exactly a run is computed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct SolverSettings, SOLVER {
-        tolerance: f64 = "tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
+        tolerance: f64 = "tolerance" as "Tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
             "local error a step, relative to the motion in hand";
-        method: SolverMethod = "method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
+        method: SolverMethod = "method" as "Method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
             "closed-form flight where it exists, an embedded pair of order 8 elsewhere, every event root-found";
     }
 }
@@ -80,7 +80,7 @@ macro_rules! overlays {
             /// Which layers the view draws over the bodies.
             #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
             default struct Overlays, OVERLAYS {
-                $( $layer: bool = $key, Range::Switch, Fallback::Switch($on), $meaning; )+
+                $( $layer: bool = $key as $name, Range::Switch, Fallback::Switch($on), $meaning; )+
             }
         }
 

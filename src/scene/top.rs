@@ -95,13 +95,16 @@ pub const TOP: &[Key] = &[
         Range::Positive,
         Fallback::Needed("must be given"),
         "how long the ground shakes and the answer reaches, s",
-    ),
+    )
+    .labelled("Duration")
+    .slid([0.1, 60.0]),
     Key::new(
         "gravity_m_s2",
         Range::NotNegative,
         Fallback::Number(STANDARD_GRAVITY),
         "gravity in a spatial scene, m/s²",
-    ),
+    )
+    .labelled("Gravity"),
     Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
     Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
     Key::new("model", Range::Free, Fallback::Words("as below"), "[model]"),

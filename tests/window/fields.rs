@@ -369,7 +369,7 @@ fn stiffness_is_given_one_way_at_a_time() {
     type_in(&mut harness, "E of all", "20 GPa");
     assert_eq!(given(&harness), (None, Some(2e10)), "E takes its place");
     assert_eq!(harness.state().problems(), None, "and it runs");
-    choose(&mut harness, "Sharing of all", "per node");
+    choose(&mut harness, "Sharing of all", "per-node");
     choose(&mut harness, "Tension of all", "clamp");
     let contact = harness.state().scene().contact.clone();
     assert_eq!(format!("{:?} {:?}", contact.sharing, contact.tension), "PerNode Clamp", "chosen");

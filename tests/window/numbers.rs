@@ -70,7 +70,7 @@ fn a_girder_is_put_on_bearings_and_taken_off() {
 fn a_pair_says_where_its_numbers_come_from_and_takes_its_own() {
     let mut harness = with(presets::OPENING, &[Target::Abutment(0)]);
     assert!(harness.query_by_label("of this pair").is_none(), "all are the scene's");
-    type_in(&mut harness, "μ s of pair", "0.5");
+    type_in(&mut harness, "μ static of pair", "0.5");
     let pair = &harness.state().answer().expect("run").history.model().pairs[0];
     assert_eq!(pair.contact.mu_static, 0.5, "in force");
     assert_eq!(harness.state().scene().contact.pairs.len(), 1, "as an entry of its own");
@@ -123,9 +123,9 @@ fn starts_pushes_and_seats_have_their_fields() {
     let turned = harness.state().answer().expect("run").summary.max_rotation;
     assert_eq!(turned, 0.0, "held, it does not turn");
     unfold(&mut harness, "Seats");
-    reach_as(&mut harness, Role::CheckBox, "seat at +x");
-    harness.get_by_role_and_label(Role::CheckBox, "seat at +x").click();
+    reach_as(&mut harness, Role::CheckBox, "Seat at +x");
+    harness.get_by_role_and_label(Role::CheckBox, "Seat at +x").click();
     settle(&mut harness);
-    type_in(&mut harness, "Seat length", "8 mm");
+    type_in(&mut harness, "Seat at +x", "8 mm");
     assert_eq!(harness.state().scene().girders[0].seat.plus, Some(0.008), "as typed");
 }

@@ -67,7 +67,7 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
         assert_ne!(after, before, "{label} is part of the impact model");
         assert_eq!(digest(&harness), first, "and of no other");
     }
-    choose(&mut harness, "Flush hits", "two corners");
+    choose(&mut harness, "Flush hits", "two-corner");
     for _ in 0..4 {
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
         settle(&mut harness);

@@ -1,7 +1,7 @@
-//! A facing pair's own entry of `[[contact.pair]]`.
+//! A facing pair's own entry of `[[contact.pair]]`, and what its stiffness follows from.
 
 use crate::geometry::End;
-use crate::scene::facing::{Facing, Side};
+use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS, Facing, Side};
 use crate::scene::{PairSettings, Scene};
 
 /// Names of the two bodies of a facing pair.
@@ -38,4 +38,20 @@ pub(in crate::app) fn new_pair(scene: &Scene, pair: &Facing) -> PairSettings {
 /// An entry between two bodies that says nothing yet.
 pub(in crate::app) fn pair_between(between: [String; 2], ends: Option<[End; 2]>) -> PairSettings {
     PairSettings { between, ends, ..PairSettings::default() }
+}
+
+/// K = E A / L, E and A of the first pair, by their keys, where the scene gives none \[N/m, Pa, m²\].
+pub(in crate::app) fn elastic(scene: &Scene, key: &str) -> f64 {
+    let Some(girder) = scene.girders.first() else { return 0.0 };
+    let area = girder.width * girder.thickness;
+    let young_modulus = scene.contact.young_modulus.unwrap_or(DEFAULT_YOUNG_MODULUS);
+    match key {
+        "young_modulus_pa" => young_modulus,
+        "area_m2" => area,
+        _ => {
+            let pair = facing::find(scene).ok().and_then(|pairs| pairs.first().map(|pair| pair.contact.stiffness));
+            let reckoned = young_modulus * scene.contact.area.unwrap_or(area) / girder.length;
+            pair.filter(|_| scene.contact.stiffness.is_none()).unwrap_or(reckoned)
+        }
+    }
 }

@@ -15,18 +15,30 @@ pub(in crate::app) type Choice<'a, T> = &'a [(T, &'a str)];
 pub(in crate::app) fn choice<T: Copy + PartialEq + Default>(
     ui: &mut Ui,
     place: Place<'_>,
+    names: (&str, &str),
+    value: &mut T,
+    options: Choice<'_, T>,
+) -> Option<Change> {
+    choice_by(ui, place, names, value, options, T::default())
+}
+
+/// The same with another default than that of the type.
+pub(super) fn choice_by<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    place: Place<'_>,
     (key, label): (&str, &str),
     value: &mut T,
     options: Choice<'_, T>,
+    default: T,
 ) -> Option<Change> {
     let (before, complaint) = (*value, place.complaint(key));
     let name = ui.label(frame::named(ui, label, complaint.is_some()));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        list(ui, (&place.path(key), label), value, options, 79.0).labelled_by(name.id);
-        let differs = (before != T::default()).then(|| word(T::default(), options));
+        list(ui, (&place.path(key), label), (value, default), options, 79.0).labelled_by(name.id);
+        let differs = (before != default).then(|| word(default, options));
         if reset_sign(ui, label, differs) {
-            *value = T::default();
+            *value = default;
         }
     });
     ui.end_row();
@@ -37,24 +49,36 @@ pub(in crate::app) fn choice<T: Copy + PartialEq + Default>(
     if *value == before { None } else { CLICK }
 }
 
-/// The same as a row of a panel.
+/// A row of a panel with a list to choose from.
 pub(in crate::app) fn choice_line<T: Copy + PartialEq + Default>(
+    ui: &mut Ui,
+    place: Place<'_>,
+    names: (&str, &str),
+    value: &mut T,
+    options: Choice<'_, T>,
+) -> Option<Change> {
+    choice_line_by(ui, place, names, value, options, T::default())
+}
+
+/// The same with another default than that of the type.
+pub(super) fn choice_line_by<T: Copy + PartialEq>(
     ui: &mut Ui,
     place: Place<'_>,
     (key, label): (&str, &str),
     value: &mut T,
     options: Choice<'_, T>,
+    default: T,
 ) -> Option<Change> {
     let (before, complaint) = (*value, place.complaint(key));
     let name = frame::named(ui, label, complaint.is_some());
     let path = place.path(key);
-    let differs = (before != T::default()).then(|| word(T::default(), options));
+    let differs = (before != default).then(|| word(default, options));
     let (_, pressed) = line(ui, name, (label, differs), |ui| {
         let wide = ui.available_width() - SIGN - 8.0;
-        list(ui, (&path, label), value, options, wide)
+        list(ui, (&path, label), (value, default), options, wide)
     });
     if pressed {
-        *value = T::default();
+        *value = default;
     }
     if let Some(complaint) = complaint {
         complain(ui, &complaint);
@@ -66,10 +90,10 @@ fn word<T: PartialEq + Copy>(value: T, options: Choice<'_, T>) -> &str {
     options.iter().find(|(option, _)| *option == value).map_or("", |(_, word)| word)
 }
 
-fn list<T: Copy + PartialEq + Default>(
+fn list<T: Copy + PartialEq>(
     ui: &mut Ui,
     (path, label): (&str, &str),
-    value: &mut T,
+    (value, default): (&mut T, T),
     options: Choice<'_, T>,
     width: f32,
 ) -> Response {
@@ -87,6 +111,6 @@ fn list<T: Copy + PartialEq + Default>(
     frame::say(ui, &response, path, label, || {
         let known = keys::of_place(path).map(|(_, key)| key);
         let words: Vec<&str> = options.iter().map(|(_, word)| *word).collect();
-        frame::in_lines(known, &words.join(", "), &format!("{}: {}", text::DEFAULT, word(T::default(), options)))
+        frame::in_lines(known, &words.join(", "), &format!("{}: {}", text::DEFAULT, word(default, options)))
     })
 }

@@ -1,6 +1,7 @@
 //! One value in a panel: its label, its unit, what is allowed, what it is by itself, its complaint, the hand on it.
 //!
-//! What may stand in a field and its default come from [`keys`](crate::scene::keys), as the checks of a scene do. Every field says them to
+//! What may stand in a field, its default and its name come from [`keys`](crate::scene::keys), as the checks of a scene do; [`rows`] and
+//! [`sliders`] show every key of a table. Every field says them to
 //! the mouse and to a screen reader; one that is not as it would be by itself has a small sign beside it that takes it
 //! back, and so do its context menu and an emptied field.
 
@@ -11,9 +12,11 @@ mod number;
 pub(in crate::app) mod parse;
 mod place;
 mod slider;
+mod table;
 
 pub(in crate::app) use choice::{choice, choice_line};
 pub(in crate::app) use frame::{act, complain, mark, tag};
-pub(in crate::app) use number::{laid_over, number, optional};
+pub(in crate::app) use number::{number, optional};
 pub(in crate::app) use place::{CLICK, Change, Place};
-pub(in crate::app) use slider::{slider, slider_of, slider_row};
+pub(in crate::app) use slider::slider_row;
+pub(in crate::app) use table::{Look, Without, number_at, rows, slider_at, slider_between, sliders};

@@ -67,6 +67,36 @@ pub(in crate::app) fn laid_over(
     field.option(ui, (value, under), &own)
 }
 
+/// A number that the scene may have: a box switches it on, and then it begins with `first`.
+pub(in crate::app) fn switched(
+    ui: &mut Ui,
+    place: Place<'_>,
+    names: (&str, &str),
+    (value, first): (&mut Option<f64>, f64),
+    unit: Unit,
+) -> Option<Change> {
+    let field = Field::new(ui, place, names, unit);
+    let mut on = value.is_some();
+    let name = frame::named(ui, field.label, place.complaint(field.key).is_some());
+    let switch = ui.checkbox(&mut on, name);
+    if frame::tag(ui, &switch, place, names).changed() {
+        *value = on.then_some(first);
+        ui.end_row();
+        return CLICK;
+    }
+    let Some(number) = value else {
+        ui.end_row();
+        return None;
+    };
+    match field.behind(ui, switch.id, *number, &Own { words: None, differs: false }, true)? {
+        Done::Set(new, change) => {
+            *number = new;
+            Some(change)
+        }
+        Done::Reset => None,
+    }
+}
+
 /// What was typed into a field: a number in its unit, nothing at all, or something else, with what is wrong.
 pub(super) type Typed = RefCell<Option<Result<Option<f64>, String>>>;
 
@@ -96,13 +126,18 @@ impl Field<'_> {
 
     /// The row; `given` numbers are written plainly, reckoned ones quietly.
     fn row(&self, ui: &mut Ui, value: f64, own: &Own, given: bool) -> Option<Done> {
-        let complaint = self.place.complaint(self.key);
-        let name = ui.label(frame::named(ui, self.label, complaint.is_some()));
+        let wrong = self.place.complaint(self.key).is_some();
+        let name = ui.label(frame::named(ui, self.label, wrong)).id;
+        self.behind(ui, name, value, own, given)
+    }
+
+    /// The row behind its name.
+    fn behind(&self, ui: &mut Ui, name: Id, value: f64, own: &Own, given: bool) -> Option<Done> {
         let (done, refusal) = ui
             .horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 2.0;
                 let (response, shown, typed) = self.drag(ui, value, given);
-                let response = response.labelled_by(name.id);
+                let response = response.labelled_by(name);
                 let menu = frame::menu(&response, own);
                 let sign = reset_sign(ui, self.label, own.words.as_deref().filter(|_| own.differs));
                 let done =
@@ -111,7 +146,7 @@ impl Field<'_> {
             })
             .inner;
         ui.end_row();
-        for words in refusal.into_iter().chain(complaint) {
+        for words in refusal.into_iter().chain(self.place.complaint(self.key)) {
             complain(ui, &words);
             ui.end_row();
         }

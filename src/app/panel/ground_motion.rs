@@ -4,8 +4,8 @@ use egui::{RichText, TextEdit, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, FileCommand};
-use crate::app::field::{CLICK, Change, Place, choice_line, complain, slider, tag};
-use crate::app::unit::{ACCELERATION, DEGREES, GRAVITIES, HERTZ, PURE, SECONDS};
+use crate::app::field::{CLICK, Change, Look, Place, choice_line, complain, slider_at, sliders, tag};
+use crate::app::unit::Size;
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
@@ -31,11 +31,12 @@ const MOST_SAMPLES: usize = 2000;
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut new = bench.scene().motion.clone();
     let place = Place { problems: bench.problems(), table: "motion" };
+    let look = Look::new(place, bench.scene().kind, Size::of_scene(bench.scene()));
     let kind = kind(ui, place, &mut new);
     let change = match &mut new {
         Motion::None => still(ui, &mut new),
-        Motion::Sine(sine) => sine_rows(ui, place, sine),
-        Motion::Record(record) => record_rows(ui, place, record, out),
+        Motion::Sine(sine) => sine_rows(ui, &look, sine),
+        Motion::Record(record) => record_rows(ui, &look, record, out),
     };
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
@@ -78,36 +79,23 @@ fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
     CLICK
 }
 
-fn sine_rows(ui: &mut Ui, place: Place<'_>, sine: &mut SineMotion) -> Option<Change> {
+fn sine_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion) -> Option<Change> {
     let mut metric = sine.amplitude.is_some();
-    let moved = match (&mut sine.amplitude, &mut sine.amplitude_g) {
-        (Some(a), _) => slider(ui, place, ("amplitude_m_s2", text::AMPLITUDE), a, ACCELERATION, 0.0..=STANDARD_GRAVITY),
-        (None, Some(a)) => slider(ui, place, ("amplitude_g", text::AMPLITUDE), a, GRAVITIES, 0.0..=1.0),
-        (None, None) => None,
-    };
-    let said = choice_line(ui, place, ("amplitude_m_s2", text::AMPLITUDE_IN), &mut metric, &UNITS);
+    let moved = sliders(ui, look, sine, &[]);
+    let said = choice_line(ui, look.place, ("amplitude_m_s2", text::AMPLITUDE_IN), &mut metric, &UNITS);
     if said.is_some() {
         let a = sine.amplitude_si();
         (sine.amplitude, sine.amplitude_g) = if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
     }
-    let rest = [
-        slider(ui, place, ("frequency_hz", text::FREQUENCY), &mut sine.frequency_hz, HERTZ, 0.1..=10.0),
-        slider(ui, place, ("phase_deg", text::PHASE), &mut sine.phase_deg, DEGREES, -180.0..=180.0),
-        angle(ui, place, &mut sine.angle_deg),
-    ];
-    moved.or(said).or(rest.into_iter().flatten().next())
+    moved.or(said)
 }
 
-fn angle(ui: &mut Ui, place: Place<'_>, angle_deg: &mut f64) -> Option<Change> {
-    slider(ui, place, ("angle_deg", text::ANGLE), angle_deg, DEGREES, -180.0..=180.0)
-}
-
-fn record_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
-    file_row(ui, place, record, out);
+fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
+    file_row(ui, look.place, record, out);
     about(ui, record);
-    let kept = kept_rows(ui, place, record);
-    let scale = slider(ui, place, ("scale", text::RECORD_SCALE), &mut record.scale, PURE, 0.0..=3.0);
-    kept.or(scale).or(angle(ui, place, &mut record.angle_deg))
+    let kept = kept_rows(ui, look, record);
+    let scale = slider_at(ui, look, "scale", &mut record.scale);
+    kept.or(scale).or(slider_at(ui, look, "angle_deg", &mut record.angle_deg))
 }
 
 /// The record's file: chosen, or typed.
@@ -147,7 +135,7 @@ fn about(ui: &mut Ui, record: &RecordMotion) {
 }
 
 /// Samples that the scene keeps itself, or a way to have it keep them.
-fn kept_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option<Change> {
+fn kept_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<Change> {
     let Some(list) = record.samples.clone() else {
         let (dt, samples) = record.loaded.clone()?;
         if !ui.button(text::KEEP_RECORD).on_hover_text(text::KEEP_RECORD_HINT).clicked() {
@@ -157,7 +145,7 @@ fn kept_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option
         return CLICK;
     };
     let mut dt = record.dt.unwrap_or(0.01);
-    let interval = slider(ui, place, ("dt_s", text::RECORD_DT), &mut dt, SECONDS, 0.001..=0.1);
+    let interval = slider_at(ui, look, "dt_s", &mut dt);
     if interval.is_some() {
         record.dt = Some(dt);
     }
@@ -166,7 +154,7 @@ fn kept_rows(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option
             ui.label(RichText::new(text::TOO_MANY_SAMPLES).weak().small());
             return None;
         }
-        samples_field(ui, place, &list)
+        samples_field(ui, look.place, &list)
     });
     if let Some(samples) = typed.body_returned.flatten() {
         record.samples = Some(samples);

@@ -4,71 +4,47 @@ use egui::{Button, RichText, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, TimeCommand};
-use crate::app::field::{Change, Place, number, tag};
+use crate::app::field::{Look, Place, Without, rows};
 use crate::app::style::theme::Palette;
 use crate::app::text;
-use crate::app::unit::{DEGREES, Unit, force_unit, length_unit};
-use crate::scene::Limits;
+use crate::app::unit::Size;
 use crate::scene::edit::Edit;
+use crate::scene::keys::Key;
+use crate::scene::{Limits, Scene};
+use crate::sim::Summary;
 
 /// Shows the limits and the flags.
 pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let scene = bench.scene();
     let mut new = scene.limits;
     let place = Place { problems: bench.problems(), table: "limits" };
-    let (length, mass) = scene.girders.first().map_or((1.0, 1.0), |g| (g.length, g.mass));
     let summary = bench.answer().map(|a| &a.summary);
-    let peak = summary.map_or(1.0, |s| s.peak_force.max(1.0));
-    let turned = summary.map_or(1.0, |s| s.max_rotation.to_degrees());
-    let mut changes = Vec::new();
-    egui::Grid::new("limits").num_columns(2).show(ui, |ui| {
-        changes = vec![
-            row(
-                ui,
-                place,
-                ("rotation_deg", text::LIMIT_ROTATION),
-                (&mut new.rotation_deg, two_digits(turned)),
-                DEGREES,
-            ),
-            row(ui, place, ("drift_m", text::LIMIT_DRIFT), (&mut new.drift, length * 0.05), length_unit(length)),
-            row(
-                ui,
-                place,
-                ("remaining_seat_m", text::LIMIT_SEAT),
-                (&mut new.remaining_seat, length * 0.01),
-                length_unit(length),
-            ),
-            row(ui, place, ("force_n", text::LIMIT_FORCE), (&mut new.force, two_digits(peak)), force_unit(mass)),
-        ];
-    });
-    if let Some(change) = changes.into_iter().flatten().next() {
+    let first = |key: &Key| first_limit(key.name, scene, summary);
+    let look = Look::new(place, scene.kind, Size::of_scene(scene));
+    let look = Look { without: Without::Off(&first), ..look };
+    let change = egui::Grid::new("limits").num_columns(2).show(ui, |ui| rows(ui, &look, &mut new, &[])).inner;
+    if let Some(change) = change {
         out.push(EditCommand::Change { edit: Edit::Limits(new), gesture: change.gesture }.into());
     }
     flags(ui, bench, out);
+}
+
+/// What a limit begins with: a little below what the run reaches, or a part of a girder's length.
+fn first_limit(key: &str, scene: &Scene, summary: Option<&Summary>) -> f64 {
+    let length = Size::of_scene(scene).length;
+    match key {
+        "drift_m" => length * 0.05,
+        "remaining_seat_m" => length * 0.01,
+        "force_n" => two_digits(summary.map_or(1.0, |s| s.peak_force.max(1.0))),
+        "rotation_deg" => two_digits(summary.map_or(1.0, |s| s.max_rotation.to_degrees())),
+        _ => 1.0,
+    }
 }
 
 /// To two digits, downwards: a limit that the run passes is the one worth looking at first.
 fn two_digits(value: f64) -> f64 {
     let step = 10f64.powf(value.abs().max(1e-6).log10().floor() - 1.0);
     (value / step).floor() * step
-}
-
-fn row(
-    ui: &mut Ui,
-    place: Place<'_>,
-    (key, label): (&str, &str),
-    (limit, first): (&mut Option<f64>, f64),
-    unit: Unit,
-) -> Option<Change> {
-    let mut on = limit.is_some();
-    let response = ui.checkbox(&mut on, label);
-    let switched = tag(ui, &response, place, (key, label)).changed();
-    if switched {
-        *limit = on.then_some(first);
-    }
-    ui.end_row();
-    let moved = limit.as_mut().and_then(|value| number(ui, place, (key, &format!("{label} at")), value, unit));
-    moved.or(switched.then_some(Change { gesture: None }))
 }
 
 /// Every limit that was passed, with a button that goes there.

@@ -4,12 +4,13 @@ use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Place, choice_line, slider, slider_of};
+use crate::app::field::{Look, Place, Without, sliders};
 use crate::app::run::answer::Apart;
 use crate::app::text;
-use crate::app::unit::{PURE, SLOW};
+use crate::app::unit::Size;
 use crate::scene::edit::Edit;
-use crate::scene::{Flush, ImpactSettings, Kind, ModelKind};
+use crate::scene::keys::Key;
+use crate::scene::{ImpactSettings, Kind, ModelKind};
 use crate::sim::State;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
@@ -19,7 +20,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     let spatial = scene.kind == Kind::Spatial;
     ui.add_enabled_ui(!spatial || model.kind != ModelKind::Contact, |ui| {
         let place = Place { problems: bench.problems(), table: "model" };
-        choice_line(ui, place, ("kind", text::MODEL), &mut model.kind, &MODELS);
+        sliders(ui, &Look::new(place, scene.kind, Size::of_scene(scene)), &mut model, &[]);
     });
     if spatial {
         ui.add(egui::Label::new(RichText::new(text::MODEL_SPATIAL).weak().small()).wrap());
@@ -33,54 +34,15 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     }
 }
 
-const MODELS: [(ModelKind, &str); 3] = [
-    (ModelKind::Contact, text::MODEL_CONTACT),
-    (ModelKind::Impact, text::MODEL_IMPACT),
-    (ModelKind::Both, text::MODEL_BOTH),
-];
-
-const RULES: [(Flush, &str); 2] = [(Flush::Paper, text::FLUSH_PAPER), (Flush::TwoCorner, text::FLUSH_TWO_CORNER)];
-
 fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut new: ImpactSettings = bench.scene().impact;
     let place = Place { problems: bench.problems(), table: "impact" };
     // A corner's numbers where it has none of its own.
     let [own_s, _] = ImpactSettings { corner_mu_static: None, ..new }.corner_friction();
     let [_, own_k] = ImpactSettings { corner_mu_kinetic: None, ..new }.corner_friction();
-    let changes = [
-        slider(ui, place, ("restitution_normal", text::IMPACT_E_NORMAL), &mut new.restitution_normal, PURE, 0.0..=1.0),
-        slider(
-            ui,
-            place,
-            ("restitution_tangential", text::IMPACT_E_TANGENTIAL),
-            &mut new.restitution_tangential,
-            PURE,
-            -1.0..=1.0,
-        ),
-        slider(ui, place, ("mu_static", text::IMPACT_MU_STATIC), &mut new.mu_static, PURE, 0.0..=1.0),
-        slider(ui, place, ("mu_kinetic", text::IMPACT_MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
-    ];
-    let corner = [
-        slider_of(
-            ui,
-            place,
-            ("corner_mu_static", text::CORNER_MU_STATIC),
-            (&mut new.corner_mu_static, own_s),
-            PURE,
-            0.0..=1.0,
-        ),
-        slider_of(
-            ui,
-            place,
-            ("corner_mu_kinetic", text::CORNER_MU_KINETIC),
-            (&mut new.corner_mu_kinetic, own_k),
-            PURE,
-            0.0..=1.0,
-        ),
-    ];
-    let speed = slider(ui, place, ("stop_speed_m_s", text::STOP_SPEED), &mut new.stop_speed, SLOW, 1e-6..=1e-2);
-    let rule = choice_line(ui, place, ("flush", text::FLUSH_HITS), &mut new.flush, &RULES);
-    let change = changes.into_iter().chain(corner).flatten().next().or(speed).or(rule);
+    let of_face = |key: &Key| if key.name == "corner_mu_static" { own_s } else { own_k };
+    let look = Look::new(place, bench.scene().kind, Size::of_scene(bench.scene()));
+    let change = sliders(ui, &Look { without: Without::Reckoned(&of_face), ..look }, &mut new, &[]);
     if let Some(change) = change {
         out.push(EditCommand::Change { edit: Edit::Impact(new), gesture: change.gesture }.into());
     }

@@ -4,12 +4,11 @@ use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Change, Place, choice_line, slider};
+use crate::app::field::{Change, Look, Place, slider_at, slider_between, sliders};
 use crate::app::panel::{comparison, ground_motion, limits, models, overlays};
 use crate::app::plot::user_plots;
-use crate::app::unit::{DEGREES, PURE, SECONDS, length_unit};
+use crate::app::unit::Size;
 use crate::app::{edits, text};
-use crate::scene::FrictionLaw;
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
@@ -53,39 +52,27 @@ fn geometry(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let mut skew = girder.skew_deg;
     let whose = if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS };
     ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
-    let change = slider(ui, place, ("skew_deg", text::SKEW), &mut skew, DEGREES, 20.0..=160.0);
+    let change = slider_at(ui, &Look::new(place, scene.kind, Size::of(girder)), "skew_deg", &mut skew);
     push(out, change, || edits::skew(scene, one, skew));
     if let Some(mut gap) = edits::gap_of(scene) {
-        let unit = length_unit(girder.length);
-        let table = scene.abutments.first().map_or_else(String::new, |a| format!("abutment.{}", a.name));
+        // Between girders alone the file has no such place: the key is that of a wall all the same.
+        let wall = scene.abutments.first().map_or("-", |a| a.name.as_str());
+        let table = format!("abutment.{wall}");
         let place = Place { problems: bench.problems(), table: &table };
-        let change = slider(ui, place, ("gap_m", text::GAP), &mut gap, unit, 0.0..=girder.length * 0.05);
+        let look = Look::new(place, scene.kind, Size::of(girder));
+        let change = slider_between(ui, &look, "gap_m", &mut gap, 0.0..=girder.length * 0.05);
         push(out, change, || edits::gap(scene, gap));
     }
 }
-
-const LAWS: [(FrictionLaw, &str); 2] =
-    [(FrictionLaw::Paper, text::LAW_PAPER), (FrictionLaw::ReturnMapping, text::LAW_RETURN)];
 
 fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let scene = bench.scene();
     let mut new = scene.contact.clone();
     let place = Place { problems: bench.problems(), table: "contact" };
-    let changes = [
-        slider(ui, place, ("mu_static", text::MU_STATIC), &mut new.mu_static, PURE, 0.0..=1.0),
-        slider(ui, place, ("mu_kinetic", text::MU_KINETIC), &mut new.mu_kinetic, PURE, 0.0..=1.0),
-        slider(ui, place, ("restitution_normal", text::E_NORMAL), &mut new.restitution_normal, PURE, 0.01..=1.0),
-        slider(
-            ui,
-            place,
-            ("restitution_tangential", text::E_TANGENTIAL),
-            &mut new.restitution_tangential,
-            PURE,
-            0.01..=1.0,
-        ),
-        choice_line(ui, place, ("law", text::LAW), &mut new.law, &LAWS),
-    ];
-    push(out, changes.into_iter().flatten().next(), || edits::contact(new));
+    let look = Look::new(place, scene.kind, Size::of_scene(scene));
+    // The rules that are rarely changed stand in the inspector alone.
+    let change = sliders(ui, &look, &mut new, &["sharing", "tension"]);
+    push(out, change, || edits::contact(new));
 }
 
 fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
@@ -93,6 +80,6 @@ fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     ground_motion::show(ui, bench, out);
     let mut duration = scene.duration;
     let place = Place { problems: bench.problems(), table: "" };
-    let change = slider(ui, place, ("duration_s", text::DURATION), &mut duration, SECONDS, 0.1..=60.0);
+    let change = slider_at(ui, &Look::new(place, scene.kind, Size::of_scene(scene)), "duration_s", &mut duration);
     push(out, change, || edits::duration(scene, duration));
 }

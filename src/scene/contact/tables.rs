@@ -3,17 +3,22 @@
 /// From one list: `[contact]`, `[[contact.pair]]` that lies over it, and the numbers in force for a pair.
 macro_rules! contact_tables {
     (
-        elasticity { $( $given:ident = $given_key:literal, $given_range:expr, $fallback:expr, $given_meaning:literal; )+ }
-        numbers { $( $number:ident = $key:literal, $symbol:literal, $range:expr, $default:expr, $meaning:literal; )+ }
-        rules { $( $rule:ident: $Rule:ident = $rule_key:literal, $rule_meaning:literal; )+ }
+        elasticity { $( $given:ident = $given_key:literal as $given_label:literal, $given_range:expr, $fallback:expr, $given_meaning:literal; )+ }
+        numbers {
+            $(
+                $number:ident = $key:literal as $label:literal, $range:expr, $default:expr, $meaning:literal,
+                slider $bounds:expr;
+            )+
+        }
+        rules { $( $rule:ident: $Rule:ident = $rule_key:literal as $rule_label:literal, $rule_meaning:literal; )+ }
     ) => {
         $crate::scene::keys::table! {
             /// `[contact]`: numbers for every pair that `[[contact.pair]]` does not override.
             #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
             default struct ContactSettings, CONTACT {
-                $( $given: Option<f64> = $given_key, $given_range, $fallback, $given_meaning; )+
-                $( $number: f64 = $key, $range, Fallback::Number($default), $meaning; )+
-                $( $rule: $Rule = $rule_key, Range::Words($Rule::WORDS), $Rule::FALLBACK, $rule_meaning; )+
+                $( $given: Option<f64> = $given_key as $given_label, $given_range, $fallback, $given_meaning; )+
+                $( $number: f64 = $key as $label, $range, Fallback::Number($default), $meaning, slider $bounds; )+
+                $( $rule: $Rule = $rule_key as $rule_label, Range::Words($Rule::WORDS), $Rule::FALLBACK, $rule_meaning; )+
                 pairs: Vec<PairSettings> = "pair", Range::Free, Fallback::Words("none"), "[[contact.pair]], see below";
             }
         }
@@ -28,10 +33,10 @@ macro_rules! contact_tables {
                     Fallback::Words("every pair between the two"),
                     "only the pair of these ends, in the order of between; declares it if it is not found by itself. The \
                      end of an abutment is not looked at";
-                $( $given: Option<f64> = $given_key, $given_range, Fallback::Words("as in [contact]"), $given_meaning; )+
-                $( $number: Option<f64> = $key, $range, Fallback::Words("as in [contact]"), $meaning; )+
+                $( $given: Option<f64> = $given_key as $given_label, $given_range, Fallback::Words("as in [contact]"), $given_meaning; )+
+                $( $number: Option<f64> = $key as $label, $range, Fallback::Words("as in [contact]"), $meaning; )+
                 $(
-                    $rule: Option<$Rule> = $rule_key, Range::Words($Rule::WORDS), Fallback::Words("as in [contact]"),
+                    $rule: Option<$Rule> = $rule_key as $rule_label, Range::Words($Rule::WORDS), Fallback::Words("as in [contact]"),
                         $rule_meaning;
                 )+
             }
@@ -51,8 +56,8 @@ macro_rules! contact_tables {
         pub struct ContactNumber {
             /// Its key.
             pub key: &'static str,
-            /// Its letter.
-            pub symbol: &'static str,
+            /// What its field in the window is called.
+            pub label: &'static str,
             /// For every pair.
             pub of_all: fn(&mut ContactSettings) -> &mut f64,
             /// For one pair, where that has one.
@@ -66,7 +71,7 @@ macro_rules! contact_tables {
             pub const ALL: &'static [Self] = &[$(
                 Self {
                     key: $key,
-                    symbol: $symbol,
+                    label: $label,
                     of_all: |contact| &mut contact.$number,
                     of_pair: |pair| &mut pair.$number,
                     in_force: |contact| contact.$number,

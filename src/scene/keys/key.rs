@@ -1,4 +1,4 @@
-//! A key of the scene file: its rule, its default, its meaning.
+//! A key of the scene file: its rule, its default, its meaning, its field in the window.
 
 use super::range::Range;
 
@@ -30,6 +30,10 @@ pub struct Key {
     pub fallback: Fallback,
     /// What it means, with its unit.
     pub meaning: &'static str,
+    /// What its field in the window is called; the name itself unless stated otherwise.
+    pub label: &'static str,
+    /// From where to where its slider goes, in the unit of the key; what is typed may lie beyond. None: no slider.
+    pub slider: Option<[f64; 2]>,
 }
 
 impl Key {
@@ -39,7 +43,17 @@ impl Key {
         fallback: Fallback,
         meaning: &'static str,
     ) -> Self {
-        Self { name, range, fallback, meaning }
+        Self { name, range, fallback, meaning, label: name, slider: None }
+    }
+
+    /// The same with a name for its field.
+    pub(in crate::scene) const fn labelled(self, label: &'static str) -> Self {
+        Self { label, ..self }
+    }
+
+    /// The same with a slider between these bounds.
+    pub(in crate::scene) const fn slid(self, bounds: [f64; 2]) -> Self {
+        Self { slider: Some(bounds), ..self }
     }
 
     /// The number that it is when the file does not have it, where that is always the same.

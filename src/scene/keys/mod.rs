@@ -6,6 +6,7 @@
 mod index;
 mod key;
 mod range;
+mod slot;
 mod table;
 
 pub use super::abutment::ABUTMENT;
@@ -20,4 +21,5 @@ pub use super::top::TOP;
 pub use index::{TABLES, Table, find, of_place};
 pub use key::{Fallback, Key};
 pub use range::Range;
+pub use slot::{Editable, Slot, Word};
 pub(in crate::scene) use table::{Keyed, Stands, Stated, table, words};

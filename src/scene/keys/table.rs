@@ -1,6 +1,7 @@
 //! A table of the scene file stated once: its struct, its keys with ranges and meanings, its defaults, its numbers.
 
 use super::key::Fallback;
+use super::slot::Slot;
 use crate::geometry::End;
 
 /// What stands under a key, for the check of its range.
@@ -30,6 +31,16 @@ pub(in crate::scene) trait Stands: Sized {
     fn stated(&self) -> Stated<'_> {
         Stated::Nothing
     }
+
+    /// The value, for an editor.
+    fn slot(&mut self) -> Slot<'_> {
+        Slot::Apart
+    }
+
+    /// The same of a value that may be left out.
+    fn optional_slot(_: &mut Option<Self>) -> Slot<'_> {
+        Slot::Apart
+    }
 }
 
 impl Stands for f64 {
@@ -41,11 +52,23 @@ impl Stands for f64 {
     fn stated(&self) -> Stated<'_> {
         Stated::Number(*self)
     }
+
+    fn slot(&mut self) -> Slot<'_> {
+        Slot::Number(self)
+    }
+
+    fn optional_slot(value: &mut Option<Self>) -> Slot<'_> {
+        Slot::Optional(value)
+    }
 }
 
 impl Stands for bool {
     fn by_default(fallback: Fallback) -> Self {
         fallback == Fallback::Switch(true)
+    }
+
+    fn slot(&mut self) -> Slot<'_> {
+        Slot::Switch(self)
     }
 }
 
@@ -56,6 +79,10 @@ impl<const N: usize> Stands for [f64; N] {
 
     fn stated(&self) -> Stated<'_> {
         Stated::Numbers(self)
+    }
+
+    fn slot(&mut self) -> Slot<'_> {
+        Slot::Numbers(self)
     }
 }
 
@@ -70,6 +97,10 @@ impl<T: Stands> Stands for Option<T> {
 
     fn stated(&self) -> Stated<'_> {
         self.as_ref().map_or(Stated::Nothing, Stands::stated)
+    }
+
+    fn slot(&mut self) -> Slot<'_> {
+        T::optional_slot(self)
     }
 }
 
@@ -138,7 +169,8 @@ pub(in crate::scene) trait Keyed {
     }
 }
 
-/// States a table of the scene file: one line a key.
+/// States a table of the scene file: one line a key, of field, type, name in the file (`as` the name of its field in the
+/// window), range, default, meaning, and bounds of its slider where it has one.
 ///
 /// `default struct` is a table that may be left out, with all of its keys: each field is what its [`Fallback`] says. The
 /// keys of a plain `struct` must be given unless their type has a way to be nothing.
@@ -146,14 +178,15 @@ macro_rules! table {
     (
         $(#[$meta:meta])*
         default struct $Name:ident, $KEYS:ident {
-            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal, $range:expr, $fallback:expr, $meaning:literal; )+
+            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal $(as $label:literal)?, $range:expr, $fallback:expr, $meaning:literal
+                $(, slider $bounds:expr)?; )+
         }
     ) => {
         $crate::scene::keys::table! {
             $(#[$meta])*
             #[serde(default)]
             struct $Name, $KEYS {
-                $( $(#[$how])* $field: $Type = $key, $range, $fallback, $meaning; )+
+                $( $(#[$how])* $field: $Type = $key $(as $label)?, $range, $fallback, $meaning $(, slider $bounds)?; )+
             }
         }
 
@@ -176,7 +209,8 @@ macro_rules! table {
     (
         $(#[$meta:meta])*
         struct $Name:ident, $KEYS:ident {
-            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal, $range:expr, $fallback:expr, $meaning:literal; )+
+            $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal $(as $label:literal)?, $range:expr, $fallback:expr, $meaning:literal
+                $(, slider $bounds:expr)?; )+
         }
     ) => {
         $(#[$meta])*
@@ -192,11 +226,17 @@ macro_rules! table {
 
         #[doc = concat!("The keys of [`", stringify!($Name), "`].")]
         pub const $KEYS: &[$crate::scene::keys::Key] =
-            &[$( $crate::scene::keys::Key::new($key, $range, $fallback, $meaning), )+];
+            &[$( $crate::scene::keys::Key::new($key, $range, $fallback, $meaning)$(.labelled($label))?$(.slid($bounds))?, )+];
 
         impl $crate::scene::keys::Keyed for $Name {
             fn stated(&self) -> impl Iterator<Item = (&'static str, $crate::scene::keys::Stated<'_>)> {
                 [$( ($key, $crate::scene::keys::Stands::stated(&self.$field)), )+].into_iter()
+            }
+        }
+
+        impl $crate::scene::keys::Editable for $Name {
+            fn slots(&mut self) -> Vec<(&'static $crate::scene::keys::Key, $crate::scene::keys::Slot<'_>)> {
+                $KEYS.iter().zip([$( $crate::scene::keys::Stands::slot(&mut self.$field), )+]).collect()
             }
         }
     };
@@ -242,6 +282,18 @@ macro_rules! words {
         impl $crate::scene::keys::Stands for $Name {
             fn by_default(_: $crate::scene::keys::Fallback) -> Self {
                 Self::DEFAULT
+            }
+
+            fn slot(&mut self) -> $crate::scene::keys::Slot<'_> {
+                $crate::scene::keys::Slot::Word($crate::scene::keys::Word::new(
+                    self,
+                    (Self::ALL, Self::WORDS),
+                    Self::DEFAULT,
+                ))
+            }
+
+            fn optional_slot(value: &mut Option<Self>) -> $crate::scene::keys::Slot<'_> {
+                $crate::scene::keys::Slot::Word($crate::scene::keys::Word::optional(value, (Self::ALL, Self::WORDS)))
             }
         }
     };

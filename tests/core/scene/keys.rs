@@ -1,8 +1,11 @@
 //! The list of keys, the reader of files, the checks of a scene and the documentation say the same.
 
 use girderbench::motion::format::FORMATS;
-use girderbench::scene::keys::{self, Fallback, Key, Range, TABLES};
-use girderbench::scene::{ContactNumber, ContactSettings, Scene, SceneErrors, facing, format, overrides, validate};
+use girderbench::scene::keys::{self, Editable as _, Fallback, Key, Range, Slot, TABLES};
+use girderbench::scene::{
+    ContactNumber, ContactSettings, FrictionLaw, PairSettings, Scene, SceneErrors, Tension, facing, format, overrides,
+    validate,
+};
 use toml::{Table, Value};
 
 /// A scene in which every table stands, but for a record; each way to say a thing that has two ways stands somewhere.
@@ -191,6 +194,55 @@ fn the_documentation_says_what_the_program_does() {
             assert_eq!(*meaning, key.meaning, "{at}");
         }
     }
+}
+
+#[test]
+fn fields_of_a_table_have_names_of_their_own_and_sliders_within_their_ranges() {
+    let mut sliders = 0;
+    for table in TABLES {
+        for key in table.keys {
+            let alike = table.keys.iter().filter(|other| other.label == key.label && other.name != key.name);
+            let alike: Vec<_> = alike.filter(|other| !overrides::replaced_by(key.name).contains(&other.name)).collect();
+            assert!(alike.is_empty(), "[{}] {} and {alike:?} are called the same", table.path, key.name);
+            let Some([from, to]) = key.slider else { continue };
+            assert!(from < to, "[{}] {}: {from} to {to}", table.path, key.name);
+            for bound in [from, to] {
+                assert_eq!(key.range.fault(bound), None, "[{}] {}: {bound}", table.path, key.name);
+            }
+            sliders += 1;
+        }
+    }
+    assert!(sliders > 15, "sliders of every table, got {sliders}");
+}
+
+#[test]
+fn an_editor_reaches_every_value_by_its_key() {
+    let mut contact = ContactSettings::default();
+    let mut seen = Vec::new();
+    for (key, slot) in contact.slots() {
+        match slot {
+            Slot::Number(number) => *number = 0.5,
+            Slot::Optional(number) => *number = Some(2.0),
+            Slot::Word(word) => {
+                assert_eq!(word.chosen, word.default, "{}", key.name);
+                word.choose(Some(1));
+            }
+            Slot::Apart | Slot::Switch(_) | Slot::Numbers(_) => assert_eq!(key.name, "pair"),
+        }
+        seen.push(key.name);
+    }
+    assert_eq!(seen, keys::CONTACT.iter().map(|key| key.name).collect::<Vec<_>>(), "in the order of the page");
+    let text = format!("{contact:?}");
+    assert!(text.contains("mu_static: 0.5") && text.contains("area: Some(2.0)"), "{text}");
+    assert_eq!((contact.law, contact.tension), (FrictionLaw::ReturnMapping, Tension::Clamp), "the second word");
+    let mut pair = PairSettings { law: Some(FrictionLaw::Paper), ..PairSettings::default() };
+    for (_, slot) in pair.slots() {
+        if let Slot::Word(word) = slot {
+            assert_eq!(word.default, None, "it may be left out");
+            word.choose(None);
+        }
+    }
+    assert_eq!(pair.law, None, "the scene's again");
 }
 
 #[test]

@@ -5,11 +5,13 @@ use egui::{ComboBox, Ui};
 use super::rows::{grid, push};
 use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Place, act, number, optional, tag};
+use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, rows, tag};
 use crate::app::panel::name_field;
-use crate::app::unit::length_unit;
+use crate::app::unit::{Size, length_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
+use crate::scene::keys::Key;
+use crate::scene::overrides::replaced_by;
 use crate::scene::{Abutment, Girder, placed};
 
 /// Shows an abutment.
@@ -18,38 +20,28 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, abutment: &Abutment
     let table = format!("abutment.{}", abutment.name);
     let place = Place { problems: bench.problems(), table: &table };
     let girder = bench.scene().girders.iter().find(|g| g.name == abutment.faces);
+    let size = girder.map_or(Size::of_scene(bench.scene()), Size::of);
+    let reckoned = |key: &Key| face_number(girder, key.name);
+    let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(place, bench.scene().kind, size) };
     let change = grid(ui, "abutment", |ui| {
         name_field::show(ui, place, bench.selected(), &abutment.name, out);
         let faces = faces_row(ui, place, bench, &mut new);
-        let face = match &mut new.polygon {
-            Some(corners) => corner_rows(ui, place, girder, corners),
-            None => face_rows(ui, place, girder, &mut new),
-        };
-        faces.or(face).or(depth_row(ui, place, girder, &mut new))
+        let corners = new.polygon.as_mut().and_then(|corners| corner_rows(ui, place, girder, corners));
+        let by_corners = if new.polygon.is_some() { replaced_by("polygon_m") } else { &[] };
+        faces.or(corners).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
     let change = change.or(way_of_face(ui, place, bench, &mut new));
     push(change, out, || edits::abutment(i, new));
 }
 
-fn face_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
-    let unit = length_unit(girder.map_or(1.0, |g| g.length));
-    let (wide, high) = girder.map_or((1.0, 1.0), |g| (3.0 * g.prism().end_length(), 3.0 * g.thickness));
-    let mut gap = a.gap.unwrap_or(0.0);
-    let moved = number(ui, place, ("gap_m", text::GAP), &mut gap, unit);
-    if moved.is_some() {
-        a.gap = Some(gap);
+/// What the numbers of a face are where they are left out \[m\].
+fn face_number(girder: Option<&Girder>, key: &str) -> f64 {
+    let Some(girder) = girder else { return 1.0 };
+    match key {
+        "width_m" => 3.0 * girder.prism().end_length(),
+        "height_m" => 3.0 * girder.thickness,
+        _ => girder.length,
     }
-    let rest = [
-        optional(ui, place, ("offset_m", text::OFFSET), (&mut a.offset, 0.0), unit),
-        optional(ui, place, ("width_m", text::FACE_WIDTH), (&mut a.width, wide), unit),
-        optional(ui, place, ("height_m", text::FACE_HEIGHT), (&mut a.height, high), unit),
-    ];
-    rest.into_iter().flatten().next().or(moved)
-}
-
-fn depth_row(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, a: &mut Abutment) -> Option<Change> {
-    let length = girder.map_or(1.0, |g| g.length);
-    optional(ui, place, ("depth_m", text::FACE_DEPTH), (&mut a.depth, length), length_unit(length))
 }
 
 /// The face by its corners in the world.

@@ -7,7 +7,6 @@ mod girder;
 mod pairs;
 mod rows;
 mod scene;
-mod stiffness;
 
 use egui::{RichText, Ui};
 

@@ -3,14 +3,14 @@
 use egui::{RichText, Ui};
 
 use super::rows::{grid, section};
-use super::stiffness;
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, SelectCommand};
 use crate::app::edits;
-use crate::app::field::{Change, Place, choice, laid_over};
+use crate::app::field::{Look, Place, Without, rows};
 use crate::app::text;
-use crate::app::unit::PURE;
+use crate::app::unit::Size;
 use crate::scene::facing::{self, Facing};
+use crate::scene::keys::Key;
 use crate::scene::{ContactNumber, ContactSettings, PairSettings, Scene};
 use crate::view::Target;
 
@@ -45,9 +45,13 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
     let place = Place { problems: bench.problems(), table: &table };
+    let under = |key: &Key| number_under(scene, pair, key.name);
+    let look = Look::new(place, scene.kind, Size::of_scene(scene));
+    let look = Look { whose: text::OF_PAIR, without: Without::Under(&under), ..look };
     // Pairs without an entry have no place of their own in the file that could tell their lists apart.
     let own_id = ("pair", &pair.name);
-    let change = ui.push_id(own_id, |ui| grid(ui, "own", |ui| own_rows(ui, place, pair, &mut own))).inner;
+    let own_rows = |ui: &mut Ui| rows(ui, &look, &mut own, &["between", "ends"]);
+    let change = ui.push_id(own_id, |ui| grid(ui, "own", own_rows)).inner;
     if let Some(change) = change {
         out.push(
             EditCommand::Change { edit: edits::contact(with_pair(scene, entry, own)), gesture: change.gesture }.into(),
@@ -60,6 +64,14 @@ fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
         contact.pairs.remove(n);
         out.push(EditCommand::Change { edit: edits::contact(contact), gesture: None }.into());
     }
+}
+
+/// A number in force for a pair, or what K follows from, by its key.
+fn number_under(scene: &Scene, pair: &Facing, key: &str) -> f64 {
+    let number = ContactNumber::ALL.iter().find(|number| number.key == key);
+    let number = number.map(|number| (number.in_force)(&pair.contact));
+    let stiffness = (key == "stiffness_n_per_m").then_some(pair.contact.stiffness);
+    number.or(stiffness).unwrap_or_else(|| edits::elastic(scene, key))
 }
 
 /// The pair's contacts, to be selected without having to hit them in the view.
@@ -106,7 +118,7 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
     for one in ContactNumber::ALL {
         let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());
         let source = if given { text::FROM_PAIR } else { text::FROM_SCENE };
-        rows.push((one.symbol, text::short((one.in_force)(c)), source));
+        rows.push((one.label, text::short((one.in_force)(c)), source));
     }
     rows.push(("gap", text::exact_length(pair.gap), text::FROM_PLACES));
     egui::Grid::new(("in force", &pair.name)).num_columns(3).striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -117,29 +129,4 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
             ui.end_row();
         }
     });
-}
-
-/// What the pair has instead of the scene's numbers.
-fn own_rows(ui: &mut Ui, place: Place<'_>, pair: &Facing, own: &mut PairSettings) -> Option<Change> {
-    let c = &pair.contact;
-    let name = |words: &str| format!("{words} {}", text::OF_PAIR);
-    let mut change = None;
-    for one in ContactNumber::ALL {
-        let (value, now) = ((one.of_pair)(own), (one.in_force)(c));
-        change = change.or(laid_over(ui, place, (one.key, &name(one.symbol)), (value, now), PURE));
-    }
-    let given = stiffness::Given { k: &mut own.stiffness, e: &mut own.young_modulus, a: &mut own.area };
-    let stiff = stiffness::rows(ui, place, text::OF_PAIR, given, (c.stiffness, None));
-    let law = choice(ui, place, ("law", &name(text::LAW_SHORT)), &mut own.law, &as_scene(stiffness::LAWS));
-    let sharing =
-        choice(ui, place, ("sharing", &name(text::SHARING)), &mut own.sharing, &as_scene(stiffness::SHARINGS));
-    let tension =
-        choice(ui, place, ("tension", &name(text::TENSION)), &mut own.tension, &as_scene(stiffness::TENSIONS));
-    change.or(stiff).or(law).or(sharing).or(tension)
-}
-
-/// The same choices, and that of having none.
-fn as_scene<T: Copy>(options: [(T, &'static str); 2]) -> [(Option<T>, &'static str); 3] {
-    let [a, b] = options.map(|(value, word)| (Some(value), word));
-    [(None, text::THE_SCENES), a, b]
 }

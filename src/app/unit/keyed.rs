@@ -1,0 +1,116 @@
+//! The unit of a key of the scene file, as its name says it (`length_m`), and how a number of it is shown.
+
+use super::shown::{
+    ACCELERATION, DEGREES, GRAVITIES, HERTZ, MODULUS, MOMENTS, PARTS, PURE, SECONDS, SLOW, SPEED, TURNING, Unit,
+    area_unit, damping_unit, force_unit, length_unit, mass_unit, stiffness_unit,
+};
+use crate::scene::keys::{Key, of_place};
+use crate::scene::{Girder, Scene};
+
+/// Sizes that decide between millimetres and metres, kilograms and tonnes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Size {
+    /// \[m\]
+    pub length: f64,
+    /// \[kg\]
+    pub mass: f64,
+}
+
+impl Size {
+    /// Of a girder and what is near it.
+    pub(in crate::app) fn of(girder: &Girder) -> Self {
+        Self { length: girder.length, mass: girder.mass }
+    }
+
+    /// Of a scene: of its first girder.
+    pub(in crate::app) fn of_scene(scene: &Scene) -> Self {
+        scene.girders.first().map_or(Self { length: 1.0, mass: 1.0 }, Self::of)
+    }
+}
+
+/// How the number at a place of the scene file is shown; `now` is the number, in the unit of its key.
+pub(in crate::app) fn unit_of(place: &str, now: f64, size: Size) -> Unit {
+    let Some((table, key)) = of_place(place) else { return PURE };
+    // The keys of `seat_m` are the ends: the unit stands with the table.
+    let last = table.path.rsplit('.').next().unwrap_or_default();
+    by_ending(key.name, key, now, size).or_else(|| by_ending(last, key, now, size)).unwrap_or(match key.number() {
+        Some(default) if default != 0.0 && default.abs() < 1e-3 => PARTS,
+        _ => PURE,
+    })
+}
+
+/// What a name ends in tells its unit; of two endings that fit the longer counts.
+fn by_ending(name: &str, key: &Key, now: f64, size: Size) -> Option<Unit> {
+    let fits = |(ending, _): &&(&str, fn(&Key, f64, Size) -> Unit)| name.ends_with(ending);
+    let (_, shown) = ENDINGS.iter().filter(fits).max_by_key(|(ending, _)| ending.len())?;
+    Some(shown(key, now, size))
+}
+
+const ENDINGS: &[(&str, fn(&Key, f64, Size) -> Unit)] = &[
+    ("_m", |_, _, size| length_unit(size.length)),
+    ("_m2", |_, now, _| area_unit(now)),
+    ("_deg", |_, _, _| DEGREES),
+    ("_kg", |_, _, size| mass_unit(size.mass)),
+    ("_s", |_, _, _| SECONDS),
+    ("_hz", |_, _, _| HERTZ),
+    ("_m_s", |key, _, _| if key.number().is_some_and(|v| v != 0.0 && v.abs() < 0.01) { SLOW } else { SPEED }),
+    ("_deg_s", |_, _, _| TURNING),
+    ("_g", |_, _, _| GRAVITIES),
+    ("_m_s2", |_, _, _| ACCELERATION),
+    ("_n", |_, _, size| force_unit(size.mass)),
+    ("_n_m", |_, _, _| MOMENTS),
+    ("_n_per_m", |_, now, _| stiffness_unit(now)),
+    ("_n_s_per_m", |_, now, _| damping_unit(now)),
+    ("_pa", |_, _, _| MODULUS),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::unit::dimension::Dimension;
+    use crate::scene::keys::{Range, TABLES};
+
+    #[test]
+    fn a_key_is_shown_in_the_unit_of_its_name() {
+        let bench = Size { length: 0.19, mass: 2.0 };
+        let cases = [
+            ("girder.x_m.length_m", Dimension::Length),
+            ("girder.x_m.initial.displacement_m[1]", Dimension::Length),
+            ("girder.x_m.initial.spin_deg_s", Dimension::Turning),
+            ("girder.x_m.seat_m.+x", Dimension::Length),
+            ("girder.x_m.push.moment_n_m", Dimension::Moment),
+            ("girder.x_m.bearings.damping_ratio", Dimension::Pure),
+            ("contact.stiffness_n_per_m", Dimension::Stiffness),
+            ("contact.pair[2].young_modulus_pa", Dimension::Pressure),
+            ("impact.stop_speed_m_s", Dimension::Speed),
+            ("motion.amplitude_g", Dimension::Acceleration),
+            ("solver.tolerance", Dimension::Pure),
+        ];
+        for (place, wanted) in cases {
+            assert_eq!(unit_of(place, 1.0, bench).dimension, wanted, "{place}");
+        }
+        assert_eq!(unit_of("impact.stop_speed_m_s", 1.0, bench), SLOW, "as small as its default");
+        assert_eq!(unit_of("solver.tolerance", 1.0, bench), PARTS, "with its power of ten");
+    }
+
+    #[test]
+    fn a_meaning_that_ends_in_a_unit_is_of_the_unit_of_its_name() {
+        let mut checked = 0;
+        for table in TABLES {
+            for key in table.keys.iter().filter(|key| !matches!(key.range, Range::Words(_) | Range::Free)) {
+                let said = key.meaning.rsplit(", ").next().unwrap_or_default().replace('·', " ");
+                let said = if said == "degrees" { "°" } else { &said };
+                let place = table.path.split(" kind").next().unwrap_or_default();
+                let unit = unit_of(&format!("{place}.{}", key.name).replacen("girder", "girder.deck", 1), 1.0, BENCH);
+                if unit.dimension != Dimension::Pure && said.len() <= 5 {
+                    let known = unit.dimension.units().iter().any(|(name, _)| *name == said);
+                    assert!(known || said.contains('/'), "[{}] {}: {said}", table.path, key.name);
+                    checked += usize::from(known);
+                }
+            }
+        }
+        assert!(checked > 15, "{checked} keys");
+    }
+
+    const BENCH: Size = Size { length: 0.19, mass: 2.0 };
+}
