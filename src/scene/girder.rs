@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Bearings;
-use super::keys::{Fallback, Range, Stands, table};
+use super::keys::{Fallback, Keyed as _, Range, Stands, table};
 use crate::geometry::Prism;
 
 /// A direction that a body can be held in.
@@ -111,6 +111,11 @@ impl Stands for Vec<Direction> {
 }
 
 impl Girder {
+    /// A straight girder of this length, width and thickness \[m\] and mass \[kg\], at rest in the origin without bearings.
+    pub fn straight(name: impl Into<String>, [length, width, thickness]: [f64; 3], mass: f64) -> Self {
+        Self { name: name.into(), length, width, thickness, mass, ..Self::by_default() }
+    }
+
     /// Its shape. 90° is π/2 to the last bit, so a straight girder has no shear.
     pub fn prism(&self) -> Prism {
         Prism { length: self.length, width: self.width, thickness: self.thickness, skew: self.skew_deg.to_radians() }

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use girderbench::geometry::End;
 use girderbench::scene::{
     Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, Limits,
-    ModelKind, ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, Seat, SharedBearings,
-    Sharing, SineMotion, SolverSettings, Tension, ViewSettings,
+    ModelKind, ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, SharedBearings, Sharing,
+    SineMotion, SolverSettings, Tension, ViewSettings,
 };
 use serde_json::Value;
 
@@ -127,15 +127,10 @@ fn girder(index: usize, body: &Value) -> Girder {
         .zip([Direction::X, Direction::Y, Direction::Yaw])
         .filter_map(|(lock, direction)| (lock != 0.0).then_some(direction))
         .collect();
+    let shape = [number(&body["a0"]), number(&body["b0"]), 0.02];
     Girder {
-        name: format!("body{index}"),
-        length: number(&body["a0"]),
-        width: number(&body["b0"]),
-        thickness: 0.02,
         skew_deg: number(&body["beta_deg"]),
-        mass: number(&body["m"]),
         position: [home[0], home[1], 0.0],
-        heading_deg: 0.0,
         bearings,
         initial: Initial {
             displacement: [x0[0], x0[1], 0.0],
@@ -145,7 +140,7 @@ fn girder(index: usize, body: &Value) -> Girder {
         },
         push: Push { force: [push[0], push[1], 0.0], moment: push[2] },
         held,
-        seat: Seat::default(),
+        ..Girder::straight(format!("body{index}"), shape, number(&body["m"]))
     }
 }
 

@@ -6,6 +6,7 @@ use super::fresh::first_girder;
 use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
 use crate::scene::facing::{self, Side};
+use crate::scene::keys::Editable as _;
 use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Scene, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
@@ -33,35 +34,12 @@ pub(in crate::app) fn girders_alike(scene: &Scene, i: usize, new: &Girder, selec
     for target in selected {
         let Target::Girder(k) = *target else { continue };
         if let Some(other) = scene.girders.get(k).filter(|_| k != i) {
-            edits.push(girder(k, carried(old, new, other)));
+            let mut other = other.clone();
+            other.carry(old, new);
+            edits.push(girder(k, other));
         }
     }
     if edits.len() == 1 { girder(i, new.clone()) } else { Edit::Batch(edits) }
-}
-
-/// What changed from `old` to `new`, in `other`.
-fn carried(old: &Girder, new: &Girder, other: &Girder) -> Girder {
-    fn take<T: Clone + PartialEq>(to: &mut T, old: &T, new: &T) {
-        if old != new {
-            to.clone_from(new);
-        }
-    }
-    let mut out = other.clone();
-    take(&mut out.length, &old.length, &new.length);
-    take(&mut out.width, &old.width, &new.width);
-    take(&mut out.thickness, &old.thickness, &new.thickness);
-    take(&mut out.skew_deg, &old.skew_deg, &new.skew_deg);
-    take(&mut out.mass, &old.mass, &new.mass);
-    for axis in 0..3 {
-        take(&mut out.position[axis], &old.position[axis], &new.position[axis]);
-    }
-    take(&mut out.heading_deg, &old.heading_deg, &new.heading_deg);
-    take(&mut out.bearings, &old.bearings, &new.bearings);
-    take(&mut out.initial, &old.initial, &new.initial);
-    take(&mut out.push, &old.push, &new.push);
-    take(&mut out.held, &old.held, &new.held);
-    take(&mut out.seat, &old.seat, &new.seat);
-    out
 }
 
 /// Gives the contact other numbers.

@@ -1,8 +1,8 @@
 //! What is there before anything has been placed.
 
 use crate::scene::{
-    ContactSettings, Girder, ImpactSettings, Initial, Kind, Limits, ModelSettings, Motion, Push, STANDARD_GRAVITY,
-    Scene, Seat, SolverSettings, ViewSettings,
+    ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, STANDARD_GRAVITY, Scene,
+    SolverSettings, ViewSettings,
 };
 
 /// A scene with nothing in it.
@@ -28,19 +28,5 @@ pub(in crate::app) fn empty() -> Scene {
 
 /// The paper's straight girder, where nothing is placed that could be copied.
 pub(super) fn first_girder() -> Girder {
-    Girder {
-        name: "girder".into(),
-        length: 0.190,
-        width: 0.070,
-        thickness: 0.020,
-        skew_deg: 90.0,
-        mass: 2.0,
-        position: [0.0; 3],
-        heading_deg: 0.0,
-        bearings: None,
-        initial: Initial::default(),
-        push: Push::default(),
-        held: Vec::new(),
-        seat: Seat::default(),
-    }
+    Girder::straight("girder", [0.190, 0.070, 0.020], 2.0)
 }

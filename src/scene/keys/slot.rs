@@ -6,6 +6,9 @@ use super::key::Key;
 pub trait Editable {
     /// Each key with what stands under it, in the order of the documentation.
     fn slots(&mut self) -> Vec<(&'static Key, Slot<'_>)>;
+
+    /// Takes over every value that differs between two tables; of components each by itself.
+    fn carry(&mut self, old: &Self, new: &Self);
 }
 
 /// What stands under a key.

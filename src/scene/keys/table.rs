@@ -37,7 +37,17 @@ pub(in crate::scene) trait Stands: Sized {
         Slot::Apart
     }
 
-    /// The same of a value that may be left out.
+    /// Takes over what differs between two values.
+    fn carry(&mut self, old: &Self, new: &Self)
+    where
+        Self: Clone + PartialEq,
+    {
+        if old != new {
+            self.clone_from(new);
+        }
+    }
+
+    /// The same as [`slot`](Self::slot) of a value that may be left out.
     fn optional_slot(_: &mut Option<Self>) -> Slot<'_> {
         Slot::Apart
     }
@@ -83,6 +93,12 @@ impl<const N: usize> Stands for [f64; N] {
 
     fn slot(&mut self) -> Slot<'_> {
         Slot::Numbers(self)
+    }
+
+    fn carry(&mut self, old: &Self, new: &Self) {
+        for ((own, old), new) in self.iter_mut().zip(old).zip(new) {
+            own.carry(old, new);
+        }
     }
 }
 
@@ -160,6 +176,9 @@ pub(in crate::scene) trait Keyed {
     /// What stands under each of its keys, in the order of the documentation.
     fn stated(&self) -> impl Iterator<Item = (&'static str, Stated<'_>)>;
 
+    /// Each key as it is where the file has none.
+    fn by_default() -> Self;
+
     /// The number under a key, if there is one.
     fn number(&self, key: &str) -> Option<f64> {
         self.stated().find_map(|(name, stated)| match stated {
@@ -192,7 +211,7 @@ macro_rules! table {
 
         impl Default for $Name {
             fn default() -> Self {
-                Self { $( $field: $crate::scene::keys::Stands::by_default($fallback), )+ }
+                $crate::scene::keys::Keyed::by_default()
             }
         }
 
@@ -232,11 +251,19 @@ macro_rules! table {
             fn stated(&self) -> impl Iterator<Item = (&'static str, $crate::scene::keys::Stated<'_>)> {
                 [$( ($key, $crate::scene::keys::Stands::stated(&self.$field)), )+].into_iter()
             }
+
+            fn by_default() -> Self {
+                Self { $( $field: $crate::scene::keys::Stands::by_default($fallback), )+ }
+            }
         }
 
         impl $crate::scene::keys::Editable for $Name {
             fn slots(&mut self) -> Vec<(&'static $crate::scene::keys::Key, $crate::scene::keys::Slot<'_>)> {
                 $KEYS.iter().zip([$( $crate::scene::keys::Stands::slot(&mut self.$field), )+]).collect()
+            }
+
+            fn carry(&mut self, old: &Self, new: &Self) {
+                $( $crate::scene::keys::Stands::carry(&mut self.$field, &old.$field, &new.$field); )+
             }
         }
     };

@@ -63,14 +63,7 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
 
 fn girder(number: usize, x: f64, frequency: f64) -> Girder {
     Girder {
-        name: format!("g{number}"),
-        length: LENGTH,
-        width: 0.07,
-        thickness: 0.02,
-        skew_deg: 90.0,
-        mass: 2.0,
         position: [x, 0.0, 0.0],
-        heading_deg: 0.0,
         bearings: Some(Bearings::Shared(SharedBearings {
             frequency_hz: PerDirection::Both(frequency),
             damping_ratio: PerDirection::Both(0.1),
@@ -79,9 +72,6 @@ fn girder(number: usize, x: f64, frequency: f64) -> Girder {
             at_skewed: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
             at: None,
         })),
-        initial: crate::scene::Initial::default(),
-        push: crate::scene::Push::default(),
-        held: Vec::new(),
-        seat: crate::scene::Seat::default(),
+        ..Girder::straight(format!("g{number}"), [LENGTH, 0.07, 0.02], 2.0)
     }
 }

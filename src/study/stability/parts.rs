@@ -3,9 +3,9 @@
 use super::dice::{Dice, three_digits};
 use crate::geometry::End;
 use crate::scene::{
-    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, Initial, Kind, ModelSettings,
-    Motion, PerDirection, Push, RecordMotion, STANDARD_GRAVITY, Scene, Seat, SharedBearings, Sharing, SineMotion,
-    SolverSettings, Tension, ViewSettings,
+    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, Kind, ModelSettings, Motion,
+    PerDirection, RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, SolverSettings, Tension,
+    ViewSettings,
 };
 
 /// Contact stiffness \[N/m\].
@@ -61,21 +61,9 @@ pub(super) fn girder(dice: &mut Dice) -> Girder {
 
 /// A girder of a given plan and skew.
 pub(super) fn shaped(dice: &mut Dice, [length, width]: [f64; 2], skew_deg: f64) -> Girder {
-    Girder {
-        name: "g0".to_owned(),
-        length,
-        width,
-        thickness: three_digits(length.min(width) * dice.log(0.03, 1.0)),
-        skew_deg,
-        mass: dice.log(MASS[0], MASS[1]),
-        position: [0.0; 3],
-        heading_deg: 0.0,
-        bearings: None,
-        initial: Initial::default(),
-        push: Push::default(),
-        held: Vec::new(),
-        seat: Seat::default(),
-    }
+    let thickness = three_digits(length.min(width) * dice.log(0.03, 1.0));
+    let mass = dice.log(MASS[0], MASS[1]);
+    Girder { skew_deg, ..Girder::straight("g0", [length, width, thickness], mass) }
 }
 
 /// A gap: exactly 0 one time in ten.

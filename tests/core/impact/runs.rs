@@ -3,27 +3,13 @@
 use crate::support::within;
 use girderbench::dynamics::impact2d::State;
 use girderbench::scene::{
-    Abutment, ContactSettings, Direction, Flush, Girder, ImpactSettings, Initial, Kind, Limits, ModelKind,
-    ModelSettings, Motion, Push, Scene, Seat, SolverSettings, ViewSettings,
+    Abutment, ContactSettings, Direction, Flush, Girder, ImpactSettings, Kind, Limits, ModelKind, ModelSettings,
+    Motion, Scene, SolverSettings, ViewSettings,
 };
 use girderbench::sim::History;
 
 fn girder(length: f64, width: f64, skew_deg: f64) -> Girder {
-    Girder {
-        name: "deck".to_owned(),
-        length,
-        width,
-        thickness: 1.0,
-        skew_deg,
-        mass: 2.0,
-        position: [0.0; 3],
-        heading_deg: 0.0,
-        bearings: None,
-        initial: Initial::default(),
-        push: Push::default(),
-        held: Vec::new(),
-        seat: Seat::default(),
-    }
+    Girder { skew_deg, ..Girder::straight("deck", [length, width, 1.0], 2.0) }
 }
 
 fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Scene {
