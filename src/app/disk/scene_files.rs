@@ -63,9 +63,10 @@ impl SceneFiles {
     /// # Errors
     /// As [`Document::open`].
     pub(in crate::app) fn take_up(&mut self, scene: Scene, source: SceneSource) -> Result<bool, EditError> {
-        let opened = self.document.open(scene, source.clone());
-        if let Some(file) = source.file() {
-            self.session.opened(file, self.document.scene());
+        let file = source.file().map(Path::to_owned);
+        let opened = self.document.open(scene, source);
+        if let Some(file) = file {
+            self.session.opened(&file, self.document.scene());
         }
         opened.map(|()| true)
     }

@@ -41,12 +41,15 @@ pub(in crate::app) fn unit_of(place: &str, now: f64, size: Size) -> Unit {
 
 /// What a name ends in tells its unit; of two endings that fit the longer counts.
 fn by_ending(name: &str, key: &Key, now: f64, size: Size) -> Option<Unit> {
-    let fits = |(ending, _): &&(&str, fn(&Key, f64, Size) -> Unit)| name.ends_with(ending);
+    let fits = |(ending, _): &&(&str, UnitOf)| name.ends_with(ending);
     let (_, shown) = ENDINGS.iter().filter(fits).max_by_key(|(ending, _)| ending.len())?;
     Some(shown(key, now, size))
 }
 
-const ENDINGS: &[(&str, fn(&Key, f64, Size) -> Unit)] = &[
+/// The unit of a key with this present value in a scene of this size.
+type UnitOf = fn(&Key, f64, Size) -> Unit;
+
+const ENDINGS: &[(&str, UnitOf)] = &[
     ("_m", |_, _, size| length_unit(size.length)),
     ("_m2", |_, now, _| area_unit(now)),
     ("_deg", |_, _, _| DEGREES),
