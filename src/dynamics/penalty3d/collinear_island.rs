@@ -1,20 +1,20 @@
-//! An island on one axis: bodies that move along the axis and touch flush across it, without sliding and rotation.
+//! The collinear kind of island: bodies that move along the axis and touch flush across it, without sliding and rotation.
 //! The contacts of two faces act as one, and the motion of a body is that of one coordinate.
 //!
 //! `m ẍ + c ẋ + k x = Σ ±N(δ, δ̇) − m Ẍ` with the sum of a face's normal forces (`docs/physics.md#plane-motion`,
 //! `docs/physics.md#linear-spring-and-dashpot`). The reduction is exact under these conditions: bearings and ground
 //! motion act along the axis, faces are square to it, the levers across it cancel, and the other components of the
-//! state are 0, which they then remain to the last bit. Otherwise the full equations are used.
+//! state are 0, which they then remain to the last bit.
 
 use glam::DVec3;
 
 use crate::contact::{Frame, FrictionLaw, Measured, Mode, Normal, NormalLaw, measure};
 use crate::dynamics::Model;
 use crate::dynamics::model::coordinates::planar;
-use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::LEVEL_ROUNDING;
+use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 
 /// Two sides in flush contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,16 +52,11 @@ struct Touch {
 }
 
 impl CollinearIsland {
-    /// Collinear island of bodies with these closed contacts; `None` where a condition on bodies, bearings, ground or
-    /// faces fails.
-    pub(in crate::dynamics) fn of(
-        model: &Model,
-        bodies: &[usize],
-        layout: &StateLayout,
-        bases: &[ReferencePose],
-        active: &[ActiveContact],
-    ) -> Option<Self> {
-        if active.is_empty() {
+    /// Collinear island of these bodies and closed contacts; `None` where a condition on bodies, bearings, ground or
+    /// faces fails, or a device acts.
+    pub(in crate::dynamics) fn of(model: &Model, system: &CoupledSystem) -> Option<Self> {
+        let CoupledSystem { bodies, layout, bases, active, links, .. } = system;
+        if active.is_empty() || !links.is_empty() {
             return None;
         }
         let components = |axis: usize| -> Option<Vec<[usize; 2]>> {
@@ -117,11 +112,10 @@ impl CollinearIsland {
 
     /// Derivative of a state that satisfies the conditions.
     #[inline]
-    pub(in crate::dynamics) fn slope(
+    pub(in crate::dynamics) fn rates(
         &self,
         model: &Model,
-        bodies: &[usize],
-        bases: &[ReferencePose],
+        system: &CoupledSystem,
         ground: DVec3,
         y: &[f64],
         out: &mut [f64],
@@ -140,9 +134,9 @@ impl CollinearIsland {
                 }
             }
         }
-        for (i, &body) in bodies.iter().enumerate() {
+        for (i, &body) in system.bodies.iter().enumerate() {
             let (body, [at, rate]) = (&model.bodies[body], self.components[i]);
-            let (place, speed) = (bases[i].planar()[axis] + y[at], y[rate]);
+            let (place, speed) = (system.bases[i].planar()[axis] + y[at], y[rate]);
             let bearings = body.planar.stiffness.col(axis)[axis] * place + body.planar.damping.col(axis)[axis] * speed;
             let force = out[rate] + body.push[axis] - bearings;
             let rates = [speed, force / body.mass - ground[axis]];
@@ -204,11 +198,11 @@ mod tests {
     use super::*;
     use crate::contact::Law;
     use crate::contact::normal::Linear;
-    use crate::dynamics::integrator::system::System;
     use crate::dynamics::model::coordinates::planar::WIDTH;
+    use crate::dynamics::model::coordinates::state_layout::StateLayout;
     use crate::dynamics::penalty3d::contact_state::ClosedContact;
-    use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
-    use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
+    use crate::dynamics::penalty3d::equations_of_motion::Workspace;
+    use crate::dynamics::penalty3d::general_island;
     use crate::dynamics::{Body, ContactSite};
     use crate::scene::{Motion, Scene, presets};
 
@@ -256,61 +250,46 @@ mod tests {
         sine.angle_deg = degrees;
     }
 
-    fn bases(model: &Model) -> Vec<ReferencePose> {
-        model.bodies.iter().map(Body::placed).collect()
-    }
-
     fn layout(model: &Model) -> StateLayout {
         StateLayout::of(model.bodies.iter())
     }
 
+    fn system(model: &Model, active: &[ActiveContact]) -> CoupledSystem {
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        let bases = model.bodies.iter().map(Body::placed).collect();
+        CoupledSystem::without_rates((bodies, layout(model), bases), active.to_vec(), Vec::new(), Vec::new())
+    }
+
     /// The collinear island of all bodies of a model.
     fn line(model: &Model, active: &[ActiveContact]) -> Option<CollinearIsland> {
-        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        CollinearIsland::of(model, &bodies, &layout(model), &bases(model), active)
+        CollinearIsland::of(model, &system(model, active))
     }
 
     fn frame(model: &Model, body: Option<usize>, site: usize) -> Frame {
         body.map_or(model.contacts[site].stand, |body| model.bodies[body].planar_frame(&[0.0; WIDTH]))
     }
 
-    fn slopes(model: &Model, active: &[ActiveContact], line: Option<&CollinearIsland>, y: &[f64]) -> Vec<f64> {
-        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
-        let mut out = vec![9.0; y.len()];
-        let parts = (bodies, layout(model), bases(model));
-        let system = CoupledSystem::without_rates(parts, active.to_vec(), Vec::new(), Vec::new());
-        let mut field = EquationsOfMotion {
-            model,
-            system: &system,
-            piece: model.ground.piece(model.ground.piece_number(0.3)),
-            scale: ErrorScale::default(),
-            angles: &[],
-            line,
-            workspace: &mut Workspace::of(active),
-        };
-        field.slope(0.3, y, &mut out);
-        out
-    }
-
     #[test]
     fn in_line_the_rates_are_those_of_the_plan() {
         let scene = straight_row();
         let (model, active) = pressed(&scene);
-        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
         let line = line(&model, &active).expect("a straight row");
-        let mut y = vec![0.0; WIDTH * bodies.len()];
+        let mut y = vec![0.0; WIDTH * model.bodies.len()];
         for (i, state) in y.chunks_exact_mut(WIDTH).enumerate() {
             (state[0], state[3]) = (1e-3 * (1.7 * i as f64).sin(), 0.2 * (2.9 * i as f64).cos());
         }
-        let (short, whole) = (slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y));
+        assert!(line.holds(&y), "all else is 0");
+        let (system, ground) = (system(&model, &active), model.ground.acceleration(0.3));
+        let (mut short, mut whole) = (vec![9.0; y.len()], vec![9.0; y.len()]);
+        line.rates(&model, &system, ground, &y, &mut short);
+        general_island::rates(&model, &system, ground, &y, &mut Workspace::of(&active), &mut whole);
         let largest = whole.iter().fold(0.0f64, |most, rate| most.max(rate.abs()));
         for (i, (a, b)) in short.iter().zip(&whole).enumerate() {
             // The order of summation differs.
             assert!((a - b).abs() <= 1e-13 * largest, "component {i}: {a} against {b}");
         }
-        // A state off the axis takes the full equations.
         y[2] = 1e-9;
-        assert_eq!(slopes(&model, &active, Some(&line), &y), slopes(&model, &active, None, &y), "turned");
+        assert!(!line.holds(&y), "turned");
     }
 
     #[test]

@@ -3,21 +3,18 @@
 
 use std::ops::Range;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
-use crate::contact::{Forces, Frame, Local, Mode};
+use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
-use crate::dynamics::model::body::{Counted, Point};
+use crate::dynamics::model::body::Point;
 use crate::dynamics::model::wrench::Wrench;
-use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
-use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
-use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_force;
-use crate::dynamics::penalty3d::contact_force::Action;
 use crate::dynamics::penalty3d::contact_rates::quickest;
-use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
+use crate::dynamics::penalty3d::sliding::Sliding;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -45,8 +42,6 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub scale: ErrorScale,
     /// Allowed error of each slip angle \[rad\].
     pub angles: &'a [f64],
-    /// The collinear island, where the conditions on bodies and contacts hold.
-    pub line: Option<&'a CollinearIsland>,
     /// Workspace.
     pub workspace: &'a mut Workspace,
 }
@@ -75,76 +70,7 @@ impl Workspace {
         self.frames.clear();
         self.wrenches.clear();
         self.rates.clear();
-        self.sliding.channels.clear();
-    }
-}
-
-/// Linearisation of contacts that slide in two directions, for implicit steps.
-#[derive(Debug, Default)]
-pub(in crate::dynamics) struct Sliding {
-    /// Indices of those contacts among the closed ones.
-    pub sliders: Vec<usize>,
-    /// Derivatives of their friction by `V_t`, as rank-one terms.
-    channels: Vec<RankOneTerm>,
-    /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
-    against: Vec<DVec2>,
-    /// Whether each closed contact slid without friction at the linearisation, within round-off in front of its face.
-    loose: Vec<bool>,
-    /// Whether directions and absence of friction are held at those of the linearisation.
-    held: bool,
-}
-
-impl Sliding {
-    /// Contacts of `active` that slide in two directions.
-    pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
-        let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
-        let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
-        Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
-    }
-}
-
-impl Sliding {
-    /// Rank-one term of a slip whose angle is component `follower` of the auxiliary states: `V_t` turns the angle,
-    /// the angle turns the force.
-    fn follows(
-        &mut self,
-        [slider, follower]: [usize; 2],
-        closed: &ClosedContact,
-        direction: DVec2,
-        action: &Action,
-        length: f64,
-    ) {
-        let turned = Mode::Slip {
-            direction: (direction + direction.perp() * ANGLE_DIFFERENCE)
-                / (1.0 + ANGLE_DIFFERENCE * ANGLE_DIFFERENCE).sqrt(),
-        };
-        let turned = closed.forces_in(&turned, &action.here);
-        let force = (turned.tangential_total() - action.forces.tangential_total()) / ANGLE_DIFFERENCE;
-        self.channels.push(RankOneTerm {
-            port: slider,
-            input: force,
-            output: direction.perp() / length,
-            auxiliary: Some(follower),
-        });
-    }
-
-    /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
-    /// `v_stick`.
-    fn turns(&mut self, slider: usize, closed: &ClosedContact, here: &Local, forces: &Forces) {
-        let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
-        let against = forces.sliding / speed.max(least);
-        let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
-        let across = along.perp();
-        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
-        let slowing = if speed < least { -friction / least } else { 0.0 };
-        self.against[slider] = against;
-        self.channels.push(RankOneTerm {
-            port: slider,
-            input: across * (-friction / speed.max(least)),
-            output: across,
-            auxiliary: None,
-        });
-        self.channels.push(RankOneTerm { port: slider, input: along * slowing, output: along, auxiliary: None });
+        self.sliding.clear();
     }
 }
 
@@ -157,87 +83,13 @@ impl EquationsOfMotion<'_> {
             other => other.acceleration(t),
         }
     }
-
-    fn contacts(&mut self, y: &[f64], out: &mut [f64]) {
-        let mut slider = 0;
-        for (number, active) in self.system.active.iter().enumerate() {
-            let site = &self.model.contacts[active.site];
-            let node = active.node.map_or(&site.stand, |_| &self.workspace.frames[active.sections[0]]);
-            let face = active.face.map_or(&site.stand, |_| &self.workspace.frames[active.sections[1]]);
-            let at_once = active.turns_at_once();
-            let mut mode = active.angle.map_or(active.closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
-            // A copy only where the sliding is frozen: a contact is evaluated some ten times a step.
-            let mut held;
-            let mut closed = &active.closed;
-            if self.workspace.sliding.held {
-                held = active.closed;
-                if at_once {
-                    mode = Mode::Slip { direction: self.workspace.sliding.against[slider] };
-                    held.law.v_stick = 0.0;
-                }
-                // Friction in front of the face is held as it was: a difference quotient across the face would be
-                // that of neither side.
-                held.solver.at_face = false;
-                if self.workspace.sliding.loose[number] {
-                    held.law.mu_k = 0.0;
-                }
-                closed = &held;
-            }
-            let action = contact_force::act_in(&active.home, closed, &mode, node, face);
-            if !self.workspace.sliding.held {
-                self.workspace.sliding.loose[number] = closed.is_loose(&action.here);
-            }
-            if active.node.is_some() {
-                self.workspace.wrenches[active.sections[0]].push(action.force, action.node_arm);
-            }
-            if active.face.is_some() {
-                self.workspace.wrenches[active.sections[1]].push(-action.force, action.face_arm);
-            }
-            if let (Some(at), Mode::Slip { direction }) = (active.angle, mode) {
-                let length = closed.law.slip_stretch(&action.here) + closed.solver.regularisation;
-                out[at] = direction.perp_dot(action.here.rate) / length;
-                self.workspace.rates.push(-direction.dot(action.here.rate) / length);
-                self.workspace.sliding.follows(
-                    [slider, self.workspace.rates.len() - 1],
-                    closed,
-                    direction,
-                    &action,
-                    length,
-                );
-                slider += 1;
-            } else if at_once {
-                if !self.workspace.sliding.held {
-                    self.workspace.sliding.turns(slider, closed, &action.here, &action.forces);
-                }
-                slider += 1;
-            }
-        }
-    }
 }
 
 impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
-        let (model, system) = (self.model, self.system);
         self.workspace.clear();
-        if let Some(line) = self.line.filter(|line| line.holds(y)) {
-            line.slope(model, &system.bodies, &system.bases, self.ground(t), y, out);
-            return;
-        }
-        for (i, &body) in system.bodies.iter().enumerate() {
-            model.bodies[body].push_frames(&y[system.layout.range(i)], &mut self.workspace.frames);
-        }
-        self.workspace.wrenches.resize(self.workspace.frames.len(), Wrench::default());
-        self.contacts(y, out);
-        for link in &system.links {
-            link.push(model, &system.bases, &self.workspace.frames, &mut self.workspace.wrenches);
-        }
         let ground = self.ground(t);
-        for (i, &body) in system.bodies.iter().enumerate() {
-            let (part, sections) = (system.layout.range(i), system.layout.sections(i));
-            let frames = &self.workspace.frames[sections.clone()];
-            let now = Counted { base: &system.bases[i], frames, state: &y[part.clone()] };
-            model.bodies[body].slope(now, &self.workspace.wrenches[sections], ground, &mut out[part]);
-        }
+        self.system.kind.rates(self.model, self.system, ground, y, self.workspace, out);
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
@@ -288,11 +140,11 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn rank_one_terms(&self) -> &[RankOneTerm] {
-        &self.workspace.sliding.channels
+        self.workspace.sliding.terms()
     }
 
     fn freeze(&mut self, held: bool) {
-        self.workspace.sliding.held = held;
+        self.workspace.sliding.hold(held);
     }
 
     fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
@@ -332,4 +184,38 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+    use crate::dynamics::Body;
+    use crate::dynamics::model::coordinates::planar::WIDTH;
+    use crate::dynamics::model::coordinates::state_layout::StateLayout;
+    use crate::dynamics::model::reference_pose::ReferencePose;
+    use crate::dynamics::penalty3d::example::{closed, stick, wall};
+
+    /// Squared norm of an error.
+    fn size2(model: &Model, active: &[ActiveContact], error: &[f64], scale: ErrorScale) -> f64 {
+        let bodies: Vec<usize> = (0..model.bodies.len()).collect();
+        let bases: Vec<ReferencePose> = model.bodies.iter().map(Body::placed).collect();
+        let layout = StateLayout::of(model.bodies.iter());
+        let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
+        let equations = EquationsOfMotion {
+            model,
+            system: &system,
+            piece: model.ground.piece(model.ground.piece_number(0.0)),
+            scale,
+            angles: &[],
+            workspace: &mut Workspace::of(active),
+        };
+        equations.size2(error)
+    }
+
+    #[test]
+    fn an_error_of_the_allowed_speed_has_norm_one() {
+        let (model, active) = closed(&wall(), stick);
+        let scale = ErrorScale { speed: 1e-6, omega: 500.0, place: 1.0 };
+        let norm = |y: [f64; WIDTH]| size2(&model, &active, &y, scale);
+        assert!((norm([0.0, 0.0, 0.0, 1e-6, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of velocity");
+        assert!((norm([0.0, 1e-6 / 500.0, 0.0, 0.0, 0.0, 0.0]) - 1.0).abs() < 1e-14, "of position, by ω");
+        assert!(norm([f64::NAN; WIDTH]).is_nan(), "NaN is not hidden");
+    }
+}

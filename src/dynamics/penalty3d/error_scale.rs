@@ -48,10 +48,8 @@ impl Island {
         if !self.is_free() {
             speed2 = 0.0;
         }
-        for (number, active) in self.system.active.iter().enumerate() {
-            if self.first_like(number) != number {
-                continue;
-            }
+        for number in self.system.distinct_contacts() {
+            let active = &self.system.active[number];
             let here = active.look(model, &self.workspace.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));
             if let Mode::Stick { anchor } = active.closed.mode {

@@ -9,7 +9,6 @@ use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::{ActiveContact, direction};
 use crate::dynamics::penalty3d::active_link::ActiveLink;
-use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::constants::{FIRST_PHASE, SMALLEST_PHASE};
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
@@ -56,9 +55,6 @@ pub(in crate::dynamics) struct Island {
     pub(in crate::dynamics) moved: Vec<f64>,
     pub(super) workspace: Workspace,
     pub(in crate::dynamics) angles: Vec<f64>,
-    line: Option<CollinearIsland>,
-    /// Whether the present state is on that axis.
-    in_line: bool,
 }
 
 /// A step shorter than the smallest that is followed.
@@ -107,13 +103,10 @@ impl Island {
             stepper: StepController::new(y.len(), pace),
             y,
             angles: Vec::new(),
-            line: None,
-            in_line: false,
         };
         if island.is_free() {
             island.stepper.expect_no_noise();
         }
-        island.find_line(model);
         island.rewind(model, t);
         island
     }
@@ -148,7 +141,6 @@ impl Island {
             piece,
             scale,
             angles: &self.angles,
-            line: self.line.as_ref(),
             workspace: &mut self.workspace,
         }
     }
@@ -197,40 +189,6 @@ impl Island {
     /// Whether no connection acts on its bodies but their bearings.
     pub(in crate::dynamics) fn is_free(&self) -> bool {
         self.system.active.is_empty() && self.system.links.is_empty()
-    }
-
-    /// Finds the axis along which its bodies move, if there is one.
-    fn find_line(&mut self, model: &Model) {
-        let contacts_alone = self.system.links.is_empty();
-        let line = contacts_alone.then(|| {
-            CollinearIsland::of(
-                model,
-                &self.system.bodies,
-                &self.system.layout,
-                &self.system.bases,
-                &self.system.active,
-            )
-        });
-        self.line = line.flatten();
-        self.in_line = self.line.as_ref().is_some_and(|line| line.holds(&self.y));
-    }
-
-    /// Whether its bodies move along one axis, without sliding and rotation.
-    pub(in crate::dynamics) fn is_in_line(&self) -> bool {
-        self.in_line
-    }
-
-    /// The first of the contacts whose penetration equals that of this one at all times.
-    pub(in crate::dynamics) fn first_like(&self, contact: usize) -> usize {
-        self.line.as_ref().filter(|_| self.in_line).map_or(contact, |line| line.first(contact))
-    }
-
-    /// On one axis: the dense output of the planned step, the components of position and velocity of a body along the
-    /// axis in it, and the coordinate of the body's reference pose \[m\]. `None` off the axis.
-    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
-        let line = self.line.as_ref().filter(|line| self.in_line && line.axis() == axis)?;
-        let base = self.system.bases[index].planar()[axis];
-        self.dense.as_ref().map(|dense| (dense, line.components(index), base))
     }
 
     /// State of a contact with its slip direction at `t`.

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::penalty3d::island::Island;
@@ -57,6 +58,13 @@ impl Island {
             }
         }
         frames
+    }
+
+    /// The motion of a body along `axis`, where it is its only one: the dense output of the planned step, the components of
+    /// position and velocity in it, and the coordinate of the body's reference pose \[m\]; `None` otherwise.
+    pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
+        let components = self.system.kind.components(index, axis)?;
+        self.dense.as_ref().map(|dense| (dense, components, self.system.bases[index].planar()[axis]))
     }
 
     /// Components in the island's vector of the components `own` of a body's state.

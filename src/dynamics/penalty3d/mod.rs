@@ -13,10 +13,13 @@ pub(in crate::dynamics) mod due;
 pub(in crate::dynamics) mod equations_of_motion;
 pub(in crate::dynamics) mod error_scale;
 pub(in crate::dynamics) mod event_location;
+pub(in crate::dynamics) mod general_island;
 pub(in crate::dynamics) mod island;
+pub(in crate::dynamics) mod island_kind;
 pub(in crate::dynamics) mod island_poses;
 pub(in crate::dynamics) mod island_retake;
 pub(in crate::dynamics) mod link_events;
+pub(in crate::dynamics) mod sliding;
 
 #[cfg(test)]
 pub(in crate::dynamics) mod example;

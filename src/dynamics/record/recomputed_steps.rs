@@ -13,7 +13,6 @@ use crate::dynamics::model::coordinates::planar::{PlanarState, WIDTH};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
-use crate::dynamics::penalty3d::collinear_island::CollinearIsland;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
 use crate::dynamics::penalty3d::island::normalise;
@@ -198,8 +197,8 @@ impl Replay {
                 self.starts.read(start + i, state);
             }
         }
-        let line = CollinearIsland::of(past.model, &bodies, &layout, &bases, &active);
-        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new());
+        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new())
+            .with_kind(past.model, &y);
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
             model: past.model,
@@ -207,7 +206,6 @@ impl Replay {
             piece,
             scale: ErrorScale::default(),
             angles: &[],
-            line: line.as_ref(),
             workspace: &mut Workspace::of(&system.active),
         };
         let dense = again(&mut field, from, &mut y, length);

@@ -1,0 +1,211 @@
+//! Contacts that slide in two directions, linearised for implicit steps: the derivatives of their friction by `V_t` as
+//! rank-one terms, and the directions that difference quotients hold, which are then those of all other terms.
+
+use glam::DVec2;
+
+use crate::contact::{Forces, Local, Mode};
+use crate::dynamics::integrator::system::RankOneTerm;
+use crate::dynamics::penalty3d::active_contact::ActiveContact;
+use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
+use crate::dynamics::penalty3d::contact_force::Action;
+use crate::dynamics::penalty3d::contact_state::ClosedContact;
+
+/// Linearisation of contacts that slide in two directions, for implicit steps.
+#[derive(Debug, Default)]
+pub(in crate::dynamics) struct Sliding {
+    /// Indices of those contacts among the closed ones.
+    pub sliders: Vec<usize>,
+    /// Derivatives of their friction by `V_t`, as rank-one terms.
+    terms: Vec<RankOneTerm>,
+    /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
+    against: Vec<DVec2>,
+    /// Whether each closed contact slid without friction at the linearisation, within round-off in front of its face.
+    loose: Vec<bool>,
+    /// Whether directions and absence of friction are held at those of the linearisation.
+    held: bool,
+}
+
+impl Sliding {
+    /// Contacts of `active` that slide in two directions.
+    pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
+        let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
+        let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
+        Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
+    }
+
+    /// Forgets the terms of the last evaluation.
+    pub(in crate::dynamics) fn clear(&mut self) {
+        self.terms.clear();
+    }
+
+    /// The rank-one terms of the last evaluation, contact by contact.
+    pub(in crate::dynamics) fn terms(&self) -> &[RankOneTerm] {
+        &self.terms
+    }
+
+    /// Holds directions and absence of friction at those of the last evaluation, or follows the state again.
+    pub(in crate::dynamics) fn hold(&mut self, held: bool) {
+        self.held = held;
+    }
+
+    /// Contact `number` as it is held while difference quotients are formed; `None` while it follows the state. `slider`
+    /// is its number among those that slide in two directions, if it is one.
+    ///
+    /// Friction in front of the face is held as it was: a difference quotient across the face would be that of neither
+    /// side.
+    #[inline]
+    pub(in crate::dynamics) fn held(
+        &self,
+        number: usize,
+        slider: usize,
+        active: &ActiveContact,
+    ) -> Option<ClosedContact> {
+        self.held.then(|| {
+            let mut held = active.closed;
+            if active.turns_at_once() {
+                held.mode = Mode::Slip { direction: self.against[slider] };
+                held.law.v_stick = 0.0;
+            }
+            held.solver.at_face = false;
+            if self.loose[number] {
+                held.law.mu_k = 0.0;
+            }
+            held
+        })
+    }
+
+    /// Enters contact `number` at the linearisation: whether it slides without friction.
+    #[inline]
+    pub(in crate::dynamics) fn note(&mut self, number: usize, loose: bool) {
+        self.loose[number] = loose;
+    }
+
+    /// Rank-one term of a slip whose angle is component `follower` of the auxiliary states: `V_t` turns the angle,
+    /// the angle turns the force.
+    pub(in crate::dynamics) fn follows(
+        &mut self,
+        [slider, follower]: [usize; 2],
+        closed: &ClosedContact,
+        direction: DVec2,
+        action: &Action,
+        length: f64,
+    ) {
+        let turned = Mode::Slip {
+            direction: (direction + direction.perp() * ANGLE_DIFFERENCE)
+                / (1.0 + ANGLE_DIFFERENCE * ANGLE_DIFFERENCE).sqrt(),
+        };
+        let turned = closed.forces_in(&turned, &action.here);
+        let force = (turned.tangential_total() - action.forces.tangential_total()) / ANGLE_DIFFERENCE;
+        self.terms.push(RankOneTerm {
+            port: slider,
+            input: force,
+            output: direction.perp() / length,
+            auxiliary: Some(follower),
+        });
+    }
+
+    /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
+    /// `v_stick`.
+    pub(in crate::dynamics) fn turns(&mut self, slider: usize, closed: &ClosedContact, here: &Local, forces: &Forces) {
+        let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
+        let against = forces.sliding / speed.max(least);
+        let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
+        let across = along.perp();
+        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
+        let slowing = if speed < least { -friction / least } else { 0.0 };
+        self.against[slider] = against;
+        self.terms.push(RankOneTerm {
+            port: slider,
+            input: across * (-friction / speed.max(least)),
+            output: across,
+            auxiliary: None,
+        });
+        self.terms.push(RankOneTerm { port: slider, input: along * slowing, output: along, auxiliary: None });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    use crate::contact::normal::Linear;
+    use crate::contact::{FrictionLaw, Law, Normal};
+    use crate::dynamics::penalty3d::active_contact::direction;
+    use crate::dynamics::penalty3d::example::{closed, wall};
+
+    fn slider(friction: FrictionLaw, direction: DVec2) -> ClosedContact {
+        let normal = Normal::Linear(Linear { k: 1e5, c: 20.0 });
+        let law = Law { normal, k_t: 1e5, c_t: 5.0, mu_s: 0.3, mu_k: 0.2, friction, clamp: false, v_stick: 1e-2 };
+        let regularisation = if friction == FrictionLaw::Paper { 0.0 } else { 1e-6 };
+        ClosedContact::new(law, Mode::Slip { direction }, regularisation)
+    }
+
+    fn pressed(rate: DVec2) -> Local {
+        Local { gap: -1e-3, gap_rate: 0.0, at: DVec2::ZERO, way: DVec2::ZERO, rate, spin: DVec3::ZERO }
+    }
+
+    #[test]
+    fn the_papers_friction_has_the_derivative_of_its_rank_one_terms() {
+        let closed = slider(FrictionLaw::Paper, DVec2::X);
+        for rate in [DVec2::new(0.03, 0.04), DVec2::new(0.003, -0.002)] {
+            let here = pressed(rate);
+            let mut sliding = Sliding { against: vec![DVec2::X], ..Sliding::default() };
+            sliding.turns(0, &closed, &here, &closed.forces(&here));
+            let h = 1e-7;
+            for change in [DVec2::X, DVec2::Y] {
+                let force = |h: f64| closed.forces(&pressed(rate + change * h)).tangential_total();
+                let difference = (force(h) - force(-h)) / (2.0 * h);
+                let terms: DVec2 = sliding.terms.iter().map(|term| term.input * term.output.dot(change)).sum();
+                assert!((difference - terms).length() < 1e-6 * (1.0 + terms.length()), "{difference} is not {terms}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_slip_angle_has_the_derivative_of_its_rank_one_term() {
+        let (angle, rate) = (0.3, DVec2::new(0.05, 0.02));
+        let (closed, here) = (slider(FrictionLaw::ReturnMapping, direction(angle)), pressed(rate));
+        let forces = closed.forces(&here);
+        let action = Action { here, forces, force: DVec3::ZERO, node_arm: DVec3::ZERO, face_arm: DVec3::ZERO };
+        let length = closed.law.slip_stretch(&here) + closed.solver.regularisation;
+        let mut sliding = Sliding::default();
+        sliding.follows([0, 0], &closed, direction(angle), &action, length);
+        let term = sliding.terms[0];
+        let force =
+            |angle: f64| closed.forces_in(&Mode::Slip { direction: direction(angle) }, &here).tangential_total();
+        let difference = (force(angle + 1e-4) - force(angle - 1e-4)) / 2e-4;
+        assert!((difference - term.input).length() < 1e-5 * term.input.length(), "{difference} is not {}", term.input);
+        let turning = |rate: DVec2| direction(angle).perp_dot(rate) / length;
+        let by_rate = DVec2::new(turning(DVec2::X), turning(DVec2::Y));
+        assert!((by_rate - term.output).length() < 1e-12 * by_rate.length(), "{by_rate} is not {}", term.output);
+    }
+
+    #[test]
+    fn what_difference_quotients_hold_is_the_direction_and_the_friction_of_the_linearisation() {
+        let sliding_along_x = slider(FrictionLaw::Paper, DVec2::X);
+        let (_, mut active) = closed(&wall(), |_| sliding_along_x.mode);
+        for contact in &mut active {
+            contact.closed = sliding_along_x;
+            contact.closed.solver.at_face = true;
+        }
+        let mut sliding = Sliding::of(&active);
+        assert_eq!(sliding.sliders, [0, 1], "both nodes slide in two directions");
+        assert_eq!(sliding.held(0, 0, &active[0]), None, "it follows the state");
+        let rate = DVec2::new(0.0, 0.05);
+        for (number, loose) in [false, true].into_iter().enumerate() {
+            let here = pressed(rate);
+            sliding.turns(number, &active[number].closed, &here, &active[number].closed.forces(&here));
+            sliding.note(number, loose);
+        }
+        sliding.hold(true);
+        // Other velocity, same friction: that along Y at the linearisation.
+        let elsewhere = pressed(DVec2::new(0.05, 0.0));
+        let [held, loose] = [0, 1].map(|i| sliding.held(i, i, &active[i]).expect("held"));
+        let friction = held.forces(&elsewhere).tangential;
+        assert!(friction.y < 0.0 && friction.x.abs() < 1e-12 * friction.y.abs(), "against Y: {friction} N");
+        assert_eq!(loose.forces(&elsewhere).tangential, DVec2::ZERO, "without friction");
+        sliding.hold(false);
+        assert_eq!(sliding.held(0, 0, &active[0]), None, "it follows the state again");
+    }
+}
