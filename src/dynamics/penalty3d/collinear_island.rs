@@ -201,8 +201,8 @@ mod tests {
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::model::coordinates::state_layout::StateLayout;
     use crate::dynamics::penalty3d::contact_state::ClosedContact;
-    use crate::dynamics::penalty3d::equations_of_motion::Workspace;
     use crate::dynamics::penalty3d::general_island;
+    use crate::dynamics::penalty3d::workspace::Workspace;
     use crate::dynamics::{Body, ContactSite};
     use crate::scene::{Motion, Scene, presets};
 

@@ -6,7 +6,6 @@ use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::contact_rates::{decay, fastest, quickest};
-use crate::dynamics::penalty3d::island_kind::IslandKind;
 
 /// Bodies joined by connections, with bounds on the rates of the connections.
 #[derive(Debug)]
@@ -23,8 +22,6 @@ pub(in crate::dynamics) struct CoupledSystem {
     pub links: Vec<ActiveLink>,
     /// Largest distance of a corner from G, per body \[m\].
     pub radii: Vec<f64>,
-    /// Its equations of motion, and which of its contacts have one motion.
-    pub kind: IslandKind,
     /// Upper bound of the circular frequency of a connection or a bearing \[rad/s\].
     pub omega: f64,
     /// Largest decay rate of the dashpot of a single connection \[1/s\].
@@ -64,34 +61,16 @@ impl CoupledSystem {
             quickest: quickest(model, &active, &links),
             ..Self::without_rates((bodies, layout, bases), active, links, radii)
         }
-        .with_kind(model, y)
     }
 
-    /// The general kind without bounds on rates, which a step of known length does not need.
+    /// Without bounds on rates, which a step of known length does not need.
     pub(in crate::dynamics) fn without_rates(
         (bodies, layout, bases): (Vec<usize>, StateLayout, Vec<ReferencePose>),
         active: Vec<ActiveContact>,
         links: Vec<ActiveLink>,
         radii: Vec<f64>,
     ) -> Self {
-        let kind = IslandKind::General;
-        Self { bodies, layout, bases, active, links, radii, kind, omega: 0.0, quickest: 0.0, decay: None }
-    }
-
-    /// Of the kind that follows from its bodies, its connections and the state `y` at its start.
-    pub(in crate::dynamics) fn with_kind(mut self, model: &Model, y: &[f64]) -> Self {
-        self.kind = IslandKind::of(model, &self, y);
-        self
-    }
-
-    /// Numbers of the closed contacts with different motions: of those with one motion, the first.
-    pub(in crate::dynamics) fn distinct_contacts(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.active.len()).filter(|&contact| self.kind.representative(contact) == contact)
-    }
-
-    /// Numbers of the other contacts that one of the [`distinct_contacts`](Self::distinct_contacts) represents.
-    pub(in crate::dynamics) fn represented_by(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
-        (contact + 1..self.active.len()).filter(move |&other| self.kind.representative(other) == contact)
+        Self { bodies, layout, bases, active, links, radii, omega: 0.0, quickest: 0.0, decay: None }
     }
 
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.

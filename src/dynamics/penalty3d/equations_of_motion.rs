@@ -5,16 +5,14 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::contact::Frame;
 use crate::dynamics::Model;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Point;
-use crate::dynamics::model::wrench::Wrench;
-use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_rates::quickest;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
-use crate::dynamics::penalty3d::sliding::Sliding;
+use crate::dynamics::penalty3d::island_kind::IslandKind;
+use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::motion::{Ground, LinearPiece};
 use crate::scene::Kind;
 
@@ -36,6 +34,8 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub model: &'a Model,
     /// Bodies and the connections that act on them.
     pub system: &'a CoupledSystem,
+    /// Kind of the island that they form.
+    pub kind: &'a IslandKind,
     /// Interval of the ground motion that contains the step.
     pub piece: LinearPiece,
     /// Error scale.
@@ -44,34 +44,6 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub angles: &'a [f64],
     /// Workspace.
     pub workspace: &'a mut Workspace,
-}
-
-/// Workspace of an evaluation of the equations of motion.
-#[derive(Debug, Default)]
-pub(in crate::dynamics) struct Workspace {
-    /// Poses of the sections of the bodies relative to their reference poses.
-    pub frames: Vec<Frame>,
-    /// Wrenches on the sections of the bodies.
-    pub wrenches: Vec<Wrench>,
-    /// Derivative of the rate of each slip angle by the angle \[1/s\], negative.
-    pub rates: Vec<f64>,
-    /// Contacts that slide in two directions.
-    pub sliding: Sliding,
-}
-
-impl Workspace {
-    /// For these closed contacts.
-    pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
-        Self { sliding: Sliding::of(active), ..Self::default() }
-    }
-
-    /// Forgets the last evaluation.
-    fn clear(&mut self) {
-        self.frames.clear();
-        self.wrenches.clear();
-        self.rates.clear();
-        self.sliding.clear();
-    }
 }
 
 impl EquationsOfMotion<'_> {
@@ -89,7 +61,7 @@ impl System for EquationsOfMotion<'_> {
     fn slope(&mut self, t: f64, y: &[f64], out: &mut [f64]) {
         self.workspace.clear();
         let ground = self.ground(t);
-        self.system.kind.rates(self.model, self.system, ground, y, self.workspace, out);
+        self.kind.rates(self.model, self.system, ground, y, self.workspace, out);
     }
 
     fn size2(&self, d: &[f64]) -> f64 {
@@ -190,6 +162,7 @@ mod tests {
     use crate::dynamics::model::coordinates::planar::WIDTH;
     use crate::dynamics::model::coordinates::state_layout::StateLayout;
     use crate::dynamics::model::reference_pose::ReferencePose;
+    use crate::dynamics::penalty3d::active_contact::ActiveContact;
     use crate::dynamics::penalty3d::example::{closed, stick, wall};
 
     /// Squared norm of an error.
@@ -199,6 +172,7 @@ mod tests {
         let layout = StateLayout::of(model.bodies.iter());
         let system = CoupledSystem::without_rates((bodies, layout, bases), active.to_vec(), Vec::new(), Vec::new());
         let equations = EquationsOfMotion {
+            kind: &IslandKind::General,
             model,
             system: &system,
             piece: model.ground.piece(model.ground.piece_number(0.0)),

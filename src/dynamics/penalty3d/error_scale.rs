@@ -48,7 +48,7 @@ impl Island {
         if !self.is_free() {
             speed2 = 0.0;
         }
-        for number in self.system.distinct_contacts() {
+        for number in self.kind.distinct(self.system.active.len()) {
             let active = &self.system.active[number];
             let here = active.look(model, &self.workspace.frames);
             speed2 = speed2.max((omega * here.gap).powi(2) + here.gap_rate.powi(2));

@@ -58,7 +58,7 @@ pub(in crate::dynamics) fn function(
 
 pub(in crate::dynamics) fn reasons(island: &Island, number: usize) -> impl Iterator<Item = Reason> {
     let closed = &island.system.active[number].closed;
-    let switches = closed.law.has_friction() && island.system.kind.can_slide();
+    let switches = closed.law.has_friction() && island.kind.can_slide();
     let kinks = closed.law.has_kinks();
     [(Reason::Opening, true), (Reason::Switching, switches), (Reason::Edge, true), (Reason::Kink, kinks)]
         .into_iter()
@@ -92,7 +92,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     let part = |i: usize| (island.until - island.from) * i as f64 / (N - 1) as f64;
     let times: [f64; N] = std::array::from_fn(|i| if i == N - 1 { island.until } else { island.from + part(i) });
     let (frames, sections) = (island.frames_since(model, &times), island.system.layout.section_count());
-    for number in island.system.distinct_contacts() {
+    for number in island.kind.distinct(island.system.active.len()) {
         let samples: [Local; N] =
             std::array::from_fn(|i| island.system.active[number].look(model, &frames[i * sections..]));
         for reason in reasons(island, number) {
@@ -130,7 +130,7 @@ fn first_among<const N: usize>(model: &Model, island: &Island, simultaneity: f64
     let mut due: Vec<Due> = found.iter().filter(|(t, _)| *t <= earliest + simultaneity).map(|(_, due)| *due).collect();
     let like = |d: &Due| {
         let Due { number, reason } = *d;
-        island.system.represented_by(number).map(move |number| Due { number, reason })
+        island.kind.represented_by(number, island.system.active.len()).map(move |number| Due { number, reason })
     };
     due.extend(due.iter().flat_map(like).collect::<Vec<_>>());
     also_due(model, island, earliest + simultaneity, &mut due);

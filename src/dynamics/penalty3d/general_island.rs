@@ -10,7 +10,7 @@ use crate::dynamics::model::wrench::Wrench;
 use crate::dynamics::penalty3d::active_contact::direction;
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
-use crate::dynamics::penalty3d::equations_of_motion::Workspace;
+use crate::dynamics::penalty3d::workspace::Workspace;
 
 /// Derivative of a state `y`: of the bodies under the ground's acceleration \[m/s²\], then of the slip angles.
 pub(in crate::dynamics) fn rates(

@@ -14,7 +14,9 @@ use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
 use crate::dynamics::penalty3d::due::Due;
 use crate::dynamics::penalty3d::due::LinkDue;
-use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
+use crate::dynamics::penalty3d::island_kind::IslandKind;
+use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::motion::LinearPiece;
 
@@ -25,6 +27,8 @@ pub(in crate::dynamics) struct Island {
     pub slots: Vec<usize>,
     /// Its bodies and the connections that act on them.
     pub(in crate::dynamics) system: CoupledSystem,
+    /// Its equations of motion, and which of its contacts have one motion.
+    pub(super) kind: IslandKind,
     /// Numbers of its closed contacts in the group.
     pub contacts: Vec<usize>,
     /// Beginning of the planned step \[s\].
@@ -78,6 +82,7 @@ impl Island {
     ) -> Self {
         let (contacts, active) = contacts.into_iter().unzip();
         let system = CoupledSystem::of(model, (bodies, bases), (active, links), &mut y);
+        let kind = IslandKind::of(model, &system, &y);
         // A slip angle follows the velocity over a length of the spring's stretch, faster than all other motions:
         // implicit steps.
         let turns = system.active.iter().any(|a| a.angle.is_some());
@@ -87,6 +92,7 @@ impl Island {
             workspace: Workspace::of(&system.active),
             slots,
             system,
+            kind,
             contacts,
             from: t,
             until: t,
@@ -138,6 +144,7 @@ impl Island {
         EquationsOfMotion {
             model,
             system: &self.system,
+            kind: &self.kind,
             piece,
             scale,
             angles: &self.angles,

@@ -63,7 +63,7 @@ impl Island {
     /// The motion of a body along `axis`, where it is its only one: the dense output of the planned step, the components of
     /// position and velocity in it, and the coordinate of the body's reference pose \[m\]; `None` otherwise.
     pub(in crate::dynamics) fn along(&self, index: usize, axis: usize) -> Option<(&DenseOutput, [usize; 2], f64)> {
-        let components = self.system.kind.components(index, axis)?;
+        let components = self.kind.components(index, axis)?;
         self.dense.as_ref().map(|dense| (dense, components, self.system.bases[index].planar()[axis]))
     }
 

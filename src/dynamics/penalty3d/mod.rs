@@ -23,3 +23,4 @@ pub(in crate::dynamics) mod sliding;
 
 #[cfg(test)]
 pub(in crate::dynamics) mod example;
+pub(in crate::dynamics) mod workspace;

@@ -14,8 +14,10 @@ use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::coupled_system::CoupledSystem;
-use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale, Workspace};
+use crate::dynamics::penalty3d::equations_of_motion::{EquationsOfMotion, ErrorScale};
 use crate::dynamics::penalty3d::island::normalise;
+use crate::dynamics::penalty3d::island_kind::IslandKind;
+use crate::dynamics::penalty3d::workspace::Workspace;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -197,12 +199,12 @@ impl Replay {
                 self.starts.read(start + i, state);
             }
         }
-        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new())
-            .with_kind(past.model, &y);
+        let system = CoupledSystem::without_rates((bodies, layout, bases), active, Vec::new(), Vec::new());
         let piece = past.model.ground.piece(past.model.ground.piece_number(from));
         let mut field = EquationsOfMotion {
             model: past.model,
             system: &system,
+            kind: &IslandKind::of(past.model, &system, &y),
             piece,
             scale: ErrorScale::default(),
             angles: &[],
