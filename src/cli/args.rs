@@ -1,5 +1,7 @@
 //! Flags that several commands share.
 
+use std::path::{Path, PathBuf};
+
 use crate::files;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, SceneError, SceneErrors};
@@ -9,7 +11,7 @@ use crate::scene::{Scene, SceneError, SceneErrors};
 pub(super) struct SceneArgs {
     /// A scene file, or the name of a preset (`girderbench presets` lists them)
     #[arg(value_name = "SCENE|PRESET")]
-    pub(super) scene: String,
+    pub(super) scene: PathBuf,
     /// What to change in it.
     #[command(flatten)]
     pub(super) changes: Changes,
@@ -46,12 +48,12 @@ impl Changes {
     ///
     /// # Errors
     /// Every complaint about the scene or a change to it.
-    pub(super) fn load(&self, name_or_path: &str) -> Result<Scene, SceneErrors> {
+    pub(super) fn load(&self, name_or_path: &Path) -> Result<Scene, SceneErrors> {
         let mut scene = files::load_scene(name_or_path, &self.sets)?;
         scene.duration = self.until.unwrap_or(scene.duration);
         scene.solver.tolerance = self.tolerance.unwrap_or(scene.solver.tolerance);
         if self.until.or(self.tolerance).is_some() {
-            validate(&scene).map_err(|errors| errors_of_flags(errors).in_file(name_or_path))?;
+            validate(&scene).map_err(|errors| errors_of_flags(errors).in_file(&name_or_path.to_string_lossy()))?;
         }
         Ok(scene)
     }

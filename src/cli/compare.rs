@@ -1,6 +1,6 @@
 //! `girderbench compare`: runs or reads two answers and prints where they part.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::args::{Changes, positive};
 use super::compute::compute;
@@ -18,10 +18,10 @@ use crate::tables::{self, DEFAULT_SAMPLE_HZ};
 pub(super) struct CompareArgs {
     /// A scene file, a preset, or a folder that `run --out` wrote
     #[arg(value_name = "A")]
-    a: String,
+    a: PathBuf,
     /// The same
     #[arg(value_name = "B")]
-    b: String,
+    b: PathBuf,
     /// What to change in the scenes that are run
     #[command(flatten)]
     changes: Changes,
@@ -51,8 +51,8 @@ pub(super) fn run(args: &CompareArgs, console: &mut Console) -> Result<(), Failu
     if comparison.instants == 0 || comparison.differences.is_empty() {
         return Err(Failure::Input(format!(
             "{} and {}: {} instants and {} quantities in common: give both the same bodies and --sample",
-            args.a,
-            args.b,
+            args.a.display(),
+            args.b.display(),
             comparison.instants,
             comparison.differences.len()
         )));
@@ -68,20 +68,20 @@ impl CompareArgs {
     /// Refuses flags that would do nothing, because both answers come from folders.
     fn refuse_changes_to_nothing(&self) -> Result<(), Failure> {
         let flags: Vec<_> = self.changes.given().into_iter().chain(self.sample.map(|_| "--sample")).collect();
-        if flags.is_empty() || [&self.a, &self.b].iter().any(|source| !Path::new(source.as_str()).is_dir()) {
+        if flags.is_empty() || [&self.a, &self.b].iter().any(|source| !source.is_dir()) {
             return Ok(());
         }
         Err(Failure::Input(format!(
             "{}: {} and {} are folders of results, which are read and not run: leave it out, or give a scene",
             flags.join(", "),
-            self.a,
-            self.b
+            self.a.display(),
+            self.b.display()
         )))
     }
 }
 
-fn answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
-    if Path::new(source).is_dir() { read_answer(Path::new(source)) } else { run_answer(source, args, console) }
+fn answer(source: &Path, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
+    if source.is_dir() { read_answer(source) } else { run_answer(source, args, console) }
 }
 
 fn read_answer(folder: &Path) -> Result<Answer, Failure> {
@@ -92,21 +92,21 @@ fn read_answer(folder: &Path) -> Result<Answer, Failure> {
 }
 
 fn read_table<T>(path: &Path, parse: fn(&[u8]) -> Result<T, TableError>) -> Result<T, Failure> {
-    let bytes = files::read(path)?;
+    let bytes = files::read_table(path)?;
     parse(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))
 }
 
 /// Runs a scene and takes its answer by way of the tables, which lose nothing.
-fn run_answer(source: &str, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
+fn run_answer(source: &Path, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
     let scene = args.changes.load(source)?;
     let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
     check_rows(sample, scene.duration)?;
     domain::warn(&scene, console);
     let history = compute(&scene)?.swap_remove(0).history;
     if let Some(stop) = history.stop() {
-        console.note(&Failure::GaveUp { scene: source.to_owned(), stop: stop.clone() }.to_string());
+        console.note(&Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }.to_string());
     }
-    let of_table = |error: TableError| Failure::Input(format!("{source}: {error}"));
+    let of_table = |error: TableError| Failure::Input(format!("{}: {error}", source.display()));
     Ok(Answer {
         trajectory: read::trajectory(&tables::trajectory(&history, sample)).map_err(of_table)?,
         events: read::events(&tables::events(&history)).map_err(of_table)?,

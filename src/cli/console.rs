@@ -1,14 +1,20 @@
 //! The one place that writes to the terminal.
 
-use std::io::{Write, stderr, stdout};
+use std::io::{Error, ErrorKind, Write, stderr, stdout};
+
+use super::failure::Failure;
+use crate::scene::shown::escaped;
 
 /// Standard output for answers, standard error for notes about them.
 ///
-/// A reader that stops early (`girderbench run … | head`) closes the pipe: what is left to say is then dropped and the
-/// work goes on, so that files are still written and nothing panics.
+/// Once standard output takes no more, what is left of the answer is dropped and the work goes on, so that files are still
+/// written and nothing panics; [`finish`](Self::finish) tells whether that was an error. Characters that a terminal obeys
+/// are escaped: names come from files.
 pub(super) struct Console {
     out: Box<dyn Write>,
     notes: Box<dyn Write>,
+    /// Why standard output took no more.
+    ended: Option<Error>,
 }
 
 impl std::fmt::Debug for Console {
@@ -20,45 +26,79 @@ impl std::fmt::Debug for Console {
 impl Console {
     /// The process's own streams.
     pub(super) fn standard() -> Self {
-        Self { out: Box::new(stdout()), notes: Box::new(stderr()) }
+        Self { out: Box::new(stdout()), notes: Box::new(stderr()), ended: None }
     }
 
     /// Prints a part of the answer as it is, line ends included.
     pub(super) fn print(&mut self, text: &str) {
-        if self.out.write_all(text.as_bytes()).and_then(|()| self.out.flush()).is_err() {
-            self.out = Box::new(std::io::sink());
+        self.write(|out| out.write_all(escaped_lines(text).as_bytes()));
+    }
+
+    /// Writes a part of the answer to standard output, unless that takes no more.
+    pub(super) fn write(&mut self, write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) {
+        if self.ended.is_none() {
+            self.ended = write(&mut self.out).and_then(|()| self.out.flush()).err();
         }
     }
 
     /// Says something about the answer, as one paragraph on standard error.
     pub(super) fn note(&mut self, text: &str) {
-        if writeln!(self.notes, "{text}").is_err() {
+        if writeln!(self.notes, "{}", escaped_lines(text)).is_err() {
             self.notes = Box::new(std::io::sink());
         }
     }
+
+    /// Whether standard output took the whole answer. A reader that stopped early (`girderbench run … | head`) is no error.
+    ///
+    /// # Errors
+    /// Why it took no more.
+    pub(super) fn finish(&mut self) -> Result<(), Failure> {
+        match self.ended.take() {
+            Some(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(format!(
+                "standard output: the answer cannot be written ({error}): redirect it to where there is space"
+            ))),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// [`escaped`] line by line.
+fn escaped_lines(text: &str) -> String {
+    text.split_inclusive('\n')
+        .map(|line| match line.strip_suffix('\n') {
+            Some(line) => format!("{}\n", escaped(line)),
+            None => escaped(line).into_owned(),
+        })
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::{Error, ErrorKind};
 
-    struct ClosedPipe;
+    /// Fails in one way.
+    struct Broken(ErrorKind);
 
-    impl Write for ClosedPipe {
+    impl Write for Broken {
         fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
-            Err(Error::from(ErrorKind::BrokenPipe))
+            Err(Error::from(self.0))
         }
         fn flush(&mut self) -> std::io::Result<()> {
-            Err(Error::from(ErrorKind::BrokenPipe))
+            Err(Error::from(self.0))
         }
     }
 
-    #[test]
-    fn a_closed_pipe_is_no_panic() {
-        let mut console = Console { out: Box::new(ClosedPipe), notes: Box::new(ClosedPipe) };
+    fn finish(kind: ErrorKind) -> Result<(), Failure> {
+        let mut console = Console { out: Box::new(Broken(kind)), notes: Box::new(Broken(kind)), ended: None };
         console.print("answer\n");
         console.note("note");
         console.print("more\n");
+        console.finish()
+    }
+
+    #[test]
+    fn a_closed_pipe_is_no_error_and_a_full_disk_is_one() {
+        assert!(finish(ErrorKind::BrokenPipe).is_ok(), "its reader has read enough");
+        assert!(matches!(finish(ErrorKind::StorageFull), Err(Failure::Output(_))), "nothing else is");
     }
 }

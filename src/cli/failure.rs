@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use super::summary::plain;
+use super::summary::{name, plain};
 use crate::files::{ReadError, WriteError};
 use crate::scene::SceneErrors;
 use crate::sim::Stop;
@@ -10,14 +10,17 @@ use crate::sim::Stop;
 /// Why a command did not do what it was asked.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
-    /// The input cannot be used, or the output cannot be written; each line names file or flag, place, value, remedy.
+    /// The input cannot be used, or nothing can be written where it asks; each line names file or flag, place, value, remedy.
     #[error("{0}")]
     Input(String),
+    /// The answer cannot be written, whatever the input: no space, a device that fails.
+    #[error("{0}")]
+    Output(String),
     /// Nothing draws pictures here, or the window not any more; the message says what is missing.
     #[error("{0}")]
     NoPicture(String),
     /// The run ended before its time; what it has was kept.
-    #[error("the run of {scene} gave up at t = {t} s, {place}: {reason}", t = plain(stop.t), place = stop.place, reason = stop.reason)]
+    #[error("the run of {} gave up at t = {} s, {}: {}", name(scene), plain(stop.t), stop.place, stop.reason)]
     GaveUp {
         /// The scene's name.
         scene: String,
@@ -30,11 +33,13 @@ pub(super) enum Failure {
 }
 
 impl Failure {
-    /// 2 for input that cannot be used (as for a mistyped flag), 1 for a run that gave up, 3 where nothing draws.
+    /// 2 for input that cannot be used (as for a mistyped flag), 1 for a run that gave up, 3 where nothing draws, 4 where the
+    /// answer cannot be written.
     pub(super) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
             Self::NoPicture(_) => ExitCode::from(3),
+            Self::Output(_) => ExitCode::from(4),
             Self::GaveUp { .. } | Self::Study(_) => ExitCode::from(1),
         }
     }

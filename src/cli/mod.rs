@@ -64,20 +64,33 @@ pub fn main() -> ExitCode {
     let mut console = Console::standard();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(help_or_mistake) => {
-            // A reader that has gone does not want the help either.
-            let _ = help_or_mistake.print();
-            let code = u8::try_from(help_or_mistake.exit_code()).unwrap_or(2);
-            return ExitCode::from(code);
-        }
+        Err(help_or_mistake) => return say(&help_or_mistake, &mut console),
     };
-    match dispatch(cli, &mut console) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            console.note(&format!("error: {failure}"));
-            failure.exit_code()
-        }
+    let done = dispatch(cli, &mut console);
+    let mut code = ExitCode::SUCCESS;
+    // Of two failures the command's own decides.
+    for failure in [console.finish().err(), done.err()].into_iter().flatten() {
+        code = fail(&failure, &mut console);
     }
+    code
+}
+
+/// Says what went wrong.
+fn fail(failure: &Failure, console: &mut Console) -> ExitCode {
+    console.note(&format!("error: {failure}"));
+    failure.exit_code()
+}
+
+/// Prints the help that was asked for, or what is wrong with the arguments.
+fn say(help_or_mistake: &clap::Error, console: &mut Console) -> ExitCode {
+    if help_or_mistake.use_stderr() {
+        // There is nowhere left to say that it cannot be said.
+        let _ = help_or_mistake.print();
+    } else {
+        console.write(|_| help_or_mistake.print());
+    }
+    let code = u8::try_from(help_or_mistake.exit_code()).unwrap_or(2);
+    console.finish().err().map_or(ExitCode::from(code), |failure| fail(&failure, console))
 }
 
 fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {

@@ -14,7 +14,7 @@ use crate::scene::{Scene, presets};
 pub(super) struct OpenArgs {
     /// A scene file, or the name of a preset
     #[arg(value_name = "SCENE|PRESET", default_value = presets::OPENING)]
-    scene: String,
+    scene: PathBuf,
     /// What to change in it.
     #[command(flatten)]
     changes: Changes,
@@ -26,7 +26,7 @@ pub(super) struct OpenArgs {
 impl OpenArgs {
     /// The scene that the workbench opens on when none is named.
     pub(super) fn opening(out: PathBuf) -> Self {
-        Self { scene: presets::OPENING.to_owned(), changes: Changes::default(), out }
+        Self { scene: presets::OPENING.into(), changes: Changes::default(), out }
     }
 }
 

@@ -1,5 +1,6 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
+use crate::scene::shown::shown;
 use crate::tables::{OutsideReport, Report, SeatReport};
 
 /// So many quantities outside the domain are listed; `summary.json` has all.
@@ -9,9 +10,16 @@ const MOST_OUTSIDE: usize = 10;
 pub(super) fn text(report: &Report) -> String {
     let lines = [head(report), answer(report), accuracy(report), effort(report)].concat();
     let lines = lines.into_iter().map(|(label, value)| format!("  {label:<22} {value}\n"));
-    std::iter::once(format!("{}: {} of {} s\n", report.scene, plain(report.end), report.duration))
+    std::iter::once(format!("{}: {} of {} s\n", name(&report.scene), plain(report.end), report.duration))
         .chain(lines)
         .collect()
+}
+
+/// A scene's name, on one line.
+pub(super) fn name(scene: &str) -> String {
+    /// Characters of it that are shown.
+    const LONGEST: usize = 100;
+    shown(scene, LONGEST)
 }
 
 type Line = (String, String);

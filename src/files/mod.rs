@@ -4,6 +4,7 @@
 //! see plain data and never a path. Writing is atomic: a reader sees the old file or the new one, never half of one.
 
 mod load;
+mod read;
 mod recent;
 mod recovery;
 mod save;
@@ -11,7 +12,8 @@ mod scene_source;
 mod stamp;
 
 pub use crate::motion::format::{FORMATS as RECORD_FORMATS, formats_in_words, is_record};
-pub use load::{ReadError, load_scene, load_unsaved, read, read_record};
+pub use load::{load_scene, load_unsaved, read_record};
+pub use read::{ReadError, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
 pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::read::{LARGEST_INPUT, read_regular};
 use super::save::{WriteError, folder_of, write_atomic};
 
 /// More than this is not looked through any more.
@@ -80,8 +81,8 @@ impl Recent {
 }
 
 fn read(list: &Path) -> Vec<PathBuf> {
-    let text = std::fs::read_to_string(list).unwrap_or_default();
-    let written: Written = toml::from_str(&text).unwrap_or_default();
+    let bytes = read_regular(list, LARGEST_INPUT).unwrap_or_default();
+    let written: Written = toml::from_slice(&bytes).unwrap_or_default();
     written.files.into_iter().take(MOST).map(PathBuf::from).collect()
 }
 

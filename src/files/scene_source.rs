@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use super::read::{LARGEST_INPUT, read_regular};
 use crate::scene::presets;
 
 /// What a scene was read from.
@@ -19,8 +20,10 @@ pub enum SceneSource {
 
 impl SceneSource {
     /// What [`load_scene`](super::load_scene) reads under this name: a preset where one has it, else a file.
-    pub fn of(name_or_path: &str) -> Self {
-        presets::get(name_or_path).map_or_else(|| Self::File(name_or_path.into()), |preset| Self::Shipped(preset.text))
+    pub fn of(name_or_path: impl AsRef<Path>) -> Self {
+        let path = name_or_path.as_ref();
+        let preset = path.to_str().and_then(presets::get);
+        preset.map_or_else(|| Self::File(path.into()), |preset| Self::Shipped(preset.text))
     }
 
     /// The file, if it is one.
@@ -33,7 +36,10 @@ impl SceneSource {
         match self {
             Self::New => None,
             Self::Shipped(text) => Some(Cow::Borrowed(text)),
-            Self::File(file) => std::fs::read_to_string(file).ok().map(Cow::Owned),
+            Self::File(file) => {
+                let bytes = read_regular(file, LARGEST_INPUT).ok()?;
+                String::from_utf8(bytes).ok().map(Cow::Owned)
+            }
         }
     }
 }

@@ -26,6 +26,7 @@ pub mod keys;
 pub mod overrides;
 pub mod placed;
 pub mod presets;
+pub mod shown;
 pub mod validate;
 
 pub use abutment::Abutment;

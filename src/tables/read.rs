@@ -1,5 +1,14 @@
 //! Reads `trajectory.csv` and `events.csv` back, to compare runs that were written to disk.
 
+use crate::scene::shown::shown;
+
+/// A place or a value as a complaint shows it.
+fn cut(text: &str) -> String {
+    /// Characters that are shown.
+    const LONGEST: usize = 200;
+    shown(text, LONGEST)
+}
+
 /// A table of numbers against time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {
@@ -22,7 +31,7 @@ pub struct EventRow {
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{place}: {value}: {remedy}")]
+#[error("{}: {}: {remedy}", cut(place), cut(value))]
 pub struct TableError {
     /// `line 3, column deck.x`.
     pub place: String,

@@ -66,7 +66,7 @@ fn a_killed_process_leaves_whole_scenes() {
         std::thread::sleep(Duration::from_micros(u64::from(kill) * 3_700));
         child.kill().expect("killed");
         child.wait().expect("ended");
-        let saved = load_scene(&file.to_string_lossy(), &[]).expect("the scene on the disk is whole");
+        let saved = load_scene(&file, &[]).expect("the scene on the disk is whole");
         assert!(is_whole(&saved), "kill {kill}: one writing, not two halves");
         let found = find_beside(&file);
         assert_eq!(found.len(), 1, "kill {kill}: its unsaved work is found, now that nobody holds it");

@@ -5,6 +5,8 @@ mod domain;
 mod files;
 mod headless;
 mod killed;
+mod odd_files;
+mod odd_output;
 mod program;
 #[cfg(feature = "render")]
 mod render;

@@ -1,6 +1,7 @@
 //! Runs the program as a user does, and reads what it says and writes.
 
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
 
 /// What a call of the program came to.
 pub(crate) struct Said {
@@ -22,6 +23,21 @@ pub(crate) fn program() -> Command {
 /// Calls the program and waits for it.
 pub(crate) fn call(args: &[&str]) -> Said {
     said(&program().args(args).output().expect("the program starts"))
+}
+
+/// Calls the program and stops it when it has not ended within so many seconds, which is a failure.
+pub(crate) fn call_within(seconds: u64, command: &mut Command) -> Said {
+    let spawned = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
+    let mut child = spawned.expect("the program starts");
+    let mut looks = 0..200 * seconds;
+    while child.try_wait().expect("its state").is_none() {
+        if looks.next().is_none() {
+            child.kill().expect("stopped");
+            panic!("{command:?} has not ended within {seconds} s");
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    said(&child.wait_with_output().expect("its output"))
 }
 
 /// What an output says; a panic is a failure whatever the status.

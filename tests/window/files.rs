@@ -130,7 +130,7 @@ fn unsaved_work_outlives_its_window() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     settle(&mut harness);
     harness.state().wait_for_disk();
-    assert_eq!(load_scene(&mine.to_string_lossy(), &[]).expect("good"), edited, "saved");
+    assert_eq!(load_scene(&mine, &[]).expect("good"), edited, "saved");
     assert_eq!(names(folder.path()), ["mine.toml", "state"], "nothing unsaved is left");
 }
 
@@ -196,7 +196,7 @@ fn work_left_behind_by_opening_another_scene_is_not_lost() {
 
 /// Changes the file as an editor would.
 fn change(path: &Path) -> Scene {
-    let mut scene = load_scene(&path.to_string_lossy(), &[]).expect("good");
+    let mut scene = load_scene(path, &[]).expect("good");
     scene.girders[0].skew_deg = 52.25;
     scene.description.push_str(" Changed.");
     save_scene(&scene, &SceneSource::New, path).expect("written");
@@ -228,7 +228,7 @@ fn a_file_changed_by_another_program_is_read_again_or_not() {
     press(&mut harness, "Keep mine");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     settle(&mut harness);
-    let saved = load_scene(&mine.to_string_lossy(), &[]).expect("a scene again");
+    let saved = load_scene(&mine, &[]).expect("a scene again");
     assert_eq!(saved.girders[0].skew_deg, 75.0, "mine");
 }
 

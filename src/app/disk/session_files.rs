@@ -213,7 +213,7 @@ impl SessionFiles {
             document.unsave();
             return Compared { notice: Some(format!("{}: {}", file.display(), text::FILE_GONE)), ..nothing };
         }
-        let same = load_scene(&file.to_string_lossy(), &[]).is_ok_and(|scene| document.saved() == Some(&scene));
+        let same = load_scene(&file, &[]).is_ok_and(|scene| document.saved() == Some(&scene));
         if same {
             self.stamp(&file);
         }

@@ -7,6 +7,7 @@ use super::console::Console;
 use super::digits::six;
 use super::domain;
 use super::failure::Failure;
+use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
 
@@ -44,7 +45,7 @@ fn head(scene: &Scene) -> String {
     };
     format!(
         "{}: {kind}, {} s\nground: {}\nsolver: {}, tolerance {}\nview: {}\n",
-        scene.name,
+        name(&scene.name),
         six(scene.duration),
         motion_words(&scene.motion),
         scene.solver.method.label(),

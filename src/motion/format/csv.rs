@@ -1,14 +1,21 @@
 //! A ground motion as a two-column table: time in s, acceleration in m/s², one line a sample.
 //!
-//! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading. The
+//! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading; blank lines
+//! are skipped. Columns are separated by commas, semicolons or tabs; a decimal comma is as good as a decimal point. The
 //! samples must be evenly spaced; the first one is the acceleration at t = 0, whatever its own time.
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
 use super::record::{Format, RecordError, Series};
 
-/// Printed times are rounded; they may be off by this part of the interval.
+/// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
+/// Times printed to less than this part of the interval leave no doubt whether a sample is missing: the straight line through the
+/// first and the last then misses some time by half an interval or more, rounding takes one unit of that away, and what is left
+/// must exceed the unit that is allowed.
+const FINE: f64 = 0.25;
+/// What may stand between the columns. Between commas only a quoted number has a decimal comma.
+const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 /// This format.
 pub(super) const FORMAT: Format = Format {
@@ -21,31 +28,42 @@ pub(super) const FORMAT: Format = Format {
 
 /// Whether two numbers stand in the first line, or in the second below a heading.
 fn sniff(bytes: &[u8]) -> bool {
-    let records = reader(bytes).into_records().take(2);
-    let mut numbers = records.map(|record| record.is_ok_and(|record| numbers(&record, 0).is_ok()));
-    numbers.any(|found| found)
+    separator(bytes).is_some()
 }
 
-fn reader(bytes: &[u8]) -> Reader<&[u8]> {
+/// What stands between the columns, if there are two of numbers.
+fn separator(bytes: &[u8]) -> Option<u8> {
+    let starts = |separator: u8| {
+        let records = reader(bytes, separator).into_records().filter(|record| !record.as_ref().is_ok_and(is_blank));
+        records.take(2).any(|record| record.is_ok_and(|record| sample(&record, 0).is_ok()))
+    };
+    SEPARATORS.into_iter().find(|&separator| starts(separator))
+}
+
+fn reader(bytes: &[u8], separator: u8) -> Reader<&[u8]> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).trim(Trim::All).from_reader(text)
+    let mut builder = ReaderBuilder::new();
+    builder.delimiter(separator).has_headers(false).flexible(true).comment(Some(b'#')).trim(Trim::All);
+    builder.from_reader(text)
 }
 
 /// Reads a record.
 ///
 /// # Errors
-/// The first line that is not two numbers, or that breaks the even spacing; fewer than two samples.
+/// The first line that is not two numbers, or that breaks the even spacing; points and commas as decimal marks in one file;
+/// fewer than two samples.
 fn read(bytes: &[u8]) -> Result<Series, RecordError> {
-    let (mut times, mut samples) = (Vec::new(), Vec::new());
-    for (n, record) in reader(bytes).records().enumerate() {
+    let (mut times, mut samples, mut marks) = (Vec::new(), Vec::new(), None);
+    for (n, record) in reader(bytes, separator(bytes).unwrap_or(b',')).records().enumerate() {
         let record = record.map_err(|error| unreadable(&error))?;
         let line = record.position().map_or(0, csv::Position::line);
-        match numbers(&record, line) {
-            Ok((t, a)) => {
-                times.push((line, t));
-                samples.push(a);
+        match sample(&record, line) {
+            Ok(sample) => {
+                one_mark(&record, line, &mut marks)?;
+                times.push(Time { line, t: sample.0, digits: Digits::of(&record[0]) });
+                samples.push(sample.1);
             }
-            Err(_) if n == 0 && is_heading(&record) => {}
+            Err(_) if is_blank(&record) || (n == 0 && is_heading(&record)) => {}
             Err(error) => return Err(error),
         }
     }
@@ -59,43 +77,124 @@ fn unreadable(error: &csv::Error) -> RecordError {
 
 /// A heading has two columns, and no number in either.
 fn is_heading(record: &StringRecord) -> bool {
-    record.len() == 2 && record.iter().all(|field| field.parse::<f64>().is_err())
+    record.len() == 2 && record.iter().all(|field| number(field).is_none())
 }
 
-fn numbers(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
+/// Nothing but blanks and separators.
+fn is_blank(record: &StringRecord) -> bool {
+    record.iter().all(str::is_empty)
+}
+
+/// A finite number with a decimal point or a decimal comma.
+fn number(field: &str) -> Option<f64> {
+    let value = match field.split_once(',') {
+        Some((_, fraction)) if field.contains('.') || fraction.contains(',') => return None,
+        Some(_) => field.replace(',', ".").parse(),
+        None => field.parse(),
+    };
+    value.ok().filter(|value: &f64| value.is_finite())
+}
+
+fn sample(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
     let wrong =
         |value: &str, remedy: &str| RecordError { line, value: format!("`{value}`"), remedy: remedy.to_owned() };
     let fields: Vec<&str> = record.iter().collect();
     let [t, a] = fields[..] else {
-        return Err(wrong(&fields.join(","), "give two columns: time in s, acceleration in m/s²"));
+        let remedy = "give two columns: time in s, acceleration in m/s²; columns of numbers with decimal commas are separated by semicolons";
+        return Err(wrong(&fields.join(","), remedy));
     };
-    let number = |field: &str| field.parse::<f64>().ok().filter(|v| v.is_finite());
     let t = number(t).ok_or_else(|| wrong(t, "the time must be a finite number, in s"))?;
     let a = number(a).ok_or_else(|| wrong(a, "the acceleration must be a finite number, in m/s²"))?;
     Ok((t, a))
 }
 
+/// Refuses a file in which both point and comma are decimal marks: one of them would separate thousands.
+fn one_mark(record: &StringRecord, line: u64, mark: &mut Option<char>) -> Result<(), RecordError> {
+    for field in record {
+        let here = field.chars().find(|c| ['.', ','].contains(c));
+        if here.is_some_and(|here| mark.is_some_and(|before| before != here)) {
+            let remedy = "numbers above have another decimal mark: use one, and nothing between thousands".to_owned();
+            return Err(RecordError { line, value: format!("`{field}`"), remedy });
+        }
+        *mark = mark.or(here);
+    }
+    Ok(())
+}
+
+/// The time of a sample.
+struct Time {
+    line: u64,
+    /// \[s\]
+    t: f64,
+    digits: Digits,
+}
+
+/// How a number is printed.
+#[derive(Clone, Copy)]
+struct Digits {
+    /// Digits after the decimal mark, fewer by the exponent.
+    decimals: i32,
+    /// Digits from the first that is no 0.
+    significant: i32,
+}
+
+impl Digits {
+    fn of(field: &str) -> Self {
+        let (mantissa, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));
+        let fraction = mantissa.split_once(['.', ',']).map_or("", |(_, fraction)| fraction);
+        let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        let count = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
+        let decimals = count(fraction).saturating_sub(exponent.parse().unwrap_or(0));
+        Self { decimals, significant: count(digits.trim_start_matches('0')) }
+    }
+}
+
+/// The largest unit of a last digit \[s\] if all times are printed with one number of decimals, and if with one number of
+/// significant digits. Zeros at the end may be missing, so the longest number tells.
+fn printed_to(times: &[Time]) -> [f64; 2] {
+    let decimals = times.iter().map(|time| time.digits.decimals).max().unwrap_or(0);
+    let significant = times.iter().map(|time| time.digits.significant).max().unwrap_or(1);
+    let largest = times.iter().map(|time| time.t.abs()).fold(0.0, f64::max);
+    let leading = if largest > 0.0 { largest.log10().floor() + 1.0 } else { 0.0 };
+    [10_f64.powi(decimals.saturating_neg()), 10_f64.powf(leading - f64::from(significant))]
+}
+
 /// The interval between samples, if there is one.
-fn interval(times: &[(u64, f64)]) -> Result<f64, RecordError> {
-    let (&[(_, first), ..], &[.., (last_line, last)]) = (times, times) else {
+///
+/// Rounded times may be off by half a unit of their last digit, and the first and the last, by which the others are judged,
+/// by as much.
+fn interval(times: &[Time]) -> Result<f64, RecordError> {
+    let (Some(Time { t: first, .. }), Some(Time { t: last, line: last_line, .. })) = (times.first(), times.last())
+    else {
         let remedy = "a record needs at least 2 samples".to_owned();
         return Err(RecordError { line: 1, value: "no samples".to_owned(), remedy });
     };
     let dt = (last - first) / (times.len() - 1) as f64;
     if times.len() < 2 || dt <= 0.0 {
         let remedy = "a record needs at least 2 samples, and times that grow".to_owned();
-        return Err(RecordError { line: last_line, value: format!("time {last}"), remedy });
+        return Err(RecordError { line: *last_line, value: format!("time {last}"), remedy });
     }
-    let uneven = |&(n, &(_, t)): &(usize, &(u64, f64))| (t - (first + dt * n as f64)).abs() > UNEVEN * dt;
-    match times.iter().enumerate().find(uneven) {
+    let units = printed_to(times);
+    let rounding = units.into_iter().filter(|&unit| unit < FINE * dt).fold(0.0, f64::max);
+    let off = |(n, time): (usize, &Time)| (time.t - (first + dt * n as f64)).abs();
+    match times.iter().enumerate().find(|&time| off(time) > rounding.max(UNEVEN * dt)) {
         None => Ok(dt),
-        Some((n, &(line, t))) => {
-            let expected = first + dt * n as f64;
-            let remedy =
-                format!("samples must be evenly spaced: with {dt} s between them this one belongs at {expected} s");
-            Err(RecordError { line, value: format!("time {t}"), remedy })
-        }
+        Some((n, time)) => Err(uneven(time, (dt, first + dt * n as f64), units[0])),
     }
+}
+
+/// A time that is not where its number in the file has it.
+fn uneven(time: &Time, (dt, expected): (f64, f64), unit: f64) -> RecordError {
+    let off = (time.t - expected).abs();
+    let coarse = if unit >= FINE * dt && off <= unit {
+        format!(": print the times with more digits than to {unit} s")
+    } else {
+        String::new()
+    };
+    let remedy = format!(
+        "samples must be evenly spaced: with {dt:.6e} s between them this one belongs at {expected} s, {off:.1e} s away{coarse}"
+    );
+    RecordError { line: time.line, value: format!("time {}", time.t), remedy }
 }
 
 #[cfg(test)]
@@ -133,6 +232,59 @@ mod tests {
         assert!(error("0,1\n0,1\n").contains("times that grow"), "no interval");
         assert!(error("0,1\n").contains("at least 2 samples"), "one");
         assert!(error("").contains("at least 2 samples"), "none");
+    }
+
+    #[test]
+    fn times_may_be_rounded_in_their_last_digit() {
+        let series = |printed: &dyn Fn(f64) -> String| {
+            let lines: Vec<_> = (0..6001).map(|i| format!("{},{}", printed(f64::from(i) / 60.0), i % 7)).collect();
+            read(lines.join("\n").as_bytes()).expect("a record at 60 Hz").dt
+        };
+        // The interval is off by a unit of the last digit over the whole record.
+        let unit = |dt: f64, unit: f64| assert!((dt - 1.0 / 60.0).abs() <= unit / 6000.0, "{dt}, to {unit}");
+        unit(series(&|t| format!("{t:.3}")), 1e-3);
+        unit(series(&|t| format!("{t:.3}").trim_end_matches('0').to_owned()), 1e-3);
+        unit(series(&|t| format!("{t:.5e}")), 1e-3);
+        unit(series(&|t| format!("{:.3}", t + 1e6)), 1e-3);
+    }
+
+    #[test]
+    fn a_missing_sample_is_no_rounding() {
+        let without = |gap: u32| {
+            let kept = (0..2001).filter(|&i| i != gap);
+            let lines: Vec<_> = kept.map(|i| format!("{:.2},1", f64::from(i) * 0.0425)).collect();
+            read(lines.join("\n").as_bytes())
+        };
+        (1..2000).step_by(37).for_each(|gap| assert!(without(gap).is_err(), "sample {gap} is missing"));
+        assert!(without(5000).is_ok(), "none is missing");
+        let coarse = error("0.00,1\n0.01,1\n0.01,1\n0.02,1\n0.02,1\n0.03,1\n");
+        assert!(coarse.contains("print the times with more digits than to 0.01 s"), "{coarse}");
+    }
+
+    #[test]
+    fn decimal_commas_are_read_where_something_else_separates_the_columns() {
+        let wanted = Series { dt: 0.5, samples: vec![0.25, -1.5, 2.0] };
+        for text in [
+            "0,0;0,25\n0,5;-1,5\n1,0;2\n",
+            "t;a\n0,0;0,25\n0,5;-15e-1\n1;2\n",
+            "0,0\t0,25\n0,5\t-1,5\n1,0\t2\n",
+            "0.0;0.25\n0.5;-1.5\n1.0;2\n",
+            "\"0,0\",\"0,25\"\n\"0,5\",\"-1,5\"\n\"1,0\",2\n",
+        ] {
+            assert_eq!(read(text.as_bytes()).as_ref(), Ok(&wanted), "{text}");
+        }
+        assert!(error("0,00,0,25\n0,50,1,5\n").contains("separated by semicolons"), "what to do");
+        let mixed = error("0,0;0,25\n0,5;1.5\n");
+        assert!(mixed.contains("line 2") && mixed.contains("`1.5`") && mixed.contains("decimal mark"), "{mixed}");
+        assert!(error("0;1\n0,5;1.234,5\n").contains("`1.234,5`"), "thousands");
+    }
+
+    #[test]
+    fn blank_lines_are_skipped() {
+        let wanted = Series { dt: 0.5, samples: vec![1.0, 2.0] };
+        for text in ["0,1\n0.5,2\n   \n", "0,1\n0.5,2\n\t\n\n", "  \n0,1\n\n0.5,2", "0;1\n0.5;2\n;\n"] {
+            assert_eq!(read(text.as_bytes()).as_ref(), Ok(&wanted), "{text:?}");
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use toml::Value;
 
 use crate::scene::SceneError;
+use crate::scene::shown::shown;
 
 /// One step on the way from the top of the file to a value.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,15 +122,12 @@ fn joined(place: &str, key: &str) -> String {
     if place.is_empty() { key.to_owned() } else { format!("{place}.{key}") }
 }
 
+/// Characters of a value or a line that are shown.
+pub(super) const LONGEST: usize = 60;
+
 /// A value as it would stand in the file, cut where it gets long.
 pub(super) fn short(value: &Value) -> String {
-    const LONGEST: usize = 60;
-    let text = value.to_string().replace('\n', " ");
-    if text.chars().count() <= LONGEST {
-        return text;
-    }
-    let start: String = text.chars().take(LONGEST).collect();
-    format!("{start}…")
+    shown(&value.to_string().replace('\n', " "), LONGEST)
 }
 
 /// serde names Rust's types; a user writes TOML.
@@ -147,6 +145,10 @@ fn in_words(expected: &str) -> String {
 
 /// `; did you mean …` when one of the known words is near.
 pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> String {
+    // A word so long is none of them; the distance would take its length times theirs.
+    if word.len() > 4 * LONGEST {
+        return String::new();
+    }
     let near = known.iter().map(|k| (distance(word, k), *k)).min();
     match near {
         Some((d, known)) if d <= 2.max(known.len() / 3) => format!("; did you mean `{known}`?"),

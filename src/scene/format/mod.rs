@@ -18,6 +18,7 @@ pub(crate) use fault::did_you_mean;
 pub use update::update;
 pub use write::write;
 
+use super::shown::shown;
 use super::{Scene, SceneError, SceneErrors};
 
 /// Reads the text of a scene file; `file` is how complaints call it.
@@ -70,11 +71,18 @@ fn not_toml(error: &toml::de::Error, text: &str, file: &str) -> SceneError {
     let before = text.get(..at).unwrap_or_default();
     let line = before.matches('\n').count();
     let column = before.rsplit('\n').next().unwrap_or_default().chars().count();
-    let found = text.lines().nth(line).unwrap_or_default().trim();
+    let found = part_around(text.lines().nth(line).unwrap_or_default(), column);
     SceneError {
         file: file.to_owned(),
         place: format!("line {}, column {}", line + 1, column + 1),
         value: if found.is_empty() { "nothing".to_owned() } else { format!("`{found}`") },
-        remedy: format!("not TOML: {}", error.message().replace('\n', "; ")),
+        remedy: format!("not TOML: {}", shown(&error.message().replace('\n', "; "), 4 * fault::LONGEST)),
     }
+}
+
+/// The line, or of a long one the part around a column.
+fn part_around(line: &str, column: usize) -> String {
+    let start = if line.chars().count() > fault::LONGEST { column.saturating_sub(fault::LONGEST / 2) } else { 0 };
+    let part: String = line.chars().skip(start).take(fault::LONGEST + 1).collect();
+    format!("{}{}", if start > 0 { "…" } else { "" }, shown(part.trim(), fault::LONGEST))
 }

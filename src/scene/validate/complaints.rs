@@ -3,10 +3,20 @@
 use std::fmt::Display;
 
 use crate::scene::keys::{self, Key, Keyed, Range, Stated};
+use crate::scene::shown::{escaped, shown};
 
-/// One complaint about a scene.
+/// Characters of a place or a value that are shown: a face has twelve numbers of up to twenty-four characters.
+const LONGEST: usize = 320;
+/// Characters of a remedy that are shown: the names of all keys of a table have fewer.
+const LONGEST_REMEDY: usize = 1000;
+
+fn cut(text: &str) -> String {
+    shown(text, LONGEST)
+}
+
+/// One complaint about a scene, shown as one line.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{file}: {place}: found {value}; {remedy}")]
+#[error("{}: {}: found {}; {}", escaped(file), cut(place), cut(value), shown(remedy, LONGEST_REMEDY))]
 pub struct SceneError {
     /// The file, or the preset's name, or "scene".
     pub file: String,
