@@ -4,7 +4,6 @@
 //! memory and microseconds to read. A run stores polynomials up to the memory limit of the model and initial states
 //! from then on.
 
-use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
@@ -85,7 +84,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;
-        (logged.solver.retries, logged.solver.at_face) = (0, logged.law.friction == FrictionLaw::Paper);
+        logged.solver.retries = 0;
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };
