@@ -4,6 +4,7 @@
 //! that the run left, never from samples.
 
 mod acting;
+mod balance;
 mod books;
 mod digest;
 mod history;
@@ -19,6 +20,7 @@ mod session;
 mod summary;
 mod touches;
 
+pub use balance::Balance;
 pub use history::History;
 pub use links::LinkNow;
 pub use quantity::Quantity;

@@ -16,6 +16,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = bench.answer() {
             numbers(ui, answer);
+            balance(ui, bench, answer);
             outside(ui, bench, answer);
             flag(ui, bench, answer);
         }
@@ -34,6 +35,14 @@ fn outside(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
     ui.label(RichText::new(text::OUTSIDE).color(Palette::of(ui).problem)).on_hover_text(words.join("\n"));
 }
 
+/// The energy ledger, where it does not balance.
+fn balance(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
+    if !bench.is_stale() && !answer.balance.holds() {
+        let words = RichText::new(text::UNBALANCED).color(Palette::of(ui).problem);
+        ui.label(words).on_hover_text(answer.balance.to_string());
+    }
+}
+
 /// The first limit that is passed, and how many more.
 fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
     if bench.scene().limits == crate::scene::Limits::default() || bench.is_stale() {
@@ -48,8 +57,6 @@ fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
 
 fn numbers(ui: &mut Ui, answer: &Answer) {
     let s = &answer.summary;
-    let ledger = answer.history.ledger(answer.history.end());
-    let residual = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
     let error = match answer.error() {
         None => "…".to_owned(),
         Some(error) => text::length(error),
@@ -59,7 +66,7 @@ fn numbers(ui: &mut Ui, answer: &Answer) {
         format!("{}°", text::short(s.max_rotation.to_degrees())),
         text::force(s.peak_force),
         s.hits.to_string(),
-        format!("{residual:.0e}"),
+        format!("{:.0e}", answer.balance.residual),
         error,
         text::run_time(answer.took.as_secs_f64(), answer.times_real_time()),
     ];

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::scene::domain::{self, Departure};
 use crate::sim::readings::{self, Passed, Reading};
-use crate::sim::{ContactState, EventKind, History, Hit, Quantity, Summary};
+use crate::sim::{Balance, ContactState, EventKind, History, Hit, Quantity, Summary};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,8 @@ pub struct Answer {
     pub hits: Vec<(usize, f64)>,
     /// How far the models are apart, where there are two.
     pub apart: Option<Apart>,
+    /// What its energy ledger leaves over, beside its bound.
+    pub balance: Balance,
     /// Quantities of its scene outside the domain in which the program is checked.
     pub outside: Vec<Departure>,
     error: OnceLock<f64>,
@@ -76,7 +78,7 @@ impl Answer {
         let record = runs.into_iter().flatten().find_map(History::impact);
         let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
         let apart = history.beside().map(|beside| apart(&history, beside));
-        let outside = domain::outside(history.scene());
+        let (outside, balance) = (domain::outside(history.scene()), history.balance());
         Self {
             history,
             number,
@@ -87,6 +89,7 @@ impl Answer {
             spans,
             hits,
             apart,
+            balance,
             outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),

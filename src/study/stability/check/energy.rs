@@ -1,7 +1,6 @@
 //! The energy ledger balances, and no contact makes energy.
 
 use super::finding::{Check, Complaint, Figures};
-use super::looks::size;
 use crate::scene::FrictionLaw;
 use crate::sim::{History, Ledger};
 
@@ -12,23 +11,13 @@ pub(super) const CREATES: &str = "what bearings, normal and tangential dashpots 
                                   under the paper's law, what contacts have lost altogether from one instant without \
                                   contact to a later one, by more than the ledger's bound";
 
-/// Residual per tolerance.
-const PER_TOLERANCE: f64 = 1e2;
-/// Residual that rounding may leave.
-const ROUNDING: f64 = 1e-11;
-/// Rounding of a place against the depth of a contact, whose force it changes by as much.
-const PLACES: f64 = 256.0 * f64::EPSILON;
 /// Instants at which the ledger is read, evenly, and as many between touches.
 const READINGS: usize = 40;
 
 pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, complaints: &mut Vec<Complaint>) {
     let readings: Vec<(f64, Ledger)> = instants(history).into_iter().map(|t| (t, history.ledger(t))).collect();
     let scale = readings.iter().map(|(_, l)| l.scale).fold(f64::MIN_POSITIVE, f64::max);
-    // Bearings carry the weight: a place's rounding lifts it.
-    let model = history.model();
-    let lifted: f64 = model.bodies.iter().map(|b| b.mass * model.gravity * b.radius).sum();
-    let bound =
-        PER_TOLERANCE * history.model().tolerance + ROUNDING + PLACES * (shallowness(history, times) + lifted / scale);
+    let bound = history.residual_bound(scale, times);
     balance(&readings, scale, bound, figures, complaints);
     let open: Vec<(f64, Ledger)> = readings.iter().filter(|(t, _)| history.contacts(*t).is_empty()).copied().collect();
     let paper = history.model().pairs.iter().all(|pair| pair.contact.law == FrictionLaw::Paper);
@@ -44,18 +33,6 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
             complaints.push(Complaint::new(Check::Creates, detail));
         }
     }
-}
-
-/// The largest place over the deepest penetration; 0 without contact.
-fn shallowness(history: &History, times: &[f64]) -> f64 {
-    let (mut place, mut depth) = (size(history), 0.0f64);
-    for &t in times {
-        for contact in history.contacts(t) {
-            place = place.max(size(history) + contact.point.length());
-            depth = depth.max(contact.penetration);
-        }
-    }
-    if depth > 0.0 { place / depth } else { 0.0 }
 }
 
 /// Even instants, and instants between touches.

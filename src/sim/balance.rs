@@ -1,0 +1,71 @@
+//! Whether the energy ledger balances: what its residual may be, as the stability study holds every answer to
+//! (`docs/stability.md`).
+
+use super::History;
+
+/// Residual per tolerance. A step errs by the tolerance, relative to the motion in hand, its energy by twice that; errors of many
+/// steps add up. Tuned: ten thousand seeds stay below.
+const PER_TOLERANCE: f64 = 1e2;
+/// Residual that rounding of the sums may leave. Tuned likewise.
+const ROUNDING: f64 = 1e-11;
+/// Rounding of a place against the depth of a contact, whose force it changes by as much.
+const PLACES: f64 = 256.0 * f64::EPSILON;
+/// Touches whose depth is looked at, spread over all of them where there are more.
+const LOOKS: usize = 100;
+
+/// The residual of the energy ledger at the end of a run, beside its bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance {
+    /// |residual| in parts of the largest energy in play; 0 where there is none.
+    pub residual: f64,
+    /// The most that it may be.
+    pub bound: f64,
+}
+
+impl Balance {
+    /// Whether the residual keeps its bound; a NaN keeps none.
+    pub fn holds(&self) -> bool {
+        self.residual <= self.bound
+    }
+}
+
+impl std::fmt::Display for Balance {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { residual, bound } = self;
+        write!(
+            f,
+            "the ledger's residual is {residual:.1e} of the largest energy, more than the {bound:.1e} of a sound answer"
+        )
+    }
+}
+
+impl History {
+    /// The ledger's residual at the end, beside its bound.
+    pub fn balance(&self) -> Balance {
+        let ledger = self.ledger(self.end());
+        let residual = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
+        let stride = self.touches().len().div_ceil(LOOKS).max(1);
+        let deepest: Vec<f64> = self.touches().iter().step_by(stride).map(|touch| touch.peak_time).collect();
+        Balance { residual, bound: self.residual_bound(ledger.scale, &deepest) }
+    }
+
+    /// What the ledger's residual may be, in parts of the largest energy in play \[J\]: 100 tolerances, 1e-11, and 256 ε of
+    /// places over the deepest penetration at `times` and of weights lifted by a girder's size, which bearings carry.
+    pub fn residual_bound(&self, scale: f64, times: &[f64]) -> f64 {
+        let model = self.model();
+        let lifted: f64 = model.bodies.iter().map(|b| b.mass * model.gravity * b.radius).sum();
+        let lifted = lifted / scale.max(f64::MIN_POSITIVE);
+        PER_TOLERANCE * model.tolerance + ROUNDING + PLACES * (self.shallowness(times) + lifted)
+    }
+
+    /// The largest place over the deepest penetration; 0 without contact.
+    fn shallowness(&self, times: &[f64]) -> f64 {
+        let size = self.model().bodies.iter().map(|body| body.radius).fold(0.0, f64::max);
+        let (mut place, mut depth) = (size, 0.0f64);
+        for contact in times.iter().flat_map(|&t| self.contacts(t)) {
+            place = place.max(size + contact.point.length());
+            depth = depth.max(contact.penetration);
+        }
+        if depth > 0.0 { place / depth } else { 0.0 }
+    }
+}
