@@ -7,7 +7,7 @@ use super::compute::compute;
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
-use super::run::check_rows;
+use super::limits;
 use crate::files;
 use crate::tables::compare::{Comparison, Difference, EventDifference, compare, compare_events};
 use crate::tables::read::{self, EventRow, TableError, Trajectory};
@@ -100,16 +100,18 @@ fn read_table<T>(path: &Path, parse: fn(&[u8]) -> Result<T, TableError>) -> Resu
 fn run_answer(source: &Path, args: &CompareArgs, console: &mut Console) -> Result<Answer, Failure> {
     let scene = args.changes.load(source)?;
     let sample = args.sample.unwrap_or(DEFAULT_SAMPLE_HZ);
-    check_rows(sample, scene.duration)?;
+    limits::check_in_memory(sample, &scene)?;
     domain::warn(&scene, console);
     let history = compute(&scene)?.swap_remove(0).history;
     if let Some(stop) = history.stop() {
         console.note(&Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }.to_string());
     }
+    domain::warn_of_balance(&history, console);
     let of_table = |error: TableError| Failure::Input(format!("{}: {error}", source.display()));
     Ok(Answer {
-        trajectory: read::trajectory(&tables::trajectory(&history, sample)).map_err(of_table)?,
-        events: read::events(&tables::events(&history)).map_err(of_table)?,
+        trajectory: read::trajectory(&tables::in_memory(|out| tables::trajectory(&history, sample, out)))
+            .map_err(of_table)?,
+        events: read::events(&tables::in_memory(|out| tables::events(&history, out))).map_err(of_table)?,
     })
 }
 

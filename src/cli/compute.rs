@@ -3,7 +3,7 @@
 use super::progress::{Progress, Timer, Waiting};
 use crate::scene::{ModelKind, Scene, SceneErrors};
 use crate::sim::{History, Session};
-use crate::tables::{self, TableOptions};
+use crate::tables::{self, Table, TableOptions};
 
 /// An answer, and how long it took \[s\].
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub(super) fn compute_as_asked(scene: &Scene) -> Result<Timed, SceneErrors> {
 
 impl Timed {
     /// Its tables, called by the model where another one leads.
-    pub(super) fn tables(&self, options: &TableOptions) -> Vec<(String, Vec<u8>)> {
+    pub(super) fn tables(&self, options: &TableOptions) -> Vec<Table<'_>> {
         if self.leads { tables::all(&self.history, options) } else { tables::all_beside(&self.history, options) }
     }
 

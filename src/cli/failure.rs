@@ -27,6 +27,9 @@ pub(super) enum Failure {
         /// Where and why.
         stop: Stop,
     },
+    /// A signal came while files were written; the message says what was kept.
+    #[error("interrupted: {0}")]
+    Interrupted(String),
     /// A study found what it looked for; everything was written.
     #[error("{0}")]
     Study(String),
@@ -41,6 +44,8 @@ impl Failure {
             Self::NoPicture(_) => ExitCode::from(3),
             Self::Output(_) => ExitCode::from(4),
             Self::GaveUp { .. } | Self::Study(_) => ExitCode::from(1),
+            // Where the program does not end by the signal itself: what a shell makes of SIGINT.
+            Self::Interrupted(_) => ExitCode::from(130),
         }
     }
 }
@@ -53,7 +58,8 @@ impl From<SceneErrors> for Failure {
 
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
-        Self::Input(error.to_string())
+        let said = error.to_string();
+        if error.is_of_place() { Self::Input(said) } else { Self::Output(said) }
     }
 }
 

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use super::compute::compute;
+use super::compute::{Timed, compute};
 use super::console::Console;
 use super::failure::Failure;
-use super::run::write_files;
+use super::output::write_answer;
 use super::{domain, summary};
 use crate::scene::Scene;
 use crate::sim::History;
-use crate::tables::{Report, TableOptions};
+use crate::tables::{self, Report, TableOptions};
 
 /// Runs a scene and writes everything about it into a folder.
 ///
@@ -17,27 +17,30 @@ use crate::tables::{Report, TableOptions};
 /// Bad input; a run that gave up, after its answer has been written.
 pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result<(), Failure> {
     domain::warn(scene, console);
-    let timed = compute(scene)?;
-    let mut all = Vec::new();
-    for answer in &timed {
-        let (error, run_time) = (Some(answer.estimate_error()), Some(answer.run_time));
-        let options = TableOptions { estimated_error: error, run_time, ..TableOptions::default() };
-        console.print(&summary::text(&Report::of(&answer.history, &options)));
-        all.extend(answer.tables(&options));
+    let (options, histories): (Vec<_>, Vec<_>) =
+        compute(scene)?.into_iter().map(|answer| (options(&answer), answer.history)).unzip();
+    for (history, options) in histories.iter().zip(&options) {
+        console.print(&summary::text(&Report::of(history, options)));
+        domain::warn_of_balance(history, console);
     }
-    let stop = timed.iter().find_map(|timed| timed.history.stop().cloned());
-    let Some(history) = timed.into_iter().map(|timed| timed.history).reduce(History::with_beside) else {
-        return Ok(());
-    };
-    match pictures(&history) {
-        Ok(pictures) => all.extend(pictures),
-        Err(why) => console.note(&format!("no pictures: {why}")),
-    }
-    console.print(&write_files(folder, &all)?);
-    match stop {
-        Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop }),
+    let Some(history) = histories.into_iter().reduce(History::with_beside) else { return Ok(()) };
+    let beside = history.beside().into_iter().zip(options.iter().skip(1));
+    let beside = beside.flat_map(|(history, options)| tables::all_beside(history, options));
+    let tables: Vec<_> = tables::all(&history, &options[0]).into_iter().chain(beside).collect();
+    let pictures = pictures(&history).unwrap_or_else(|why| {
+        console.note(&format!("no pictures: {why}"));
+        Vec::new()
+    });
+    console.print(&write_answer(folder, &tables, &pictures)?);
+    match history.stop().or_else(|| history.beside().and_then(History::stop)) {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }),
         None => Ok(()),
     }
+}
+
+fn options(answer: &Timed) -> TableOptions {
+    let (error, run_time) = (Some(answer.estimate_error()), Some(answer.run_time));
+    TableOptions { estimated_error: error, run_time, ..TableOptions::default() }
 }
 
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.

@@ -9,7 +9,10 @@ mod digits;
 mod domain;
 mod failure;
 mod headless;
+mod interrupt;
+mod limits;
 mod open;
+mod output;
 mod presets;
 mod progress;
 #[cfg(feature = "render")]
@@ -72,6 +75,7 @@ pub fn main() -> ExitCode {
     for failure in [console.finish().err(), done.err()].into_iter().flatten() {
         code = fail(&failure, &mut console);
     }
+    interrupt::end_if_raised();
     code
 }
 

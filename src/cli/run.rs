@@ -1,18 +1,16 @@
 //! `girderbench run`: computes a scene, prints a summary, writes the tables.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::args::{SceneArgs, positive};
 use super::compute::{Timed, compute};
 use super::console::Console;
 use super::domain;
 use super::failure::Failure;
-use super::summary;
+use super::output::write_answer;
+use super::{limits, summary};
 use crate::files;
 use crate::tables::{DEFAULT_SAMPLE_HZ, Report, TableOptions};
-
-/// More rows than this are refused: the table would not fit a disk or a memory.
-const MOST_ROWS: f64 = 2e7;
 
 /// Run a scene: a summary here, the tables into a folder
 #[derive(Clone, Debug, clap::Args)]
@@ -22,6 +20,9 @@ pub(super) struct RunArgs {
     /// Rows per second in the tables [Hz]
     #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
     sample: f64,
+    /// Compute bodies that no pair joins on so many threads; `RAYON_NUM_THREADS` when left out, else one a processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder; of the impact model also hits.csv and
     /// transitions.csv, and impact-….csv beside the contact model's where the scene asks for both
     #[arg(long, value_name = "DIR")]
@@ -37,9 +38,12 @@ pub(super) struct RunArgs {
 /// Bad input; a run that gave up, after its answer has been printed and written.
 pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
-    check_rows(args.sample, scene.duration)?;
+    args.threads.map_or(Ok(()), use_threads)?;
     // Before the run, so that no answer is lost for want of a place to write it.
-    args.out.as_deref().map_or(Ok(()), files::check_folder)?;
+    if let Some(folder) = &args.out {
+        limits::check_trajectory(args.sample, &scene)?;
+        files::check_folder(folder)?;
+    }
     domain::warn(&scene, console);
     let timed = compute(&scene)?;
     if args.digest {
@@ -65,36 +69,25 @@ fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), 
             estimated_error: Some(timed.estimate_error()),
             run_time: Some(timed.run_time),
         };
+        domain::warn_of_balance(&timed.history, console);
         if !args.digest {
             console.print(&summary::text(&Report::of(&timed.history, &options)));
         }
         if args.out.is_some() {
+            limits::check_contacts(args.sample, &timed.history)?;
             all.extend(timed.tables(&options));
         }
     }
     let Some(folder) = &args.out else { return Ok(()) };
-    let written = write_files(folder, &all)?;
+    let written = write_answer(folder, &all, &[])?;
     if !args.digest {
         console.print(&written);
     }
     Ok(())
 }
 
-/// Writes files of an answer into a folder and says so.
-pub(super) fn write_files(folder: &Path, all: &[(String, Vec<u8>)]) -> Result<String, Failure> {
-    files::write_set(folder, all)?;
-    let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
-    Ok(format!("written to {}: {}\n", folder.display(), names.join(", ")))
-}
-
-/// Refuses tables that would not fit.
-pub(super) fn check_rows(sample_hz: f64, duration: f64) -> Result<(), Failure> {
-    let rows = sample_hz * duration;
-    if rows <= MOST_ROWS {
-        return Ok(());
-    }
-    Err(Failure::Input(format!(
-        "--sample: {sample_hz}: {rows:.1e} rows over {duration} s are too many: give at most {:.3e} samples a second",
-        MOST_ROWS / duration
-    )))
+/// Sets the number of threads that runs share.
+fn use_threads(count: u16) -> Result<(), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(count.into()).build_global();
+    pool.map_err(|error| Failure::Input(format!("--threads {count}: they cannot be started ({error}): give fewer")))
 }

@@ -95,13 +95,17 @@ fn seat_words(seat: &SeatReport) -> String {
 fn accuracy(report: &Report) -> Vec<Line> {
     let ledger = &report.ledger;
     let share = if ledger.scale > 0.0 { ledger.residual.abs() / ledger.scale } else { 0.0 };
+    let unbalanced = if report.balances { "" } else { ": beyond its bound" };
     let error = match report.estimated_error {
         Some(error) => format!("{error:.2e} m (against a hundredth of the tolerance {:e})", report.tolerance),
         None => "not asked for".to_owned(),
     };
     vec![
         line("estimated error", error),
-        line("ledger residual", format!("{:.2e} J, {share:.1e} of the largest energy", ledger.residual + 0.0)),
+        line(
+            "ledger residual",
+            format!("{:.2e} J, {share:.1e} of the largest energy{unbalanced}", ledger.residual + 0.0),
+        ),
     ]
 }
 

@@ -3,19 +3,24 @@
 //! Reading a scene gathers everything it depends on (its text, overrides, the record it names) so that the rooms behind
 //! see plain data and never a path. Writing is atomic: a reader sees the old file or the new one, never half of one.
 
+mod earlier;
 mod load;
 mod read;
 mod recent;
 mod recovery;
 mod save;
 mod scene_source;
+mod staging;
 mod stamp;
+mod write_error;
 
 pub use crate::motion::format::{FORMATS as RECORD_FORMATS, formats_in_words, is_record};
+pub use earlier::{earlier_files, remove_files};
 pub use load::{load_scene, load_unsaved, read_record};
 pub use read::{ReadError, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
-pub use save::{Draft, FileSet, WriteError, check_folder, save_scene, write_atomic, write_set};
+pub use save::{Draft, FileSet, check_folder, save_scene, write_atomic, write_set};
 pub use scene_source::SceneSource;
 pub use stamp::Stamp;
+pub use write_error::WriteError;

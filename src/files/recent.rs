@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::read::{LARGEST_INPUT, read_regular};
-use super::save::{WriteError, folder_of, write_atomic};
+use super::save::{folder_of, write_atomic};
+use super::write_error::WriteError;
 
 /// More than this is not looked through any more.
 const MOST: usize = 12;
@@ -75,7 +76,7 @@ impl Recent {
         let files = self.files.iter().filter_map(|file| file.to_str()).map(str::to_owned).collect();
         let text = toml::to_string(&Written { files }).unwrap_or_default();
         let folder = folder_of(&self.list);
-        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })?;
+        std::fs::create_dir_all(folder).map_err(|cause| WriteError::new(folder, cause))?;
         write_atomic(&self.list, text.as_bytes())
     }
 }

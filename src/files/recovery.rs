@@ -8,7 +8,9 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use super::save::{WriteError, folder_of, stage_scene};
+use super::save::{folder_of, stage_scene};
+use super::staging::hold;
+use super::write_error::WriteError;
 use crate::scene::Scene;
 
 /// What a side file's name ends in; the second one of a scene ends in `.unsaved2`.
@@ -43,7 +45,7 @@ impl SideFile {
     /// When the folder cannot be written to.
     pub fn create(scene: &Scene, file: &Path) -> Result<Self, WriteError> {
         let folder = folder_of(file);
-        let fail = |source| WriteError { path: numbered(file, 1), source };
+        let fail = |cause| WriteError::new(numbered(file, 1), cause);
         std::fs::create_dir_all(folder).map_err(fail)?;
         let mut staged = stage_scene(scene, None, &numbered(file, 1))?;
         hold(staged.as_file());
@@ -79,7 +81,7 @@ impl SideFile {
         hold(staged.as_file());
         // Not every system puts a file in the place of one that is open.
         self.held = None;
-        let fail = |error: tempfile::PersistError| WriteError { path: self.path.clone(), source: error.error };
+        let fail = |error: tempfile::PersistError| WriteError::new(&self.path, error.error);
         self.held = Some(staged.persist(&self.path).map_err(fail)?);
         Ok(())
     }
@@ -90,11 +92,6 @@ impl SideFile {
         // Gone already is as good.
         let _ = std::fs::remove_file(&self.path);
     }
-}
-
-/// Locks a file for as long as it is open; where a file system knows no locks, nothing is held.
-fn hold(file: &File) {
-    let _ = file.try_lock();
 }
 
 /// Whether a window that still runs holds a side file.

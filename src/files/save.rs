@@ -1,22 +1,14 @@
 //! Writes files whole or not at all.
 
-use std::io::Write as _;
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::NamedTempFile;
 
 use super::scene_source::SceneSource;
+use super::staging::{Stage, file_in, sweep};
+use super::write_error::WriteError;
 use crate::scene::{Motion, Scene, format};
-
-/// A file that could not be written.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: cannot be written ({source}): choose a folder that exists and may be written to", path.display())]
-pub struct WriteError {
-    /// The file.
-    pub path: PathBuf,
-    /// What the system said.
-    pub(super) source: std::io::Error,
-}
 
 /// Saves a scene as TOML.
 ///
@@ -36,7 +28,7 @@ pub(super) fn stage_scene(scene: &Scene, text: Option<&str>, path: &Path) -> Res
     let scene = portable(scene, path);
     let text = text.map_or_else(|| format::write(&scene), |text| format::update(text, &scene));
     let file = stage(path, text.as_bytes())?;
-    file.as_file().sync_all().map_err(|source| WriteError { path: path.to_owned(), source })?;
+    file.as_file().sync_all().map_err(|cause| WriteError::new(path, cause))?;
     Ok(file)
 }
 
@@ -73,7 +65,8 @@ pub fn write_set<N: AsRef<Path>, B: AsRef<[u8]>>(folder: &Path, files: &[(N, B)]
 /// Files that come one by one and get their names together; dropped before that, nothing of them stays.
 #[derive(Debug, Default)]
 pub struct FileSet {
-    staged: Vec<(TempPath, PathBuf)>,
+    /// One a folder.
+    stages: Vec<Stage>,
     made: Folders,
 }
 
@@ -83,11 +76,35 @@ impl FileSet {
     /// # Errors
     /// When the folder or the file cannot be written.
     pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-        let folder = folder_of(path);
-        self.made.make(folder)?;
-        // Closed here: there may be more files than a process may hold open.
-        self.staged.push((stage(path, bytes)?.into_temp_path(), path.to_owned()));
-        Ok(())
+        self.add_with(path, |out| out.write_all(bytes))
+    }
+
+    /// The same of a file that is written portion by portion.
+    ///
+    /// # Errors
+    /// When the folder or the file cannot be written, or `write` fails.
+    pub fn add_with(
+        &mut self,
+        path: &Path,
+        write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+    ) -> Result<(), WriteError> {
+        let fail = |cause| WriteError::new(path, cause);
+        let stage = self.stage(folder_of(path))?;
+        stage.write(path.file_name().unwrap_or_default(), write).map_err(fail)
+    }
+
+    fn stage(&mut self, folder: &Path) -> Result<&mut Stage, WriteError> {
+        let at = self.stages.iter().position(|stage| stage.folder == folder).unwrap_or(self.stages.len());
+        if at == self.stages.len() {
+            self.made.make(folder)?;
+            self.stages.push(Stage::in_folder(folder).map_err(|cause| WriteError::new(folder, cause))?);
+        }
+        Ok(&mut self.stages[at])
+    }
+
+    /// How many files have come.
+    pub fn count(&self) -> usize {
+        self.stages.iter().map(Stage::count).sum()
     }
 
     /// Gives all of them their names.
@@ -95,10 +112,7 @@ impl FileSet {
     /// # Errors
     /// When something that is no file stands in the way of one.
     pub fn finish(mut self) -> Result<(), WriteError> {
-        let name = |(file, path): (TempPath, PathBuf)| {
-            file.persist(&path).map_err(|error| WriteError { path, source: error.error })
-        };
-        std::mem::take(&mut self.staged).into_iter().try_for_each(name)
+        std::mem::take(&mut self.stages).into_iter().try_for_each(Stage::finish)
     }
 }
 
@@ -110,7 +124,7 @@ impl Folders {
     fn make(&mut self, folder: &Path) -> Result<(), WriteError> {
         let missing = folder.ancestors().take_while(|f| *f != Path::new("") && !f.exists()).map(Path::to_owned);
         self.0.extend(missing.collect::<Vec<_>>().into_iter().rev());
-        std::fs::create_dir_all(folder).map_err(|source| WriteError { path: folder.to_owned(), source })
+        std::fs::create_dir_all(folder).map_err(|cause| WriteError::new(folder, cause))
     }
 }
 
@@ -123,7 +137,7 @@ impl Drop for Folders {
 /// One file that grows as it is written to and gets its name at the end; dropped before that, nothing of it stays.
 #[derive(Debug)]
 pub struct Draft {
-    file: std::io::BufWriter<NamedTempFile>,
+    file: BufWriter<NamedTempFile>,
     path: PathBuf,
     /// Dropped after the file, so that its folder is empty by then.
     _made: Folders,
@@ -137,8 +151,9 @@ impl Draft {
     pub fn create(path: &Path) -> Result<Self, WriteError> {
         let mut made = Folders::default();
         made.make(folder_of(path))?;
-        let file = temporary_in(folder_of(path)).map_err(|source| WriteError { path: path.to_owned(), source })?;
-        Ok(Self { file: std::io::BufWriter::new(file), path: path.to_owned(), _made: made })
+        sweep(folder_of(path));
+        let file = file_in(folder_of(path)).map_err(|cause| WriteError::new(path, cause))?;
+        Ok(Self { file: BufWriter::new(file), path: path.to_owned(), _made: made })
     }
 
     /// Gives it its name.
@@ -146,21 +161,27 @@ impl Draft {
     /// # Errors
     /// When the rest cannot be written, or something that is no file stands in the way.
     pub fn finish(self) -> Result<(), WriteError> {
-        let file = self
-            .file
-            .into_inner()
-            .map_err(|error| WriteError { path: self.path.clone(), source: error.into_error() })?;
+        let file = self.file.into_inner().map_err(|error| WriteError::new(&self.path, error.into_error()))?;
         persist(file, &self.path)
     }
 }
 
-impl std::io::Write for Draft {
+/// Errors name the file as it will be called.
+impl Write for Draft {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.file.write(bytes)
+        self.file.write(bytes).map_err(|cause| named(&self.path, cause))
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        self.file.flush()
+        self.file.flush().map_err(|cause| named(&self.path, cause))
+    }
+}
+
+fn named(path: &Path, cause: std::io::Error) -> std::io::Error {
+    match cause.kind() {
+        // A writer tries again.
+        ErrorKind::Interrupted => cause,
+        kind => std::io::Error::new(kind, WriteError::new(path, cause)),
     }
 }
 
@@ -173,33 +194,21 @@ impl std::io::Write for Draft {
 pub fn check_folder(folder: &Path) -> Result<(), WriteError> {
     let there = folder.ancestors().find(|path| path.exists() && *path != Path::new("")).unwrap_or(Path::new("."));
     // Gone again when dropped.
-    temporary_in(there).map(drop).map_err(|source| WriteError { path: folder.to_owned(), source })
+    file_in(there).map(drop).map_err(|cause| WriteError::new(folder, cause))
 }
 
 /// Puts the bytes on the disk beside `path`, under a name of its own; dropped, it is removed.
 fn stage(path: &Path, bytes: &[u8]) -> Result<NamedTempFile, WriteError> {
     let write = || {
-        let mut file = temporary_in(folder_of(path))?;
+        let mut file = file_in(folder_of(path))?;
         file.write_all(bytes)?;
         Ok(file)
     };
-    write().map_err(|source| WriteError { path: path.to_owned(), source })
+    write().map_err(|cause| WriteError::new(path, cause))
 }
 
 fn persist(file: NamedTempFile, path: &Path) -> Result<(), WriteError> {
-    file.persist(path).map(|_| ()).map_err(|error| WriteError { path: path.to_owned(), source: error.error })
-}
-
-#[cfg(unix)]
-fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
-    use std::os::unix::fs::PermissionsExt as _;
-    // Temporary files are private by default; a result is for whoever the user's umask lets read it.
-    tempfile::Builder::new().permissions(std::fs::Permissions::from_mode(0o666)).tempfile_in(folder)
-}
-
-#[cfg(not(unix))]
-fn temporary_in(folder: &Path) -> std::io::Result<NamedTempFile> {
-    NamedTempFile::new_in(folder)
+    file.persist(path).map(|_| ()).map_err(|error| WriteError::new(path, error.error))
 }
 
 pub(super) fn folder_of(path: &Path) -> &Path {

@@ -26,8 +26,8 @@ pub enum GifError {
     /// GIF's sizes are 16 bits.
     #[error("{0} × {1} pixels: a GIF has at most 65535 on a side")]
     Size(u32, u32),
-    /// It could not be written.
-    #[error("the GIF cannot be written ({0})")]
+    /// It could not be written; the writer says which file.
+    #[error("{0}")]
     Write(#[from] EncodingError),
 }
 

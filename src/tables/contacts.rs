@@ -3,6 +3,8 @@
 //! A touch of the model girder lasts about 10 ms, one sample at the usual rate, so the samples alone would miss what
 //! matters: events and peaks have rows of their own, and `why` tells which instant a row is.
 
+use std::io::Write;
+
 use super::events::law_of;
 use super::{number, sample_times, to_csv, xyz, xyz_header};
 use crate::sim::{ContactNow, History};
@@ -12,25 +14,49 @@ use crate::sim::{ContactNow, History};
 /// `point` is the node, `anchor` the point of the face that holds it, `normal` points out of the face; forces \[N\]:
 /// `normal_force` is `K δ`, `friction` the tangential spring or friction, the dashpots apart, `force` the sum of all,
 /// on the node's body.
-pub fn contacts(history: &History, sample_hz: f64) -> Vec<u8> {
-    let rows = instants(history, sample_hz).into_iter().flat_map(|(t, why)| {
+///
+/// # Errors
+/// What the writer says.
+pub fn contacts(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
+    let rows = instants(history, sample_hz).flat_map(|(t, why)| {
         let closed = history.contacts(t);
         closed.into_iter().map(move |contact| row(history, t, why, &contact)).collect::<Vec<_>>()
     });
-    to_csv(&header(), rows)
+    to_csv(&header(), rows, out)
 }
 
-/// Samples, events and force peaks in order of time, each instant once; an event's name wins over a peak's, and a
-/// peak's over a sample's.
-fn instants(history: &History, sample_hz: f64) -> Vec<(f64, &'static str)> {
+/// As many cells as the table has, to a row a touch: one for each sample, event and peak within each touch.
+pub fn contact_cells(history: &History, sample_hz: f64) -> f64 {
+    let special = special_instants(history);
+    let until = |t: f64| special.partition_point(|(instant, _)| *instant <= t);
+    let rows = history.touches().iter().map(|touch| {
+        (touch.end - touch.start) * sample_hz + (until(touch.end).saturating_sub(until(touch.start)) + 1) as f64
+    });
+    rows.sum::<f64>() * header().len() as f64
+}
+
+/// Events and force peaks in order of time, each instant once; an event's name wins over a peak's.
+fn special_instants(history: &History) -> Vec<(f64, &'static str)> {
     let events = history.events().iter().map(|event| (event.t, "event"));
     let peaks = history.touches().iter().map(|touch| (touch.peak_time, "peak"));
-    let samples = sample_times(history.end(), sample_hz).map(|t| (t, "sample"));
-    let mut all: Vec<_> = events.chain(peaks).chain(samples).collect();
+    let mut special: Vec<_> = events.chain(peaks).collect();
     // Stable, so that the first of equals is the one named first above.
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all.dedup_by(|later, kept| later.0 == kept.0);
-    all
+    special.sort_by(|a, b| a.0.total_cmp(&b.0));
+    special.dedup_by(|later, kept| later.0 == kept.0);
+    special
+}
+
+/// The same and samples; their names win over a sample's.
+fn instants(history: &History, sample_hz: f64) -> impl Iterator<Item = (f64, &'static str)> {
+    let mut special = special_instants(history).into_iter().peekable();
+    let mut samples = sample_times(history.end(), sample_hz).map(|t| (t, "sample")).peekable();
+    std::iter::from_fn(move || {
+        let Some(next) = special.peek().copied() else { return samples.next() };
+        samples.next_if(|sample| sample.0 < next.0).or_else(|| {
+            samples.next_if(|sample| sample.0 == next.0);
+            special.next()
+        })
+    })
 }
 
 fn header() -> Vec<String> {

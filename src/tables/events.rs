@@ -1,13 +1,18 @@
 //! `events.csv`: what happened to which contact, and when.
 
+use std::io::Write;
+
 use super::{number, to_csv};
 use crate::sim::{Event, History};
 
 const HEADER: [&str; 7] = ["t", "pair", "kind", "node", "face", "released", "law"];
 
 /// The table: one row an event, in order of time; `released` is the energy that a jump of the anchor set free \[J\].
-pub fn events(history: &History) -> Vec<u8> {
-    to_csv(&HEADER.map(str::to_owned), history.events().iter().map(|event| row(history, event)))
+///
+/// # Errors
+/// What the writer says.
+pub fn events(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
+    to_csv(&HEADER.map(str::to_owned), history.events().iter().map(|event| row(history, event)), out)
 }
 
 fn row(history: &History, event: &Event) -> Vec<String> {

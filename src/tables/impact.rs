@@ -1,5 +1,7 @@
 //! `hits.csv` and `transitions.csv`: what the impact model did, with the rows of the paper's tables that fired.
 
+use std::io::Write;
+
 use super::{number, to_csv};
 use crate::sim::{History, Hit, Row, State, Transition};
 
@@ -30,9 +32,12 @@ const HITS: [&str; 22] = [
 
 /// Every hit: where, the approach `v_n, v_s` \[m/s\], first, second and total impulse on the first side along the normal and
 /// its tangent \[N·s\], energy lost \[J\]. Empty under the contact model.
-pub fn hits(history: &History) -> Vec<u8> {
+///
+/// # Errors
+/// What the writer says.
+pub fn hits(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let all = history.impact().map_or(&[][..], |record| &record.hits);
-    to_csv(&HITS.map(str::to_owned), all.iter().map(|hit| hit_row(history, hit)))
+    to_csv(&HITS.map(str::to_owned), all.iter().map(|hit| hit_row(history, hit)), out)
 }
 
 fn hit_row(history: &History, hit: &Hit) -> Vec<String> {
@@ -74,10 +79,13 @@ const TRANSITIONS: [&str; 9] = ["t", "girder", "pair", "from", "to", "state", "p
 
 /// Every change of state, each girder's state at the start first; with the paper's name of the state and the row of its
 /// tables that fired. Empty under the contact model.
-pub fn transitions(history: &History) -> Vec<u8> {
+///
+/// # Errors
+/// What the writer says.
+pub fn transitions(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
     let all = history.impact().map_or(&[][..], |record| &record.transitions);
     let rows = all.iter().filter(|change| change.from != change.to || change.t == 0.0);
-    to_csv(&TRANSITIONS.map(str::to_owned), rows.map(|change| transition_row(history, change)))
+    to_csv(&TRANSITIONS.map(str::to_owned), rows.map(|change| transition_row(history, change)), out)
 }
 
 fn transition_row(history: &History, change: &Transition) -> Vec<String> {

@@ -12,11 +12,13 @@ pub mod read;
 mod summary;
 mod trajectory;
 
-pub use contacts::contacts;
+pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
 pub use summary::{OutsideReport, PairReport, Report, SeatReport, Versions};
-pub use trajectory::trajectory;
+pub use trajectory::{trajectory, trajectory_columns};
+
+use std::io::Write;
 
 use crate::sim::History;
 
@@ -40,24 +42,88 @@ impl Default for TableOptions {
     }
 }
 
-/// Every table of an answer, as (file name, bytes); the impact model adds its hits and transitions.
-pub fn all(history: &History, options: &TableOptions) -> Vec<(String, Vec<u8>)> {
-    let mut all = vec![
-        ("trajectory.csv", trajectory(history, options.sample_hz)),
-        ("contacts.csv", contacts(history, options.sample_hz)),
-        ("events.csv", events(history)),
-        ("summary.json", Report::of(history, options).to_json()),
-    ];
-    if history.impact().is_some() {
-        all.extend([("hits.csv", hits(history)), ("transitions.csv", transitions(history))]);
+/// A table of an answer, written on demand: it may be larger than what memory holds.
+pub struct Table<'a> {
+    /// Name of its file.
+    pub name: String,
+    write: Box<Writes<'a>>,
+}
+
+type Writes<'a> = dyn Fn(&mut dyn Write) -> std::io::Result<()> + 'a;
+
+impl std::fmt::Debug for Table<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Table").field("name", &self.name).finish_non_exhaustive()
     }
-    all.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect()
+}
+
+impl Table<'_> {
+    /// Writes its bytes.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
+        (self.write)(out)
+    }
+}
+
+/// Tables of an answer that every model has, and those that the impact model adds.
+const NAMES: [&str; 4] = ["trajectory.csv", "contacts.csv", "events.csv", SUMMARY];
+const OF_IMPACT: [&str; 2] = ["hits.csv", "transitions.csv"];
+const SUMMARY: &str = "summary.json";
+/// Names under which an answer has a summary, of the model that leads and of the one beside it.
+pub const SUMMARIES: &[&str] = &[SUMMARY, "impact-summary.json", "contact-summary.json"];
+
+/// Every table of an answer; the impact model adds its hits and transitions.
+pub fn all<'a>(history: &'a History, options: &TableOptions) -> Vec<Table<'a>> {
+    named(history, *options, str::to_owned)
 }
 
 /// The tables of the model that does not lead, beside the other's.
-pub fn all_beside(history: &History, options: &TableOptions) -> Vec<(String, Vec<u8>)> {
-    let name = |name: String| format!("{}-{name}", history.scene().model.kind.label());
-    all(history, options).into_iter().map(|(file, bytes)| (name(file), bytes)).collect()
+pub fn all_beside<'a>(history: &'a History, options: &TableOptions) -> Vec<Table<'a>> {
+    named(history, *options, |name| format!("{}-{name}", history.scene().model.kind.label()))
+}
+
+fn named<'a>(history: &'a History, options: TableOptions, name: impl Fn(&str) -> String) -> Vec<Table<'a>> {
+    let hz = options.sample_hz;
+    let impact: &[&str] = if history.impact().is_some() { &OF_IMPACT } else { &[] };
+    let files: Vec<String> = NAMES.iter().chain(impact).map(|file| name(file)).collect();
+    let write = |file: &str| -> Box<Writes<'a>> {
+        let files = files.clone();
+        match file {
+            "trajectory.csv" => Box::new(move |out| trajectory(history, hz, out)),
+            "contacts.csv" => Box::new(move |out| contacts(history, hz, out)),
+            "events.csv" => Box::new(move |out| events(history, out)),
+            "hits.csv" => Box::new(move |out| hits(history, out)),
+            "transitions.csv" => Box::new(move |out| transitions(history, out)),
+            _ => Box::new(move |out| {
+                out.write_all(&Report { files: files.clone(), ..Report::of(history, &options) }.to_json())
+            }),
+        }
+    };
+    NAMES.iter().chain(impact).map(|file| Table { name: name(file), write: write(file) }).collect()
+}
+
+/// The tables that a summary names as of its answer; none where the bytes are no summary of this program.
+pub fn named_in(summary: &[u8]) -> Vec<String> {
+    let summary: serde_json::Value = serde_json::from_slice(summary).unwrap_or_default();
+    let own = summary["versions"]["girderbench"].is_string();
+    let files = summary["files"].as_array().filter(|_| own).into_iter().flatten();
+    files.filter_map(serde_json::Value::as_str).filter(|name| is_table(name)).map(str::to_owned).collect()
+}
+
+/// Whether an answer may have a table of that name.
+fn is_table(name: &str) -> bool {
+    let name = ["impact-", "contact-"].iter().find_map(|model| name.strip_prefix(model)).unwrap_or(name);
+    NAMES.iter().chain(&OF_IMPACT).any(|own| *own == name)
+}
+
+/// The bytes of a table that fits into memory.
+pub fn in_memory(write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let written = write(&mut bytes);
+    debug_assert!(written.is_ok(), "memory takes everything: {written:?}");
+    bytes
 }
 
 /// The instants `0, 1/hz, 2/hz, …` up to `end`, each `i / hz` to the last bit \[s\].
@@ -75,14 +141,20 @@ fn xyz(v: glam::DVec3) -> [String; 3] {
     [number(v.x), number(v.y), number(v.z)]
 }
 
-/// CSV bytes of a header and rows of one width.
-fn to_csv(header: &[String], rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Writing to memory cannot fail, and a row of another width would be a mistake of the table's own function.
-    let written =
-        writer.write_record(header).and_then(|()| rows.into_iter().try_for_each(|row| writer.write_record(row)));
-    debug_assert!(written.is_ok(), "rows as wide as the header: {written:?}");
-    writer.into_inner().unwrap_or_default()
+/// Writes a header and rows of one width as CSV.
+fn to_csv(header: &[String], rows: impl IntoIterator<Item = Vec<String>>, out: &mut dyn Write) -> std::io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    let written = writer.write_record(header);
+    written.and_then(|()| rows.into_iter().try_for_each(|row| writer.write_record(row))).map_err(of_writer)?;
+    writer.flush()
+}
+
+/// What the writer answered; anything else would be a mistake of the table's own function.
+fn of_writer(error: csv::Error) -> std::io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => std::io::Error::other(format!("{other:?}")),
+    }
 }
 
 /// Columns called `name.x`, `name.y`, `name.z`.
@@ -101,6 +173,16 @@ mod tests {
             assert_eq!(back.to_bits(), value.to_bits(), "{value:?} comes back as {back:?}");
         }
         assert_eq!(number(-0.0), "0.0", "nothing has no sign");
+    }
+
+    #[test]
+    fn a_summary_names_tables_and_nothing_else() {
+        let own = |files: &str| format!(r#"{{"versions": {{"girderbench": "0.1.0"}}, "files": {files}}}"#);
+        let files = r#"["hits.csv", "impact-events.csv", "../hits.csv", "my.csv", 3, "summary.json.toml"]"#;
+        assert_eq!(named_in(own(files).as_bytes()), ["hits.csv", "impact-events.csv"], "names of tables");
+        for other in [r#"{"files": ["hits.csv"]}"#, "[]", "", "{\"versions\": 3}"] {
+            assert!(named_in(other.as_bytes()).is_empty(), "no summary of this program: {other}");
+        }
     }
 
     #[test]

@@ -39,6 +39,10 @@ pub struct Report {
     pub estimated_error: Option<f64>,
     /// The energy ledger at the end \[J\].
     pub ledger: Ledger,
+    /// The most that the ledger's |residual| may be \[J\].
+    pub residual_bound: f64,
+    /// Whether it is no more.
+    pub balances: bool,
     /// Hash of the whole answer, bit for bit.
     pub digest: String,
     /// Time to compute it, when timed \[s\].
@@ -47,6 +51,8 @@ pub struct Report {
     pub times_real_time: Option<f64>,
     /// What computed it.
     pub versions: Versions,
+    /// Files of the answer, this one among them; a later answer in the same folder removes those that it does not have.
+    pub files: Vec<String>,
 }
 
 /// A facing pair in short.
@@ -123,7 +129,7 @@ pub struct Versions {
 impl Report {
     /// Gathers the facts of an answer.
     pub fn of(history: &History, options: &TableOptions) -> Self {
-        let scene = history.scene();
+        let (scene, ledger, balance) = (history.scene(), history.ledger(history.end()), history.balance());
         Self {
             scene: scene.name.clone(),
             kind: scene.kind,
@@ -138,11 +144,14 @@ impl Report {
             outside_domain: outside(scene),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
-            ledger: history.ledger(history.end()),
+            ledger,
+            residual_bound: balance.bound * ledger.scale,
+            balances: balance.holds(),
             digest: format!("{:016x}", history.digest()),
             run_time: options.run_time,
             times_real_time: options.run_time.filter(|&s| s > 0.0).map(|s| history.end() / s),
             versions: Versions { girderbench: env!("CARGO_PKG_VERSION"), scene_format: scene.format },
+            files: Vec::new(),
         }
     }
 

@@ -1,7 +1,9 @@
 //! `trajectory.csv`: where every girder is and how fast, at a constant rate.
 
+use std::io::Write;
+
 use super::{number, sample_times, to_csv};
-use crate::scene::Kind;
+use crate::scene::{Kind, ModelKind, Scene};
 use crate::sim::{History, Motion};
 
 /// Columns of a planar girder: displacement of G \[m\], rotation since placed \[rad\], their rates.
@@ -11,7 +13,10 @@ const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 
 /// The table: `t`, then per girder `NAME.x, NAME.y, NAME.theta, NAME.vx, NAME.vy, NAME.omega`; a spatial girder adds
 /// `z, qx, qy, qz, qw, vz, wx, wy`; under the impact model `state` follows, a letter from a to f.
-pub fn trajectory(history: &History, sample_hz: f64) -> Vec<u8> {
+///
+/// # Errors
+/// What the writer says.
+pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let spatial = history.scene().kind == Kind::Spatial;
     let bodies = &history.model().bodies;
     let rows = sample_times(history.end(), sample_hz).map(|t| {
@@ -23,7 +28,14 @@ pub fn trajectory(history: &History, sample_hz: f64) -> Vec<u8> {
         row
     });
     let state = history.impact().is_some();
-    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial, state), rows)
+    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial, state), rows, out)
+}
+
+/// Columns of the table of a scene.
+pub fn trajectory_columns(scene: &Scene) -> usize {
+    let spatial = scene.kind == Kind::Spatial;
+    let state = scene.model.kind.models().contains(&ModelKind::Impact);
+    1 + scene.girders.len() * header(std::iter::once(""), spatial, state).len().saturating_sub(1)
 }
 
 fn header<'a>(names: impl Iterator<Item = &'a str>, spatial: bool, state: bool) -> Vec<String> {

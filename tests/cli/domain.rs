@@ -92,3 +92,24 @@ fn summaries_carry_what_lies_outside() {
     assert_eq!((one["value"].as_f64(), one["bound"].as_f64()), (Some(1.5e9), Some(1e9)), "{one}");
     assert!(one["consequence"].as_str().is_some_and(|words| words.contains("in doubt")), "{one}");
 }
+
+#[test]
+fn an_answer_that_does_not_balance_is_said_to() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a UTF-8 path");
+    let summary = || {
+        let bytes = std::fs::read(folder.path().join("summary.json")).expect("the summary");
+        serde_json::from_slice::<serde_json::Value>(&bytes).expect("JSON")
+    };
+    let run = ["run", "skew45-abutment", "--until", "1", "--out", out];
+    let said = call(&[&run[..], &["--set", "motion.frequency_hz=1e6"]].concat());
+    assert_eq!(said.status, Some(0), "it runs: {}", said.err);
+    assert!(said.err.contains("warning: skew45-abutment: the ledger's residual is"), "warns: {}", said.err);
+    assert!(said.out.contains("beyond its bound"), "says so: {}", said.out);
+    assert_eq!(summary()["balances"], false, "and writes so");
+    let [residual, bound] =
+        [&summary()["ledger"]["residual"], &summary()["residual_bound"]].map(serde_json::Value::as_f64);
+    assert!(residual.expect("a number").abs() > bound.expect("a number"), "by these numbers");
+    let said = call(&run);
+    assert!(!said.err.contains("ledger") && summary()["balances"] == true, "a sound answer balances: {}", said.err);
+}

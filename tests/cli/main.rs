@@ -2,8 +2,10 @@
 
 mod bad_input;
 mod domain;
+mod earlier;
 mod files;
 mod headless;
+mod interrupted;
 mod killed;
 mod odd_files;
 mod odd_output;

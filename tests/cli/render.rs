@@ -84,6 +84,20 @@ fn pictures_are_written_all_or_none() {
 }
 
 #[test]
+fn a_format_that_is_not_written_is_refused() {
+    let folder = folder();
+    for name in ["a.jpg", "a.JPEG", "film.mp4", "a.svg"] {
+        let out = folder.path().join(name);
+        let said = call(&["render", "flush-free-hit", "--out", out.to_str().expect("a UTF-8 path")]);
+        assert_eq!(said.status, Some(2), "{name}: exit status 2, said {}", said.err);
+        for word in [name, ".png", ".gif", "folder"] {
+            assert!(said.err.contains(word), "{name}: {word} in {}", said.err);
+        }
+        assert!(!out.exists(), "{name}: no folder is made");
+    }
+}
+
+#[test]
 fn one_file_holds_one_picture() {
     let folder = folder();
     let file = folder.path().join("one.png");

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::app::run::answer::Answer;
 use crate::app::text;
-use crate::files::{write_atomic, write_set};
+use crate::files::{FileSet, earlier_files, remove_files, write_atomic};
 use crate::render::{Gpu, Packing, Quality, Renderer};
-use crate::tables::{TableOptions, all, all_beside};
+use crate::tables::{SUMMARIES, Table, TableOptions, all, all_beside, named_in};
 use crate::view::DrawList;
 
 /// Draws a list anew, off screen and in full quality, and writes it.
@@ -34,7 +34,12 @@ pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<Stri
     if let Some(beside) = answer.history.beside() {
         tables.extend(all_beside(beside, &TableOptions::default()));
     }
-    write_set(folder, &tables).map_err(|e| e.to_string())?;
-    let names: Vec<&str> = tables.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = tables.iter().map(|table| table.name.as_str()).collect();
+    let mut set = FileSet::default();
+    let add = |table: &Table<'_>| set.add_with(&folder.join(&table.name), |out| table.write(out));
+    tables.iter().try_for_each(add).map_err(|e| e.to_string())?;
+    let earlier = earlier_files(folder, SUMMARIES, named_in);
+    set.finish().map_err(|e| e.to_string())?;
+    remove_files(folder, earlier.iter().map(String::as_str).filter(|name| !names.contains(name)));
     Ok(format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", ")))
 }

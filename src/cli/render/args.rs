@@ -10,6 +10,12 @@ use crate::scene::{Layer, Scene, ViewPreset};
 use crate::sim::History;
 use crate::snapshot::{Instant, Shot};
 
+/// Extensions of pictures and films in formats that are not written.
+const OTHER_FORMATS: &[&str] = &[
+    "apng", "avi", "avif", "bmp", "eps", "heic", "jpe", "jpeg", "jpg", "jxl", "m4v", "mkv", "mov", "mp4", "mpeg",
+    "mpg", "pdf", "ppm", "ps", "svg", "tga", "tif", "tiff", "webm", "webp", "wmv",
+];
+
 /// Draw pictures of a scene's run
 #[derive(Debug, clap::Args)]
 pub(crate) struct RenderArgs {
@@ -85,6 +91,7 @@ impl RenderArgs {
 
     /// Refuses a file for more pictures than one, and a folder that cannot be written to, before anything is computed.
     pub(super) fn check_out(&self) -> Result<(), Failure> {
+        self.refuse_other_formats()?;
         let count = self.frames.map_or(self.at.len(), |frames| frames as usize);
         if let Some(gif) = self.gif_file() {
             return self.check_gif(gif);
@@ -96,6 +103,21 @@ impl RenderArgs {
             }
             Some(file) => Ok(files::check_folder(file.parent().unwrap_or(Path::new("")))?),
             None => Ok(files::check_folder(&self.out)?),
+        }
+    }
+
+    /// Refuses a file in a format that is not written; a folder may have any name once it is there.
+    fn refuse_other_formats(&self) -> Result<(), Failure> {
+        let extension = self.out.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        match extension {
+            Some(other) if OTHER_FORMATS.contains(&other.as_str()) && !self.out.is_dir() => {
+                Err(Failure::Input(format!(
+                    "--out {}: pictures in the format .{other} are not written: give a file ending in .png for a single \
+                     picture, one ending in .gif for a film, or a folder",
+                    self.out.display()
+                )))
+            }
+            _ => Ok(()),
         }
     }
 

@@ -1,7 +1,9 @@
-//! Frames of a film, and how any number of pictures is taken and written: one device, all files or none.
+//! Frames of a film, and how any number of pictures is taken and written: one device, all files or none, but for what an
+//! interrupt leaves finished.
 
 use super::args::{RenderArgs, Wanted, reaches};
 use crate::cli::failure::Failure;
+use crate::cli::interrupt::Writing;
 use crate::cli::progress::Progress;
 use crate::files::{Draft, FileSet};
 use crate::render::Packing;
@@ -58,15 +60,25 @@ fn take_files(
     progress: &mut Progress,
 ) -> Result<usize, Failure> {
     let packing = if args.frames.is_some() { Packing::Quick } else { Packing::Small };
-    let (mut set, mut written) = (FileSet::default(), 0_u32);
+    let writing = Writing::begin();
+    let mut set = FileSet::default();
     let drawn = film::<Failure>(studio, history, shots, packing, &mut |Frame { number, png }| {
         set.add(&wanted[number].path, &png)?;
-        written += 1;
-        progress.show(f64::from(written));
-        Ok(())
-    })?;
-    set.finish()?;
-    Ok(drawn)
+        progress.show(set.count() as f64);
+        writing.check()
+    });
+    let finished = set.count();
+    match drawn {
+        Err(Failure::Interrupted(_)) => {
+            set.finish()?;
+            let (count, folder) = (wanted.len(), args.out.display());
+            Err(Failure::Interrupted(format!("{finished} of {count} pictures are finished, in {folder}")))
+        }
+        drawn => {
+            set.finish()?;
+            drawn
+        }
+    }
 }
 
 fn take_gif(
@@ -76,10 +88,11 @@ fn take_gif(
     shots: &[Shot],
     progress: &mut Progress,
 ) -> Result<usize, Failure> {
+    let writing = Writing::begin();
     let mut draft = Draft::create(&args.out)?;
     let drawn = gif::<Failure>(studio, history, shots, args.fps, &mut draft, &mut |written| {
         progress.show(written as f64);
-        Ok(())
+        writing.check()
     })?;
     draft.finish()?;
     Ok(drawn)
@@ -102,7 +115,7 @@ impl From<GifError> for Failure {
     fn from(error: GifError) -> Self {
         match error {
             GifError::Size(..) => Self::Input(format!("--size: {error}")),
-            GifError::Write(_) => Self::Input(format!("--out: {error}")),
+            GifError::Write(_) => Self::Output(error.to_string()),
         }
     }
 }

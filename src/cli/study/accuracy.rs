@@ -6,7 +6,7 @@ use super::page::{OccasionArgs, picture_extension, plot_files};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
-use crate::files;
+use crate::cli::output::write_files;
 use crate::study::accuracy::{Options, Problem, method, problem, study};
 
 /// Measure work against error: every method on every problem
@@ -50,7 +50,7 @@ pub(super) fn run(args: &AccuracyArgs, console: &mut Console) -> Result<(), Fail
     for (name, plot) in study.plots() {
         all.extend(plot_files(&name, &plot)?);
     }
-    files::write_set(&args.out, &all)?;
+    write_files(&args.out, &all)?;
     console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
     Ok(())
 }

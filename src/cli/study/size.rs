@@ -6,7 +6,7 @@ use super::page::{OccasionArgs, picture_extension, plot_files};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
-use crate::files;
+use crate::cli::output::write_files;
 use crate::study::size;
 
 /// Measure cost against size: rows of 1 to 1000 girders
@@ -37,7 +37,7 @@ pub(super) fn run(args: &SizeArgs, console: &mut Console) -> Result<(), Failure>
     let page = size::page(&rows, &args.occasion.with(command), picture_extension());
     let mut all = vec![("size.csv".to_owned(), csv.clone().into_bytes()), ("size.md".to_owned(), page.into_bytes())];
     all.extend(plot_files("size", &size::plot(&rows))?);
-    files::write_set(&args.out, &all)?;
+    write_files(&args.out, &all)?;
     console.print(&csv);
     console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));
     Ok(())

@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use crate::cli::args::positive;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
+use crate::cli::output::write_files;
 use crate::cli::progress::{Progress, Timer};
-use crate::files;
 use crate::scene::format;
 use crate::study::clock::thread_seconds;
 use crate::study::stability::{self, Asked, Limits, Verdict};
@@ -75,7 +75,7 @@ fn write(args: &StabilityArgs, asked: &Asked, verdicts: &[Verdict], wall: f64) -
             all.push((format!("seed-{}.toml", verdict.seed), format::write(&scene).into_bytes()));
         }
     }
-    Ok(files::write_set(&args.out, &all)?)
+    write_files(&args.out, &all)
 }
 
 fn say(args: &StabilityArgs, verdicts: &[Verdict], console: &mut Console) -> Result<(), Failure> {

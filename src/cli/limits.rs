@@ -1,0 +1,40 @@
+//! How many cells tables may have.
+
+use super::failure::Failure;
+use crate::scene::Scene;
+use crate::sim::History;
+use crate::tables;
+
+/// Most cells of a table on the disk: a number of seventeen digits with its sign, exponent and comma takes 25 bytes, and a table
+/// of 4 GiB is what `compare` reads.
+const MOST_CELLS: f64 = 1.7e8;
+/// Most cells of a table that is compared without being on the disk, as text and as numbers at once: 0.7 GB.
+const MOST_IN_MEMORY: f64 = 2e7;
+
+/// Refuses a `trajectory.csv` of too many cells, before anything is computed.
+pub(super) fn check_trajectory(sample_hz: f64, scene: &Scene) -> Result<(), Failure> {
+    let columns = tables::trajectory_columns(scene) as f64;
+    check(sample_hz, ("trajectory.csv", sample_hz * scene.duration * columns), MOST_CELLS)
+}
+
+/// The same of one that is kept in memory.
+pub(super) fn check_in_memory(sample_hz: f64, scene: &Scene) -> Result<(), Failure> {
+    let columns = tables::trajectory_columns(scene) as f64;
+    check(sample_hz, ("the trajectory", sample_hz * scene.duration * columns), MOST_IN_MEMORY)
+}
+
+/// Refuses a `contacts.csv` of too many cells, by what was computed.
+pub(super) fn check_contacts(sample_hz: f64, history: &History) -> Result<(), Failure> {
+    check(sample_hz, ("contacts.csv", tables::contact_cells(history, sample_hz)), MOST_CELLS)
+}
+
+fn check(sample_hz: f64, (table, cells): (&str, f64), most: f64) -> Result<(), Failure> {
+    if cells <= most {
+        return Ok(());
+    }
+    let less = sample_hz * most / cells;
+    Err(Failure::Input(format!(
+        "--sample: {sample_hz}: {table} would have {cells:.1e} cells, more than {most:.1e}: give at most {less:.3e} samples a \
+         second, or a shorter run"
+    )))
+}

@@ -1,0 +1,93 @@
+//! Why a file could not be written, in words.
+
+use std::io::ErrorKind;
+use std::path::PathBuf;
+
+/// A file that could not be written.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: cannot be written ({}): {}", path.display(), self.reason(), self.remedy())]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// What the system answered.
+    cause: std::io::Error,
+}
+
+impl WriteError {
+    /// Of what the system answered when a file was written under this name, or under another that it has until then.
+    pub fn new(path: impl Into<PathBuf>, cause: std::io::Error) -> Self {
+        Self { path: path.into(), cause }
+    }
+
+    /// Whether nothing can be written under this name, rather than no more to this disk.
+    pub fn is_of_place(&self) -> bool {
+        use ErrorKind::{
+            AlreadyExists, DirectoryNotEmpty, InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound,
+            PermissionDenied, ReadOnlyFilesystem,
+        };
+        matches!(
+            self.cause.kind(),
+            AlreadyExists
+                | DirectoryNotEmpty
+                | InvalidFilename
+                | InvalidInput
+                | IsADirectory
+                | NotADirectory
+                | NotFound
+                | PermissionDenied
+                | ReadOnlyFilesystem
+        )
+    }
+
+    fn reason(&self) -> String {
+        match self.cause.kind() {
+            ErrorKind::NotFound => "there is no such folder".to_owned(),
+            ErrorKind::PermissionDenied => "permission denied".to_owned(),
+            ErrorKind::NotADirectory => "a part of the path is no folder".to_owned(),
+            ErrorKind::IsADirectory => "a folder stands there".to_owned(),
+            ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
+            ErrorKind::StorageFull => "the disk is full".to_owned(),
+            ErrorKind::QuotaExceeded => "the quota of the disk is used up".to_owned(),
+            ErrorKind::FileTooLarge => "it is larger than a file may be".to_owned(),
+            // Words about a temporary file go on with its name, which is gone by now.
+            _ => self.cause.to_string().split(" at path ").next().unwrap_or_default().to_owned(),
+        }
+    }
+
+    fn remedy(&self) -> &'static str {
+        match self.cause.kind() {
+            _ if self.is_of_place() => "choose a folder that exists and may be written to",
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+                "make room, write less, or write to another disk"
+            }
+            _ => "try again, or write to another disk",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(kind: ErrorKind) -> String {
+        WriteError::new("out/a.csv", kind.into()).to_string()
+    }
+
+    #[test]
+    fn a_full_disk_is_no_fault_of_the_folder() {
+        let full = words(ErrorKind::StorageFull);
+        assert_eq!(
+            full, "out/a.csv: cannot be written (the disk is full): make room, write less, or write to another disk",
+            "what to do"
+        );
+        assert!(!WriteError::new("a", ErrorKind::StorageFull.into()).is_of_place(), "the place is good");
+        assert!(words(ErrorKind::NotFound).contains("choose a folder that exists"), "another folder");
+    }
+
+    #[test]
+    fn no_name_of_a_temporary_file_is_shown() {
+        let error = std::io::Error::other("Input/output error (os error 5) at path \"/x/.girderbench-aB3dE6.tmp\"");
+        let words = WriteError::new("a.csv", error).to_string();
+        assert!(words.contains("(Input/output error (os error 5))") && !words.contains("aB3dE6"), "{words}");
+    }
+}
