@@ -14,9 +14,6 @@ pub(super) const REGULARISATION_FRICTION: f64 = 0.05;
 /// Changes of one contact at one instant above which stick and slip count as alternating: the length of the next step
 /// then follows from the frequency of the island, not from the last step. Tuned.
 pub(super) const ALTERNATING_EVENTS: usize = 2;
-/// Changes of one contact during one touch after which the dead band of its next breakaway doubles, up to
-/// [`WIDEST_STICK_BAND`](crate::dynamics::penalty3d::constants::WIDEST_STICK_BAND). Tuned.
-pub(super) const CHANGES_PER_WIDENING: usize = 100;
 
 // Bounds that end a run
 

@@ -1,4 +1,5 @@
-//! Event handlers: end of a planned step, transition of a contact within it, closing of a pair.
+//! Event handlers: end of a planned step, transition of a contact within it, closing of a pair, beginning of a
+//! device's force.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -6,7 +7,9 @@ use std::sync::Arc;
 use crate::dynamics::connection::Switch;
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::ALTERNATING_EVENTS;
+use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::run::ContactRun;
+use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::penalty3d::due::Due;
@@ -18,7 +21,7 @@ impl ContactRun {
     /// contacts and devices change state, and trajectories are rebuilt.
     pub(in crate::dynamics) fn end_step(&mut self, number: usize, t: f64) {
         let Some(mut island) = self.world.islands[number].take() else { return };
-        self.commit_island(&mut island, t);
+        self.store.commit(&mut self.world, &mut island, t);
         if island.due.is_empty() && island.link_due.is_none() {
             self.continue_island(number, island, t);
             return;
@@ -35,7 +38,8 @@ impl ContactRun {
             alternates |= self.world.contacts[contact].changes.at_instant > ALTERNATING_EVENTS;
         }
         if let Some(due) = island.link_due.take() {
-            self.change_link(island.system.links[due.index].track, Switch::Function(due.switch), &now);
+            let link = island.system.links[due.index].track;
+            self.link_transitions(&now).change(link, Switch::Function(due.switch));
         }
         self.islands.take_back(number, &mut island);
         // Under alternating stick and slip the next step length follows from the island's frequency.
@@ -50,8 +54,8 @@ impl ContactRun {
         }
         let slots = island.slots.clone();
         self.world.islands[number] = Some(island);
-        self.plan(number);
-        self.search_around(&slots, t);
+        step_planning::plan(&mut self.world, &mut self.schedule, number);
+        self.search().around(&slots, t);
     }
 
     /// Handles the closing of a pair at `t` with all contacts that close within its simultaneity interval; continues
@@ -61,7 +65,7 @@ impl ContactRun {
         let closes = |&c: &usize| self.world.contacts[c].closing.is_some_and(|at| at <= limit);
         let mut entered: Vec<usize> = self.world.pairs[pair].contacts.clone().filter(closes).collect();
         if entered.is_empty() {
-            self.search(pair, t);
+            self.search().pair(pair, t);
             return;
         }
         let mut slots: Vec<usize> = self.world.pairs[pair].slots.into_iter().flatten().collect();
@@ -77,17 +81,27 @@ impl ContactRun {
             }
         });
         if entered.is_empty() {
-            self.search(pair, t);
+            self.search().pair(pair, t);
             return;
         }
         let (now, pace) = self.release(&seen.slots, t);
         for contact in entered {
             self.transitions(&now).close(contact);
         }
-        // An impact lasts about a radian of the contact's oscillation. The error estimate of an implicit step is
-        // blind to a motion that decays within the step; the first step therefore follows from the island's
-        // frequency.
-        self.rebuild(now, if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace });
+        self.rebuild(now, first_of_touch(pace));
+    }
+
+    /// Handles the beginning of a link's force at `t`; continues the search where none is due.
+    pub(in crate::dynamics) fn begin_force(&mut self, number: usize, t: f64) {
+        if self.world.links[number].begins.is_none_or(|at| at > t) {
+            self.search().link(number, t);
+            return;
+        }
+        let mut slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
+        slots.sort_unstable();
+        let (now, pace) = self.release(&slots, t);
+        self.link_transitions(&now).change(number, Switch::Closing);
+        self.rebuild(now, first_of_touch(pace));
     }
 
     /// Ends at `t` the trajectories of bodies and of all bodies in an island with them: their states, and the method
@@ -122,9 +136,9 @@ impl ContactRun {
             }
         }
         for number in numbers {
-            self.schedule.queue.remove(Self::island(number));
+            self.schedule.queue.remove(EventSource::Island(number).into());
             if let Some(mut island) = self.world.islands[number].take() {
-                self.commit_island(&mut island, t);
+                self.store.commit(&mut self.world, &mut island, t);
                 for n in 0..island.contacts.len() {
                     self.world.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
                 }
@@ -132,4 +146,11 @@ impl ContactRun {
             }
         }
     }
+}
+
+/// Method and length of the first step after a closing from those before it. An impact lasts about a radian of the
+/// contact's oscillation, and the error estimate of an implicit step is blind to a motion that decays within the step:
+/// the length of an implicit one follows from the island's frequency.
+fn first_of_touch(pace: ControllerState) -> ControllerState {
+    if pace.stiff { ControllerState { step: 0.0, ..pace } } else { pace }
 }

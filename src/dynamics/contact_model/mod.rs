@@ -2,12 +2,15 @@
 //! stick, slip and opening.
 
 pub(in crate::dynamics) mod at_instant;
+pub(in crate::dynamics) mod closing_search;
 mod constants;
 pub(in crate::dynamics) mod contact_law;
 pub(in crate::dynamics) mod event_forecast;
+pub(in crate::dynamics) mod event_source;
 pub(in crate::dynamics) mod handlers;
 pub(in crate::dynamics) mod islands;
-pub(in crate::dynamics) mod link_handlers;
+pub(in crate::dynamics) mod link_transitions;
 pub mod run;
+pub(in crate::dynamics) mod step_planning;
 pub(in crate::dynamics) mod step_store;
 pub(in crate::dynamics) mod transitions;

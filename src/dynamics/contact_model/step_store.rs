@@ -4,12 +4,13 @@
 //! memory and microseconds to read. A run stores polynomials up to the memory limit of the model and initial states
 //! from then on.
 
-use crate::contact::FrictionLaw;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
 use crate::dynamics::trajectory::packed_states::PackedStates;
+use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Trajectory;
 
 /// Steps of a run that are stored by their initial states, and the memory of the polynomials of the others.
 #[derive(Debug, Default)]
@@ -28,7 +29,7 @@ impl StepStore {
 
     /// Stores an island's planned step by its initial state; its number. `None` where polynomials are still stored,
     /// or where a recomputed step would not be equal to the last bit.
-    pub(in crate::dynamics) fn keep_start(&mut self, world: &World, island: &mut Island) -> Option<u32> {
+    fn keep_start(&mut self, world: &World, island: &mut Island) -> Option<u32> {
         if !self.keeps_starts(world)
             || island.system.bodies.iter().any(|&body| !PackedStates::fits(world.model.bodies[body].width()))
         {
@@ -44,6 +45,47 @@ impl StepStore {
         };
         island.stretch = Some(stretch);
         self.replay.push(stretch, length, (!flown).then(|| island.system.layout.states(&states)))
+    }
+
+    /// Writes all trajectories up to `t` into the paths of their bodies.
+    pub(in crate::dynamics) fn commit_all(&mut self, world: &mut World, t: f64) {
+        for track in &mut world.bodies {
+            if let Trajectory::Flight(flight) = &track.now {
+                let segment = track.flown(flight, t);
+                if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
+            }
+        }
+        for number in 0..world.islands.len() {
+            if let Some(mut island) = world.islands[number].take() {
+                self.commit(world, &mut island, t);
+            }
+        }
+    }
+
+    /// Writes an island's planned step up to `until` \[s\] into the paths of its bodies, and its slip angles into the
+    /// logs of their contacts.
+    pub(in crate::dynamics) fn commit(&mut self, world: &mut World, island: &mut Island, until: f64) {
+        let from = island.from;
+        if until <= from {
+            return;
+        }
+        if let Some(number) = self.keep_start(world, island) {
+            for &slot in &island.slots {
+                world.bodies[slot].path.push(Segment { from, until, path: SegmentMotion::Recomputed(number) });
+            }
+            return;
+        }
+        for (index, &slot) in island.slots.iter().enumerate() {
+            if let Some(piece) = island.path(index) {
+                self.polynomials += piece.bytes();
+                world.bodies[slot].path.push(Segment { from, until, path: SegmentMotion::Step(piece) });
+            }
+        }
+        for (number, &contact) in island.contacts.iter().enumerate() {
+            if let Some(angle) = island.angle_path(number) {
+                world.contacts[contact].log.angles.push((from, angle));
+            }
+        }
     }
 
     /// An island's bodies with their reference poses, each either the end of a flight or stored.
@@ -85,7 +127,7 @@ fn logged_states(world: &World, island: &Island) -> Option<Vec<LoggedState>> {
         let track = &world.contacts[contact];
         let entry = track.log.latest()?;
         let mut logged = active.closed;
-        (logged.solver.retries, logged.solver.at_face) = (0, logged.law.friction == FrictionLaw::Paper);
+        logged.solver.retries = 0;
         let same = track.log.closed(entry) == Some(logged);
         same.then_some(LoggedState { site: u32::try_from(track.site).ok()?, entry })
     };
@@ -99,4 +141,47 @@ fn landed_at(world: &World, island: &Island, states: &[f64]) -> bool {
             base.flown.is_some() && base.flown == StepStore::landing(world, slot, base, state, island.from)
         },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec2;
+
+    use super::*;
+    use crate::dynamics::penalty3d::example::{SPEED, wall};
+    use crate::dynamics::trajectory::stored_path::StoredMotion;
+    use crate::dynamics::world::example::planned;
+
+    #[test]
+    fn a_step_is_written_as_far_as_it_is_asked_for() {
+        let mut world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
+        let (mut store, mut island) = (StepStore::default(), world.islands[0].take().expect("the island"));
+        let from = island.from;
+        store.commit(&mut world, &mut island, from);
+        assert!(world.bodies[0].path.is_empty(), "nothing of no length");
+        let until = 0.5 * (island.from + island.until);
+        store.commit(&mut world, &mut island, until);
+        let path = &world.bodies[0].path;
+        let spans: Vec<_> = path.spans().map(|span| (span.from, span.until)).collect();
+        assert_eq!(spans, [(island.from, until)]);
+        assert!(matches!(path.kept(0).1, StoredMotion::Step(_)), "as a polynomial");
+        assert!(store.polynomials > 0, "its memory is counted");
+    }
+
+    #[test]
+    fn beyond_the_memory_limit_a_step_is_written_by_its_start() {
+        let mut world = planned(&wall(), &[[0.0, 0.0, 0.0, SPEED, 0.0, 0.0]]);
+        Arc::get_mut(&mut world.model).expect("one owner").polynomials = 0;
+        for track in &mut world.contacts {
+            track.log.push(0.0, track.state, DVec2::ZERO);
+        }
+        let (mut store, mut island) = (StepStore::default(), world.islands[0].take().expect("the island"));
+        let until = island.until;
+        store.commit(&mut world, &mut island, until);
+        let path = &world.bodies[0].path;
+        assert!(matches!(path.kept(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.kept(0).1);
+        assert_eq!(store.polynomials, 0, "no polynomial");
+    }
 }

@@ -5,13 +5,10 @@ use glam::DVec2;
 use crate::contact::parameters::is_over;
 use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
-use crate::dynamics::contact_model::constants::{
-    CHANGES_PER_WIDENING, CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH,
-};
+use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::model::reference_pose;
-use crate::dynamics::penalty3d::constants::FREE_RETRIES;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
 use crate::dynamics::record::event::{Event, EventKind};
@@ -204,9 +201,7 @@ impl Transitions<'_> {
                 }
                 closed.solver.passing_stop = false;
                 closed.mode = closed.law.on_stopping(direction, &here);
-                let changes = self.world.contacts[contact].changes.of_touch;
-                let widenings = u32::try_from(changes / CHANGES_PER_WIDENING).unwrap_or(u32::MAX);
-                closed.solver.retries = if widenings > 0 { FREE_RETRIES.saturating_add(widenings) } else { 0 };
+                closed.solver.retries = 0;
                 self.log(contact, Contact::Closed(closed), EventKind::SlipToStick, 0.0);
             }
         }

@@ -13,11 +13,10 @@ use num_complex::Complex64;
 use crate::dynamics::integrator::dense_lu;
 use crate::dynamics::integrator::dense_lu::Lu;
 use crate::dynamics::integrator::newton_matrix::{Jacobian, NewtonMatrix, StageSystems};
-use crate::dynamics::integrator::radau_tableaus::RadauTableau;
+use crate::dynamics::integrator::radau_tableau::{
+    COMPLEX_LEFT, COMPLEX_RIGHT, INVERSE, PAIRS, REAL_LEFT, REAL_RIGHT, STAGES,
+};
 use crate::dynamics::integrator::system::{ImplicitSystem, RankOneTerm};
-
-/// Largest number of stages of a method.
-const RADAU_STAGES: usize = 7;
 
 /// Ports of a system with the responses of the factored matrices to their forces, and the rank-one terms of all
 /// stages. Forces act on velocities and outputs are taken from velocities, the unknowns of [`Jacobian`].
@@ -34,14 +33,14 @@ pub(in crate::dynamics) struct LowRankCorrection {
     view: Vec<f64>,
     /// Responses of the factored stage systems to the columns of `push`.
     real: Vec<f64>,
-    complex: [Vec<Complex64>; 3],
+    complex: [Vec<Complex64>; PAIRS],
     /// Outputs at one stage per unit of force at another, `W (s − J)⁻¹ B` in the basis of the stages:
     /// `[stage][stage][row][column]`.
     between: Vec<f64>,
     /// Outputs per unit of force in the real stage system, `W (s − J)⁻¹ B`, and `W B`: `[row][column]`.
     within: Vec<f64>,
     at_once: Vec<f64>,
-    terms: [Vec<RankOneTerm>; RADAU_STAGES],
+    terms: [Vec<RankOneTerm>; STAGES],
     /// Indices of the terms that are not zero; and these stage by stage, as `(stage, index among them, term)`.
     nonzero: Vec<usize>,
     unknowns: Vec<(usize, usize, RankOneTerm)>,
@@ -50,7 +49,7 @@ pub(in crate::dynamics) struct LowRankCorrection {
     found: Vec<f64>,
     /// Outputs in the basis of the stage systems.
     outputs: Vec<f64>,
-    complex_outputs: [Vec<Complex64>; 3],
+    complex_outputs: [Vec<Complex64>; PAIRS],
 }
 
 impl LowRankCorrection {
@@ -91,36 +90,35 @@ impl LowRankCorrection {
     }
 
     /// Computes the responses of the factored stage systems to forces at the ports.
-    pub(in crate::dynamics) fn factor(&mut self, table: &RadauTableau, systems: &StageSystems) {
-        let (real, complex) = (&systems.real, &systems.complex[..table.complex.len()]);
-        let (n, columns, stages) = (self.size, 2 * self.ports, table.stages());
+    pub(in crate::dynamics) fn factor(&mut self, systems: &StageSystems) {
+        let (n, columns) = (self.size, 2 * self.ports);
         if columns == 0 || !self.coupled {
             return;
         }
         self.real.resize(columns * n, 0.0);
         for (push, found) in self.push.chunks_exact(n).zip(self.real.chunks_exact_mut(n)) {
-            real.respond(push, found);
+            systems.real.respond(push, found);
         }
         product(&self.view, &self.real, n, &mut self.within);
         let mut right = vec![Complex64::ZERO; n];
         self.between.clear();
-        self.between.resize(stages * stages * columns * columns, 0.0);
-        for (responses, system) in self.complex.iter_mut().zip(complex) {
+        self.between.resize(STAGES * STAGES * columns * columns, 0.0);
+        for (responses, system) in self.complex.iter_mut().zip(&systems.complex) {
             responses.resize(columns * n, Complex64::ZERO);
             for (push, found) in self.push.chunks_exact(n).zip(responses.chunks_exact_mut(n)) {
                 right.iter_mut().zip(push).for_each(|(r, p)| *r = Complex64::new(*p, 0.0));
                 system.respond(&right, found);
             }
         }
-        for (kernel, responses) in self.complex_outputs.iter_mut().zip(&self.complex[..complex.len()]) {
+        for (kernel, responses) in self.complex_outputs.iter_mut().zip(&self.complex) {
             product(&self.view, responses, n, kernel);
         }
         for (kl, out) in self.between.chunks_exact_mut(columns * columns).enumerate() {
-            let (k, l) = (kl / stages, kl % stages);
-            let weight = table.real_right[k] * table.real_left[l];
+            let (k, l) = (kl / STAGES, kl % STAGES);
+            let weight = REAL_RIGHT[k] * REAL_LEFT[l];
             out.iter_mut().zip(&self.within).for_each(|(o, r)| *o += weight * r);
-            for (m, kernel) in self.complex_outputs[..complex.len()].iter().enumerate() {
-                let (a, b) = (table.complex_right[m][k], table.complex_left[m][l]);
+            for (m, kernel) in self.complex_outputs.iter().enumerate() {
+                let (a, b) = (COMPLEX_RIGHT[m][k], COMPLEX_LEFT[m][l]);
                 let (re, im) = (2.0 * (a.0 * b.0 - a.1 * b.1), -2.0 * (a.0 * b.1 + a.1 * b.0));
                 out.iter_mut().zip(kernel).for_each(|(o, z)| *o += re * z.re + im * z.im);
             }
@@ -138,21 +136,19 @@ impl LowRankCorrection {
     /// follower)` is the derivative `∂ẏᵢ/∂yᵢ` of an auxiliary component. `false` for a singular correction.
     pub(in crate::dynamics) fn complete(
         &mut self,
-        table: &RadauTableau,
         systems: &mut StageSystems,
         follow: &mut [f64],
         h: f64,
         rate: impl Fn(usize, usize) -> f64,
     ) -> bool {
-        let stages = table.stages();
-        let width = follow.len() / stages;
+        let width = follow.len() / STAGES;
         self.nonzero.clear();
-        let terms = &self.terms[..stages];
+        let terms = &self.terms;
         let lives = |c: &usize| terms.iter().any(|stage| stage[*c].input != DVec2::ZERO);
         self.nonzero.extend((0..terms[0].len()).filter(|c| terms[0][*c].auxiliary.is_some() || lives(c)));
         let (count, columns) = (self.nonzero.len(), 2 * self.ports);
         if !self.coupled {
-            return (0..width).all(|follower| Self::separately(table, follow, follower, h, &rate));
+            return (0..width).all(|follower| Self::separately(follow, follower, h, &rate));
         }
         if count == 0 {
             return true;
@@ -162,73 +158,66 @@ impl LowRankCorrection {
             self.unknowns.extend(self.nonzero.iter().enumerate().map(|(c, &number)| (k, c, stage[number])));
         }
         let (between, unknowns) = (&self.between, &self.unknowns);
-        let done = self.lu.factor(stages * count, |i, j| {
+        let done = self.lu.factor(STAGES * count, |i, j| {
             let ((k, which, ref to), (l, other, ref from)) = (unknowns[i], unknowns[j]);
             let own = if which != other {
                 0.0
             } else if let Some(follower) = to.auxiliary {
-                table.inverse[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
+                INVERSE[k][l] / h - if k == l { rate(k, follower) } else { 0.0 }
             } else {
                 f64::from(u8::from(k == l))
             };
-            own - through(&between[(k * stages + l) * columns * columns..], columns, to, from)
+            own - through(&between[(k * STAGES + l) * columns * columns..], columns, to, from)
         });
         if !done {
             return false;
         }
         product(&self.view, &systems.real.found, self.size, &mut self.outputs);
-        for (outputs, system) in self.complex_outputs.iter_mut().zip(&systems.complex[..table.complex.len()]) {
+        for (outputs, system) in self.complex_outputs.iter_mut().zip(&systems.complex) {
             product(&self.view, &system.found, self.size, outputs);
         }
         self.right.clear();
         for &(k, _, to) in &self.unknowns {
             let left = to.auxiliary.map_or(0.0, |follower| follow[k * width + follower]);
             let velocity = |row: usize| {
-                let turning = self.complex_outputs.iter().zip(table.complex_right);
-                turning.fold(table.real_right[k] * self.outputs[row], |sum, (outputs, right)| {
+                let turning = self.complex_outputs.iter().zip(&COMPLEX_RIGHT);
+                turning.fold(REAL_RIGHT[k] * self.outputs[row], |sum, (outputs, right)| {
                     sum + 2.0 * (right[k].0 * outputs[row].re - right[k].1 * outputs[row].im)
                 })
             };
             self.right.push(left + to.output.x * velocity(2 * to.port) + to.output.y * velocity(2 * to.port + 1));
         }
-        self.found.resize(stages * count, 0.0);
+        self.found.resize(STAGES * count, 0.0);
         self.lu.solve(&self.right, &mut self.found);
         for ((k, _, term), found) in self.unknowns.iter().zip(&self.found) {
             if let Some(follower) = term.auxiliary {
                 follow[k * width + follower] = *found;
             }
         }
-        self.respond(table, systems);
+        self.respond(systems);
         true
     }
 
     /// Correction of one auxiliary component at all stages, separately from the leading components.
-    fn separately(
-        table: &RadauTableau,
-        follow: &mut [f64],
-        follower: usize,
-        h: f64,
-        rate: impl Fn(usize, usize) -> f64,
-    ) -> bool {
-        let stages = table.stages();
-        let width = follow.len() / stages;
-        let mut rows = [[0.0; RADAU_STAGES + 1]; RADAU_STAGES];
-        for (k, row) in rows[..stages].iter_mut().enumerate() {
-            row.iter_mut().zip(table.inverse[k]).for_each(|(entry, a)| *entry = a / h);
+    fn separately(follow: &mut [f64], follower: usize, h: f64, rate: impl Fn(usize, usize) -> f64) -> bool {
+        let width = follow.len() / STAGES;
+        let mut rows = [[0.0; STAGES + 1]; STAGES];
+        for (k, row) in rows.iter_mut().enumerate() {
+            row.iter_mut().zip(INVERSE[k]).for_each(|(entry, a)| *entry = a / h);
             row[k] -= rate(k, follower);
-            row[stages] = follow[k * width + follower];
+            row[STAGES] = follow[k * width + follower];
         }
-        let found = dense_lu::eliminate(&mut rows[..stages]);
-        (0..stages).for_each(|k| follow[k * width + follower] = rows[k][stages]);
+        let found = dense_lu::eliminate(&mut rows);
+        (0..STAGES).for_each(|k| follow[k * width + follower] = rows[k][STAGES]);
         found
     }
 
     /// Adds the response to the forces of the terms just found, at all stages.
-    fn respond(&self, table: &RadauTableau, StageSystems { real, complex, .. }: &mut StageSystems) {
+    fn respond(&self, StageSystems { real, complex, .. }: &mut StageSystems) {
         let (n, count) = (self.size, self.nonzero.len());
         for column in 0..2 * self.ports {
-            let mut forces = [0.0; RADAU_STAGES];
-            for (k, force) in forces[..table.stages()].iter_mut().enumerate() {
+            let mut forces = [0.0; STAGES];
+            for (k, force) in forces.iter_mut().enumerate() {
                 for (c, &number) in self.nonzero.iter().enumerate() {
                     let term = &self.terms[k][number];
                     if term.port == column / 2 {
@@ -237,9 +226,9 @@ impl LowRankCorrection {
                 }
             }
             let range = column * n..(column + 1) * n;
-            let sum = table.real_left.iter().zip(&forces).map(|(left, force)| left * force).sum::<f64>();
+            let sum = REAL_LEFT.iter().zip(&forces).map(|(left, force)| left * force).sum::<f64>();
             real.found.iter_mut().zip(&self.real[range.clone()]).for_each(|(d, r)| *d += sum * r);
-            for ((system, responses), left) in complex.iter_mut().zip(&self.complex).zip(table.complex_left) {
+            for ((system, responses), left) in complex.iter_mut().zip(&self.complex).zip(&COMPLEX_LEFT) {
                 let sum: Complex64 = left.iter().zip(&forces).map(|(&(a, b), f)| Complex64::new(a, b) * *f).sum();
                 system.found.iter_mut().zip(&responses[range.clone()]).for_each(|(d, r)| *d += sum * r);
             }

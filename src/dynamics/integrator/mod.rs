@@ -9,6 +9,6 @@ pub(in crate::dynamics) mod dop853_tableau;
 pub(in crate::dynamics) mod low_rank_correction;
 pub(in crate::dynamics) mod newton_matrix;
 pub(in crate::dynamics) mod radau_iia;
-pub(in crate::dynamics) mod radau_tableaus;
+pub(in crate::dynamics) mod radau_tableau;
 pub(in crate::dynamics) mod step_control;
 pub mod system;

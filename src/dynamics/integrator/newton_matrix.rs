@@ -9,7 +9,9 @@ use std::ops::Range;
 use num_complex::Complex64;
 
 use crate::dynamics::integrator::dense_lu::{Lu, Scalar};
-use crate::dynamics::integrator::radau_tableaus::RadauTableau;
+use crate::dynamics::integrator::radau_tableau::{
+    COMPLEX, COMPLEX_LEFT, COMPLEX_RIGHT, PAIRS, REAL, REAL_LEFT, REAL_RIGHT,
+};
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock};
 
 /// An entry of `B`: a position component moved by a velocity.
@@ -44,7 +46,7 @@ impl Jacobian {
     }
 
     /// Numbers the unknowns among `n` components, with zero matrices.
-    pub(in crate::dynamics) fn quiet(&mut self, system: &impl ImplicitSystem, n: usize) {
+    pub(in crate::dynamics) fn number(&mut self, system: &impl ImplicitSystem, n: usize) {
         self.blocks.clear();
         self.blocks.extend(system.position_blocks());
         if self.blocks.is_empty() {
@@ -64,17 +66,15 @@ impl Jacobian {
         }
     }
 
-    /// Evaluates the Jacobian by difference quotients at `(t, y)` with slope `slope`; each unknown, and then each
-    /// displacement, is changed by the root of the machine epsilon times its scale.
+    /// Evaluates the Jacobian of the numbered unknowns by difference quotients at `(t, y)` with slope `slope`; each
+    /// unknown, and then each displacement, is changed by the root of the machine epsilon times its scale.
     pub(in crate::dynamics) fn differentiate(
         &mut self,
         system: &mut impl ImplicitSystem,
         t: f64,
         [y, slope]: [&[f64]; 2],
         [state, moved]: [&mut [f64]; 2],
-        n: usize,
     ) {
-        self.quiet(system, n);
         let (m, small) = (self.size(), f64::EPSILON.sqrt());
         let mut block = 0;
         state.copy_from_slice(y);
@@ -229,17 +229,17 @@ pub(in crate::dynamics) struct StageSystems {
     pub linear: Jacobian,
     /// Stage system of the real eigenvalue.
     pub real: NewtonMatrix<f64>,
-    /// Stage systems of the complex eigenvalues, as many as the method has.
-    pub complex: [NewtonMatrix<Complex64>; 3],
+    /// Stage systems of the complex eigenvalues.
+    pub complex: [NewtonMatrix<Complex64>; PAIRS],
     right: Vec<f64>,
-    rights: [Vec<Complex64>; 3],
+    rights: [Vec<Complex64>; PAIRS],
 }
 
 impl StageSystems {
     /// Factors the systems for a step of length `h`; `false` for a singular one.
-    pub(in crate::dynamics) fn factor(&mut self, table: &RadauTableau, h: f64) -> bool {
-        let mut done = self.real.factor(&self.linear, table.real / h);
-        for (system, &(re, im)) in self.complex.iter_mut().zip(table.complex) {
+    pub(in crate::dynamics) fn factor(&mut self, h: f64) -> bool {
+        let mut done = self.real.factor(&self.linear, REAL / h);
+        for (system, (re, im)) in self.complex.iter_mut().zip(COMPLEX) {
             done &= system.factor(&self.linear, Complex64::new(re, im) * h.recip());
         }
         done
@@ -247,26 +247,20 @@ impl StageSystems {
 
     /// Solves for the velocities of a Newton correction from slopes and increments of the stages, with `leading` of
     /// `width` components per stage.
-    pub(in crate::dynamics) fn project(
-        &mut self,
-        table: &RadauTableau,
-        h: f64,
-        [slopes, stages]: [&[f64]; 2],
-        [width, leading]: [usize; 2],
-    ) {
+    pub(in crate::dynamics) fn project(&mut self, h: f64, [slopes, stages]: [&[f64]; 2], [width, leading]: [usize; 2]) {
         let rows = || slopes.chunks_exact(width).zip(stages.chunks_exact(width));
         self.right.clear();
         self.right.resize(leading, 0.0);
-        for (left, (slopes, stages)) in table.real_left.iter().zip(rows()) {
-            let value = table.real / h;
+        for (left, (slopes, stages)) in REAL_LEFT.iter().zip(rows()) {
+            let value = REAL / h;
             self.right.iter_mut().zip(slopes).zip(stages).for_each(|((r, f), z)| *r += left * (f - value * z));
         }
         self.real.solve(&self.linear, &self.right);
-        for (m, (right, system)) in self.rights.iter_mut().zip(&mut self.complex[..table.complex.len()]).enumerate() {
+        for (m, (right, system)) in self.rights.iter_mut().zip(&mut self.complex).enumerate() {
             right.clear();
             right.resize(leading, Complex64::ZERO);
-            let (re, im) = (table.complex[m].0 / h, table.complex[m].1 / h);
-            for (&(a, b), (slopes, stages)) in table.complex_left[m].iter().zip(rows()) {
+            let (re, im) = (COMPLEX[m].0 / h, COMPLEX[m].1 / h);
+            for (&(a, b), (slopes, stages)) in COMPLEX_LEFT[m].iter().zip(rows()) {
                 for ((r, f), z) in right.iter_mut().zip(slopes).zip(stages) {
                     let (x, y) = (f - re * z, im * z);
                     r.re += a * x + b * y;
@@ -278,15 +272,15 @@ impl StageSystems {
     }
 
     /// Writes the correction of the stages, `width` components each, from the velocities found.
-    pub(in crate::dynamics) fn expand(&mut self, table: &RadauTableau, correction: &mut [f64], width: usize) {
+    pub(in crate::dynamics) fn expand(&mut self, correction: &mut [f64], width: usize) {
         self.real.complete(&self.linear, &mut self.right);
-        for (right, system) in self.rights.iter_mut().zip(&self.complex[..table.complex.len()]) {
+        for (right, system) in self.rights.iter_mut().zip(&self.complex) {
             system.complete(&self.linear, right);
         }
         for (k, row) in correction.chunks_exact_mut(width).enumerate() {
-            let weight = table.real_right[k];
+            let weight = REAL_RIGHT[k];
             row.iter_mut().zip(&self.right).for_each(|(d, w)| *d = weight * w);
-            for (right, found) in table.complex_right.iter().zip(&self.rights) {
+            for (right, found) in COMPLEX_RIGHT.iter().zip(&self.rights) {
                 // The conjugate eigenvector adds the complex conjugate.
                 let (a, b) = (2.0 * right[k].0, 2.0 * right[k].1);
                 row.iter_mut().zip(found).for_each(|(d, w)| *d += a * w.re - b * w.im);
@@ -332,7 +326,8 @@ mod tests {
         let (mut linear, y) = (Jacobian::default(), [0.3, -0.2, 0.1, 0.4]);
         let (mut slope, mut state, mut moved) = ([0.0; 4], [0.0; 4], [0.0; 4]);
         Springs.slope(0.0, &y, &mut slope);
-        linear.differentiate(&mut Springs, 0.0, [&y, &slope], [&mut state, &mut moved], 4);
+        linear.number(&Springs, 4);
+        linear.differentiate(&mut Springs, 0.0, [&y, &slope], [&mut state, &mut moved]);
         linear
     }
 

@@ -9,6 +9,7 @@ use crate::dynamics::integrator::constants::{
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::dop853;
 use crate::dynamics::integrator::dop853::Dop853;
+use crate::dynamics::integrator::radau_iia;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::system::ImplicitSystem;
 
@@ -172,7 +173,7 @@ impl StepController {
                 radau
             });
             let error = radau.attempt(system, t, y, self.rk.slope(), h);
-            (error, if error.is_finite() { radau.next_factor(error) } else { UNSOLVED_FACTOR })
+            (error, if error.is_finite() { radau_iia::next_factor(error) } else { UNSOLVED_FACTOR })
         } else {
             let error = self.rk.attempt(system, t, y, h);
             (error, if error.is_finite() { dop853::next_factor(error) } else { OVERFLOW_FACTOR })

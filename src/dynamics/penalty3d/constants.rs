@@ -102,9 +102,6 @@ pub(in crate::dynamics) const SPEED_ROUNDING_PHASE: f64 = 16.0;
 pub(in crate::dynamics) const FREE_RETRIES: u32 = 4;
 /// Most doublings of that dead band: 2³⁶ [`ZERO_BAND`] exceeds the scale itself.
 pub(in crate::dynamics) const RETRY_DOUBLINGS: u32 = 36;
-/// Widest dead band of a breakaway, per radius of the friction cone \[–\]: bounds by how much a stick that breaks
-/// away again and again in one touch exceeds its cone. Tuned.
-pub(in crate::dynamics) const WIDEST_STICK_BAND: f64 = 5e-9;
 
 // Simultaneous events
 

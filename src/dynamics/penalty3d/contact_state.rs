@@ -1,7 +1,5 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
-use glam::DVec2;
-
 use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
 
 /// State of a contact with all quantities that its forces depend on.
@@ -39,13 +37,8 @@ pub struct SolverState {
     /// Sliding has stopped and stick cannot hold: the next stop is located only after `V_t` has exceeded `v_stick`
     /// again.
     pub passing_stop: bool,
-    /// In slip, the number of changes of the contact at the instant at which the slip began. In stick, the number of
-    /// widenings of its dead band on top of `FREE_RETRIES`; 0 without one.
+    /// In slip, the number of changes of the contact at the instant at which the slip began; 0 in stick.
     pub retries: u32,
-    /// The step began within round-off of the face without velocity into it: a slip in front of the face then has no
-    /// friction, since no force presses the node. A node that comes out from behind the face keeps its friction, so
-    /// that the last step of a touch has no kink beyond its end.
-    pub at_face: bool,
 }
 
 impl ClosedContact {
@@ -75,19 +68,7 @@ impl ClosedContact {
         if self.held_at_zero {
             forces.normal_damping = -forces.normal;
         }
-        if self.is_loose(here) {
-            forces.tangential = DVec2::ZERO;
-            forces.tangential_damping = DVec2::ZERO;
-            forces.stretch = DVec2::ZERO;
-            forces.anchor_rate = forces.sliding;
-        }
         forces
-    }
-
-    /// Whether it slides without friction: in front of the face in a step that began within round-off of it.
-    #[inline]
-    pub fn is_loose(&self, here: &Local) -> bool {
-        self.solver.at_face && here.gap > 0.0 && matches!(self.mode, Mode::Slip { .. })
     }
 
     /// Slip angle of a contact whose slip direction is a state of the integrator \[rad\]; `None` for others.
@@ -116,51 +97,5 @@ impl Contact {
             Self::Closed(closed) => Some(closed),
             Self::Open { .. } => None,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::DVec3;
-
-    use crate::contact::Normal;
-    use crate::contact::normal::Linear;
-
-    #[test]
-    fn a_slider_that_hangs_before_its_face_has_no_friction() {
-        let law = Law {
-            normal: Normal::Linear(Linear { k: 1e9, c: 10.0 }),
-            k_t: 1e9,
-            c_t: 3.0,
-            mu_s: 0.5,
-            mu_k: 0.4,
-            friction: FrictionLaw::Paper,
-            clamp: false,
-            v_stick: 0.0,
-        };
-        let mode = Mode::Slip { direction: DVec2::X };
-        let coming_out = ClosedContact::new(law, mode, 0.0);
-        let mut hanging = coming_out;
-        hanging.solver.at_face = true;
-        let here = |gap: f64| Local {
-            gap,
-            gap_rate: 0.0,
-            at: DVec2::ZERO,
-            way: DVec2::ZERO,
-            rate: DVec2::X,
-            spin: DVec3::ZERO,
-        };
-        let (before, behind) = (here(1e-12), here(-1e-12));
-        assert_eq!(hanging.forces(&before).tangential_total(), DVec2::ZERO, "nothing presses it");
-        assert_eq!(
-            hanging.forces(&before).normal_total(),
-            coming_out.forces(&before).normal_total(),
-            "the spring pulls"
-        );
-        // The force is smooth beyond the end of a step that ends a touch.
-        assert!(coming_out.forces(&before).tangential.x > 0.0, "as it goes on from behind");
-        assert_eq!(hanging.forces(&behind), coming_out.forces(&behind), "behind the face friction is friction");
-        assert!(hanging.forces(&behind).tangential.x < 0.0, "against the sliding");
     }
 }

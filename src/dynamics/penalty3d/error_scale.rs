@@ -1,6 +1,6 @@
-//! Error scale of an island's step, caps of its length, and nodes within round-off of their faces at its start.
+//! Error scale of an island's step, and caps of its length.
 
-use crate::contact::{FrictionLaw, Mode, NormalLaw};
+use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 use crate::dynamics::penalty3d::constants::{
@@ -9,7 +9,6 @@ use crate::dynamics::penalty3d::constants::{
     ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
 };
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
-use crate::dynamics::penalty3d::event_location::is_at_face;
 use crate::dynamics::penalty3d::island::Island;
 use crate::motion::Ground;
 
@@ -135,24 +134,6 @@ impl Island {
         let active = &self.system.active[number];
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
-    }
-
-    /// Sets `at_face` of the contacts whose nodes, with poses `frames`, are within round-off of their faces at the
-    /// start of the next step; whether a force changes by that. Law `paper` only: the friction of `return-mapping` is
-    /// a spring that vanishes with the penetration.
-    pub(in crate::dynamics) fn note_faces(&mut self, model: &Model) -> bool {
-        let mut changed = false;
-        for number in 0..self.system.active.len() {
-            if self.system.active[number].closed.law.friction != FrictionLaw::Paper {
-                continue;
-            }
-            let here = self.system.active[number].look(model, &self.workspace.frames);
-            let at_face = is_at_face(model, self, number, &here);
-            let active = &mut self.system.active[number];
-            changed |= active.closed.solver.at_face != at_face && here.gap > 0.0;
-            active.closed.solver.at_face = at_face;
-        }
-        changed
     }
 }
 

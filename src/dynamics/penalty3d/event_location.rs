@@ -10,7 +10,7 @@ use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::constants::{
     CLOCK_ROUNDING, ENTRY_ROUNDING, FREE_RETRIES, PARTING_BAND, POSITION_ROUNDING, RETRY_DOUBLINGS, SAMPLES_EXPLICIT,
-    SAMPLES_IMPLICIT, SAMPLES_MEDIUM, SHORT_PHASES, SPEED_ROUNDING_PHASE, WIDEST_STICK_BAND, ZERO_BAND,
+    SAMPLES_IMPLICIT, SAMPLES_MEDIUM, SHORT_PHASES, SPEED_ROUNDING_PHASE, ZERO_BAND,
 };
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::due::{Due, Reason};
@@ -188,31 +188,18 @@ fn entry_depth(model: &Model, island: &Island, number: usize, here: &Local) -> f
     ENTRY_ROUNDING * island.reach(model, number) + CLOCK_ROUNDING * island.from * here.gap_rate.abs()
 }
 
-/// Whether a node is within round-off of its face and stays there for one radian of the island's frequency.
-pub(in crate::dynamics) fn is_at_face(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
-    let entry = entry_depth(model, island, number, here);
-    here.gap > -entry && here.gap_rate > -entry * island.omega()
-}
-
 /// Whether a node has just entered: gap and forces are round-off of either sign.
 fn is_entering(model: &Model, island: &Island, number: usize, here: &Local) -> bool {
     here.gap_rate < 0.0 && here.gap > -entry_depth(model, island, number, here)
 }
 
-/// Dead band of a switching function, in its unit: behind the face that of a repeated breakaway or of the clamp's
-/// round-off; at the face the round-off of gap, stretch and their rates, whose signs are undetermined.
+/// Dead band of a switching function, in its unit: behind the face the clamp's round-off; at the face the round-off of gap, stretch and their rates, whose signs are undetermined.
 fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here: &Local) -> f64 {
     let closed = &island.system.active[number].closed;
     let entry = entry_depth(model, island, number, here);
     if here.gap <= -entry {
         let rounding = POSITION_ROUNDING * island.reach(model, number);
         return match reason {
-            // A stretch that decays at the rate of its friction limit stays at the limit and crosses it with each
-            // round-off.
-            Reason::Switching if is_sticking(island, number) && closed.solver.retries >= FREE_RETRIES => {
-                let times = f64::from((closed.solver.retries - FREE_RETRIES).min(RETRY_DOUBLINGS)).exp2();
-                (times * rounding).min(rounding.max(WIDEST_STICK_BAND * closed.law.mu_s * closed.law.length(here)))
-            }
             // A normal force that stays near 0 crosses 0 with each round-off; the force is continuous there.
             Reason::Kink => closed.law.normal.change_scale(here.penetration(), rounding, 0.0),
             _ => 0.0,

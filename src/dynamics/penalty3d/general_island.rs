@@ -40,17 +40,14 @@ pub(in crate::dynamics) fn rates(
 /// Adds the forces of closed contacts to the wrenches on both of their bodies, and enters the rates of slip angles.
 fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut Workspace, out: &mut [f64]) {
     let mut slider = 0;
-    for (number, active) in system.active.iter().enumerate() {
+    for active in &system.active {
         let site = &model.contacts[active.site];
         let node = active.node.map_or(&site.stand, |_| &workspace.frames[active.sections[0]]);
         let face = active.face.map_or(&site.stand, |_| &workspace.frames[active.sections[1]]);
-        let held = workspace.sliding.held(number, slider, active);
+        let held = workspace.sliding.held(slider, active);
         let closed = held.as_ref().unwrap_or(&active.closed);
         let mode = active.angle.map_or(closed.mode, |at| Mode::Slip { direction: direction(y[at]) });
         let action = contact_force::act_in(&active.home, closed, &mode, node, face);
-        if held.is_none() {
-            workspace.sliding.note(number, closed.is_loose(&action.here));
-        }
         if active.node.is_some() {
             workspace.wrenches[active.sections[0]].push(action.force, action.node_arm);
         }
@@ -65,7 +62,7 @@ fn add_contacts(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mu
             slider += 1;
         } else if active.turns_at_once() {
             if held.is_none() {
-                workspace.sliding.turns(slider, closed, &action.here, &action.forces);
+                workspace.sliding.turns(slider, closed, &action.forces);
             }
             slider += 1;
         }

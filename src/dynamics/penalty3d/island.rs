@@ -163,15 +163,11 @@ impl Island {
         self.from = t;
         self.taken += 1;
         let scale = self.scale(model);
-        if self.note_faces(model) {
-            self.rewind(model, t);
-        }
         let number = model.ground.piece_number(t);
         let piece = model.ground.piece(number);
         let known = self.workspace.sliding.sliders.is_empty() && self.sloped == (t, number);
-        let loose = self.system.active.iter().any(|active| active.closed.solver.at_face);
         self.explicit = !self.stepper.state().stiff;
-        self.again = known && !loose && self.explicit && self.system.links.is_empty();
+        self.again = known && self.explicit && self.system.links.is_empty();
         // Contacts of one face act in parallel and are faster than the stiffest of them alone. The first step has
         // only its own error estimate, which is unreliable far beyond the limit of stability.
         let together = (2.0 / (self.system.active.len() + self.system.links.len()).clamp(2, 4) as f64).sqrt();

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use crate::contact::{Forces, Local, Mode};
+use crate::contact::{Forces, Mode};
 use crate::dynamics::integrator::system::RankOneTerm;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
@@ -19,9 +19,7 @@ pub(in crate::dynamics) struct Sliding {
     terms: Vec<RankOneTerm>,
     /// Regularised directions of sliding at the linearisation, `V_t / max(|V_t|, v_stick)`.
     against: Vec<DVec2>,
-    /// Whether each closed contact slid without friction at the linearisation, within round-off in front of its face.
-    loose: Vec<bool>,
-    /// Whether directions and absence of friction are held at those of the linearisation.
+    /// Whether directions are held at those of the linearisation.
     held: bool,
 }
 
@@ -30,7 +28,7 @@ impl Sliding {
     pub(in crate::dynamics) fn of(active: &[ActiveContact]) -> Self {
         let slides = |a: &ActiveContact| a.angle.is_some() || a.turns_at_once();
         let sliders: Vec<usize> = (0..active.len()).filter(|&i| slides(&active[i])).collect();
-        Self { against: vec![DVec2::X; sliders.len()], loose: vec![false; active.len()], sliders, ..Self::default() }
+        Self { against: vec![DVec2::X; sliders.len()], sliders, ..Self::default() }
     }
 
     /// Forgets the terms of the last evaluation.
@@ -43,41 +41,23 @@ impl Sliding {
         &self.terms
     }
 
-    /// Holds directions and absence of friction at those of the last evaluation, or follows the state again.
+    /// Holds directions at those of the last evaluation, or follows the state again.
     pub(in crate::dynamics) fn hold(&mut self, held: bool) {
         self.held = held;
     }
 
-    /// Contact `number` as it is held while difference quotients are formed; `None` while it follows the state. `slider`
-    /// is its number among those that slide in two directions, if it is one.
-    ///
-    /// Friction in front of the face is held as it was: a difference quotient across the face would be that of neither
-    /// side.
+    /// A contact as it is held while difference quotients are formed; `None` while it follows the state. `slider` is
+    /// its number among those that slide in two directions, if it is one.
     #[inline]
-    pub(in crate::dynamics) fn held(
-        &self,
-        number: usize,
-        slider: usize,
-        active: &ActiveContact,
-    ) -> Option<ClosedContact> {
+    pub(in crate::dynamics) fn held(&self, slider: usize, active: &ActiveContact) -> Option<ClosedContact> {
         self.held.then(|| {
             let mut held = active.closed;
             if active.turns_at_once() {
                 held.mode = Mode::Slip { direction: self.against[slider] };
                 held.law.v_stick = 0.0;
             }
-            held.solver.at_face = false;
-            if self.loose[number] {
-                held.law.mu_k = 0.0;
-            }
             held
         })
-    }
-
-    /// Enters contact `number` at the linearisation: whether it slides without friction.
-    #[inline]
-    pub(in crate::dynamics) fn note(&mut self, number: usize, loose: bool) {
-        self.loose[number] = loose;
     }
 
     /// Rank-one term of a slip whose angle is component `follower` of the auxiliary states: `V_t` turns the angle,
@@ -106,12 +86,12 @@ impl Sliding {
 
     /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below
     /// `v_stick`.
-    pub(in crate::dynamics) fn turns(&mut self, slider: usize, closed: &ClosedContact, here: &Local, forces: &Forces) {
+    pub(in crate::dynamics) fn turns(&mut self, slider: usize, closed: &ClosedContact, forces: &Forces) {
         let (speed, least) = (forces.sliding.length(), closed.law.v_stick);
         let against = forces.sliding / speed.max(least);
         let along = forces.sliding.try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
-        let friction = if closed.is_loose(here) { 0.0 } else { closed.law.mu_k * forces.normal };
+        let friction = closed.law.mu_k * forces.normal;
         let slowing = if speed < least { -friction / least } else { 0.0 };
         self.against[slider] = against;
         self.terms.push(RankOneTerm {
@@ -130,7 +110,7 @@ mod tests {
     use glam::DVec3;
 
     use crate::contact::normal::Linear;
-    use crate::contact::{FrictionLaw, Law, Normal};
+    use crate::contact::{FrictionLaw, Law, Local, Normal};
     use crate::dynamics::penalty3d::active_contact::direction;
     use crate::dynamics::penalty3d::example::{closed, wall};
 
@@ -151,7 +131,7 @@ mod tests {
         for rate in [DVec2::new(0.03, 0.04), DVec2::new(0.003, -0.002)] {
             let here = pressed(rate);
             let mut sliding = Sliding { against: vec![DVec2::X], ..Sliding::default() };
-            sliding.turns(0, &closed, &here, &closed.forces(&here));
+            sliding.turns(0, &closed, &closed.forces(&here));
             let h = 1e-7;
             for change in [DVec2::X, DVec2::Y] {
                 let force = |h: f64| closed.forces(&pressed(rate + change * h)).tangential_total();
@@ -182,30 +162,25 @@ mod tests {
     }
 
     #[test]
-    fn what_difference_quotients_hold_is_the_direction_and_the_friction_of_the_linearisation() {
+    fn what_difference_quotients_hold_is_the_direction_of_the_linearisation() {
         let sliding_along_x = slider(FrictionLaw::Paper, DVec2::X);
         let (_, mut active) = closed(&wall(), |_| sliding_along_x.mode);
         for contact in &mut active {
             contact.closed = sliding_along_x;
-            contact.closed.solver.at_face = true;
         }
         let mut sliding = Sliding::of(&active);
         assert_eq!(sliding.sliders, [0, 1], "both nodes slide in two directions");
-        assert_eq!(sliding.held(0, 0, &active[0]), None, "it follows the state");
+        assert_eq!(sliding.held(0, &active[0]), None, "it follows the state");
         let rate = DVec2::new(0.0, 0.05);
-        for (number, loose) in [false, true].into_iter().enumerate() {
-            let here = pressed(rate);
-            sliding.turns(number, &active[number].closed, &here, &active[number].closed.forces(&here));
-            sliding.note(number, loose);
-        }
+        let here = pressed(rate);
+        sliding.turns(0, &active[0].closed, &active[0].closed.forces(&here));
         sliding.hold(true);
         // Other velocity, same friction: that along Y at the linearisation.
         let elsewhere = pressed(DVec2::new(0.05, 0.0));
-        let [held, loose] = [0, 1].map(|i| sliding.held(i, i, &active[i]).expect("held"));
+        let held = sliding.held(0, &active[0]).expect("held");
         let friction = held.forces(&elsewhere).tangential;
         assert!(friction.y < 0.0 && friction.x.abs() < 1e-12 * friction.y.abs(), "against Y: {friction} N");
-        assert_eq!(loose.forces(&elsewhere).tangential, DVec2::ZERO, "without friction");
         sliding.hold(false);
-        assert_eq!(sliding.held(0, 0, &active[0]), None, "it follows the state again");
+        assert_eq!(sliding.held(0, &active[0]), None, "it follows the state again");
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use crate::contact::{FrictionLaw, Law, Mode};
+use crate::contact::{Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
@@ -137,8 +137,7 @@ impl ContactLog {
                     Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
                     Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
                 };
-                let at_face = law.friction == FrictionLaw::Paper;
-                let solver = SolverState { regularisation, passing_stop, retries: 0, at_face };
+                let solver = SolverState { regularisation, passing_stop, retries: 0 };
                 Contact::Closed(ClosedContact { law, mode, held_at_zero, solver })
             }
         }

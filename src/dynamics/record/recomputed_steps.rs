@@ -268,9 +268,7 @@ fn active(
     let index = |body: Option<usize>| body.and_then(|body| bodies.iter().position(|&b| b == body));
     let [node, face] = [site.node_body, site.face_body].map(index);
     let sides = [node, face].map(|i| bases.get(i?));
-    // A step with `at_face` in force is stored as a polynomial.
-    let mut closed = past.logs[logged.site as usize].closed(logged.entry)?;
-    closed.solver.at_face = false;
+    let closed = past.logs[logged.site as usize].closed(logged.entry)?;
     let mut active = ActiveContact {
         site: logged.site as usize,
         node,

@@ -127,6 +127,12 @@ impl World {
         }
     }
 
+    /// Names of bodies by their slots.
+    pub(in crate::dynamics) fn names(&self, slots: &[usize]) -> String {
+        let name = |&slot: &usize| self.model.bodies[self.bodies[slot].body].name.as_str();
+        slots.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
     /// Numbers of the pairs of these bodies, ascending.
     pub(in crate::dynamics) fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
         let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();

@@ -64,23 +64,3 @@ fn a_slip_that_turns_to_its_very_end_is_followed() {
     assert!(history.stop().is_none(), "{:?}", history.stop());
     assert!(history.events().len() > 500, "it touches: {} events", history.events().len());
 }
-
-#[test]
-fn nothing_that_hangs_before_a_face_is_pushed_along_it() {
-    // Under the paper's law contacts lose, from one instant without contact to the next.
-    let scene = seed(1002);
-    let history = run(&scene);
-    let open: Vec<f64> =
-        (0..=400).map(|i| history.end() * f64::from(i) / 400.0).filter(|&t| history.contacts(t).is_empty()).collect();
-    assert!(open.len() > 50, "it parts again: {} instants", open.len());
-    let lost = |t: f64| {
-        let l = history.ledger(t);
-        let jumps = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry;
-        (l.loss_normal + l.loss_tangential + l.loss_friction + jumps, l.scale)
-    };
-    let scale = open.iter().map(|&t| lost(t).1).fold(0.0, f64::max);
-    for pair in open.windows(2) {
-        let gained = (lost(pair[0]).0 - lost(pair[1]).0) / scale;
-        assert!(gained < 3e-5, "{gained:e} of the largest energy from t = {} s to {} s", pair[0], pair[1]);
-    }
-}

@@ -1,0 +1,79 @@
+//! Times of the next closings of pairs and of the next beginnings of devices' forces, entered in the queue.
+
+use crate::dynamics::closing::found::NextClosing;
+use crate::dynamics::closing::{link_closing, next_closing};
+use crate::dynamics::contact_model::event_source::EventSource;
+use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::world::World;
+
+/// Searches on the present trajectories of a group of bodies.
+pub(in crate::dynamics) struct ClosingSearch<'a> {
+    /// Trajectories, and the closings found on them.
+    pub world: &'a mut World,
+    /// Queue of events, and counted work.
+    pub schedule: &'a mut Schedule,
+}
+
+impl ClosingSearch<'_> {
+    /// Searches from `t` on the next closing of every pair and the next beginning of every link's force of these
+    /// bodies.
+    pub(in crate::dynamics) fn around(&mut self, slots: &[usize], t: f64) {
+        for pair in self.world.pairs_of(slots) {
+            self.pair(pair, t);
+        }
+        // A device whose force acts is not in the queue: its island finds the end of the phase.
+        for link in self.world.links_of(slots) {
+            if !self.world.link_acts(link) {
+                self.link(link, t);
+            }
+        }
+    }
+
+    /// Searches the next closing of a pair from `t` on.
+    pub(in crate::dynamics) fn pair(&mut self, number: usize, t: f64) {
+        let found = next_closing::search(self.world, number, t);
+        self.enter(EventSource::Pair(number), found);
+    }
+
+    /// Searches the beginning of a link's force from `t` on.
+    pub(in crate::dynamics) fn link(&mut self, number: usize, t: f64) {
+        let found = link_closing::search(self.world, number, t);
+        self.enter(EventSource::Link(number), found);
+    }
+
+    /// Enters the result of a search in the queue and counts its work.
+    fn enter(&mut self, source: EventSource, found: NextClosing) {
+        self.schedule.effort.searches += 1;
+        self.schedule.effort.looks += found.evaluations;
+        self.schedule.work += found.work;
+        if found.due.is_finite() {
+            self.schedule.queue.set(source.into(), found.due);
+        } else {
+            self.schedule.queue.remove(source.into());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::penalty3d::example::{SPEED, wall};
+    use crate::dynamics::world::example::in_flight;
+
+    #[test]
+    fn a_pair_is_in_the_queue_while_its_bodies_approach() {
+        let gap = 1e-3;
+        let mut schedule = Schedule::default();
+        for (velocity, due) in [(SPEED, gap / SPEED), (-SPEED, f64::INFINITY)] {
+            let mut world = in_flight(&wall(), &[[-gap, 0.0, 0.0, velocity, 0.0, 0.0]]);
+            ClosingSearch { world: &mut world, schedule: &mut schedule }.around(&[0], 0.0);
+            let first = schedule.queue.first_time();
+            assert!(
+                first == due || (first / due - 1.0).abs() < 1e-9,
+                "at {velocity} m/s it closes at {first} s, not {due} s"
+            );
+        }
+        assert_eq!(schedule.effort.searches, 2, "one pair, twice");
+        assert!(schedule.effort.looks > 0, "evaluations are counted");
+    }
+}

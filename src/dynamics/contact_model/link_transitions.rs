@@ -1,0 +1,167 @@
+//! Phases of devices: initial ones, and changes at an event.
+
+use std::sync::Arc;
+
+use crate::dynamics::connection::{Phase, Separation, Switch};
+use crate::dynamics::contact_model::at_instant::EventInstant;
+use crate::dynamics::contact_model::constants::DEVICE_EVENTS_PER_INSTANT;
+use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::LinkTrack;
+
+/// Devices of a group of bodies during an event.
+pub(in crate::dynamics) struct LinkTransitions<'a> {
+    /// Constant data and present states of the group.
+    pub world: &'a mut World,
+    /// Progress of the run, stopped where a device exceeds its number of events.
+    pub schedule: &'a mut Schedule,
+    /// States of the bodies that the event concerns.
+    pub now: &'a EventInstant,
+}
+
+impl LinkTransitions<'_> {
+    /// Enters the initial phases of all devices.
+    pub(in crate::dynamics) fn begin(&mut self) {
+        let model = Arc::clone(&self.world.model);
+        for number in 0..self.world.links.len() {
+            let phase = model.links[self.world.links[number].link].device.initial(&self.motion(number));
+            self.enter(number, phase, 0.0);
+        }
+    }
+
+    /// Changes a device's phase by `event` and records the energy released; ends the run above
+    /// [`DEVICE_EVENTS_PER_INSTANT`] changes.
+    pub(in crate::dynamics) fn change(&mut self, number: usize, event: Switch) {
+        let model = Arc::clone(&self.world.model);
+        let (motion, LinkTrack { link, phase, .. }) = (self.motion(number), &self.world.links[number]);
+        let (next, released) = model.links[*link].device.next(event, phase, &motion);
+        self.enter(number, next, released);
+        if self.world.links[number].log.changes_at(self.now.t) > DEVICE_EVENTS_PER_INSTANT {
+            let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
+            let link = &model.links[self.world.links[number].link].name;
+            let reason = format!("the device {link} changes its phase without end at one instant; give it some slack");
+            self.schedule.give_up(self.now.t, self.world.names(&slots), reason);
+        }
+    }
+
+    fn enter(&mut self, number: usize, phase: Phase, released: f64) {
+        let track = &mut self.world.links[number];
+        track.phase = phase;
+        track.log.push(self.now.t, phase, released);
+    }
+
+    /// Relative motion of a link's points at the time of the event.
+    fn motion(&self, number: usize) -> Separation {
+        let LinkTrack { link, slots, .. } = &self.world.links[number];
+        let link = &self.world.model.links[*link];
+        let frames = link.frames(|end| self.now.pose(slots[end]?));
+        link.motion([&frames[0], &frames[1]]).0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DMat3, DVec3};
+
+    use crate::dynamics::Model;
+    use crate::dynamics::connection::{Anchor, Connection, Device, SeparationBounds};
+    use crate::dynamics::penalty3d::example::wall;
+
+    /// A device without force that changes its law at every event and releases energy \[J\].
+    #[derive(Debug)]
+    struct Ratchet;
+
+    const RELEASED: f64 = 2.0;
+
+    impl Connection for Ratchet {
+        type State = Phase;
+        type Motion = Separation;
+
+        fn force(&self, _: &Phase, _: &Separation) -> DVec3 {
+            DVec3::ZERO
+        }
+
+        fn stored_energy(&self, _: &Phase, _: &Separation) -> f64 {
+            0.0
+        }
+
+        fn dissipated_power(&self, _: &Phase, _: &Separation) -> f64 {
+            0.0
+        }
+
+        fn stiffness_bound(&self, _: &Phase) -> f64 {
+            0.0
+        }
+
+        fn damping_bound(&self, _: &Phase) -> f64 {
+            0.0
+        }
+    }
+
+    impl Device for Ratchet {
+        fn initial(&self, motion: &Separation) -> Phase {
+            Phase { law: 7, memory: motion.vector().to_array() }
+        }
+
+        fn acts(&self, _: &Phase) -> bool {
+            false
+        }
+
+        fn gap(&self, _: &Phase, _: &Separation) -> [f64; 2] {
+            [1.0, 0.0]
+        }
+
+        fn gap_curvature(&self, _: &Phase, _: &SeparationBounds) -> f64 {
+            0.0
+        }
+
+        fn switches(&self, _: &Phase) -> usize {
+            0
+        }
+
+        fn switch(&self, _: usize, _: &Phase, _: &Separation) -> f64 {
+            -1.0
+        }
+
+        fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
+            (Phase { law: phase.law + 1, ..*phase }, RELEASED)
+        }
+    }
+
+    /// A girder that a ratchet joins to the ground, displaced by 3 mm at t = 0.
+    fn joined() -> (World, EventInstant) {
+        let mut model = Model::compile(&wall()).unwrap_or_else(|errors| panic!("{errors}"));
+        let ends = [Anchor::Body { body: 0, point: DVec3::ZERO }, Anchor::Ground(DVec3::ZERO)];
+        model.link("ratchet", ends, DMat3::IDENTITY, Arc::new(Ratchet)).expect("a link in the plane");
+        let world = World::of(&Arc::new(model), 0);
+        let (body, mut state) = (&world.model.bodies[0], world.model.bodies[0].initial());
+        state[0] = 3e-3;
+        let now = EventInstant::of(&world, vec![0], vec![body.placed()], vec![state], 0.0);
+        (world, now)
+    }
+
+    #[test]
+    fn a_device_starts_in_the_phase_of_its_present_stretch_and_logs_its_changes() {
+        let ((mut world, now), mut schedule) = (joined(), Schedule::default());
+        let mut links = LinkTransitions { world: &mut world, schedule: &mut schedule, now: &now };
+        links.begin();
+        assert_eq!(links.world.links[0].phase, Phase { law: 7, memory: [3e-3, 0.0, 0.0] });
+        links.change(0, Switch::Closing);
+        let track = &world.links[0];
+        assert_eq!((track.phase.law, track.log.at(0.0)), (8, Some(track.phase)));
+        assert_eq!(track.log.released(0.0), RELEASED, "in the log");
+        assert_eq!(schedule.stop(), None);
+    }
+
+    #[test]
+    fn a_device_that_changes_without_end_stops_the_run() {
+        let ((mut world, now), mut schedule) = (joined(), Schedule::default());
+        let mut links = LinkTransitions { world: &mut world, schedule: &mut schedule, now: &now };
+        links.begin();
+        (0..=DEVICE_EVENTS_PER_INSTANT).for_each(|_| links.change(0, Switch::Closing));
+        let stop = schedule.stop().expect("a reason");
+        assert!(stop.reason.contains("the device ratchet"), "{stop:?}");
+        assert_eq!(stop.place, world.names(&[0]), "its body");
+    }
+}
