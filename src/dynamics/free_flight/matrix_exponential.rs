@@ -16,8 +16,9 @@ pub const SIZE: usize = WIDTH + 5;
 /// The augmented state.
 pub type AugmentedState = [f64; SIZE];
 type Matrix = [[f64; SIZE]; SIZE];
-/// With twice the digits: every squaring doubles what a power is off by, relative to its size, so a long flight would have
-/// thousands of roundings.
+/// With twice the digits: a squaring doubles the relative error of a power and adds a rounding, `e' = 2e + ε`, so after k of
+/// them a power of plain numbers is off by up to `2^k ε`. The domain's longest flight, 1e5 rad in cells of 0.5 rad, takes
+/// k = 18: 6e-11 at the most and 6e-12 as measured, where tolerances go down to 1e-12.
 type Doubled = [[TwoFloat; SIZE]; SIZE];
 
 /// Where `sin` stands; `cos`, `u0`, `u1` and `1` follow.
@@ -171,6 +172,18 @@ mod tests {
             assert!((q - after[i]).abs() < 1e-12 * (1.0 + q.abs()), "q{i}: {q} against {}", after[i]);
             assert!((v - after[RATES + i]).abs() < 1e-12 * (1.0 + v.abs()), "v{i}: {v} against {}", after[RATES + i]);
         }
+    }
+
+    #[test]
+    fn a_power_of_the_longest_flight_is_off_by_no_more_than_a_few_roundings() {
+        let phase = 1e5;
+        let system = CoupledPropagator::new(DMat3::IDENTITY, DMat3::ZERO, DVec3::ZERO, DVec3::ZERO, 0.0, phase);
+        let mut z = [0.0; SIZE];
+        z[0] = 1.0;
+        let after = system.advance(&z, phase);
+        let error = (after[0] - phase.cos()).hypot(after[RATES] + phase.sin());
+        // 18 powers at most are applied; squared without twice the digits they would be off by 6e-12.
+        assert!(error < 1e-13, "{error:e} after {phase} rad");
     }
 
     #[test]

@@ -41,9 +41,9 @@ pub(super) const COARSE_FACTOR: f64 = 4.0;
 
 // Dormand–Prince 8(5,3).
 
-/// Time constants of a decay that an explicit step may span for its error estimate to exceed its error: at 5.65 of
-/// them, inside the region of stability, the fifth-order estimate crosses 0 while a quarter of the decaying part is
-/// left.
+/// Time constants of a decay that an explicit step may span. With R the stability function, the estimate exceeds the
+/// error |R(−z) − e^(−z)| up to z = 5.056; at 5.654, inside the region of stability, it crosses 0 while a quarter of
+/// the decaying part is left.
 pub(in crate::dynamics) const RESOLVED_DECAY: f64 = 5.0;
 
 // Step control.

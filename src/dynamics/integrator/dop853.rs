@@ -192,7 +192,23 @@ mod tests {
         };
         let worst = (1..=50).map(|i| seen(RESOLVED_DECAY * f64::from(i) / 50.0)).fold(f64::INFINITY, f64::min);
         assert!(worst > 1.0, "of the error, at least: {worst}");
+        assert!(seen(5.05) > 1.0 && seen(5.06) < 1.0, "from {} to {}", seen(5.05), seen(5.06));
         assert!(seen(5.6543) < 1e-3, "of the error: {}", seen(5.6543));
+    }
+
+    #[test]
+    fn a_step_of_an_oscillation_loses_a_part_of_the_tolerance_always_of_one_sign() {
+        // Phases in which the estimate comes to what the safety factor leaves of the tolerance.
+        for (tolerance, phase, lost) in [(1e-4, 1.743, 0.067), (1e-7, 0.747, 0.0127), (1e-10, 0.316, 0.0022)] {
+            let (mut rk, mut y) = (Dop853::default(), vec![0.0, 1.0]);
+            rk.resize(2);
+            rk.start(&mut Circle, 0.0, &y);
+            let estimate = rk.attempt(&mut Circle, 0.0, &y, phase) / tolerance;
+            rk.accept(&mut Circle, 0.0, &mut y, phase);
+            assert!((estimate / STEP_SAFETY.powi(8) - 1.0).abs() < 0.02, "{estimate} of {tolerance:e}");
+            let loss = (1.0 - y[0].hypot(y[1])) / tolerance;
+            assert!((loss / lost - 1.0).abs() < 0.05, "amplitude lost: {loss} of {tolerance:e}");
+        }
     }
 
     /// Largest error over one revolution, at the ends of steps and in their middle.

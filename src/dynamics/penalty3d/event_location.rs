@@ -200,7 +200,8 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
     if here.gap <= -entry {
         let rounding = POSITION_ROUNDING * island.reach(model, number);
         return match reason {
-            // A normal force that stays near 0 crosses 0 with each round-off; the force is continuous there.
+            // A normal force that stays near 0 crosses 0 with each round-off of its position. The force is continuous
+            // there: changed so much later it is off by its own round-off.
             Reason::Kink => closed.law.normal.change_scale(here.penetration(), rounding, 0.0),
             _ => 0.0,
         };
