@@ -383,6 +383,6 @@ fn the_numbers_of_contact_are_keys_of_both_tables() {
     let pairs = facing::find(&scene).expect("good");
     let numbers =
         |n: usize| ContactNumber::ALL.iter().map(|number| (number.in_force)(&pairs[n].contact)).collect::<Vec<_>>();
-    assert_eq!(numbers(0), [0.5; 4], "the pair's own lie over the scene's");
-    assert_eq!(ContactNumber::ALL.len(), 4, "the rest are K, E, A and the rules");
+    assert!(ContactNumber::ALL.len() >= 4, "restitution and friction");
+    assert_eq!(numbers(0), vec![0.5; ContactNumber::ALL.len()], "the pair's own lie over the scene's");
 }
