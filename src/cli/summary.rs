@@ -1,10 +1,10 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use crate::scene::shown::shown;
-use crate::tables::{OutsideReport, Report, SeatReport};
+use crate::scene::shown::{escaped, shown};
+use crate::tables::{OutsideReport, OverlapReport, Report, SeatReport};
 
-/// So many quantities outside the domain are listed; `summary.json` has all.
-const MOST_OUTSIDE: usize = 10;
+/// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
+const MOST_LISTED: usize = 10;
 
 /// The summary, one fact a line.
 pub(super) fn text(report: &Report) -> String {
@@ -34,7 +34,32 @@ fn head(report: &Report) -> Vec<Line> {
     let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
     let gave_up =
         gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
-    model.into_iter().chain(gave_up).chain(outside).collect()
+    model.into_iter().chain(gave_up).chain(outside).chain(overlaps(&report.overlaps)).collect()
+}
+
+/// Bodies that are inside each other where no contact carries it, a line for every two.
+fn overlaps(all: &[OverlapReport]) -> Vec<Line> {
+    let of = |o: &OverlapReport| {
+        let [one, other] = &o.bodies;
+        let value = format!(
+            "{} and {}, without contact: from {:.4} s, {} mm deep at {:.4} s",
+            escaped(one),
+            escaped(other),
+            o.t,
+            millimetres(o.depth),
+            o.deepest_at
+        );
+        line("overlap", value)
+    };
+    let more = all.len().saturating_sub(MOST_LISTED);
+    let more = (more > 0).then(|| line("overlap", format!("{more} more")));
+    all.iter().take(MOST_LISTED).map(of).chain(more).collect()
+}
+
+/// A depth in mm, four digits \[m\].
+fn millimetres(depth: f64) -> String {
+    let mm = depth * 1e3;
+    if mm >= 0.01 { format!("{mm:.3}") } else { format!("{mm:.1e}") }
 }
 
 /// Where the scene lies outside the domain; `None` where it does not.
@@ -43,7 +68,7 @@ fn outside_words(outside: &[OutsideReport]) -> Option<String> {
         Some(pair) => format!("{} ({pair})", d.place),
         None => d.place.clone(),
     };
-    let listed: Vec<String> = outside.iter().take(MOST_OUTSIDE).map(of).collect();
+    let listed: Vec<String> = outside.iter().take(MOST_LISTED).map(of).collect();
     let more = outside.len() - listed.len();
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     (!outside.is_empty()).then(|| format!("{}{more}", listed.join(", ")))

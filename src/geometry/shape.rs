@@ -3,7 +3,7 @@
 //!
 //! A body is a prism between two polygons of four corners: a girder, or the block behind an abutment's face.
 
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use parry3d::math::Pose;
 use parry3d::query::{self, Ray, RayCast};
 use parry3d::shape::{ConvexPolyhedron, SupportMap};
@@ -55,6 +55,76 @@ pub fn block_behind(face: [DVec3; 4], depth: f64) -> [DVec3; 8] {
     let [a, b, c, d] = face;
     let back = (c - a).cross(d - b).normalize_or_zero() * depth;
     [a - back, b - back, c - back, d - back, a, b, c, d]
+}
+
+/// How far apart two parallelograms are along the axis that parts them most, by their sides' normals: negative when they
+/// overlap, and then the shortest way out \[m\]. Corners follow one another along the outline.
+pub fn plan_separation(one: &[DVec2; 4], other: &[DVec2; 4]) -> f64 {
+    let normals = [one, other].into_iter().flat_map(|corners| {
+        [corners[1] - corners[0], corners[2] - corners[1]].map(|side| side.perp().normalize_or_zero())
+    });
+    let range = |corners: &[DVec2; 4], normal: DVec2| {
+        let along = corners.map(|corner| corner.dot(normal));
+        along.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], s| [low.min(s), high.max(s)])
+    };
+    normals
+        .map(|normal| {
+            let [[low, high], [lowest, highest]] = [range(one, normal), range(other, normal)];
+            (lowest - high).max(low - highest)
+        })
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// How far a point is from a convex polygon along the side that parts them most; negative inside, and then the shortest way
+/// out \[m\].
+pub fn plan_distance(polygon: &[DVec2; 4], point: DVec2) -> f64 {
+    let middle = polygon.iter().sum::<DVec2>() / 4.0;
+    let beyond = |i: usize| {
+        let (from, side) = (polygon[i], polygon[(i + 1) % 4] - polygon[i]);
+        // Outside is where the middle is not, whichever way round the corners go.
+        -side.perp_dot(point - from) * side.perp_dot(middle - from).signum() / side.length()
+    };
+    (0..4).map(beyond).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// What two convex polygons share, a convex polygon; empty or without area where they do not overlap.
+pub fn common_area(one: &[DVec2; 4], other: &[DVec2; 4]) -> Vec<DVec2> {
+    let middle = other.iter().sum::<DVec2>() / 4.0;
+    (0..4).fold(one.to_vec(), |shared, i| {
+        let (from, side) = (other[i], other[(i + 1) % 4] - other[i]);
+        // Inside is where the middle is, whichever way round the corners go.
+        let inwards = side.perp() * side.perp_dot(middle - from).signum();
+        clipped(&shared, |point| inwards.dot(point - from))
+    })
+}
+
+/// Centroid of what two convex polygons share; `None` where they share no area.
+pub fn common_centre(one: &[DVec2; 4], other: &[DVec2; 4]) -> Option<DVec2> {
+    let shared = common_area(one, other);
+    let first = *shared.first()?;
+    let (mut area, mut moment) = (0.0, DVec2::ZERO);
+    for two in shared.windows(2).skip(1) {
+        let twice = (two[0] - first).perp_dot(two[1] - first);
+        area += twice;
+        moment += twice * ((two[0] - first) + (two[1] - first)) / 3.0;
+    }
+    (area != 0.0).then(|| first + moment / area)
+}
+
+/// The part of a convex polygon where `inside` is not negative, `inside` being linear (Sutherland and Hodgman).
+fn clipped(polygon: &[DVec2], inside: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (i, &here) in polygon.iter().enumerate() {
+        let next = polygon[(i + 1) % polygon.len()];
+        let [a, b] = [inside(here), inside(next)];
+        if a >= 0.0 {
+            kept.push(here);
+        }
+        if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
+            kept.push(here + (next - here) * (a / (a - b)));
+        }
+    }
+    kept
 }
 
 /// Whether all of one prism lies in front of a side of the other; where not, they may still stand apart.
@@ -155,7 +225,7 @@ impl Convex {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
     use super::*;
 
@@ -210,6 +280,59 @@ mod tests {
             let off = cube.separation(here, &cube, there) - gap;
             assert!(off.abs() < 16.0 * f64::EPSILON, "edges crossed along x: off by {off:e}");
         }
+    }
+
+    fn square(at: DVec2, half: f64, turn: f64) -> [DVec2; 4] {
+        let axis = DVec2::from_angle(turn);
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| at + axis.rotate(DVec2::new(x, y) * half))
+    }
+
+    #[test]
+    fn in_plan_the_axis_that_parts_most_is_a_side_of_either() {
+        let here = square(DVec2::ZERO, 1.0, 0.0);
+        // Side by side; corner on side, where the turned square's own sides part less; across a corner, by its own sides.
+        let cases = [
+            (square(DVec2::new(2.3, 0.4), 1.0, 0.0), 0.3),
+            (square(DVec2::new(1.9, 0.4), 1.0, 0.0), -0.1),
+            (square(DVec2::new(1.0 + 2.0_f64.sqrt() - 0.2, 0.0), 1.0, FRAC_PI_4), -0.2),
+            (
+                square(DVec2::splat(1.5 + FRAC_PI_4.cos()), 1.0, FRAC_PI_4),
+                2.0_f64.sqrt() * (1.5 + FRAC_PI_4.cos()) - 1.0 - 2.0_f64.sqrt(),
+            ),
+        ];
+        for (i, (there, expected)) in cases.into_iter().enumerate() {
+            for found in [plan_separation(&here, &there), plan_separation(&there, &here)] {
+                assert!((found - expected).abs() < 1e-14, "case {i}: {found} for {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_point_is_as_far_in_as_its_nearest_side() {
+        let mut square = square(DVec2::new(1.0, 0.0), 1.0, FRAC_PI_4);
+        for _ in 0..2 {
+            assert!((plan_distance(&square, DVec2::new(1.0, 0.0)) + 1.0).abs() < 1e-15, "the middle");
+            // The corner at x = 1 − √2 stands apart along either of its sides.
+            let found = plan_distance(&square, DVec2::new(1.0 - 2.0 * SQRT_2, 0.0));
+            assert!((found - 1.0).abs() < 1e-14, "before a corner: {found}");
+            square.reverse();
+        }
+    }
+
+    #[test]
+    fn the_centre_of_what_is_shared_is_that_of_the_polygon() {
+        let here = square(DVec2::ZERO, 1.0, 0.0);
+        let strip = common_centre(&here, &square(DVec2::new(1.5, 0.5), 1.0, 0.0)).expect("they overlap");
+        assert!(strip.distance(DVec2::new(0.75, 0.25)) < 1e-15, "{strip}");
+        // A corner enters a side: a triangle of height 0.3, its centroid a third of it behind the side.
+        let corner = square(DVec2::new(1.0 + 2.0_f64.sqrt() - 0.3, 0.0), 1.0, FRAC_PI_4);
+        for (a, b) in [(here, corner), (corner, here)] {
+            let centre = common_centre(&a, &b).expect("they overlap");
+            assert!(centre.distance(DVec2::new(0.9, 0.0)) < 1e-14, "{centre}");
+        }
+        let turned_round = [corner[3], corner[2], corner[1], corner[0]];
+        assert!(common_centre(&here, &turned_round).is_some_and(|c| c.distance(DVec2::new(0.9, 0.0)) < 1e-14));
+        assert_eq!(common_centre(&here, &square(DVec2::splat(3.0), 0.5, 0.0)), None, "apart");
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::books::Books;
 use super::impact::events;
 use super::replayed::Replayed;
+use super::report::Overlap;
 use super::{Event, Motion, Stop, Touch};
 use crate::contact::Frame;
 use crate::dynamics::Model;
@@ -47,6 +48,8 @@ pub struct History {
     pub(super) touches: OnceLock<Vec<Touch>>,
     /// Kept when they are first asked for.
     pub(super) books: OnceLock<Books>,
+    /// Found when they are first asked for.
+    pub(super) overlaps: OnceLock<Vec<Overlap>>,
 }
 
 impl History {
@@ -88,7 +91,7 @@ impl History {
             events = events::of(record, &model);
         }
         events.sort_by(|a, b| a.t.total_cmp(&b.t));
-        let (touches, books) = (OnceLock::new(), OnceLock::new());
+        let (touches, books, overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             scene,
             model,
@@ -106,6 +109,7 @@ impl History {
             effort,
             touches,
             books,
+            overlaps,
         }
     }
 
@@ -154,7 +158,7 @@ impl History {
         self.stop = self.stop.filter(|stop| stop.t <= t);
         self.events.retain(|event| event.t <= t);
         self.record = self.record.map(|record| Record::together(vec![record], t));
-        (self.touches, self.books) = (OnceLock::new(), OnceLock::new());
+        (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         self.beside = self.beside.map(|beside| Arc::new(Arc::unwrap_or_clone(beside).cut(t)));
         self
     }
@@ -162,6 +166,11 @@ impl History {
     /// Why it stops before the scene's duration, if it does.
     pub fn stop(&self) -> Option<&Stop> {
         self.stop.as_ref()
+    }
+
+    /// The free motion of a body, where it has a closed form.
+    pub(super) fn free_motion(&self, body: usize) -> Option<&BodyMotion> {
+        self.systems[body].as_ref()
     }
 
     /// State of a body as its integrator holds it, at `t` clamped to what was computed.

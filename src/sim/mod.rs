@@ -11,6 +11,7 @@ mod history;
 mod impact;
 mod ledger;
 pub mod links;
+mod overlap;
 mod quadrature;
 pub mod quantity;
 pub mod readings;
@@ -23,8 +24,9 @@ mod touches;
 pub use balance::Balance;
 pub use history::History;
 pub use links::LinkNow;
+pub use overlap::{Unjoined, unjoined};
 pub use quantity::Quantity;
-pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Stop, Touch};
+pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
 pub use session::{Reached, Session};
 pub use summary::Summary;
 

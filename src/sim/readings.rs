@@ -6,18 +6,10 @@
 use glam::DVec3;
 
 use super::History;
+pub use super::report::Extreme;
 use super::touches;
 use crate::contact::node_face::locate;
 use crate::geometry::{End, Prism};
-
-/// An extreme and when it was reached.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extreme {
-    /// Its value, SI.
-    pub value: f64,
-    /// When \[s\].
-    pub t: f64,
-}
 
 /// What remains of a seat.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use crate::dynamics::Model;
 pub use crate::dynamics::record::event::{Event, EventKind, Stop};
+use crate::scene::Scene;
 
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,4 +188,58 @@ pub struct Ledger {
     pub residual: f64,
     /// Largest energy in play, to compare the residual with.
     pub scale: f64,
+}
+
+/// An extreme and when it was reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Its value, SI.
+    pub value: f64,
+    /// When \[s\].
+    pub t: f64,
+}
+
+/// A body of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SolidId {
+    /// A girder, by its number.
+    Girder(usize),
+    /// An abutment, by its number.
+    Abutment(usize),
+}
+
+impl SolidId {
+    /// Its name in the scene.
+    pub fn name(self, scene: &Scene) -> &str {
+        match self {
+            Self::Girder(number) => &scene.girders[number].name,
+            Self::Abutment(number) => &scene.abutments[number].name,
+        }
+    }
+}
+
+/// Overlap of two bodies beyond what contacts between them carry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlap {
+    /// The two bodies.
+    pub bodies: [SolidId; 2],
+    /// From when to when, in order of time; never empty \[s\].
+    pub intervals: Vec<[f64; 2]>,
+    /// Its greatest depth, the shortest way out \[m\], and when.
+    pub depth: Extreme,
+    /// Where it was deepest: the centre of what the two bodies share, world \[m\].
+    pub place: DVec3,
+}
+
+impl Overlap {
+    /// When it was seen first \[s\].
+    pub fn first(&self) -> f64 {
+        self.intervals.first().map_or(self.depth.t, |interval| interval[0])
+    }
+
+    /// Whether it is there at `t` \[s\].
+    pub fn lasts_at(&self, t: f64) -> bool {
+        let begun = self.intervals.partition_point(|interval| interval[0] <= t);
+        begun > 0 && t <= self.intervals[begun - 1][1]
+    }
 }

@@ -15,7 +15,7 @@ mod trajectory;
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
-pub use summary::{OutsideReport, PairReport, Report, SeatReport, Versions};
+pub use summary::{OutsideReport, OverlapReport, PairReport, Report, SeatReport, Versions};
 pub use trajectory::{trajectory, trajectory_columns};
 
 use std::io::Write;

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::TableOptions;
 use super::events::law_of;
 use crate::scene::{Kind, Scene, Seat, domain};
-use crate::sim::{History, Ledger, Stop, Summary, readings};
+use crate::sim::{History, Ledger, Overlap, Stop, Summary, readings};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,6 +31,8 @@ pub struct Report {
     pub seats: Vec<SeatReport>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
+    /// Overlaps of two bodies that no contact carries, the earliest first.
+    pub overlaps: Vec<OverlapReport>,
     /// Quantities of the scene that lie outside the domain in which the program is checked.
     pub outside_domain: Vec<OutsideReport>,
     /// Local error per step that was asked for.
@@ -98,6 +100,23 @@ pub struct PassedReport {
     pub reached: f64,
 }
 
+/// An overlap that no contact carries, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OverlapReport {
+    /// Names of the two bodies.
+    pub bodies: [String; 2],
+    /// When it was seen first \[s\].
+    pub t: f64,
+    /// From when to when it was there, in order of time \[s\].
+    pub intervals: Vec<[f64; 2]>,
+    /// Its greatest depth beyond what contacts carry, the shortest way out \[m\].
+    pub depth: f64,
+    /// When it was deepest \[s\].
+    pub deepest_at: f64,
+    /// Where it was deepest, world \[m\].
+    pub place: [f64; 3],
+}
+
 /// A quantity outside the domain, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OutsideReport {
@@ -141,6 +160,7 @@ impl Report {
             pairs: pairs(history),
             seats: seats(history),
             limits_passed: passed(history),
+            overlaps: overlaps(history),
             outside_domain: outside(scene),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
@@ -201,6 +221,19 @@ fn seats(history: &History) -> Vec<SeatReport> {
 fn passed(history: &History) -> Vec<PassedReport> {
     let passed = readings::passed(history).into_iter();
     passed.map(|p| PassedReport { limit: p.limit, whose: p.whose, t: p.t, reached: p.reached }).collect()
+}
+
+/// Overlaps that no contact carries.
+fn overlaps(history: &History) -> Vec<OverlapReport> {
+    let of = |o: &Overlap| OverlapReport {
+        bodies: o.bodies.map(|body| body.name(history.scene()).to_owned()),
+        t: o.first(),
+        intervals: o.intervals.clone(),
+        depth: o.depth.value,
+        deepest_at: o.depth.t,
+        place: o.place.to_array(),
+    };
+    history.overlaps().iter().map(of).collect()
 }
 
 /// Quantities of the scene that lie outside the domain.

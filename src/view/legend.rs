@@ -9,7 +9,7 @@ use super::forces::glyph;
 use super::labels::text_size;
 use super::list::{Mark, Rgba};
 use super::moment::Moment;
-use super::palette::{DAMPING, IMPULSE, NORMAL, Palette, STICK, TANGENTIAL};
+use super::palette::{DAMPING, IMPULSE, NORMAL, OVERLAP, Palette, STICK, TANGENTIAL};
 use super::scale::{round_down, round_force, round_impulse, round_length};
 use super::texts::TEXT;
 use crate::sim::ContactState;
@@ -37,6 +37,7 @@ enum Sign {
     Cone,
     /// A device whose force acts, or an idle one.
     Device(bool),
+    Overlap,
     Grid,
     Girder,
     Ghost,
@@ -107,6 +108,9 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
     if !moment.devices.is_empty() {
         rows.push(row(Sign::Device(true), "device whose force acts"));
         rows.push(row(Sign::Device(false), "idle device"));
+    }
+    if !moment.overlaps.is_empty() {
+        rows.push(row(Sign::Overlap, "overlap that no contact carries"));
     }
     if can_touch && !moment.laws.is_empty() {
         rows.push(row(Sign::None, format!("friction law: {}", moment.laws.join(", "))));
@@ -183,6 +187,11 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
             out.push(Mark::Fill { points: vec![p(15.0, 7.0), p(9.0, -7.0), p(21.0, -7.0)], color: fill });
             let outline = [p(6.0, -7.0), p(15.0, 7.0), p(24.0, -7.0)];
             out.push(stroke(outline, 1.2 * ppp, palette.faint_ink));
+        }
+        Sign::Overlap => {
+            let outline = [p(2.0, -6.0), p(28.0, -6.0), p(28.0, 6.0), p(2.0, 6.0), p(2.0, -6.0)];
+            out.push(stroke(outline, 2.2 * ppp, OVERLAP));
+            out.extend([2.0, 9.0, 16.0].map(|x| stroke([p(x, 6.0), p(x + 12.0, -6.0)], 1.1 * ppp, OVERLAP)));
         }
         Sign::Girder => {
             let points = vec![p(2.0, -5.0), p(28.0, -5.0), p(28.0, 5.0), p(2.0, 5.0)];

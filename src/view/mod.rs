@@ -24,6 +24,7 @@ mod legend;
 mod light;
 pub mod list;
 pub mod moment;
+mod overlap;
 mod palette;
 mod pick;
 mod print;
@@ -61,6 +62,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let bodies = bodies::bodies(input, moment, &palette);
     let forces = forces::forces(input, moment, &palette);
     let devices = devices::lines(input, moment, &palette);
+    let overlaps = overlap::lines(input, moment);
     let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
     let real = |i: usize, g: &gap::GapNow| moment.true_gaps.get(i).copied().flatten().unwrap_or(g.gap);
     let gaps = gaps.into_iter().enumerate();
@@ -76,7 +78,14 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
         solids: bodies.solids,
         ghosts: bodies.ghosts,
         lines: bodies.lines,
-        xray_lines: bodies.outline.into_iter().chain(gap_lines).chain(forces.lines).chain(devices).collect(),
+        xray_lines: bodies
+            .outline
+            .into_iter()
+            .chain(gap_lines)
+            .chain(forces.lines)
+            .chain(devices)
+            .chain(overlaps)
+            .collect(),
         cones: forces.cones,
         arrows: forces.arrows,
         marks,
@@ -126,6 +135,7 @@ fn marks(
         placer.take(*area);
     }
     texts::keep_clear(input, moment, forces, &mut placer);
+    marks.extend(overlap::labels(input, moment, palette, &mut placer));
     if o.contacts {
         marks.extend(texts::force_values(input, moment, forces, palette, &mut placer));
     }

@@ -6,7 +6,7 @@ use super::ViewInput;
 use super::scale::{auto_force_scale, auto_impulse_scale};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
-use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, State};
+use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 
 /// Impulses that fade at once, at most: the latest.
 const MOST_IMPULSES: usize = 24;
@@ -42,6 +42,17 @@ pub struct Impulse {
     pub contact: usize,
 }
 
+/// An overlap of two bodies that no contact carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverlapNow {
+    /// The two bodies.
+    pub bodies: [SolidId; 2],
+    /// How deep they are inside each other, the shortest way out \[m\].
+    pub depth: f64,
+    /// Where the overlap was deepest \[m\].
+    pub place: DVec3,
+}
+
 /// One instant of a run, or a scene as placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
@@ -55,6 +66,8 @@ pub struct Moment {
     pub contacts: Vec<ContactNow>,
     /// Devices between two points.
     pub devices: Vec<LinkNow>,
+    /// Overlaps that no contact carries.
+    pub overlaps: Vec<OverlapNow>,
     /// Contacts that opened a moment ago.
     pub opened: Vec<Opened>,
     /// The friction laws in use, by name; empty where nothing can touch.
@@ -107,6 +120,7 @@ impl Moment {
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
             devices: history.links(t),
+            overlaps: overlaps(history, t),
             laws: match history.impact() {
                 Some(_) => Vec::new(),
                 None => law_names(model.pairs.iter().map(|p| p.contact.law)),
@@ -125,6 +139,7 @@ impl Moment {
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
             devices: Vec::new(),
+            overlaps: Vec::new(),
             opened: Vec::new(),
             laws: law_names(pairs.iter().map(|p| p.contact.law)),
             ghosts: Vec::new(),
@@ -135,6 +150,13 @@ impl Moment {
             force_scale: None,
         }
     }
+}
+
+/// Overlaps at an instant.
+fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
+    let now = history.overlaps().iter().filter(|overlap| overlap.lasts_at(t));
+    let depth = |overlap| history.overlap_depth(overlap, t);
+    now.map(|o| OverlapNow { bodies: o.bodies, depth: depth(o), place: o.place }).collect()
 }
 
 /// What the user asked for, then what the scene asks for, then what suits the run.

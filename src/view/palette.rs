@@ -65,6 +65,8 @@ pub(super) const KEPT: [Rgba; MOST_KEPT] = [
     Rgba::rgb(0xcc, 0x79, 0xa7),
     Rgba::rgb(0x00, 0x9e, 0x73),
 ];
+/// An overlap that no contact carries.
+pub(super) const OVERLAP: Rgba = Rgba::rgb(0xc4, 0x1e, 0x3a);
 /// What is selected.
 pub(super) const SELECTED: Rgba = Rgba::rgb(0xf0, 0xa2, 0x02);
 

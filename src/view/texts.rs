@@ -19,7 +19,7 @@ const TITLE: f32 = 20.0;
 /// At most this many contacts carry a number: the hardest.
 const MOST_NUMBERS: usize = 4;
 
-fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
+pub(super) fn pixel(input: &ViewInput<'_>, at: DVec3) -> Option<Vec2> {
     let [x, y] = input.camera.project(at, input.size.map(f64::from))?;
     (x.is_finite() && y.is_finite()).then(|| Vec2::new(x as f32, y as f32))
 }

@@ -9,6 +9,7 @@ mod interrupted;
 mod killed;
 mod odd_files;
 mod odd_output;
+mod overlap;
 mod program;
 #[cfg(feature = "render")]
 mod render;

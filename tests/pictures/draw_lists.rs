@@ -5,8 +5,9 @@
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
-use girderbench::sim::{ContactState, History};
+use girderbench::sim::{ContactState, History, SolidId};
 use girderbench::view::list::{ArrowKind, Mark};
+use girderbench::view::moment::OverlapNow;
 use girderbench::view::{
     Background, Bounds, Camera, DrawList, Moment, Projection, Target, ViewInput, auto_force_scale, draw_list, gap,
     pick, scale,
@@ -477,4 +478,36 @@ fn one_model_alone_is_drawn_as_before() {
     let list = at(&history, 0.29);
     assert!(list.xray_lines.iter().all(|line| line.group != "ghost"), "no ghost");
     assert!(list.arrows.iter().all(|arrow| arrow.kind != ArrowKind::Impulse), "no impulse");
+}
+
+#[test]
+fn an_overlap_without_contact_is_hatched_over_what_both_bodies_share() {
+    // Two girders of 0.19 × 0.07 m, the second 0.15 m and 0.05 m away: they share 0.04 × 0.02 m.
+    let mut scene = load("straight-straight");
+    for (girder, place) in scene.girders.iter_mut().zip([[0.0; 3], [0.15, 0.05, 0.0]]) {
+        (girder.position, girder.length, girder.width, girder.skew_deg) = (place, 0.19, 0.07, 90.0);
+    }
+    let mut moment = Moment::placed(&scene);
+    let shared = OverlapNow {
+        bodies: [SolidId::Girder(0), SolidId::Girder(1)],
+        depth: 0.02,
+        place: DVec3::new(0.075, 0.025, 0.0),
+    };
+    let list = |moment: &Moment| handmade::list(&scene, moment, SIZE, 1.0, Overlays::default());
+    let words = |list: &DrawList| {
+        let texts =
+            list.marks.iter().filter_map(|m| if let Mark::Text { text, .. } = m { Some(text.clone()) } else { None });
+        texts.filter(|text| text.contains("overlap")).collect::<Vec<_>>()
+    };
+    assert_eq!(words(&list(&moment)), [""; 0], "nothing to say where nothing overlaps");
+    moment.overlaps.push(shared);
+    let drawn = list(&moment);
+    assert_eq!(words(&drawn), ["overlap 20.0 mm, no contact", "overlap that no contact carries"], "label and legend");
+    let lines: Vec<_> = drawn.xray_lines.iter().filter(|line| line.group == "overlap").collect();
+    assert!(lines.len() > 4, "an outline and a hatching: {lines:?}");
+    let ends = || lines.iter().flat_map(|line| [line.from, line.to]);
+    let [min, max] = [ends().fold(Vec3::INFINITY, Vec3::min), ends().fold(Vec3::NEG_INFINITY, Vec3::max)];
+    let top = scene.girders[0].thickness as f32 / 2.0;
+    assert!(min.distance(Vec3::new(0.055, 0.015, top)) < 1e-6, "{min}");
+    assert!(max.distance(Vec3::new(0.095, 0.035, top)) < 1e-6, "{max}");
 }

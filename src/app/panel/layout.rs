@@ -96,7 +96,7 @@ fn scene_view(bench: &mut Workbench, ui: &mut Ui) {
 
 fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     Panel::top("bar").resizable(false).show(ui, |ui| menu::show(ui, bench, out));
-    Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, bench));
+    Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, bench, out));
     let room = ui.available_height();
     let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);
     time.show(ui, |ui| {

@@ -3,12 +3,13 @@
 use egui::{RichText, Ui};
 
 use crate::app::bench::Workbench;
+use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 
 /// Shows the line.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
+pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
         if let Some(problems) = bench.problems() {
@@ -18,6 +19,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench) {
             numbers(ui, answer);
             balance(ui, bench, answer);
             outside(ui, bench, answer);
+            overlaps(ui, bench, answer, out);
             flag(ui, bench, answer);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -40,6 +42,21 @@ fn balance(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
     if !bench.is_stale() && !answer.balance.holds() {
         let words = RichText::new(text::UNBALANCED).color(Palette::of(ui).problem);
         ui.label(words).on_hover_text(answer.balance.to_string());
+    }
+}
+
+/// The first overlap that no contact carries, and how many more; a click goes there.
+fn overlaps(ui: &mut Ui, bench: &Workbench, answer: &Answer, out: &mut Vec<Command>) {
+    if bench.is_stale() {
+        return;
+    }
+    if let [first, more @ ..] = answer.history.overlaps() {
+        let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
+        let words = format!("{}{more}", text::overlap(&answer.history, first));
+        let label = ui.link(RichText::new(words).color(Palette::of(ui).problem)).on_hover_text(text::OVERLAP_MEANS);
+        if label.clicked() {
+            out.push(TimeCommand::Seek(first.first()).into());
+        }
     }
 }
 

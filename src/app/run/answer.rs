@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::scene::domain::{self, Departure};
 use crate::sim::readings::{self, Passed, Reading};
-use crate::sim::{Balance, ContactState, EventKind, History, Hit, Quantity, Summary};
+use crate::sim::{Balance, ContactState, EventKind, History, Hit, Overlap, Quantity, Summary};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +72,8 @@ impl Answer {
         let runs = [Some(&history), history.beside()];
         let mut event_times: Vec<f64> =
             runs.into_iter().flatten().flat_map(History::events).map(|event| event.t).collect();
+        // Found here, on the thread that computes, and kept by the history.
+        event_times.extend(history.overlaps().iter().map(Overlap::first));
         event_times.sort_by(f64::total_cmp);
         event_times.dedup();
         let spans = spans(&history);

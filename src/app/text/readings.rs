@@ -2,6 +2,7 @@
 
 use crate::geometry::End;
 use crate::sim::readings::Passed;
+use crate::sim::{History, Overlap};
 
 use super::{force, length, short};
 
@@ -76,6 +77,16 @@ pub(in crate::app) const LOST: &str = "lost";
 pub(in crate::app) fn periods(count: f64) -> String {
     format!("{count:.3} periods")
 }
+
+/// Which bodies are inside each other without contact, how deep at the most and when.
+pub(in crate::app) fn overlap(history: &History, overlap: &Overlap) -> String {
+    let [one, other] = overlap.bodies.map(|body| body.name(history.scene()));
+    format!("{one} and {other} overlap by {} at {:.4} s, no contact", length(overlap.depth.value), overlap.depth.t)
+}
+
+/// What an overlap means.
+pub(in crate::app) const OVERLAP_MEANS: &str =
+    "These bodies pass through each other: no contact is defined where they meet. A click goes to where it begins.";
 
 /// What was passed, by whom, when and how far.
 pub(in crate::app) fn passed(flag: &Passed) -> String {

@@ -11,8 +11,8 @@ use crate::app::style::theme::{Palette, SLIP, STICK};
 use crate::app::text;
 use crate::app::time::playback::Playback;
 use crate::app::time::time_axis::{TimeAxis, ticks};
-use crate::sim::ContactState;
 use crate::sim::readings::Passed;
+use crate::sim::{ContactState, Overlap};
 
 /// Height of the ticks' row \[points\].
 const RULER: f32 = 15.0;
@@ -68,7 +68,9 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut V
     if let Some(span) = playback.clock.span {
         bracket(&painter, &axis, strip, span, &palette);
     }
-    flags(&painter, passed, &axis, strip, &palette);
+    let overlaps = answer.map_or(&[][..], |answer| answer.history.overlaps());
+    let times = passed.iter().map(|flag| flag.t).chain(overlaps.iter().map(Overlap::first));
+    flags(&painter, times, &axis, strip, &palette);
     playhead(&painter, &axis, strip, t, &palette);
 }
 
@@ -83,10 +85,10 @@ fn bracket(painter: &Painter, axis: &TimeAxis, strip: Rect, span: [f64; 2], pale
     }
 }
 
-/// A little flag where a limit is passed for the first time.
-fn flags(painter: &Painter, passed: &[Passed], axis: &TimeAxis, strip: Rect, palette: &Palette) {
-    for flag in passed {
-        let x = axis.x(flag.t);
+/// A little flag where a limit is passed or bodies overlap without contact for the first time.
+fn flags(painter: &Painter, times: impl Iterator<Item = f64>, axis: &TimeAxis, strip: Rect, palette: &Palette) {
+    for t in times {
+        let x = axis.x(t);
         if !strip.x_range().contains(x) {
             continue;
         }

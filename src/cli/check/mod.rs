@@ -9,7 +9,12 @@ use super::domain;
 use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
+use crate::scene::shown::escaped;
 use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
+use crate::sim;
+
+/// So many pairs that can come near without contact are written out.
+const MOST_UNJOINED: usize = 10;
 
 /// Validate a scene and print what was understood
 #[derive(Clone, Debug, clap::Args)]
@@ -27,7 +32,26 @@ pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure
     let model = Model::compile(&scene)?;
     console.print(&text(&scene, &model));
     domain::warn(&scene, console);
+    unjoined(&scene, &model, console);
     Ok(())
+}
+
+/// Warns of bodies that can come near and that no contact joins.
+fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
+    let found = sim::unjoined(scene, model);
+    for unjoined in found.iter().take(MOST_UNJOINED) {
+        let [one, other] = unjoined.bodies.map(|body| escaped(body.name(scene)));
+        console.note(&format!(
+            "warning: {one} and {other}: {} mm apart as placed, and they move by up to {} mm without contact: no contact is \
+             defined between the two, so that they can pass through each other; place them farther apart or hold them \
+             stiffer, or see `overlap` in the summary of `girderbench run`",
+            six(unjoined.apart * 1e3),
+            six(unjoined.reach * 1e3)
+        ));
+    }
+    if let Some(more) = found.len().checked_sub(MOST_UNJOINED).filter(|more| *more > 0) {
+        console.note(&format!("warning: {more} more such pairs"));
+    }
 }
 
 fn text(scene: &Scene, model: &Model) -> String {

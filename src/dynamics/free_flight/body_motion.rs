@@ -73,7 +73,7 @@ impl BodyMotion {
     }
 
     /// Bounds on the motion from `t` on for at most `horizon` \[s\].
-    pub(in crate::dynamics) fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
+    pub fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
         match (self, flight) {
             (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state_and_bounds(flight, t, horizon).1,
             (Self::Custom(form), _) => form.bounds(t, &self.state(flight, t), horizon),

@@ -51,14 +51,21 @@ impl DenseOutput {
 
     /// Bound of the Euclidean distance of components `range` from their values at the start, within the step.
     pub(in crate::dynamics) fn displacement_bound(&self, range: std::ops::Range<usize>) -> f64 {
+        Self::displacement_bound_of(self.coefficients[range].iter())
+    }
+
+    /// [`displacement_bound`](Self::displacement_bound) of components with these coefficients.
+    pub(in crate::dynamics) fn displacement_bound_of<'a>(
+        components: impl Iterator<Item = &'a [f64; DENSE_TERMS]>,
+    ) -> f64 {
         // Every coefficient is multiplied by a product of factors between 0 and 1.
         let far = |c: &[f64; DENSE_TERMS]| c[1..].iter().map(|c| c.abs()).sum::<f64>();
-        self.coefficients[range].iter().map(|c| far(c).powi(2)).sum::<f64>().sqrt()
+        components.map(|c| far(c).powi(2)).sum::<f64>().sqrt()
     }
 
     /// Bounds of the Euclidean norms of first and second derivative of components `range` within the step.
     pub(in crate::dynamics) fn derivative_bounds(&self, range: std::ops::Range<usize>) -> [f64; 2] {
-        self.bounds_of(self.coefficients[range].iter().copied())
+        Self::derivative_bounds_of(self.coefficients[range].iter().copied(), self.step)
     }
 
     /// Bounds of the Euclidean norms of first and second derivative of the difference between components `range` and
@@ -69,10 +76,15 @@ impl DenseOutput {
         other: usize,
     ) -> [f64; 2] {
         let pairs = self.coefficients[range].iter().zip(&self.coefficients[other..]);
-        self.bounds_of(pairs.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k])))
+        Self::derivative_bounds_of(pairs.map(|(a, b)| std::array::from_fn(|k| a[k] - b[k])), self.step)
     }
 
-    fn bounds_of(&self, components: impl Iterator<Item = [f64; DENSE_TERMS]>) -> [f64; 2] {
+    /// [`derivative_bounds`](Self::derivative_bounds) of components with these coefficients over a step of this length
+    /// \[s\].
+    pub(in crate::dynamics) fn derivative_bounds_of(
+        components: impl Iterator<Item = [f64; DENSE_TERMS]>,
+        step: f64,
+    ) -> [f64; 2] {
         let mut squares = [0.0; 2];
         for c in components {
             for (square, most) in squares.iter_mut().zip(&STEEPEST) {
@@ -80,7 +92,7 @@ impl DenseOutput {
                 *square += largest * largest;
             }
         }
-        [squares[0].sqrt() / self.step, squares[1].sqrt() / (self.step * self.step)]
+        [squares[0].sqrt() / step, squares[1].sqrt() / (step * step)]
     }
 
     /// Dense output of components `range` alone.

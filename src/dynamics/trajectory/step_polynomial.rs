@@ -53,6 +53,25 @@ impl StepPolynomial {
         &self.base
     }
 
+    /// Bounds of the Euclidean norms of first and second derivative of components `range` within the step.
+    pub fn derivative_bounds(&self, range: std::ops::Range<usize>) -> [f64; 2] {
+        DenseOutput::derivative_bounds_of(range.filter_map(|i| self.coefficients_of(i).copied()), self.step)
+    }
+
+    /// Bound of the Euclidean distance of components `range` from their values at the start of the step.
+    pub fn displacement_bound(&self, range: std::ops::Range<usize>) -> f64 {
+        DenseOutput::displacement_bound_of(range.filter_map(|i| self.coefficients_of(i)))
+    }
+
+    /// Coefficients of component `i`; `None` where it is 0 throughout the step.
+    fn coefficients_of(&self, i: usize) -> Option<&[f64; DENSE_TERMS]> {
+        let before = |mask: u32| (self.kept & mask).count_ones() as usize;
+        if i >= MASKED {
+            return self.coefficients.get(before(u32::MAX) + i - MASKED);
+        }
+        (self.kept & (1 << i) != 0).then(|| &self.coefficients[before((1 << i) - 1)])
+    }
+
     /// Memory of the polynomial \[bytes\].
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.coefficients) + size_of_val(&*self.base)
@@ -81,6 +100,10 @@ mod tests {
             piece.read(t, &mut part);
             assert_eq!(whole, part, "at {t}");
         }
+        for range in [0..1, 0..2, 1..4, 2..3, 0..4] {
+            assert_eq!(piece.derivative_bounds(range.clone()), dense.derivative_bounds(range.clone()), "{range:?}");
+            assert_eq!(piece.displacement_bound(range.clone()), dense.displacement_bound(range.clone()), "{range:?}");
+        }
         assert_eq!(piece.coefficients.len(), 2, "two components move");
     }
     #[test]
@@ -93,6 +116,8 @@ mod tests {
         dense.read(0..width, 0.3, &mut whole);
         piece.read(0.3, &mut part);
         assert_eq!(whole, part, "every component");
+        let wide = 0..width;
+        assert_eq!(piece.derivative_bounds(wide.clone()), dense.derivative_bounds(wide), "masked and others");
         assert_eq!(piece.coefficients.len(), MASKED / 2 + 5, "half of the masked ones move");
     }
 }

@@ -129,13 +129,19 @@ impl StoredPath {
         self.from.get(number + 1).copied()
     }
 
-    /// Beginning \[s\] and representation of the stretch at `t`; `None` for an empty path.
-    pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
+    /// Number of the stretch at `t`; `None` for an empty path.
+    pub fn number_at(&self, t: f64) -> Option<usize> {
         let number = self.from.partition_point(|from| *from <= t).saturating_sub(1);
-        (number < self.from.len()).then(|| self.kept(number))
+        (number < self.from.len()).then_some(number)
     }
 
-    fn until(&self, number: usize) -> f64 {
+    /// Beginning \[s\] and representation of the stretch at `t`; `None` for an empty path.
+    pub fn at(&self, t: f64) -> Option<(f64, StoredMotion<'_>)> {
+        self.number_at(t).map(|number| self.kept(number))
+    }
+
+    /// End of stretch `number` \[s\].
+    pub fn until(&self, number: usize) -> f64 {
         match self.breaks.binary_search_by_key(&number, |(at, _)| *at) {
             Ok(at) => self.breaks[at].1,
             Err(_) => self.from.get(number + 1).copied().unwrap_or(self.until),

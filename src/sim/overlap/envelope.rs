@@ -1,0 +1,18 @@
+//! Boxes that bodies sweep during a run: two whose boxes lie apart never come near.
+
+use glam::DVec3;
+
+use super::motion;
+use super::solid::Solids;
+use crate::geometry::shape::AlignedBox;
+use crate::sim::History;
+
+/// The box that a body sweeps from t = 0 to the end of the answer \[m\].
+pub(super) fn of(history: &History, solids: &Solids, number: usize) -> AlignedBox {
+    let Some(girder) = solids.girder(number) else { return solids.fixed_box(number) };
+    let radius = solids.radius(number);
+    let reach = motion::reach(history, girder);
+    let half = DVec3::splat(reach + radius);
+    let home = history.model().bodies[girder].home;
+    solids.flat(AlignedBox { min: home - half, max: home + half })
+}

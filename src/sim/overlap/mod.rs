@@ -1,0 +1,43 @@
+//! Overlaps that no contact carries: bodies that pass through each other where the model has no force between them.
+//!
+//! The search needs no law. It takes the answer as it stands, the shapes of the bodies and the closed contacts, and
+//! compares, for every two bodies that come near, the depth of their overlap with the deepest penetration of a contact
+//! between the two. What exceeds it is carried by nothing: a side that was entered, an end that faces none as placed, an edge
+//! against an edge, a node that left its face. Whom to compare follows from the boxes that the bodies sweep during the run
+//! ([`envelope`]); when, from bounds on their motion ([`search`]).
+
+mod envelope;
+mod expected;
+mod motion;
+mod search;
+mod solid;
+mod unwatched;
+
+use super::History;
+use super::report::Overlap;
+use crate::geometry::broad;
+pub use expected::{Unjoined, unjoined};
+use solid::{Joined, Solids};
+
+impl History {
+    /// Overlaps that no contact carries, one for every two bodies, in order of the time when each was seen first.
+    pub fn overlaps(&self) -> &[Overlap] {
+        self.overlaps.get_or_init(|| {
+            let (solids, joined) = (Solids::of(self.scene(), self.model()), Joined::of(self.model()));
+            let boxes: Vec<_> = (0..solids.len()).map(|number| envelope::of(self, &solids, number)).collect();
+            let near =
+                broad::pairs(&boxes).into_iter().filter(|&(one, other)| solids.moves(one) || solids.moves(other));
+            let mut found: Vec<Overlap> =
+                near.filter_map(|(one, other)| search::first(self, &solids, &joined, [one, other])).collect();
+            found.sort_by(|a, b| a.first().total_cmp(&b.first()).then(a.bodies.cmp(&b.bodies)));
+            found
+        })
+    }
+
+    /// How deep the two bodies of an overlap are inside each other at `t`, the shortest way out; 0 apart \[m\].
+    pub fn overlap_depth(&self, overlap: &Overlap, t: f64) -> f64 {
+        let pair = Solids::pair(self, overlap.bodies);
+        let placed = pair.placed(self, [0, 1], t);
+        (-pair.separation([0, 1], &placed)).max(0.0)
+    }
+}

@@ -1,0 +1,87 @@
+//! Bounds on the motion of a body on the trajectory that a run left, stretch by stretch.
+
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
+use crate::dynamics::trajectory::stored_path::StoredMotion;
+use crate::sim::History;
+
+/// Looks per shortest interval in which a sliding face turns round: the closed form of a slide has no bound on its speed.
+const LOOKS_PER_REVERSAL: f64 = 16.0;
+
+/// Bound on a body's motion over an interval from a given time on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bound {
+    /// How far the bound holds \[s\].
+    pub until: f64,
+    /// Speed of any corner \[m/s\].
+    pub speed: f64,
+}
+
+/// Bound on the speed of girder `body` from `t` on, as far as its stretch reaches; `radius` is the distance of its farthest
+/// corner from G \[m\].
+pub(super) fn bound(history: &History, body: usize, radius: f64, t: f64) -> Bound {
+    let path = &history.paths[body];
+    let Some(number) = path.number_at(t) else { return Bound { until: f64::INFINITY, speed: 0.0 } };
+    let end = end_of(history, body, number);
+    let own = &history.model().bodies[body];
+    let step = |piece: &StepPolynomial| own.bounds(&|range| piece.derivative_bounds(range));
+    let bounds = match path.kept(number).1 {
+        StoredMotion::Step(piece) => step(piece),
+        StoredMotion::Recomputed(recipe) => history.stepped(body, (recipe, path.kept(number).0), step),
+        StoredMotion::Slide(slide) => {
+            let until = end.min(t + slide.sight / LOOKS_PER_REVERSAL);
+            let [here, there] = [t, until].map(|t| history.frame(body, t).shift);
+            return Bound { until, speed: (there - here).length() / (until - t).max(f64::MIN_POSITIVE) };
+        }
+        StoredMotion::Start(_) | StoredMotion::Flight(_) => in_flight(history, body, number, t),
+    };
+    Bound { until: end.min(t + bounds.window), speed: bounds.speed + bounds.spin * radius }
+}
+
+/// Largest distance of G of girder `body` from where the body was placed, over the whole answer \[m\].
+pub(super) fn reach(history: &History, body: usize) -> f64 {
+    let (path, own) = (&history.paths[body], &history.model().bodies[body]);
+    let at = |t: f64| history.frame(body, t).shift.length();
+    let within = |number: usize| match path.kept(number) {
+        (from, StoredMotion::Step(piece)) => at(from) + own.excursion(0.0, &|range| piece.displacement_bound(range)),
+        (from, StoredMotion::Recomputed(recipe)) => {
+            let way = |piece: &StepPolynomial| own.excursion(0.0, &|range| piece.displacement_bound(range));
+            at(from) + history.stepped(body, (recipe, from), way)
+        }
+        (from, StoredMotion::Slide(slide)) => {
+            let (end, step) = (end_of(history, body, number), slide.sight / LOOKS_PER_REVERSAL);
+            let looks = std::iter::successors(Some(from), |t| (*t < end).then(|| (t + step).max(t.next_up())));
+            looks.map(|t| at(t.min(end))).fold(0.0, f64::max)
+        }
+        (from, StoredMotion::Start(_) | StoredMotion::Flight(_)) => {
+            let end = end_of(history, body, number);
+            let (mut t, mut reach) = (from, 0.0f64);
+            while t < end {
+                let bounds = in_flight(history, body, number, t);
+                reach = reach.max(bounds.reach);
+                // A window may be shorter than the spacing of times.
+                t = (t + bounds.window).max(t.next_up());
+            }
+            reach
+        }
+    };
+    (0..path.len()).map(within).fold(own.frame(0, &own.initial()).shift.length(), f64::max)
+}
+
+/// End of stretch `number` of a body's path \[s\].
+fn end_of(history: &History, body: usize, number: usize) -> f64 {
+    let path = &history.paths[body];
+    let until = path.until(number);
+    if number + 1 == path.len() { history.end().max(until) } else { until }
+}
+
+/// Bounds on stretch `number`, a flight, from `t` on.
+fn in_flight(history: &History, body: usize, number: usize, t: f64) -> MotionBounds {
+    let horizon = end_of(history, body, number) - t;
+    match (history.paths[body].kept(number), history.free_motion(body)) {
+        ((from, StoredMotion::Start(start)), Some(system)) => system.bounds(&system.fly(from, &start), t, horizon),
+        ((_, StoredMotion::Flight(flight)), Some(system)) => system.bounds(flight, t, horizon),
+        // Without a closed form nothing flies.
+        _ => MotionBounds::still(horizon),
+    }
+}

@@ -1,0 +1,224 @@
+//! The first overlap of two bodies that no contact carries, and the deepest.
+//!
+//! Let d be the separation of two bodies, negative where they overlap, and c the deepest penetration of a closed contact
+//! between them. In the intervals in which contacts do not watch all that can meet ([`unwatched`]), the excess `−d − c` is
+//! sought where it is above the least depth ε that counts. While none of their contacts is closed, d changes no faster
+//! than the two bodies move, `v₁ + v₂`, each of its farthest corner: after a sample with separation d the next one is due
+//! `(max(d, 0) + ε) / (v₁ + v₂)` later (conservative advancement), so that no overlap deeper than ε lies between. Where
+//! that is shorter than a part of the present stretch (bodies that stand against each other or pass within ε), samples at
+//! that part replace it. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
+//! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body, and
+//! c is 0.
+
+use super::motion::bound;
+use super::solid::{Joined, Solids};
+use super::unwatched::{self, Interval, Unwatched, united};
+use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::sim::History;
+use crate::sim::readings::before_face;
+use crate::sim::report::{Extreme, Overlap};
+use crate::sim::touches::golden;
+
+/// Overlap, in parts of the smallest side of either body, from which it counts: thousands of times what the closing
+/// search and the impact model leave over, and far below what a picture shows.
+const COUNTS: f64 = 1e-6;
+/// Samples of a stretch in which bodies stay nearer than their motion resolves.
+const STRETCH_SAMPLES: f64 = 16.0;
+/// Samples of a step with a closed contact.
+const STEP_SAMPLES: f64 = 2.0;
+/// Most halvings by which the first instant is found between two samples.
+const HALVINGS: usize = 48;
+
+/// Two bodies that may meet, and the contacts between them.
+struct Meeting<'a> {
+    history: &'a History,
+    solids: &'a Solids,
+    pair: [usize; 2],
+    contacts: Vec<usize>,
+    /// Depth that counts \[m\].
+    least: f64,
+}
+
+/// What is followed through an interval.
+#[derive(Clone, Copy, Debug)]
+enum Followed {
+    /// Two bodies.
+    Bodies,
+    /// The node of a contact, against the body of its face.
+    Node(usize),
+}
+
+/// Separation and excess at one time \[m\].
+#[derive(Clone, Copy, Debug)]
+struct Sample {
+    t: f64,
+    separation: f64,
+    excess: f64,
+    /// Whether a contact between the two is closed and carries.
+    carried: bool,
+    /// Whether a node is in front of its face again, and watched.
+    watched: bool,
+}
+
+/// Bound on how fast two bodies come nearer.
+#[derive(Clone, Copy, Debug)]
+struct Approach {
+    /// From when to when it holds \[s\].
+    from: f64,
+    until: f64,
+    /// \[m/s\]
+    speed: f64,
+}
+
+/// When the excess counts within an interval, and where it is deepest.
+#[derive(Clone, Debug)]
+struct Found {
+    intervals: Vec<Interval>,
+    deepest: Extreme,
+    followed: Followed,
+}
+
+/// The overlap of two bodies that no contact carries; `None` where there is none.
+pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [usize; 2]) -> Option<Overlap> {
+    let facing = joined.facing(pair.map(|number| solids.id(number)));
+    let contacts = facing.iter().flat_map(|&number| history.model().pairs[number].contacts.clone()).collect();
+    let meeting = Meeting { history, solids, pair, contacts, least: COUNTS * solids.least_side(pair) };
+    let sought = match facing {
+        [] => vec![(Followed::Bodies, vec![[0.0, history.end()]])],
+        _ => facing.iter().flat_map(|&number| meeting.left_by(number)).collect(),
+    };
+    let found: Vec<Found> = sought
+        .iter()
+        .flat_map(|(followed, intervals)| intervals.iter().filter_map(|&i| meeting.within(*followed, i)))
+        .collect();
+    let intervals = united(found.iter().flat_map(|found| found.intervals.iter().copied()).collect());
+    let deepest = found.into_iter().max_by(|a, b| a.deepest.value.total_cmp(&b.deepest.value))?;
+    Some(meeting.overlap(intervals, &deepest))
+}
+
+impl Meeting<'_> {
+    /// What facing pair `number` leaves to be followed, and when.
+    fn left_by(&self, number: usize) -> Vec<(Followed, Vec<Interval>)> {
+        match unwatched::of_pair(self.history, number) {
+            Unwatched::Bodies(intervals) => vec![(Followed::Bodies, intervals)],
+            Unwatched::Nodes(nodes) => {
+                nodes.into_iter().map(|(contact, intervals)| (Followed::Node(contact), intervals)).collect()
+            }
+        }
+    }
+
+    /// When the excess counts in an interval, and where it is deepest; `None` where it never counts.
+    fn within(&self, followed: Followed, [from, until]: Interval) -> Option<Found> {
+        let mut found: Option<Found> = None;
+        let mut before = self.sample(followed, from);
+        let mut bounds = self.bounds(from);
+        let mut since = self.counts(&before).then_some(from);
+        loop {
+            if self.counts(&before) {
+                let deepest = Extreme { value: before.excess, t: before.t };
+                let so_far = found.get_or_insert_with(|| Found { intervals: Vec::new(), deepest, followed });
+                if deepest.value > so_far.deepest.value {
+                    so_far.deepest = deepest;
+                }
+            }
+            if before.t >= until || before.watched {
+                break;
+            }
+            if bounds.until <= before.t {
+                bounds = self.bounds(before.t);
+            }
+            let after = self.sample(followed, self.next(&before, bounds, until));
+            match (since, self.counts(&after)) {
+                (None, true) => since = Some(self.change(followed, [before.t, after.t])),
+                (Some(from), false) => {
+                    since = None;
+                    let until = self.change(followed, [before.t, after.t]);
+                    if let Some(found) = &mut found {
+                        found.intervals.push([from, until]);
+                    }
+                }
+                _ => {}
+            }
+            before = after;
+        }
+        let last = since.map(|from| [from, before.t]);
+        if let Some(found) = &mut found {
+            found.intervals.extend(last);
+        }
+        found
+    }
+
+    /// Whether an excess is above the least depth.
+    fn counts(&self, sample: &Sample) -> bool {
+        sample.excess > self.least
+    }
+
+    fn sample(&self, followed: Followed, t: f64) -> Sample {
+        let (history, solids) = (self.history, self.solids);
+        match followed {
+            Followed::Bodies => {
+                let separation = solids.separation(self.pair, &solids.placed(history, self.pair, t));
+                // Apart, nothing has to be carried.
+                let carried = if separation < 0.0 { self.carried(t) } else { None };
+                let excess = -separation - carried.unwrap_or(0.0);
+                Sample { t, separation, excess, carried: carried.is_some(), watched: false }
+            }
+            Followed::Node(contact) => {
+                let [separation, gap] = solids.node(history, self.pair, contact, t);
+                Sample { t, separation, excess: -separation, carried: false, watched: gap > self.least }
+            }
+        }
+    }
+
+    /// Deepest penetration of a closed contact between the two bodies \[m\]; `None` where all are open.
+    fn carried(&self, t: f64) -> Option<f64> {
+        let closed = |&contact: &usize| matches!(self.history.logs[contact].at(t), Contact::Closed(_));
+        let depth = |contact: usize| -before_face(self.history, contact, t)[0];
+        self.contacts.iter().copied().filter(closed).map(depth).reduce(f64::max)
+    }
+
+    /// Bound on how fast the two bodies come nearer, from `t` on.
+    fn bounds(&self, t: f64) -> Approach {
+        let girders = self.pair.into_iter().filter_map(|number| Some((self.solids.girder(number)?, number)));
+        let bounds = girders.map(|(girder, number)| bound(self.history, girder, self.solids.radius(number), t));
+        bounds.fold(Approach { from: t, until: f64::INFINITY, speed: 0.0 }, |both, one| Approach {
+            until: both.until.min(one.until),
+            speed: both.speed + one.speed,
+            ..both
+        })
+    }
+
+    /// Time of the next sample, at most `end` \[s\].
+    fn next(&self, now: &Sample, bounds: Approach, end: f64) -> f64 {
+        let until = bounds.until.min(end);
+        let window = until - bounds.from;
+        let advance = (now.separation.max(0.0) + self.least) / bounds.speed;
+        let step = if now.carried { window / STEP_SAMPLES } else { advance.max(window / STRETCH_SAMPLES) };
+        // A window may be shorter than the spacing of times.
+        (now.t + step).min(until).max(now.t.next_up())
+    }
+
+    /// When the excess begins or ceases to count between two samples of which one counts \[s\].
+    fn change(&self, followed: Followed, [mut before, mut after]: Interval) -> f64 {
+        let counts = |t| self.counts(&self.sample(followed, t));
+        let at_first = counts(before);
+        for _ in 0..HALVINGS {
+            let middle = before.midpoint(after);
+            if middle <= before || middle >= after {
+                break;
+            }
+            if counts(middle) == at_first { before = middle } else { after = middle }
+        }
+        after
+    }
+
+    fn overlap(&self, intervals: Vec<Interval>, &Found { deepest, followed, .. }: &Found) -> Overlap {
+        let (history, solids) = (self.history, self.solids);
+        let step = self.next(&self.sample(followed, deepest.t), self.bounds(deepest.t), history.end()) - deepest.t;
+        let around = [(deepest.t - step).max(intervals[0][0]), (deepest.t + step).min(history.end())];
+        let (t, value) = golden(|t| self.sample(followed, t).excess, around[0], around[1]);
+        let depth = if value > deepest.value { Extreme { value, t } } else { deepest };
+        let place = solids.shared(self.pair, &solids.placed(history, self.pair, depth.t));
+        Overlap { bodies: self.pair.map(|number| solids.id(number)), intervals, depth, place }
+    }
+}

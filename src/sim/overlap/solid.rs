@@ -1,0 +1,239 @@
+//! Bodies as solids: girders as prisms that move, abutments as the blocks behind their faces; and how deep two overlap.
+
+use std::collections::BTreeMap;
+
+use glam::{DQuat, DVec2, DVec3};
+
+use crate::contact::node_face;
+use crate::dynamics::Model;
+use crate::geometry::shape::{AlignedBox, Convex, Stand, block_behind, common_centre, plan_distance, plan_separation};
+use crate::scene::facing::Side;
+use crate::scene::{Kind, Scene, placed};
+use crate::sim::History;
+use crate::sim::report::SolidId;
+
+/// One body's shape.
+#[derive(Debug)]
+struct Solid {
+    id: SolidId,
+    /// Corners, about G in the girder's axes, or in the world for an abutment \[m\].
+    corners: [DVec3; 8],
+    /// The same as a convex body; only in space.
+    convex: Option<Convex>,
+    /// Largest distance of a corner from G; 0 for what does not turn \[m\].
+    radius: f64,
+    /// Shortest edge \[m\].
+    least_side: f64,
+}
+
+/// All bodies of a scene.
+#[derive(Debug)]
+pub(super) struct Solids {
+    all: Vec<Solid>,
+    kind: Kind,
+}
+
+/// The facing pairs of a model by the two bodies that each joins.
+#[derive(Debug)]
+pub(super) struct Joined(BTreeMap<[SolidId; 2], Vec<usize>>);
+
+impl Joined {
+    pub(super) fn of(model: &Model) -> Self {
+        let id = |side: Side| match side {
+            Side::Girder(girder, _) => SolidId::Girder(girder),
+            Side::Abutment(abutment) => SolidId::Abutment(abutment),
+        };
+        let mut joined: BTreeMap<[SolidId; 2], Vec<usize>> = BTreeMap::new();
+        for (number, pair) in model.pairs.iter().enumerate() {
+            let mut bodies = [id(pair.first), id(pair.second)];
+            bodies.sort();
+            joined.entry(bodies).or_default().push(number);
+        }
+        Self(joined)
+    }
+
+    /// Numbers of the facing pairs that join two bodies, in the order of their numbers.
+    pub(super) fn facing(&self, bodies: [SolidId; 2]) -> &[usize] {
+        self.0.get(&bodies).map_or(&[], Vec::as_slice)
+    }
+}
+
+/// Where two bodies are, and how deep they overlap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    stands: [Stand; 2],
+}
+
+impl Solids {
+    /// Of a scene: girders, then abutments.
+    pub(super) fn of(scene: &Scene, model: &Model) -> Self {
+        let girders = (0..model.bodies.len()).map(SolidId::Girder);
+        let ids = girders.chain((0..scene.abutments.len()).map(SolidId::Abutment));
+        Self { all: ids.filter_map(|id| Solid::of(scene, model, id)).collect(), kind: scene.kind }
+    }
+
+    /// Two bodies alone.
+    pub(super) fn pair(history: &History, ids: [SolidId; 2]) -> Self {
+        let (scene, model) = (history.scene(), history.model());
+        Self { all: ids.into_iter().filter_map(|id| Solid::of(scene, model, id)).collect(), kind: scene.kind }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    pub(super) fn id(&self, number: usize) -> SolidId {
+        self.all[number].id
+    }
+
+    /// Number of the girder, if the body is one.
+    pub(super) fn girder(&self, number: usize) -> Option<usize> {
+        match self.all[number].id {
+            SolidId::Girder(girder) => Some(girder),
+            SolidId::Abutment(_) => None,
+        }
+    }
+
+    pub(super) fn moves(&self, number: usize) -> bool {
+        self.girder(number).is_some()
+    }
+
+    /// Largest distance of a corner from G \[m\].
+    pub(super) fn radius(&self, number: usize) -> f64 {
+        self.all[number].radius
+    }
+
+    /// The smallest side of either body \[m\].
+    pub(super) fn least_side(&self, pair: [usize; 2]) -> f64 {
+        pair.map(|number| self.all[number].least_side).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Box around a body that does not move.
+    pub(super) fn fixed_box(&self, number: usize) -> AlignedBox {
+        self.flat(AlignedBox::around(&self.all[number].corners))
+    }
+
+    /// In plan heights have no meaning.
+    pub(super) fn flat(&self, hull: AlignedBox) -> AlignedBox {
+        match self.kind {
+            Kind::Planar => AlignedBox { min: hull.min.with_z(0.0), max: hull.max.with_z(0.0) },
+            Kind::Spatial => hull,
+        }
+    }
+
+    /// Two bodies as placed.
+    pub(super) fn as_placed(&self, model: &Model, pair: [usize; 2]) -> Placed {
+        Placed { stands: pair.map(|number| self.home(model, number)) }
+    }
+
+    /// Box around a body as placed.
+    pub(super) fn placed_box(&self, model: &Model, number: usize) -> AlignedBox {
+        let home = self.home(model, number);
+        self.flat(AlignedBox::around(&self.all[number].corners.map(|corner| home.place + home.attitude * corner)))
+    }
+
+    fn home(&self, model: &Model, number: usize) -> Stand {
+        self.girder(number).map_or(Stand::WORLD, |girder| {
+            let body = &model.bodies[girder];
+            Stand { place: body.home, attitude: DQuat::from_mat3(&body.axes) }
+        })
+    }
+
+    /// Two bodies at `t`.
+    pub(super) fn placed(&self, history: &History, pair: [usize; 2], t: f64) -> Placed {
+        Placed { stands: pair.map(|number| self.stand(history, number, t)) }
+    }
+
+    fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
+        self.girder(number).map_or(Stand::WORLD, |girder| {
+            let motion = history.motion(girder, t);
+            Stand { place: motion.place, attitude: motion.attitude }
+        })
+    }
+
+    /// How far apart two bodies are along the axis that parts them most; negative when they overlap, and then the shortest
+    /// way out \[m\].
+    pub(super) fn separation(&self, pair: [usize; 2], placed: &Placed) -> f64 {
+        let [one, other] = pair.map(|number| &self.all[number]);
+        let [here, there] = placed.stands;
+        match (self.kind, &one.convex, &other.convex) {
+            (Kind::Spatial, Some(a), Some(b)) => a.separation(here, b, there),
+            _ => plan_separation(&one.plan(here), &other.plan(there)),
+        }
+    }
+
+    /// Where a contact's node is in plan at `t`: its distance from the body of its face, along the side that parts them most,
+    /// negative inside; and its distance before the plane of its face \[m\].
+    pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
+        let site = &history.model().contacts[contact];
+        let [node, face] = history.sides(contact, t);
+        let owner = |&number: &usize| self.girder(number) == site.face_body;
+        let Some(other) = pair.into_iter().find(owner).map(|number| &self.all[number]) else {
+            return [f64::INFINITY; 2];
+        };
+        let polygon = match site.face_body {
+            Some(_) => other.outline().map(|corner| (face.origin() + face.turn(corner)).truncate()),
+            None => other.outline().map(DVec3::truncate),
+        };
+        let point = (node.origin() + node.turn(site.point)).truncate();
+        [plan_distance(&polygon, point), node_face::gap(&site.home, &node, &face)[0]]
+    }
+
+    /// Centre of what two bodies share: of the polygon in plan, of the common box of both in height \[m\].
+    pub(super) fn shared(&self, pair: [usize; 2], placed: &Placed) -> DVec3 {
+        let corners: [[DVec3; 8]; 2] =
+            [0, 1].map(|i| self.all[pair[i]].corners.map(|c| placed.stands[i].place + placed.stands[i].attitude * c));
+        let [a, b] = corners.map(|corners| self.flat(AlignedBox::around(&corners)));
+        let middle = 0.5 * (a.min.max(b.min) + a.max.min(b.max));
+        let [one, other] = [0, 1].map(|i| self.all[pair[i]].plan(placed.stands[i]));
+        common_centre(&one, &other).map_or(middle, |plan| plan.extend(middle.z))
+    }
+}
+
+impl Solid {
+    /// A body of a run; `None` for an abutment that faces no girder.
+    fn of(scene: &Scene, model: &Model, id: SolidId) -> Option<Self> {
+        match id {
+            SolidId::Girder(number) => {
+                let body = &model.bodies[number];
+                Some(Self::new(id, body.prism.corners(), body.radius, model.kind))
+            }
+            SolidId::Abutment(number) => {
+                let abutment = &scene.abutments[number];
+                let block =
+                    block_behind(placed::abutment_face(scene, abutment)?, placed::abutment_depth(scene, abutment));
+                Some(Self::new(id, block, 0.0, model.kind))
+            }
+        }
+    }
+
+    fn new(id: SolidId, corners: [DVec3; 8], radius: f64, kind: Kind) -> Self {
+        let edges = [corners[1] - corners[0], corners[3] - corners[0], corners[4] - corners[0]].map(DVec3::length);
+        // Heights have no meaning in plan: of a girder the third edge, of an abutment the second.
+        let counts = |&(i, _): &(usize, f64)| match (kind, id) {
+            (Kind::Spatial, _) => true,
+            (Kind::Planar, SolidId::Girder(_)) => i != 2,
+            (Kind::Planar, SolidId::Abutment(_)) => i != 1,
+        };
+        let least_side =
+            edges.into_iter().enumerate().filter(counts).map(|(_, edge)| edge).fold(f64::INFINITY, f64::min);
+        let convex = (kind == Kind::Spatial).then(|| Convex::between(corners)).flatten();
+        Self { id, corners, convex, radius, least_side }
+    }
+
+    /// Corners in plan, in the world, one after another along the outline \[m\].
+    fn plan(&self, stand: Stand) -> [DVec2; 4] {
+        let turn = |corner: DVec3| if stand.attitude == DQuat::IDENTITY { corner } else { stand.attitude * corner };
+        self.outline().map(|corner| (stand.place + turn(corner)).truncate())
+    }
+
+    /// Corners one after another along the outline in plan, in the girder's axes, or the world for an abutment \[m\].
+    fn outline(&self) -> [DVec3; 4] {
+        let outline = match self.id {
+            SolidId::Girder(_) => [0, 1, 2, 3],
+            // The lower edge of the face and, behind it, that of the back.
+            SolidId::Abutment(_) => [4, 5, 1, 0],
+        };
+        outline.map(|i| self.corners[i])
+    }
+}

@@ -1,0 +1,155 @@
+//! Overlaps that no contact carries, through the real solver: seen when they begin and as deep as they are, by closed forms;
+//! and none where contacts carry all.
+
+use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
+
+use girderbench::dynamics::Model;
+use girderbench::scene::{ModelKind, presets};
+use girderbench::sim::{History, Overlap, SolidId, unjoined};
+use glam::DVec3;
+
+use crate::support::{scene, within};
+
+const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\n";
+
+/// Two girders without bearings, the second of which moves as its keys say.
+fn two(second: &str, duration: f64) -> History {
+    let text = format!(
+        "name = \"two\"\nduration_s = {duration}\n[[girder]]\nname = \"one\"\n{GIRDER}[[girder]]\nname = \"two\"\n{GIRDER}{second}"
+    );
+    History::of(&scene(&text)).expect("it runs")
+}
+
+fn only(history: &History) -> Overlap {
+    let [overlap] = history.overlaps() else { panic!("one overlap: {:?}", history.overlaps()) };
+    assert_eq!(overlap.bodies, [SolidId::Girder(0), SolidId::Girder(1)], "the two girders");
+    overlap.clone()
+}
+
+#[test]
+fn a_girder_that_goes_into_anothers_side_is_seen_when_it_enters_and_as_deep_as_it_gets() {
+    // 0.09 m from centre to centre, 0.02 m apart, closing at 1 m/s.
+    let history = two("position_m = [0.0, 0.09, 0.0]\ninitial = { velocity_m_s = [0, -1] }\n", 0.05);
+    let overlap = only(&history);
+    within("first seen", overlap.first() - (0.02 + 1e-6 * 0.07), 1e-9);
+    within("depth", overlap.depth.value - 0.03, 1e-12);
+    within("deepest at the end", overlap.depth.t - 0.05, 1e-9);
+    // Shared: from y = 0.005 to 0.035, as long as the girders.
+    assert!(overlap.place.distance(DVec3::new(0.0, 0.02, 0.0)) < 1e-12, "{overlap:?}");
+}
+
+#[test]
+fn an_end_that_meets_a_side_is_seen() {
+    // A T: the second girder points at the middle of the first one's side, 0.03 m away.
+    let history = two("position_m = [0.0, 0.16, 0.0]\nheading_deg = 90\ninitial = { velocity_m_s = [0, -0.5] }\n", 0.1);
+    let overlap = only(&history);
+    within("first seen", overlap.first() - 0.06, 1e-6);
+    within("depth", overlap.depth.value - 0.02, 1e-12);
+}
+
+#[test]
+fn a_corner_that_turns_into_a_side_is_seen() {
+    // Turned by 45° the second girder's lowest corner is at its centre's height less (0.19 + 0.07)/(2 √2).
+    let reach = (0.19 + 0.07) / (2.0 * SQRT_2);
+    let lateral = 0.035 + reach - 0.01;
+    let spin = 2.0;
+    let keys = format!("position_m = [0.0, {lateral}, 0.0]\ninitial = {{ spin_deg_s = {} }}\n", f64::to_degrees(spin));
+    let overlap = only(&two(&keys, FRAC_PI_4 / spin));
+    // The corner is at (0.095, −0.035) in the girder's axes, 0.10124 m from G: lowest at an angle of −90°.
+    let (arm, angle) = (0.095_f64.hypot(0.035), (-0.035_f64).atan2(-0.095));
+    let height = |t: f64| lateral + arm * (angle + spin * t).sin() - 0.035;
+    assert!(height(overlap.first()).abs() < 1e-6 * 0.07 + 1e-9, "{} at {}", height(overlap.first()), overlap.first());
+    assert!(height(overlap.first() - 1e-5) > 0.0, "it is the first");
+    within("depth", overlap.depth.value - 0.01, 1e-9);
+}
+
+#[test]
+fn girders_that_pass_at_a_distance_do_not_overlap() {
+    let past = two("position_m = [-1.0, 0.0701, 0.0]\ninitial = { velocity_m_s = [2, 0] }\n", 1.0);
+    assert_eq!(past.overlaps(), [], "0.1 mm apart all the way");
+}
+
+#[test]
+fn in_space_an_edge_that_meets_an_edge_is_seen() {
+    // A backwall that is narrower and higher than the deck's end: no corner is in front of the other's face. The deck, held
+    // in height and attitude, comes at 0.5 m/s from 10 mm before it.
+    let text = "name = \"narrow wall\"\nkind = \"spatial\"\nduration_s = 0.05\n[[girder]]\nname = \"deck\"\nlength_m = 0.19\n\
+        width_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\nheld = [\"z\", \"roll\", \"pitch\", \"yaw\"]\n\
+        initial = { velocity_m_s = [0.5, 0] }\n[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\nend = \"+x\"\n\
+        gap_m = 0.01\nwidth_m = 0.06\nheight_m = 0.04\n";
+    let history = History::of(&scene(text)).expect("it runs");
+    let [overlap] = history.overlaps() else { panic!("one overlap: {:?}", history.overlaps()) };
+    assert_eq!(overlap.bodies, [SolidId::Girder(0), SolidId::Abutment(0)], "deck and wall");
+    within("first seen", overlap.first() - 0.02, 1e-6);
+    within("depth", overlap.depth.value - 0.015, 1e-12);
+}
+
+#[test]
+fn an_overlap_lasts_until_the_bodies_are_apart_again() {
+    // Straight through, across: 0.07 m wide each, 0.02 m apart, at 1 m/s.
+    let history = two("position_m = [0.0, 0.09, 0.0]\ninitial = { velocity_m_s = [0, -1] }\n", 0.2);
+    let overlap = only(&history);
+    let [[from, until]] = overlap.intervals[..] else { panic!("one interval: {overlap:?}") };
+    within("entered", from - (0.02 + 1e-6 * 0.07), 1e-9);
+    within("left", until - (0.02 + 0.14 - 1e-6 * 0.07), 1e-9);
+    assert!(overlap.lasts_at(0.1) && !overlap.lasts_at(0.01) && !overlap.lasts_at(0.19), "{overlap:?}");
+    within("half way in", history.overlap_depth(&overlap, 0.055) - 0.035, 1e-12);
+}
+
+#[test]
+fn bodies_that_can_come_near_without_contact_are_known_before_a_run() {
+    // Side by side on bearings of 1 Hz, started so that each swings by 0.1/(2π) m towards the other.
+    let bearings = |offset: f64| {
+        let girder = |name: &str, lateral: f64, speed: f64| {
+            format!(
+                "[[girder]]\nname = \"{name}\"\n{GIRDER}position_m = [0, {lateral}, 0]\n\
+                 initial = {{ velocity_m_s = [0, {speed}] }}\nbearings = {{ frequency_hz = 1.0, damping_ratio = 0.0, at_m = [[0.05, 0.0], [-0.05, 0.0]] }}\n"
+            )
+        };
+        let text = format!(
+            "name = \"twins\"\nduration_s = 1\n{}{}",
+            girder("one", 0.0, 0.1),
+            girder("two", 0.07 + offset, -0.1)
+        );
+        let scene = scene(&text);
+        unjoined(&scene, &Model::compile(&scene).expect("a scene"))
+    };
+    let swing = 0.1 / (2.0 * PI);
+    let [found] = bearings(0.03)[..] else { panic!("one: {:?}", bearings(0.03)) };
+    assert_eq!(found.bodies, [SolidId::Girder(0), SolidId::Girder(1)], "the two girders");
+    within("apart", found.apart - 0.03, 1e-12);
+    within("reach", found.reach - 2.0 * swing, 1e-9);
+    assert_eq!(bearings(2.0 * swing + 1e-6), [], "they do not come near");
+    for preset in presets::all() {
+        let scene = presets::load(preset.name).expect("a preset");
+        assert_eq!(unjoined(&scene, &Model::compile(&scene).expect("a scene")), [], "{}", preset.name);
+    }
+}
+
+#[test]
+fn what_contacts_carry_is_no_overlap() {
+    for preset in presets::all() {
+        let name = preset.name;
+        let mut scene = presets::load(name).expect("a preset");
+        for kind in [ModelKind::Contact, ModelKind::Impact] {
+            if kind == ModelKind::Impact && scene.kind == girderbench::scene::Kind::Spatial {
+                continue;
+            }
+            scene.model.kind = kind;
+            let history = History::of(&scene).expect("it runs");
+            if (name, kind) == ("row-of-5", ModelKind::Contact) {
+                expect_the_corner_of_the_row(&history);
+            } else {
+                assert_eq!(history.overlaps(), [], "{name}, {kind:?}");
+            }
+        }
+    }
+}
+
+/// The corner of g4 crosses the plane of g3's end beside it, and is then 5 mm inside g3: armed contacts alone close.
+fn expect_the_corner_of_the_row(history: &History) {
+    let [overlap] = history.overlaps() else { panic!("one overlap: {:?}", history.overlaps()) };
+    assert_eq!(overlap.bodies.map(|body| body.name(history.scene())), ["g3", "g4"], "which");
+    within("first seen", overlap.first() - 1.044, 1e-3);
+    within("depth", overlap.depth.value - 5.3e-3, 1e-4);
+}
