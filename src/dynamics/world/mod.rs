@@ -5,6 +5,7 @@
 //! reads a world and enters what it finds, `contact_model` changes it.
 
 pub(in crate::dynamics) mod axial_gap;
+pub(in crate::dynamics) mod connectivity;
 mod constants;
 #[cfg(test)]
 pub(in crate::dynamics) mod example;

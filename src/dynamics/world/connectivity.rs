@@ -1,0 +1,108 @@
+//! Which pairs and links concern bodies, and which bodies are joined by connections whose force acts.
+
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::LinkTrack;
+
+impl World {
+    /// Names of bodies by their slots.
+    pub(in crate::dynamics) fn names(&self, slots: &[usize]) -> String {
+        let name = |&slot: &usize| self.model.bodies[self.bodies[slot].body].name.as_str();
+        slots.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Numbers of the pairs of these bodies, ascending.
+    pub(in crate::dynamics) fn pairs_of(&self, slots: &[usize]) -> Vec<usize> {
+        let mut pairs: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].pairs.iter().copied()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
+    /// Numbers of the links of these bodies, ascending.
+    pub(in crate::dynamics) fn links_of(&self, slots: &[usize]) -> Vec<usize> {
+        let mut links: Vec<usize> = slots.iter().flat_map(|&slot| self.bodies[slot].links.iter().copied()).collect();
+        links.sort_unstable();
+        links.dedup();
+        links
+    }
+
+    /// Whether a link's force acts.
+    pub(in crate::dynamics) fn link_acts(&self, link: usize) -> bool {
+        let LinkTrack { link, phase, .. } = &self.links[link];
+        self.model.links[*link].device.acts(phase)
+    }
+
+    fn pair_acts(&self, pair: usize) -> bool {
+        self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some())
+    }
+
+    /// Slots at both ends of every connection of a body whose force acts: pairs with a closed contact, then links.
+    fn joined_at(&self, slot: usize) -> impl Iterator<Item = [Option<usize>; 2]> + '_ {
+        let body = &self.bodies[slot];
+        let pairs = body.pairs.iter().filter(|&&pair| self.pair_acts(pair)).map(|&pair| self.pairs[pair].slots);
+        let links = body.links.iter().filter(|&&link| self.link_acts(link)).map(|&link| self.links[link].slots);
+        pairs.chain(links)
+    }
+
+    /// Connected components of `slots` under connections whose force acts, as positions in `slots`.
+    pub(in crate::dynamics) fn joined(&self, slots: &[usize]) -> Vec<Vec<usize>> {
+        let position = |slot: Option<usize>| slots.binary_search(&slot?).ok();
+        let ends = slots.iter().flat_map(|&slot| self.joined_at(slot)).filter_map(|ends| match ends.map(position) {
+            [Some(a), Some(b)] => Some([a, b]),
+            _ => None,
+        });
+        components(slots.len(), ends)
+    }
+
+    /// Whether any connection's force acts on a body.
+    pub(in crate::dynamics) fn is_joined(&self, slot: usize) -> bool {
+        self.joined_at(slot).next().is_some()
+    }
+}
+
+/// Connected components of the numbers below `count` that `edges` join: each ascending, in the order of their least.
+fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
+    let mut label: Vec<usize> = (0..count).collect();
+    for [a, b] in edges {
+        let (low, high) = (label[a].min(label[b]), label[a].max(label[b]));
+        label.iter_mut().filter(|l| **l == high).for_each(|l| *l = low);
+    }
+    let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for (i, &l) in label.iter().enumerate() {
+        groups[l].push(i);
+    }
+    groups.retain(|g| !g.is_empty());
+    groups
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::penalty3d::contact_state::Contact;
+    use crate::dynamics::penalty3d::example::row;
+    use crate::dynamics::world::example::planned;
+
+    #[test]
+    fn components_are_those_of_the_graph_whatever_the_order_of_its_edges() {
+        let edges = [[4, 1], [2, 3], [1, 4], [3, 0]];
+        let expected = vec![vec![0, 2, 3], vec![1, 4], vec![5]];
+        assert_eq!(components(6, edges.into_iter()), expected);
+        assert_eq!(components(6, edges.into_iter().rev()), expected);
+        assert_eq!(components(2, std::iter::empty()), [[0], [1]], "alone");
+    }
+
+    #[test]
+    fn bodies_are_joined_while_a_contact_between_them_is_closed() {
+        let mut world = planned(&row(), &[[0.0; 6]; 2]);
+        assert_eq!(world.pairs_of(&[0, 1]), [0], "one pair, once");
+        assert_eq!(world.joined(&[0, 1]), [vec![0, 1]], "touching");
+        assert!(world.is_joined(0) && world.is_joined(1), "either of them");
+        assert_eq!(world.joined(&[1]), [vec![0]], "what touches a body outside of the list is alone in it");
+        for track in &mut world.contacts {
+            track.state = Contact::Open { armed: true };
+        }
+        assert_eq!(world.joined(&[0, 1]), [vec![0], vec![1]], "apart");
+        assert!(!world.is_joined(0), "no force acts");
+        assert_eq!(world.names(&[1, 0]), format!("{}, {}", world.names(&[1]), world.names(&[0])));
+    }
+}
