@@ -14,3 +14,4 @@ pub mod run;
 pub(in crate::dynamics) mod step_planning;
 pub(in crate::dynamics) mod step_store;
 pub(in crate::dynamics) mod transitions;
+mod work_bounds;

@@ -10,13 +10,13 @@ use std::sync::Arc;
 use crate::dynamics::Model;
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::closing_search::ClosingSearch;
-use crate::dynamics::contact_model::constants::WORK_BOUND_PER_BODY;
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::contact_model::islands::{IslandStock, Start, end_flight};
 use crate::dynamics::contact_model::link_transitions::LinkTransitions;
 use crate::dynamics::contact_model::step_planning;
 use crate::dynamics::contact_model::step_store::StepStore;
 use crate::dynamics::contact_model::transitions::Transitions;
+use crate::dynamics::contact_model::work_bounds::{Spent, WorkBounds};
 use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
@@ -38,6 +38,8 @@ pub struct ContactRun {
     pub(in crate::dynamics) islands: IslandStock,
     /// How steps are stored.
     pub(in crate::dynamics) store: StepStore,
+    /// Bounds that end the run.
+    bounds: WorkBounds,
 }
 
 impl ContactRun {
@@ -49,6 +51,7 @@ impl ContactRun {
             events: Vec::new(),
             islands: IslandStock::default(),
             store: StepStore::default(),
+            bounds: WorkBounds::default(),
         };
         run.begin();
         run
@@ -144,6 +147,19 @@ impl ContactRun {
             track.now = Trajectory::Flight(system.fly(t, state));
         }
     }
+
+    /// What the run has spent at `t`; a step takes a time and a code in a path beside what the store counts.
+    fn spent(&self, t: f64) -> Spent {
+        let paths: usize = self.world.bodies.iter().map(|track| track.path.len()).sum();
+        let steps = self.store.polynomials + self.store.replay.bytes() + paths * (size_of::<f64>() + size_of::<u32>());
+        Spent {
+            work: self.schedule.work,
+            bytes: steps + self.events.len() * size_of::<Event>(),
+            t,
+            duration: self.world.model.duration,
+            bodies: [self.world.bodies.len(), self.world.model.bodies.len()],
+        }
+    }
 }
 
 impl Mechanics for ContactRun {
@@ -159,8 +175,12 @@ impl Mechanics for ContactRun {
         self.world.model.duration
     }
 
-    fn exceeds_bounds(&mut self, _: f64) -> bool {
-        self.schedule.work > WORK_BOUND_PER_BODY * self.world.bodies.len()
+    fn exceeds_bounds(&mut self, t: f64) -> bool {
+        if !self.bounds.is_due(self.schedule.work) {
+            return false;
+        }
+        let spent = self.spent(t);
+        self.bounds.exceeds(&spent)
     }
 
     fn excess(&self, source: Source) -> (String, String) {
@@ -171,12 +191,7 @@ impl Mechanics for ContactRun {
             EventSource::Pair(number) => self.world.pairs[number].slots.into_iter().flatten().collect(),
             EventSource::Link(number) => self.world.links[number].slots.into_iter().flatten().collect(),
         };
-        let reason = format!(
-            "{} steps and evaluations exceed the bound on the work of a run: a contact, a bearing or the ground is far too fast for \
-             the duration; lower its stiffness or frequency, or shorten the run",
-            self.schedule.work
-        );
-        (self.world.names(&slots), reason)
+        (self.world.names(&slots), self.bounds.reason())
     }
 
     fn handle(&mut self, source: Source, t: f64) {

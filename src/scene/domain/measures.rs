@@ -33,6 +33,12 @@ fn rate(bearings: &[ResolvedBearing], motion: impl Fn(DVec3) -> DVec3, inertia: 
     quotient(|b| b.stiffness).sqrt().max(quotient(|b| b.damping))
 }
 
+/// Distance of the farthest bearing from G, in parts of that of the farthest corner; 0 without bearings.
+pub(in crate::scene) fn bearing_place(girder: &Girder, kind: Kind) -> f64 {
+    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+    bearings.iter().map(|bearing| bearing.place.length()).fold(0.0, f64::max) / radius(girder)
+}
+
 /// Distance of the farthest corner from G \[m\].
 fn radius(girder: &Girder) -> f64 {
     girder.prism().corners().iter().map(|corner| corner.length()).fold(0.0, f64::max)

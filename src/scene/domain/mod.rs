@@ -4,7 +4,7 @@
 //! A scene outside is computed all the same. Its run ends, with an answer or with a reason; how exact the answer is has
 //! not been checked.
 
-mod measures;
+pub(super) mod measures;
 
 use std::fmt;
 
@@ -70,6 +70,15 @@ pub const SKEW: Limit = Limit {
     range: [5.0, 175.0],
     beyond: [UNCHECKED, UNCHECKED],
     remedy: "give the angle between axis and support line in degrees; 90 is straight",
+};
+/// Distance of a bearing from G over that of the farthest corner. Bearings stand under the girder, in seeds as in bridges; a cross
+/// beam may carry one beyond its edge by as much again. Above: the rotation's rate grows with the distance.
+pub const BEARING_PLACE: Limit = Limit {
+    quantity: "place of a bearing over that of the farthest corner",
+    unit: "",
+    range: [0.0, 2.0],
+    beyond: [NOTHING, "it does not stand under the girder, and may make it turn too fast to follow"],
+    remedy: "give the place in m, relative to the girder's G",
 };
 /// `K/M`, with the reduced mass M of (65). Below: a blow at 1 m/s presses the faces by 1 m, `v/√(K/M)`. Above: an acceleration
 /// of 1e-3 m/s² presses a face that rests by 1e-12 m, `a M/K`, where places of 1 m round by 2e-16 m.
@@ -137,8 +146,20 @@ pub const FRICTION: Limit = Limit {
 };
 
 /// All of them.
-pub const LIMITS: &[Limit] =
-    &[TOLERANCE, MASS, SIZE, SKEW, STIFFNESS, CONTACT_PHASE, MOTION_PHASE, ACCELERATION, SPEED, TURN, FRICTION];
+pub const LIMITS: &[Limit] = &[
+    TOLERANCE,
+    MASS,
+    SIZE,
+    SKEW,
+    BEARING_PLACE,
+    STIFFNESS,
+    CONTACT_PHASE,
+    MOTION_PHASE,
+    ACCELERATION,
+    SPEED,
+    TURN,
+    FRICTION,
+];
 
 /// A quantity of a scene that lies outside the domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -234,6 +255,7 @@ fn look_at_girder(scene: &Scene, girder: &Girder, found: &mut Departures) {
     }
     found.look(at("skew_deg"), girder.skew_deg, SKEW);
     found.look(at("mass_kg"), girder.mass, MASS);
+    found.look(at("bearings"), measures::bearing_place(girder, scene.kind), BEARING_PLACE);
     found.look(at("bearings"), measures::bearing_rate(girder, scene.kind) * scene.duration, MOTION_PHASE);
     let [speed, corner_speed] = measures::start_speeds(girder);
     found.look(at("initial.velocity_m_s"), speed, SPEED);

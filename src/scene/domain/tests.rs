@@ -42,12 +42,16 @@ fn both_ends_of_a_range_are_inside() {
 #[test]
 fn each_quantity_of_a_girder_is_named_by_its_key() {
     type Change = fn(&mut Girder);
-    let cases: [(&str, Limit, Change); 9] = [
+    let cases: [(&str, Limit, Change); 10] = [
         ("mass_kg", MASS, |g| g.mass = 1.1e8),
         ("length_m", SIZE, |g| g.length = 1.1e3),
         ("width_m", SIZE, |g| g.width = 0.9e-3),
         ("thickness_m", SIZE, |g| g.thickness = 0.9e-3),
         ("skew_deg", SKEW, |g| g.skew_deg = 4.0),
+        ("bearings", BEARING_PLACE, |g| {
+            let Some(Bearings::Shared(bearings)) = &mut g.bearings else { return };
+            bearings.at_skewed = Some(vec![[0.3, 0.0], [-0.3, 0.0]]);
+        }),
         ("initial.velocity_m_s", SPEED, |g| g.initial.velocity = [0.0, -101.0, 0.0]),
         ("push.force_n", ACCELERATION, |g| g.push.force = [-150.0, 150.0, 0.0]),
         ("push.moment_n_m", ACCELERATION, |g| g.push.moment = -40.0),

@@ -2,6 +2,7 @@
 
 use super::complaints::{At, numbers};
 use crate::geometry::{End, Face};
+use crate::scene::domain::measures::bearing_place;
 use crate::scene::keys::{self, Range};
 use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, SharedBearings};
 
@@ -10,6 +11,7 @@ pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     at.below("seat_m", keys::SEAT).all(&girder.seat);
     start(girder, kind, at);
     end_faces(girder, at);
+    far_bearings(girder, kind, at);
     match &girder.bearings {
         None => {}
         Some(Bearings::Shared(bearings)) => {
@@ -45,9 +47,7 @@ fn level(key: &str, vector: &[f64; 3], kind: Kind, at: &mut At<'_>) {
 
 /// Sound numbers may still make no face: an extreme skew, or a side a million million times the other.
 fn end_faces(girder: &Girder, at: &mut At<'_>) {
-    let sizes = [girder.length, girder.width, girder.thickness];
-    let sound = sizes.iter().all(|v| v.is_finite() && *v > 0.0) && girder.skew_deg > 0.0 && girder.skew_deg < 180.0;
-    if !sound {
+    if !is_sound(girder) {
         return;
     }
     let prism = girder.prism();
@@ -56,6 +56,23 @@ fn end_faces(girder: &Girder, at: &mut At<'_>) {
     if !finite || face.is_err() {
         let value = format!("{:?} m × {:?} m ends at {:?}°", girder.width, girder.thickness, girder.skew_deg);
         at.add("", value, "no face can be computed from these ends: choose sizes and skew less extreme");
+    }
+}
+
+/// Whether sizes and skew make a prism.
+fn is_sound(girder: &Girder) -> bool {
+    let sizes = [girder.length, girder.width, girder.thickness];
+    sizes.iter().all(|v| v.is_finite() && *v > 0.0) && girder.skew_deg > 0.0 && girder.skew_deg < 180.0
+}
+
+/// Bearings so far outside that their places can only be in another unit.
+fn far_bearings(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+    /// Places in mm for m are a thousand times as far, at least four hundred times the farthest corner.
+    const FAR: f64 = 100.0;
+    let far = if is_sound(girder) { bearing_place(girder, kind) } else { 0.0 };
+    if far > FAR {
+        let value = format!("a bearing {far:.3e} times as far from G as the farthest corner");
+        at.add("bearings", value, "no bearing carries a girder from there: give its place in m, relative to G");
     }
 }
 

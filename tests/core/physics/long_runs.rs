@@ -1,7 +1,7 @@
 //! Long runs: what each step loses does not add up, and what a step meets at its end does not stop it.
 
 use crate::support::{run, within};
-use girderbench::scene::{Scene, format};
+use girderbench::scene::{Scene, format, overrides, presets};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
 
@@ -63,4 +63,17 @@ fn a_slip_that_turns_to_its_very_end_is_followed() {
     let history = run(&scene);
     assert!(history.stop().is_none(), "{:?}", history.stop());
     assert!(history.events().len() > 500, "it touches: {} events", history.events().len());
+}
+
+#[test]
+fn a_run_that_would_never_end_says_so_soon() {
+    let scene = presets::load("deck-30m").expect("a preset");
+    let scene = overrides::apply(&scene, "girder.deck.bearings.damping_ratio=1e12").expect("a scene");
+    let history = History::of(&scene).expect("it runs");
+    let stop = history.stop().expect("it gives up");
+    assert!(stop.t < 1e-3 && stop.place == "deck", "at once, and names the girder: {stop:?}");
+    for words in ["at this pace", "lower its stiffness, damping or frequency"] {
+        assert!(stop.reason.contains(words), "{words} in {}", stop.reason);
+    }
+    assert!(history.effort().steps < 1_000_000, "far from the bound on the work: {:?}", history.effort());
 }

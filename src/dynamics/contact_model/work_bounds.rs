@@ -1,0 +1,135 @@
+//! Bounds that end a run: of its work, of its memory, and of a pace at which neither would be enough.
+
+use crate::dynamics::contact_model::constants::{
+    HOPELESS, MEMORY_BOUND, MEMORY_BOUND_OF_GROUP, PACE_SHARE, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
+};
+
+/// What a run has spent.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spent {
+    /// Events, and evaluations of searches.
+    pub(super) work: usize,
+    /// Memory of stored steps and events \[bytes\].
+    pub(super) bytes: usize,
+    /// When it is \[s\].
+    pub(super) t: f64,
+    /// Length of the run \[s\].
+    pub(super) duration: f64,
+    /// Bodies of the group, and of the model.
+    pub(super) bodies: [usize; 2],
+}
+
+/// The bound that a run has exceeded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Excess {
+    /// Of its work.
+    Work(usize),
+    /// Of its memory, and the bound \[bytes\].
+    Memory(usize, usize),
+    /// Of the work that is to be expected: from when on \[s\], done since then, and expected until the end.
+    Pace(f64, usize, f64),
+}
+
+/// The bounds of the run of one group of bodies.
+#[derive(Debug, Default)]
+pub(super) struct WorkBounds {
+    /// Work at which the bounds are looked at next.
+    due: usize,
+    /// Work and time \[s\] from which the pace is measured.
+    mark: (usize, f64),
+    excess: Option<Excess>,
+}
+
+impl WorkBounds {
+    /// Whether the bounds are to be looked at after so much work.
+    pub(super) fn is_due(&self, work: usize) -> bool {
+        work >= self.due
+    }
+
+    /// Whether one of them is exceeded.
+    pub(super) fn exceeds(&mut self, spent: &Spent) -> bool {
+        let most = WORK_BOUND_PER_BODY.saturating_mul(spent.bodies[0]);
+        self.due = (spent.work + WORK_BETWEEN_LOOKS).min(most + 1);
+        let [own, all] = spent.bodies;
+        let memory = (MEMORY_BOUND / all.max(1)).saturating_mul(own).max(MEMORY_BOUND_OF_GROUP);
+        self.excess = if spent.work > most {
+            Some(Excess::Work(spent.work))
+        } else if spent.bytes > memory {
+            Some(Excess::Memory(spent.bytes, memory))
+        } else {
+            self.hopeless(spent, most)
+        };
+        self.excess.is_some()
+    }
+
+    /// The work that is expected until the end, where a run that keeps its pace exceeds its bound by far.
+    fn hopeless(&mut self, spent: &Spent, most: usize) -> Option<Excess> {
+        let (work, from) = self.mark;
+        let done = spent.work - work;
+        if done < most / PACE_SHARE {
+            return None;
+        }
+        self.mark = (spent.work, spent.t);
+        let expected = done as f64 / (spent.t - from) * (spent.duration - spent.t);
+        (expected > HOPELESS * most as f64).then_some(Excess::Pace(from, done, expected))
+    }
+
+    /// Which bound is exceeded, and what would avoid it.
+    pub(super) fn reason(&self) -> String {
+        let spent = match self.excess {
+            Some(Excess::Memory(bytes, most)) => {
+                let [bytes, most] = [bytes, most].map(|bytes| bytes >> 20);
+                format!("the steps so far take {bytes} MiB, more than the {most} MiB that a run may take")
+            }
+            Some(Excess::Pace(from, done, expected)) => format!(
+                "{done} steps and evaluations since t = {from:e} s: at this pace the run would take {expected:.0e}, far beyond the \
+                 bound on its work"
+            ),
+            Some(Excess::Work(work)) => format!("{work} steps and evaluations exceed the bound on the work of a run"),
+            None => "the bound on the work of a run is exceeded".to_owned(),
+        };
+        format!(
+            "{spent}: a contact, a bearing or the ground is far too fast for the duration; lower its stiffness, damping or \
+             frequency, or shorten the run"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BODY: Spent = Spent { work: 0, bytes: 0, t: 0.0, duration: 10.0, bodies: [1, 1] };
+
+    #[test]
+    fn work_is_bounded_to_the_step() {
+        let mut bounds = WorkBounds::default();
+        let at = |work| Spent { work, t: 9.0, ..BODY };
+        assert!(!bounds.exceeds(&at(WORK_BOUND_PER_BODY)), "as much as is allowed");
+        assert!(bounds.is_due(WORK_BOUND_PER_BODY + 1), "the next one is looked at");
+        assert!(bounds.exceeds(&at(WORK_BOUND_PER_BODY + 1)), "one more");
+        assert!(bounds.reason().contains("exceed the bound on the work"), "{}", bounds.reason());
+        assert!(!WorkBounds::default().exceeds(&Spent { bodies: [2, 2], ..at(WORK_BOUND_PER_BODY + 1) }), "two bodies");
+    }
+
+    #[test]
+    fn memory_is_bounded_by_the_share_of_the_group() {
+        let over = |bytes, bodies| WorkBounds::default().exceeds(&Spent { bytes, bodies, ..BODY });
+        assert!(!over(MEMORY_BOUND, [1, 1]) && over(MEMORY_BOUND + 1, [1, 1]), "the whole of it alone");
+        assert!(!over(MEMORY_BOUND / 2, [1, 2]) && over(MEMORY_BOUND / 2 + 1, [1, 2]), "a half of two");
+        assert!(!over(MEMORY_BOUND_OF_GROUP, [1, 1000]), "a little for each");
+    }
+
+    #[test]
+    fn a_pace_that_leads_nowhere_is_told_from_a_dense_stretch() {
+        let window = WORK_BOUND_PER_BODY / PACE_SHARE;
+        let pace = |t| WorkBounds::default().exceeds(&Spent { work: window, t, ..BODY });
+        let dense = window as f64 * BODY.duration / (HOPELESS * WORK_BOUND_PER_BODY as f64);
+        assert!(!pace(1.01 * dense) && pace(0.99 * dense), "a thousand bounds until the end");
+        let mut bounds = WorkBounds::default();
+        assert!(!bounds.exceeds(&Spent { work: window - 1, t: 1e-12, ..BODY }), "too short to tell");
+        assert!(bounds.exceeds(&Spent { work: window, t: 1e-12, ..BODY }), "now");
+        assert!(bounds.reason().contains("at this pace"), "{}", bounds.reason());
+        assert!(!pace(BODY.duration), "at the end nothing is left");
+    }
+}
