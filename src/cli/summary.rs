@@ -34,7 +34,7 @@ fn head(report: &Report) -> Vec<Line> {
     let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
     let gave_up =
         gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
-    model.into_iter().chain(gave_up).chain(outside).chain(overlaps(&report.overlaps)).collect()
+    model.into_iter().chain(gave_up).chain(outside).chain(overlaps(&report.overlaps)).chain(law_sense(report)).collect()
 }
 
 /// Bodies that are inside each other where no contact carries it, a line for every two.
@@ -54,6 +54,34 @@ fn overlaps(all: &[OverlapReport]) -> Vec<Line> {
     let more = all.len().saturating_sub(MOST_LISTED);
     let more = (more > 0).then(|| line("overlap", format!("{more} more")));
     all.iter().take(MOST_LISTED).map(of).chain(more).collect()
+}
+
+/// Contacts that left the sense of their law.
+fn law_sense(report: &Report) -> Vec<Line> {
+    let deep = report.too_deep.iter().map(|deep| {
+        let value = format!(
+            "{} in {}: {} mm at {:.4} s, more than a tenth of the shortest side ({} mm)",
+            escaped(&deep.node),
+            escaped(&deep.face),
+            millimetres(deep.depth),
+            deep.t,
+            millimetres(deep.allowed)
+        );
+        line("too deep", value)
+    });
+    let dropped = report.dropped.iter().map(|dropped| {
+        let value = format!(
+            "{} times with {:.2e} J in the springs, {:.1e} of the largest energy; {} from {} at {:.4} s the most",
+            dropped.count,
+            dropped.energy,
+            dropped.share,
+            escaped(&dropped.node),
+            escaped(&dropped.face),
+            dropped.t
+        );
+        line("left a face", value)
+    });
+    deep.take(MOST_LISTED).chain(dropped).collect()
 }
 
 /// A depth in mm, four digits \[m\].

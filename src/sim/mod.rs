@@ -9,6 +9,7 @@ mod books;
 mod digest;
 mod history;
 mod impact;
+mod law_sense;
 mod ledger;
 pub mod links;
 mod overlap;
@@ -23,6 +24,7 @@ mod touches;
 
 pub use balance::Balance;
 pub use history::History;
+pub use law_sense::{Dropped, TooDeep};
 pub use links::LinkNow;
 pub use overlap::{Unjoined, unjoined};
 pub use quantity::Quantity;

@@ -151,7 +151,7 @@ fn seat(history: &History, girder: usize, end: End, times: &[f64]) -> Option<Sea
 }
 
 /// The largest value over ordered times, refined between the neighbours of the best one.
-fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
+pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
     let seen = times.iter().enumerate().map(|(i, &t)| (i, Extreme { value: value(t), t }));
     let best = seen.filter(|(_, e)| !e.value.is_nan()).reduce(|a, b| if b.1.value > a.1.value { b } else { a });
     let Some((i, best)) = best else { return Extreme { value: f64::NAN, t: 0.0 } };

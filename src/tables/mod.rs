@@ -15,7 +15,9 @@ mod trajectory;
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
-pub use summary::{OutsideReport, OverlapReport, PairReport, Report, SeatReport, Versions};
+pub use summary::{
+    DroppedReport, OutsideReport, OverlapReport, PairReport, Report, SeatReport, TooDeepReport, Versions,
+};
 pub use trajectory::{trajectory, trajectory_columns};
 
 use std::io::Write;

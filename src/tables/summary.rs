@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::TableOptions;
 use super::events::law_of;
 use crate::scene::{Kind, Scene, Seat, domain};
-use crate::sim::{History, Ledger, Overlap, Stop, Summary, readings};
+use crate::sim::{History, Ledger, Overlap, Stop, Summary, TooDeep, readings};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,6 +33,10 @@ pub struct Report {
     pub limits_passed: Vec<PassedReport>,
     /// Overlaps of two bodies that no contact carries, the earliest first.
     pub overlaps: Vec<OverlapReport>,
+    /// Contacts pressed deeper than a tenth of the shortest side of either girder, at most one a pair.
+    pub too_deep: Vec<TooDeepReport>,
+    /// Contacts that left a face over its edge while their springs held energy.
+    pub dropped: Option<DroppedReport>,
     /// Quantities of the scene that lie outside the domain in which the program is checked.
     pub outside_domain: Vec<OutsideReport>,
     /// Local error per step that was asked for.
@@ -117,6 +121,38 @@ pub struct OverlapReport {
     pub place: [f64; 3],
 }
 
+/// A contact pressed deeper than its law has a sense, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TooDeepReport {
+    /// The node.
+    pub node: String,
+    /// The face.
+    pub face: String,
+    /// Its largest penetration \[m\].
+    pub depth: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// What it may be: a tenth of the shortest side of either girder \[m\].
+    pub allowed: f64,
+}
+
+/// Contacts that left a face while their springs held energy, in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DroppedReport {
+    /// How many times.
+    pub count: usize,
+    /// Energy of all of them \[J\].
+    pub energy: f64,
+    /// The same in parts of the largest energy in play.
+    pub share: f64,
+    /// The node that held most.
+    pub node: String,
+    /// The face that it left.
+    pub face: String,
+    /// When \[s\].
+    pub t: f64,
+}
+
 /// A quantity outside the domain, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OutsideReport {
@@ -161,6 +197,8 @@ impl Report {
             seats: seats(history),
             limits_passed: passed(history),
             overlaps: overlaps(history),
+            too_deep: too_deep(history),
+            dropped: dropped(history),
             outside_domain: outside(scene),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
@@ -234,6 +272,28 @@ fn overlaps(history: &History) -> Vec<OverlapReport> {
         place: o.place.to_array(),
     };
     history.overlaps().iter().map(of).collect()
+}
+
+/// Node and face of a contact.
+fn names(history: &History, contact: usize) -> [String; 2] {
+    let site = &history.model().contacts[contact];
+    [site.node.clone(), site.face_name.to_string()]
+}
+
+/// Contacts pressed deeper than their law has a sense.
+fn too_deep(history: &History) -> Vec<TooDeepReport> {
+    let of = |deep: TooDeep| {
+        let [node, face] = names(history, deep.contact);
+        TooDeepReport { node, face, depth: deep.depth.value, t: deep.depth.t, allowed: deep.allowed }
+    };
+    history.too_deep().into_iter().map(of).collect()
+}
+
+/// Contacts that left a face while their springs held energy.
+fn dropped(history: &History) -> Option<DroppedReport> {
+    let dropped = history.dropped()?;
+    let [node, face] = names(history, dropped.contact);
+    Some(DroppedReport { count: dropped.count, energy: dropped.energy, share: dropped.share, node, face, t: dropped.t })
 }
 
 /// Quantities of the scene that lie outside the domain.

@@ -153,3 +153,42 @@ fn expect_the_corner_of_the_row(history: &History) {
     within("first seen", overlap.first() - 1.044, 1e-3);
     within("depth", overlap.depth.value - 5.3e-3, 1e-4);
 }
+
+#[test]
+fn a_contact_that_is_pressed_too_deep_is_said() {
+    // 2 kg at v before a wall, elastic, K = 155 kN/m: the deepest penetration is v √(2 kg/K). A tenth of 70 mm is 7 mm.
+    let deepest = |speed: f64| speed * (2.0 / 1.55e5_f64).sqrt();
+    let against_the_wall = |speed: f64| {
+        let text = format!(
+            "name = \"wall\"\nduration_s = 0.05\n[contact]\nrestitution_normal = 1.0\nstiffness_n_per_m = 1.55e5\n\
+             [[girder]]\nname = \"deck\"\n{GIRDER}initial = {{ velocity_m_s = [{speed}, 0] }}\n[[abutment]]\n\
+             name = \"wall\"\nfaces = \"deck\"\nend = \"+x\"\ngap_m = 0.01\n"
+        );
+        History::of(&scene(&text)).expect("it runs")
+    };
+    let [speed, slower] = [2.0, 1.9];
+    assert!(deepest(speed) > 7e-3 && deepest(slower) < 7e-3, "on either side of the limit");
+    let history = against_the_wall(speed);
+    let [deep] = history.too_deep()[..] else { panic!("one: {:?}", history.too_deep()) };
+    within("depth", deep.depth.value - deepest(speed), 1e-9);
+    within("allowed", deep.allowed - 7e-3, 1e-15);
+    assert_eq!(against_the_wall(slower).too_deep(), [], "within the limit");
+}
+
+#[test]
+fn a_contact_that_leaves_its_face_with_energy_in_its_spring_is_said() {
+    let left = |lateral: f64| {
+        // Pressed against a wall 0.1 m wide, the girder slides along it and off its end.
+        let text = format!(
+            "name = \"off\"\nduration_s = 0.2\n[contact]\nmu_static = 0.0\nmu_kinetic = 0.0\n[[girder]]\nname = \"deck\"\n\
+             {GIRDER}push = {{ force_n = [200, 0] }}\ninitial = {{ velocity_m_s = [0, {lateral}] }}\n[[abutment]]\n\
+             name = \"wall\"\nfaces = \"deck\"\nend = \"+x\"\ngap_m = 0.0\nwidth_m = 0.1\n"
+        );
+        History::of(&scene(&text)).expect("it runs")
+    };
+    assert_eq!(left(0.0).dropped(), None, "it stays before the wall");
+    let history = left(1.0);
+    let dropped = history.dropped().expect("it leaves the wall");
+    within("the ledger's own", dropped.energy - history.ledger(history.end()).jump_edge, 1e-12);
+    assert!(dropped.share > 1e-6 && dropped.count > 0, "{dropped:?}");
+}

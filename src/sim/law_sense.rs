@@ -1,0 +1,87 @@
+//! Where contacts leave the sense of their law: pressed too deep, or left at a face's edge with energy in their springs.
+
+use super::History;
+use super::readings::largest;
+use super::report::{EventKind, Extreme};
+use crate::contact::normal::NormalLaw;
+use crate::scene::Kind;
+
+/// Deepest penetration in parts of the shortest side of either girder: a penalty spring stands for what bodies give where
+/// they touch; a tenth of a body is a deformation of the whole. Chosen, as no law has a limit of its own.
+const DEEPEST: f64 = 0.1;
+/// Parts into which a touch is divided to find its deepest penetration.
+const PARTS: u32 = 32;
+/// Energy from which a drop counts, in parts of the largest energy in play: the ledger's bound at a tolerance of 1e-8.
+const LEAST_DROP: f64 = 1e-6;
+
+/// A contact that was pressed deeper than its law has a sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooDeep {
+    /// The contact, the deepest of its pair.
+    pub contact: usize,
+    /// Its largest penetration \[m\], and when.
+    pub depth: Extreme,
+    /// What it may be \[m\].
+    pub allowed: f64,
+}
+
+/// Contacts that left a face over its edge, or behind the body, while their springs held energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dropped {
+    /// How many times.
+    pub count: usize,
+    /// Energy of all of them \[J\].
+    pub energy: f64,
+    /// The same in parts of the largest energy in play.
+    pub share: f64,
+    /// The contact that held most.
+    pub contact: usize,
+    /// When it left \[s\].
+    pub t: f64,
+}
+
+impl History {
+    /// Contacts pressed deeper than their law has a sense, at most one a pair, in the order of the pairs.
+    pub fn too_deep(&self) -> Vec<TooDeep> {
+        (0..self.model().pairs.len()).filter_map(|pair| self.too_deep_of(pair)).collect()
+    }
+
+    fn too_deep_of(&self, pair: usize) -> Option<TooDeep> {
+        let own = &self.model().pairs[pair];
+        let sides = own.bodies.into_iter().flatten().map(|body| {
+            let prism = &self.model().bodies[body].prism;
+            // Heights have no meaning in plan.
+            let thickness = if self.model().kind == Kind::Planar { f64::INFINITY } else { prism.thickness };
+            prism.length.min(prism.width).min(thickness)
+        });
+        let allowed = DEEPEST * sides.fold(f64::INFINITY, f64::min);
+        // At its deepest a contact has no normal velocity: its force is no less than the spring's. A node has at least the
+        // whole law's share of one of them all.
+        let force = own.law.normal.elastic(allowed) / own.contacts.len().max(1) as f64;
+        let touches = self.touches().iter().filter(|touch| touch.pair == pair && touch.peak_force >= force);
+        let deepest = touches.map(|touch| {
+            let part = (touch.end - touch.start) / f64::from(PARTS);
+            let times: Vec<f64> = (0..=PARTS).map(|i| touch.start + part * f64::from(i)).collect();
+            let depth = |t: f64| self.contact_at(touch.contact, t).map_or(0.0, |now| now.penetration);
+            TooDeep { contact: touch.contact, depth: largest(&times, depth), allowed }
+        });
+        deepest
+            .filter(|deep| deep.depth.value > allowed)
+            .reduce(|a, b| if b.depth.value > a.depth.value { b } else { a })
+    }
+
+    /// Contacts that left a face with energy in their springs; `None` where that is nothing beside the energy in play.
+    pub fn dropped(&self) -> Option<Dropped> {
+        let scale = self.ledger(self.end()).scale;
+        let left = self.events().iter().filter(|event| event.kind == EventKind::LeftFace && event.released > 0.0);
+        let most = left.clone().reduce(|a, b| if b.released > a.released { b } else { a })?;
+        let energy: f64 = left.clone().map(|event| event.released).sum();
+        (energy > LEAST_DROP * scale).then(|| Dropped {
+            count: left.count(),
+            energy,
+            share: energy / scale,
+            contact: most.contact(),
+            t: most.t,
+        })
+    }
+}
