@@ -2,17 +2,16 @@
 
 use egui::{Grid, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, CompareCommand};
 use crate::app::run::answer::Answer;
+use crate::app::run::comparison::Pin;
 use crate::app::style::theme::PINS;
 use crate::app::text;
 
-/// Shows what is kept, and how the run that is shown differs from each.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let pins = bench.comparison.pins();
+/// Shows what is kept, and how the run that is shown, `now`, differs from each.
+pub(in crate::app) fn show(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        let fits = bench.runner.fresh_answer().is_some();
+        let fits = now.is_some();
         if ui.add_enabled(fits, egui::Button::new(text::PIN_THIS)).on_hover_text(text::PIN_HINT).clicked() {
             out.push(CompareCommand::Pin.into());
         }
@@ -35,17 +34,16 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             }
         });
     }
-    differences(ui, bench);
+    differences(ui, pins, now);
 }
 
 /// A number's name, and how a run's is written.
 type Row = (&'static str, fn(&Answer) -> String);
 
 /// A row for each number, a column for each run, the run that is shown first.
-fn differences(ui: &mut Ui, bench: &Workbench) {
-    let (pins, now) = (bench.comparison.pins(), bench.runner.fresh_answer());
+fn differences(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>) {
     let runs: Vec<(String, &Answer)> = now
-        .map(|a| (text::NOW.to_owned(), &**a))
+        .map(|answer| (text::NOW.to_owned(), answer))
         .into_iter()
         .chain(pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();

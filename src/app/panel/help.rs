@@ -2,13 +2,12 @@
 
 use egui::{Grid, Id, Modal, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, WindowCommand};
 use crate::app::text;
 
 /// Shows the help while it is open.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if !bench.help_is_open() {
+pub(in crate::app) fn show(ui: &mut Ui, open: bool, out: &mut Vec<Command>) {
+    if !open {
         return;
     }
     let modal = Modal::new(Id::unique("help")).show(ui, |ui| {

@@ -52,7 +52,7 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     } else {
         panels(bench, ui, &mut out);
     }
-    help::show(ui, bench, &mut out);
+    help::show(ui, bench.help_is_open(), &mut out);
     row_dialog::show(ui, bench, &mut out);
     notices::over_all(ui, bench, &mut out);
     let scope = film_dialog::Scope { end: bench.end(), view: bench.viewport.size() };
@@ -105,7 +105,7 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     });
     let side = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(8));
     Panel::left("placed").frame(side).default_size(244.0).size_range(220.0..=420.0).show(ui, |ui| {
-        outliner::show(ui, bench, out);
+        outliner::show(ui, (bench.scene(), &bench.selection), out);
         ui.separator();
         ScrollArea::vertical().id_salt("inspector").auto_shrink(false).show(ui, |ui| inspector::show(ui, bench, out));
     });

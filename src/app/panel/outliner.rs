@@ -2,14 +2,15 @@
 
 use egui::{Button, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, PlaceCommand, SelectCommand, ViewCommand};
+use crate::app::edits::Selection;
 use crate::app::field::{Place, mark};
 use crate::app::{text, unit};
+use crate::scene::Scene;
 use crate::view::Target;
 
-/// Shows the list and the buttons that add to it.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+/// Shows the list of a scene with what is selected, and the buttons that add to it.
+pub(in crate::app) fn show(ui: &mut Ui, (scene, selection): (&Scene, &Selection), out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(text::OUTLINER).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -26,15 +27,14 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             }
         });
     });
-    let scene = bench.scene();
     egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
         for (i, girder) in scene.girders.iter().enumerate() {
             let about = format!("β {}°", unit::trimmed(girder.skew_deg));
-            row(ui, bench, Target::Girder(i), &girder.name, &about, out);
+            row(ui, selection, Target::Girder(i), &girder.name, &about, out);
         }
         for (i, abutment) in scene.abutments.iter().enumerate() {
             let about = format!("{} {} {}", text::BEFORE, abutment.faces, abutment.end.label());
-            row(ui, bench, Target::Abutment(i), &abutment.name, &about, out);
+            row(ui, selection, Target::Abutment(i), &abutment.name, &about, out);
         }
         if scene.girders.is_empty() && scene.abutments.is_empty() {
             ui.label(text::EMPTY);
@@ -42,13 +42,13 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     });
 }
 
-fn row(ui: &mut Ui, bench: &Workbench, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {
-    let selected = bench.selection().contains(&target);
+fn row(ui: &mut Ui, selection: &Selection, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {
+    let selected = selection.all().contains(&target);
     let button = Button::selectable(selected, name).right_text(RichText::new(about).weak()).truncate();
     let size = egui::vec2(ui.available_width(), 20.0);
     let response = ui.add(button.min_size(size));
     if response.clicked() {
-        let alone = selected && bench.selection().len() == 1;
+        let alone = selected && selection.all().len() == 1;
         let also = ui.input(|i| i.modifiers.command || i.modifiers.shift);
         let one = Command::Select(SelectCommand::Only(if alone { None } else { Some(target) }));
         out.push(if also { Command::Select(SelectCommand::Also(target)) } else { one });

@@ -28,7 +28,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         out.push(ViewCommand::Overlays(overlays).into());
     }
     force_scale(ui, bench, out);
-    view_menu::exaggeration(ui, bench, out);
+    view_menu::exaggeration(ui, bench.display.sight, out);
     first_view(ui, bench, out);
 }
 

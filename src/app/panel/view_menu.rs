@@ -39,8 +39,7 @@ pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
 }
 
 /// The slider of the exaggeration, in the panel of what is shown.
-pub(in crate::app) fn exaggeration(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let sight = bench.sight();
+pub(in crate::app) fn exaggeration(ui: &mut Ui, sight: Sight, out: &mut Vec<Command>) {
     let mut factor = sight.exaggeration;
     let slider = Slider::new(&mut factor, 1.0..=100.0).logarithmic(true).prefix("× ").max_decimals(1);
     if slider_row(ui, text::EXAGGERATION.into(), slider, "").changed() {

@@ -21,7 +21,9 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     section(ui, text::MODEL_SECTION, |ui| models::show(ui, bench, out));
     section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, bench, out));
     section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &bench.plot_source(), out));
-    section(ui, text::PINS_SECTION, |ui| comparison::show(ui, bench, out));
+    section(ui, text::PINS_SECTION, |ui| {
+        comparison::show(ui, bench.comparison.pins(), bench.runner.fresh_answer().map(|a| &**a), out);
+    });
     section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
 }
 
