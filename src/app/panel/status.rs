@@ -20,6 +20,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
             balance(ui, bench, answer);
             outside(ui, bench, answer);
             overlaps(ui, bench, answer, out);
+            law_sense(ui, bench, answer);
             flag(ui, bench, answer);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -57,6 +58,18 @@ fn overlaps(ui: &mut Ui, bench: &Workbench, answer: &Answer, out: &mut Vec<Comma
         if label.clicked() {
             out.push(TimeCommand::Seek(first.first()).into());
         }
+    }
+}
+
+/// That contacts were pressed too deep for their law, or left a face with energy in their springs.
+fn law_sense(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
+    if bench.is_stale() {
+        return;
+    }
+    let words = text::law_sense(&answer.history, &answer.too_deep, answer.dropped.as_ref());
+    if !words.is_empty() {
+        let label = RichText::new(text::BEYOND_LAW).color(Palette::of(ui).problem);
+        ui.label(label).on_hover_text(words.join("\n"));
     }
 }
 

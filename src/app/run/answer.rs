@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::scene::domain::{self, Departure};
 use crate::sim::readings::{self, Passed, Reading};
-use crate::sim::{Balance, ContactState, EventKind, History, Hit, Overlap, Quantity, Summary};
+use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
 
 /// A stretch of time that a contact of a pair spends in one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +58,10 @@ pub struct Answer {
     pub balance: Balance,
     /// Quantities of its scene outside the domain in which the program is checked.
     pub outside: Vec<Departure>,
+    /// Contacts pressed deeper than their law has a sense.
+    pub too_deep: Vec<TooDeep>,
+    /// Contacts that left a face while their springs held energy.
+    pub dropped: Option<Dropped>,
     error: OnceLock<f64>,
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
@@ -81,6 +85,7 @@ impl Answer {
         let hits = record.map_or(Vec::new(), |record| record.hits.iter().map(|hit| (hit.pair, hit.t)).collect());
         let apart = history.beside().map(|beside| apart(&history, beside));
         let (outside, balance) = (domain::outside(history.scene()), history.balance());
+        let (too_deep, dropped) = (history.too_deep(), history.dropped());
         Self {
             history,
             number,
@@ -92,6 +97,8 @@ impl Answer {
             hits,
             apart,
             balance,
+            too_deep,
+            dropped,
             outside,
             error: OnceLock::new(),
             passed: OnceLock::new(),

@@ -218,6 +218,7 @@ pub(super) const STATUS: [(&str, &str); 7] = [
     ("run in", "how long the run took"),
 ];
 pub(super) const OUTSIDE: &str = "outside the domain";
+pub(super) const BEYOND_LAW: &str = "a contact beyond its law";
 pub(super) const UNBALANCED: &str = "energy does not balance";
 pub(super) const SAVED: &str = "Saved";
 pub(super) const PICTURE_WRITTEN: &str = "Picture written";

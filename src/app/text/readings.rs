@@ -2,7 +2,7 @@
 
 use crate::geometry::End;
 use crate::sim::readings::Passed;
-use crate::sim::{History, Overlap};
+use crate::sim::{Dropped, History, Overlap, TooDeep};
 
 use super::{force, length, short};
 
@@ -87,6 +87,28 @@ pub(in crate::app) fn overlap(history: &History, overlap: &Overlap) -> String {
 /// What an overlap means.
 pub(in crate::app) const OVERLAP_MEANS: &str =
     "These bodies pass through each other: no contact is defined where they meet. A click goes to where it begins.";
+
+/// Which contacts left the sense of their law, a line each.
+pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped: Option<&Dropped>) -> Vec<String> {
+    let name = |contact: usize| {
+        let site = &history.model().contacts[contact];
+        (site.node.as_str(), &site.face_name)
+    };
+    let deep = too_deep.iter().map(|deep| {
+        let (node, face) = name(deep.contact);
+        let [depth, allowed] = [deep.depth.value, deep.allowed].map(length);
+        format!(
+            "{node} in {face}: {depth} at {:.4} s, more than a tenth of the shortest side ({allowed})",
+            deep.depth.t
+        )
+    });
+    let left = dropped.into_iter().map(|dropped| {
+        let (node, face) = name(dropped.contact);
+        let share = short(100.0 * dropped.share);
+        format!("{node} left {face} over its edge at {:.4} s; springs held {share} % of the largest energy", dropped.t)
+    });
+    deep.chain(left).collect()
+}
 
 /// What was passed, by whom, when and how far.
 pub(in crate::app) fn passed(flag: &Passed) -> String {
