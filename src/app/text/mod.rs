@@ -1,4 +1,4 @@
-//! Every word the window shows, and how numbers are written.
+//! The words that the window shows, but for those of errors, which stand where they arise, and how numbers are written.
 
 mod edits;
 mod fields;

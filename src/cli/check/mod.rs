@@ -123,6 +123,6 @@ fn short(value: f64) -> String {
 
 /// `deck.corner1 on wall, …`
 fn nodes(model: &Model, pair: usize) -> String {
-    let sites = model.contacts.iter().filter(|site| site.pair == pair);
-    sites.map(|site| format!("{} on {}", site.node, site.face_name)).collect::<Vec<_>>().join(", ")
+    let sites = &model.contacts[model.pairs[pair].contacts.clone()];
+    sites.iter().map(|site| format!("{} on {}", site.node, site.face_name)).collect::<Vec<_>>().join(", ")
 }
