@@ -4,8 +4,8 @@ use crate::contact::{Mode, NormalLaw};
 use crate::dynamics::Model;
 use crate::dynamics::integrator::constants::RESOLVED_DECAY;
 use crate::dynamics::penalty3d::constants::{
-    EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, IMPLICIT_ROUNDING,
-    LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
+    EXPLICIT_ROUNDING, FINEST_TOLERANCE, FINEST_TOLERANCE_FREE, GROUND_PHASE_CONTACT, GROUND_PHASE_FREE,
+    IMPLICIT_ROUNDING, LEAST_ACCELERATION, LONG_RUN_CONTACT, LONG_RUN_FREE, REST_SPEED, REVERSAL_SPEED, ROUNDING_FLOOR,
     ROUNDING_FLOOR_TURNING, SIZE_ROUNDING_SHARE,
 };
 use crate::dynamics::penalty3d::equations_of_motion::ErrorScale;
@@ -103,10 +103,13 @@ impl Island {
     }
 
     /// Latest end of the next step under a sine \[s\]: an implicit one within [`GROUND_PHASE_CONTACT`], since a stiff
-    /// contact follows the ground quasi-statically, which the error estimate does not show.
+    /// contact follows the ground quasi-statically, which the error estimate does not show, and one without contact within
+    /// [`GROUND_PHASE_FREE`].
     pub(in crate::dynamics) fn drive_cap(&self, model: &Model, cap: f64) -> f64 {
         let Ground::Sine { omega, .. } = model.ground else { return cap };
-        if !self.is_free() && self.stepper.state().stiff {
+        if self.is_free() {
+            cap.min(self.until + GROUND_PHASE_FREE / omega)
+        } else if self.stepper.state().stiff {
             cap.min(self.until + GROUND_PHASE_CONTACT / omega)
         } else {
             cap
