@@ -5,8 +5,9 @@
 //! sought where it is above the least depth ε that counts. While none of their contacts is closed, d changes no faster
 //! than the two bodies move, `v₁ + v₂`, each of its farthest corner: after a sample with separation d the next one is due
 //! `(max(d, 0) + ε) / (v₁ + v₂)` later (conservative advancement), so that no overlap deeper than ε lies between. Where
-//! that is shorter than a part of the present stretch (bodies that stand against each other or pass within ε), samples at
-//! that part replace it. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
+//! bodies stand against each other or pass within ε, that would take samples without end: the time is not less than that in
+//! which d changes by [`RESOLVED`], or a part of the present stretch where that is shorter, and nothing deeper than
+//! [`RESOLVED`] lies between. While a contact is closed, samples are taken at the ends and in the middle of the integrator's
 //! steps, which resolve the contact's motion. Of a node that is not watched d is the separation from the other body, and
 //! c is 0.
 
@@ -22,7 +23,10 @@ use crate::sim::touches::golden;
 /// Overlap, in parts of the smallest side of either body, from which it counts: thousands of times what the closing
 /// search and the impact model leave over, and far below what a picture shows.
 const COUNTS: f64 = 1e-6;
-/// Samples of a stretch in which bodies stay nearer than their motion resolves.
+/// Depth, in parts of the smallest side of either body, that is not missed while bodies are nearer than their motion resolves.
+/// Chosen: a hundred samples over the way of that side.
+const RESOLVED: f64 = 1e-2;
+/// Least samples of a stretch in which bodies stay nearer than their motion resolves.
 const STRETCH_SAMPLES: f64 = 16.0;
 /// Samples of a step with a closed contact.
 const STEP_SAMPLES: f64 = 2.0;
@@ -37,6 +41,8 @@ struct Meeting<'a> {
     contacts: Vec<usize>,
     /// Depth that counts \[m\].
     least: f64,
+    /// Depth that is not missed between two samples \[m\].
+    resolved: f64,
 }
 
 /// What is followed through an interval.
@@ -82,7 +88,8 @@ struct Found {
 pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [usize; 2]) -> Option<Overlap> {
     let facing = joined.facing(pair.map(|number| solids.id(number)));
     let contacts = facing.iter().flat_map(|&number| history.model().pairs[number].contacts.clone()).collect();
-    let meeting = Meeting { history, solids, pair, contacts, least: COUNTS * solids.least_side(pair) };
+    let side = solids.least_side(pair);
+    let meeting = Meeting { history, solids, pair, contacts, least: COUNTS * side, resolved: RESOLVED * side };
     let sought = match facing {
         [] => vec![(Followed::Bodies, vec![[0.0, history.end()]])],
         _ => facing.iter().flat_map(|&number| meeting.left_by(number)).collect(),
@@ -193,7 +200,9 @@ impl Meeting<'_> {
         let until = bounds.until.min(end);
         let window = until - bounds.from;
         let advance = (now.separation.max(0.0) + self.least) / bounds.speed;
-        let step = if now.carried { window / STEP_SAMPLES } else { advance.max(window / STRETCH_SAMPLES) };
+        // In this time the separation changes by `resolved` at the most.
+        let resolving = (self.resolved / bounds.speed).min(window / STRETCH_SAMPLES);
+        let step = if now.carried { window / STEP_SAMPLES } else { advance.max(resolving) };
         // A window may be shorter than the spacing of times.
         (now.t + step).min(until).max(now.t.next_up())
     }

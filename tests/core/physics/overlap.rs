@@ -64,6 +64,16 @@ fn a_corner_that_turns_into_a_side_is_seen() {
 }
 
 #[test]
+fn a_girder_that_goes_through_another_in_one_long_flight_is_seen() {
+    // 2.93 m away at 20 m/s: 7 ms inside, in a flight of 10 s.
+    let history = two("position_m = [0.0, 3.0, 0.0]\ninitial = { velocity_m_s = [0, -20] }\n", 10.0);
+    let overlap = only(&history);
+    let [[from, until]] = overlap.intervals[..] else { panic!("one interval: {overlap:?}") };
+    within("entered", from - 2.93 / 20.0, 1e-8);
+    within("left", until - 3.07 / 20.0, 1e-8);
+}
+
+#[test]
 fn girders_that_pass_at_a_distance_do_not_overlap() {
     let past = two("position_m = [-1.0, 0.0701, 0.0]\ninitial = { velocity_m_s = [2, 0] }\n", 1.0);
     assert_eq!(past.overlaps(), [], "0.1 mm apart all the way");
