@@ -17,6 +17,7 @@ use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
+use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
 use crate::scene::Scene;
@@ -218,7 +219,23 @@ impl History {
 
     /// Motion of a girder at `t`, clamped to what was computed.
     pub fn motion(&self, girder: usize, t: f64) -> Motion {
-        Motion::of(&self.model, girder, &self.state(girder, t))
+        let motion = Motion::of(&self.model, girder, &self.state(girder, t));
+        Motion { theta: self.counted_angle(girder, t).unwrap_or(motion.theta), ..motion }
+    }
+
+    /// Rotation about the vertical with its half turns \[rad\]; `None` where the state of a body has it.
+    fn counted_angle(&self, body: usize, t: f64) -> Option<f64> {
+        let (own, path, t) = (&self.model.bodies[body], &self.paths[body], t.clamp(0.0, self.end));
+        let number = path.number_at(t).filter(|_| own.has_heading())?;
+        let span = |from: f64| [from, path.until(number)];
+        let angle = |from, piece: &StepPolynomial| {
+            StepHeading::of(own, piece, span(from)).map(|heading| heading.angle(path.half_turns(number), t))
+        };
+        match path.kept(number) {
+            (from, StoredMotion::Step(piece)) => angle(from, piece),
+            (from, StoredMotion::Recomputed(step)) => self.stepped(body, (step, from), |piece| angle(from, piece)),
+            _ => None,
+        }
     }
 
     /// The two sides of a contact at `t`: node's body, face's body.

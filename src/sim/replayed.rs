@@ -128,6 +128,8 @@ mod tests {
             let t = whole.end() * f64::from(i) / 1000.0;
             let bits = |history: &History| history.state(0, t).into_iter().map(f64::to_bits).collect::<Vec<_>>();
             assert_eq!(bits(&whole), bits(&none), "at {t}");
+            let angle = |history: &History| history.motion(0, t).theta.to_bits();
+            assert_eq!(angle(&whole), angle(&none), "the angle at {t}");
         }
         assert_eq!(whole.ledger(whole.end()), none.ledger(whole.end()), "the books, too");
         assert!(none.bytes() < whole.bytes(), "{} against {} bytes", none.bytes(), whole.bytes());

@@ -28,6 +28,7 @@ mod physics {
     mod spatial;
     mod stick_slip;
     mod symmetry;
+    mod turns;
     mod two_coordinates;
     mod two_sections;
 }

@@ -70,7 +70,11 @@ impl StepStore {
             return;
         }
         if let Some(number) = self.keep_start(world, island) {
-            for &slot in &island.slots {
+            for (index, &slot) in island.slots.iter().enumerate() {
+                let body = &world.model.bodies[world.bodies[slot].body];
+                if let Some(piece) = body.has_heading().then(|| island.path(index)).flatten() {
+                    world.bodies[slot].path.follow(body, &piece, [from, until]);
+                }
                 world.bodies[slot].path.push(Segment { from, until, path: SegmentMotion::Recomputed(number) });
             }
             return;
@@ -78,6 +82,10 @@ impl StepStore {
         for (index, &slot) in island.slots.iter().enumerate() {
             if let Some(piece) = island.path(index) {
                 self.polynomials += piece.bytes();
+                let body = &world.model.bodies[world.bodies[slot].body];
+                if body.has_heading() {
+                    world.bodies[slot].path.follow(body, &piece, [from, until]);
+                }
                 world.bodies[slot].path.push(Segment { from, until, path: SegmentMotion::Step(piece) });
             }
         }

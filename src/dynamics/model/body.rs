@@ -7,7 +7,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities, PlanarBearings, Standing};
@@ -118,8 +118,20 @@ pub trait Coordinates: Debug + Send + Sync {
     /// Pose and twist of a section counted from a reference pose, of a state that is.
     fn frame_since(&self, body: &Body, section: usize, state: &[f64]) -> Frame;
 
-    /// Rotation about the vertical (in plan without jumps at ±π) \[rad\], and attitude since the body was placed.
-    fn attitude(&self, state: &[f64]) -> (f64, DQuat);
+    /// Rotation about the vertical \[rad\], and attitude since the body was placed. Where the body has a
+    /// [`heading`](Self::heading), the rotation is that of it, between −π and π.
+    fn attitude(&self, body: &Body, state: &[f64]) -> (f64, DQuat);
+
+    /// Whether the body has a [`heading`](Self::heading).
+    fn has_heading(&self) -> bool {
+        false
+    }
+
+    /// Horizontal part of the body's axis, along and across the axis as placed \[–\]; `None` where the state has the
+    /// angle about the vertical as a component.
+    fn heading(&self, _body: &Body, _state: &[f64]) -> Option<DVec2> {
+        None
+    }
 
     /// Reference pose by its [`numbers`](ReferencePose::numbers); by none, where the body was placed.
     fn reference(&self, body: &Body, numbers: &[f64]) -> ReferencePose;

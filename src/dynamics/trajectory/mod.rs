@@ -1,5 +1,6 @@
 //! Stored trajectories of bodies: flights, polynomials of steps, packed states.
 
+pub mod heading;
 pub mod packed_states;
 pub mod segment;
 pub mod step_polynomial;

@@ -6,7 +6,9 @@
 
 use crate::dynamics::free_flight::body_motion::BodyFlight;
 use crate::dynamics::free_flight::sliding_face::SlidingFace;
+use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::PlanarState;
+use crate::dynamics::trajectory::heading::{HalfTurns, StepHeading};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
@@ -29,6 +31,7 @@ pub struct StoredPath {
     flights: Vec<BodyFlight>,
     slides: Vec<SlidingFace>,
     pieces: Vec<StepPolynomial>,
+    half_turns: HalfTurns,
 }
 
 /// Interval and kind of one stretch.
@@ -87,6 +90,18 @@ impl StoredPath {
         // Memory ends before 29 bits overflow.
         self.codes.push(kind << CODE_BITS | u32::try_from(which).unwrap_or(CODE_MASK) & CODE_MASK);
         self.until = until;
+    }
+
+    /// Counts the half turns of a body over the step that is added next.
+    pub fn follow(&mut self, body: &Body, piece: &StepPolynomial, span: [f64; 2]) {
+        if let Some(heading) = StepHeading::of(body, piece, span) {
+            self.half_turns.follow(self.len(), &heading);
+        }
+    }
+
+    /// Half turns of the body's angle at the beginning of stretch `number`, where its attitude does not determine them.
+    pub fn half_turns(&self, number: usize) -> i32 {
+        self.half_turns.at(number)
     }
 
     /// Adds the only stretch of a path, without reserving memory for more.
@@ -185,7 +200,8 @@ impl StoredPath {
         let flights: usize = self.flights.iter().map(BodyFlight::bytes).sum();
         let slides = self.slides.len() * size_of::<SlidingFace>();
         let stretches = self.len() * (size_of::<f64>() + size_of::<u32>());
-        stretches + self.breaks.len() * size_of::<(usize, f64)>() + self.starts.bytes() + flights + slides + pieces
+        let breaks = self.breaks.len() * size_of::<(usize, f64)>();
+        stretches + breaks + self.starts.bytes() + flights + slides + pieces + self.half_turns.bytes()
     }
 
     /// Releases reserved memory.
@@ -196,6 +212,7 @@ impl StoredPath {
         self.flights.shrink_to_fit();
         self.slides.shrink_to_fit();
         self.pieces.shrink_to_fit();
+        self.half_turns.shrink();
     }
 }
 

@@ -96,7 +96,7 @@ impl Coordinates for TwoEnds {
         Frame { shift: frame.shift.with_z(0.0), ..frame }
     }
 
-    fn attitude(&self, _: &[f64]) -> (f64, DQuat) {
+    fn attitude(&self, _: &Body, _: &[f64]) -> (f64, DQuat) {
         (0.0, DQuat::IDENTITY)
     }
 

@@ -9,7 +9,7 @@ pub(in crate::dynamics) mod state_layout;
 
 use std::ops::Range;
 
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use smallvec::SmallVec;
 
 use crate::contact::Frame;
@@ -111,7 +111,18 @@ impl Body {
 
     /// [`Coordinates::attitude`].
     pub fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
-        of_each!(self, c => c.attitude(state))
+        of_each!(self, c => c.attitude(self, state))
+    }
+
+    /// [`Coordinates::has_heading`].
+    #[inline]
+    pub fn has_heading(&self) -> bool {
+        of_each!(self, c => c.has_heading())
+    }
+
+    /// [`Coordinates::heading`].
+    pub fn heading(&self, state: &[f64]) -> Option<DVec2> {
+        of_each!(self, c => c.heading(self, state))
     }
 
     /// [`Coordinates::reference`] by no numbers.

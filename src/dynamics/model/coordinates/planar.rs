@@ -167,7 +167,7 @@ impl Coordinates for Planar {
         frame(body.home, 0.0, whole(state))
     }
 
-    fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
+    fn attitude(&self, _: &Body, state: &[f64]) -> (f64, DQuat) {
         (state[2], DQuat::from_rotation_z(state[2]))
     }
 

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, turned_by};
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
@@ -59,6 +59,13 @@ pub fn slope(body: &Body, here: &Frame, state: &[f64], contact: &Wrench, ground:
     set_quaternion(out, rate);
 }
 
+/// Horizontal part of a body's axis, along and across the axis as placed \[–\].
+fn heading(body: &Body, state: &[f64]) -> DVec2 {
+    let placed = body.axes.x_axis;
+    let axis = placed + turned_by(turn(state)) * placed;
+    DVec2::new(axis.dot(placed), axis.dot(body.axes.y_axis))
+}
+
 /// The product of two quaternions, which need not be of length 1.
 fn product(a: DQuat, b: DQuat) -> DQuat {
     let (u, v) = (a.xyz(), b.xyz());
@@ -108,10 +115,17 @@ impl Coordinates for Spatial {
         self.frame(body, section, state)
     }
 
-    fn attitude(&self, state: &[f64]) -> (f64, DQuat) {
-        let turn = turn(state);
-        let x = DVec3::X + turned_by(turn) * DVec3::X;
-        (x.y.atan2(x.x), turn)
+    fn attitude(&self, body: &Body, state: &[f64]) -> (f64, DQuat) {
+        let heading = heading(body, state);
+        (heading.y.atan2(heading.x), turn(state))
+    }
+
+    fn has_heading(&self) -> bool {
+        true
+    }
+
+    fn heading(&self, body: &Body, state: &[f64]) -> Option<DVec2> {
+        Some(heading(body, state))
     }
 
     fn reference(&self, _: &Body, numbers: &[f64]) -> ReferencePose {
