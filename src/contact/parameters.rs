@@ -67,12 +67,17 @@ impl Law {
 /// from corner a.
 #[inline]
 pub fn outside(face: &Face, at: DVec2) -> f64 {
-    -(face.inset_at(at) + EDGE_TOLERANCE * face.size())
+    -(face.inset_at(at) + edge_slack(face))
+}
+
+/// Distance beyond an edge of a face that counts as inside \[m\]: round-off.
+pub fn edge_slack(face: &Face) -> f64 {
+    EDGE_TOLERANCE * face.size()
 }
 
 /// Whether a projection is inside a face's polygon, edges included to `EDGE_TOLERANCE` of its size.
 pub fn is_over(face: &Face, at: DVec2) -> bool {
-    face.inset_at(at) >= -EDGE_TOLERANCE * face.size()
+    face.inset_at(at) >= -edge_slack(face)
 }
 
 /// Number of nodes that share the law of a pair: those with projections inside the facing polygon, at least one.

@@ -31,7 +31,7 @@ pub mod validate;
 
 pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
-pub use contact::{ContactNumber, ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
+pub use contact::{Between, ContactNumber, ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
 pub use kind::Kind;
 pub use limits::Limits;

@@ -169,6 +169,17 @@ impl History {
         self.stop.as_ref()
     }
 
+    /// Numbers of the pairs that are listed, in order: those that face each other or are declared, and of those between other
+    /// faces of bodies that met the ones that touched.
+    pub fn listed_pairs(&self) -> Vec<usize> {
+        let pairs = &self.model.pairs;
+        let mut touched = vec![false; pairs.len()];
+        if pairs.iter().any(|pair| pair.met) {
+            self.touches().iter().for_each(|touch| touched[touch.pair] = true);
+        }
+        (0..pairs.len()).filter(|&number| !pairs[number].met || touched[number]).collect()
+    }
+
     /// The free motion of a body, where it has a closed form.
     pub(super) fn free_motion(&self, body: usize) -> Option<&BodyMotion> {
         self.systems[body].as_ref()

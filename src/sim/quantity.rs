@@ -6,7 +6,6 @@
 use glam::DVec3;
 
 use super::{ContactNow, ContactState, History, readings};
-use crate::dynamics::Model;
 use crate::geometry::End;
 
 /// Unit of a quantity's values.
@@ -169,8 +168,9 @@ const OF_ENERGY: [(&str, OfEnergy); 11] = [
 ];
 
 impl Quantity {
-    /// Every quantity of a model with its name, girders first.
-    pub fn all(model: &Model) -> Vec<(String, Self)> {
+    /// Every quantity of a run with its name, girders first; of pairs those that face each other or touched.
+    pub fn all(history: &History) -> Vec<(String, Self)> {
+        let model = history.model();
         let mut all = Vec::new();
         for (i, body) in model.bodies.iter().enumerate() {
             let name = &body.name;
@@ -182,11 +182,19 @@ impl Quantity {
             }
             all.extend(End::BOTH.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
         }
-        for (i, pair) in model.pairs.iter().enumerate() {
-            all.extend(OF_PAIR.map(|(of, what)| (format!("{}.{of}", pair.name), Self::Pair(i, what))));
+        let listed = history.listed_pairs();
+        for (i, pair) in listed.iter().map(|&number| (number, &model.pairs[number])) {
+            // A gap is that of faces that stay before each other.
+            let of_pair = OF_PAIR.into_iter().filter(|(_, what)| !(pair.met && *what == OfPair::Gap));
+            all.extend(of_pair.map(|(of, what)| (format!("{}.{of}", pair.name), Self::Pair(i, what))));
         }
-        for (i, site) in model.contacts.iter().enumerate() {
-            let name = format!("{}|{}", site.node, site.face_name);
+        for (i, site) in
+            listed.iter().flat_map(|&pair| model.pairs[pair].contacts.clone()).map(|i| (i, &model.contacts[i]))
+        {
+            // A node of bodies that met is in a pair for each of its own faces.
+            let pair = &model.pairs[site.pair];
+            let by = if pair.met { format!(" of {}", pair.name) } else { String::new() };
+            let name = format!("{}|{}{by}", site.node, site.face_name);
             all.extend(OF_CONTACT.map(|(of, what)| (format!("{name}.{of}"), Self::Contact(i, what))));
         }
         let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
@@ -196,9 +204,9 @@ impl Quantity {
         all
     }
 
-    /// The quantity of this name, where the model has it.
-    pub fn find(model: &Model, name: &str) -> Option<Self> {
-        Self::all(model).into_iter().find(|(known, _)| known == name).map(|(_, quantity)| quantity)
+    /// The quantity of this name, where the run has it.
+    pub fn find(history: &History, name: &str) -> Option<Self> {
+        Self::all(history).into_iter().find(|(known, _)| known == name).map(|(_, quantity)| quantity)
     }
 
     /// Unit of its values.

@@ -122,7 +122,8 @@ pub fn reading(history: &History, girder: usize) -> Reading {
     let drift = |corner| largest(&times, |t| corner_way(history, girder, corner, t).truncate().length());
     let pairs = history.model().pairs.iter().enumerate().filter(|(_, p)| p.bodies.contains(&Some(girder)));
     let pairs: Vec<usize> = pairs.map(|(i, _)| i).collect();
-    let gaps = pairs.iter().map(|&pair| {
+    let facing = pairs.iter().filter(|&&pair| !history.model().pairs[pair].met);
+    let gaps = facing.map(|&pair| {
         let closest = largest(&times, |t| -gap(history, pair, t));
         Extreme { value: -closest.value, ..closest }
     });

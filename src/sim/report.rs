@@ -4,7 +4,6 @@ use glam::{DQuat, DVec3};
 
 use crate::dynamics::Model;
 pub use crate::dynamics::record::event::{Event, EventKind, Stop};
-use crate::scene::Scene;
 
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -199,24 +198,7 @@ pub struct Extreme {
     pub t: f64,
 }
 
-/// A body of the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum SolidId {
-    /// A girder, by its number.
-    Girder(usize),
-    /// An abutment, by its number.
-    Abutment(usize),
-}
-
-impl SolidId {
-    /// Its name in the scene.
-    pub fn name(self, scene: &Scene) -> &str {
-        match self {
-            Self::Girder(number) => &scene.girders[number].name,
-            Self::Abutment(number) => &scene.abutments[number].name,
-        }
-    }
-}
+pub use crate::scene::facing::SolidId;
 
 /// Overlap of two bodies beyond what contacts between them carry.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use super::{History, Motion, Stop};
 use crate::dynamics::Model;
 use crate::dynamics::run::{self, Run};
-use crate::scene::{ModelKind, Scene, SceneErrors};
+use crate::scene::facing::{self, SolidId};
+use crate::scene::{Between, ModelKind, Scene, SceneErrors};
 
 /// Portions in which a run reports how far it is.
 const PORTIONS: u32 = 200;
@@ -21,6 +22,10 @@ pub struct Session {
     groups: Vec<Box<dyn Run>>,
     /// How far it was last asked to come \[s\].
     asked: f64,
+    /// Bodies that met without facing each other as placed, so far: between them every face can touch.
+    met: Vec<[SolidId; 2]>,
+    /// The answer, once the scene's duration is computed.
+    answer: Option<History>,
     /// The other model's run, where a scene asks for both.
     beside: Option<Box<Self>>,
 }
@@ -42,10 +47,18 @@ impl Session {
     /// # Errors
     /// Every complaint about the scene, each naming place, value and remedy.
     pub fn new(scene: &Scene) -> Result<Self, SceneErrors> {
-        let facings = crate::scene::validate::facings(scene)?;
-        let mut session = Self::of_model(scene, Model::of(scene, facings)?);
+        let mut session = Self::of_model(scene, model(scene, &[])?);
         session.beside = beside(scene).map(|scene| Self::new(&scene)).transpose()?.map(Box::new);
         Ok(session)
+    }
+
+    /// The same with contact between all faces of these bodies from the beginning: those of another run of like scenes.
+    ///
+    /// # Errors
+    /// Every complaint about the scene.
+    fn with_met(scene: &Scene, met: Vec<[SolidId; 2]>) -> Result<Self, SceneErrors> {
+        let model = model(scene, &met)?;
+        Ok(Self { met, ..Self::of_model(scene, model) })
     }
 
     /// Sets the bodies of a model up at t = 0 that was compiled from `scene`, with other laws of its pairs, say; without the
@@ -54,12 +67,20 @@ impl Session {
         let model = Arc::new(model);
         let groups = (0..model.groups.len()).into_par_iter();
         let groups = groups.map(|group| run::start(&model, group, scene.model.kind)).collect();
-        Self { scene: scene.clone(), model, groups, asked: 0.0, beside: None }
+        Self { scene: scene.clone(), model, groups, asked: 0.0, met: Vec::new(), answer: None, beside: None }
     }
 
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
     /// What is computed is kept. Portions do not change the answer.
+    ///
+    /// Once the scene's duration is reached, bodies that met where no contact joins them are joined and the run begins anew
+    /// (`docs/physics.md#contact-wherever-bodies-meet`).
     pub fn advance(&mut self, until: f64, go_on: &mut dyn FnMut(Reached) -> bool) {
+        while self.advance_as_joined(until, go_on) && self.join_met() {}
+    }
+
+    /// Computes on with the pairs that there are; `false` where the work was stopped.
+    fn advance_as_joined(&mut self, until: f64, go_on: &mut dyn FnMut(Reached) -> bool) -> bool {
         let until = until.min(self.model.duration);
         let from = self.asked.min(until);
         for portion in 1..=PORTIONS {
@@ -70,8 +91,35 @@ impl Session {
             };
             self.work(t);
             if !go_on(Reached { t, events: self.events(), steps: self.steps() }) {
-                return;
+                return false;
             }
+        }
+        true
+    }
+
+    /// Joins bodies that met without contact and sets the run up at t = 0 again; `false` where there are none, and the answer
+    /// stands.
+    fn join_met(&mut self) -> bool {
+        let looks = self.scene.contact.between == Between::All && self.scene.model.kind != ModelKind::Impact;
+        if !looks || self.answer.is_some() || self.asked < self.model.duration {
+            return false;
+        }
+        let groups = std::mem::take(&mut self.groups).into_iter().map(Run::finish).collect();
+        let history = History::gather(self.scene.clone(), Arc::clone(&self.model), groups);
+        let known = self.met.len();
+        for overlap in history.overlaps() {
+            if !self.met.contains(&overlap.bodies) {
+                self.met.push(overlap.bodies);
+            }
+        }
+        // The scene has been compiled before.
+        if let Some(Ok(model)) = (self.met.len() > known).then(|| model(&self.scene, &self.met)) {
+            let again = Self::of_model(&self.scene, model);
+            (self.model, self.groups, self.asked) = (again.model, again.groups, 0.0);
+            true
+        } else {
+            self.answer = Some(history);
+            false
         }
     }
 
@@ -109,15 +157,19 @@ impl Session {
     }
 
     /// Motion of every girder at the time that was last asked for: what [`History::motion`] will say of it, to within
-    /// rounding.
+    /// rounding, unless bodies meet until the end that no contact joins yet.
     ///
     /// # Errors
     /// Why a group of bodies stopped early.
     pub fn motions(&self) -> Result<Vec<Motion>, &Stop> {
+        let at = self.asked.min(self.model.duration);
+        if let Some(history) = &self.answer {
+            let motions = || (0..self.model.bodies.len()).map(|girder| history.motion(girder, at)).collect();
+            return history.stop().map_or_else(|| Ok(motions()), Err);
+        }
         if let Some(stop) = self.stop() {
             return Err(stop);
         }
-        let at = self.asked.min(self.model.duration);
         let mut states: Vec<(usize, Vec<f64>)> = self.groups.iter().flat_map(|group| group.states(at)).collect();
         states.sort_by_key(|(body, _)| *body);
         Ok(states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect())
@@ -126,8 +178,9 @@ impl Session {
     /// What is computed so far.
     pub fn finish(self) -> History {
         let beside = self.beside.map(|beside| beside.finish());
-        let groups = self.groups.into_iter().map(Run::finish).collect();
-        let history = History::gather(self.scene, self.model, groups);
+        let (scene, model, groups) = (self.scene, self.model, self.groups);
+        let gather = || History::gather(scene, model, groups.into_iter().map(Run::finish).collect());
+        let history = self.answer.unwrap_or_else(gather);
         match beside {
             Some(beside) => history.with_beside(beside),
             None => history,
@@ -139,9 +192,16 @@ impl Session {
     /// # Errors
     /// Every complaint about the scene.
     pub fn run(scene: &Scene) -> Result<History, SceneErrors> {
-        let mut session = Self::new(scene)?;
-        session.work(scene.duration);
-        Ok(session.finish())
+        Ok(Self::new(scene)?.complete())
+    }
+
+    /// Computes to the end of the duration.
+    fn complete(mut self) -> History {
+        self.work(self.scene.duration);
+        while self.join_met() {
+            self.work(self.scene.duration);
+        }
+        self.finish()
     }
 }
 
@@ -163,12 +223,20 @@ impl History {
             // Nothing finer is left: from a coarser run, which errs the other way.
             finer.solver.tolerance = 1e-12;
         }
-        match Self::of(&finer) {
-            Ok(other) => self.difference(&other),
+        match Session::with_met(&finer, self.model().bodies_met()) {
+            Ok(session) => self.difference(&session.complete()),
             // The scene has been run before.
             Err(_) => f64::NAN,
         }
     }
+}
+
+/// A scene compiled with contact between facing ends, and between all faces of bodies that met.
+fn model(scene: &Scene, met: &[[SolidId; 2]]) -> Result<Model, SceneErrors> {
+    let mut facings = crate::scene::validate::facings(scene)?;
+    let new = facing::between(scene, met, &facings);
+    facings.extend(new);
+    Model::of(scene, facings)
 }
 
 /// The scene of the model that does not lead, where both are asked for.

@@ -224,16 +224,16 @@ impl Report {
 }
 
 fn pairs(history: &History) -> Vec<PairReport> {
-    let of_pair = |(number, pair): (usize, &crate::dynamics::Pair)| {
+    let of_pair = |number: usize| {
         let touches: Vec<_> = history.touches().iter().filter(|touch| touch.pair == number).collect();
         PairReport {
-            name: pair.name.clone(),
+            name: history.model().pairs[number].name.clone(),
             law: law_of(history, number),
             touches: touches.len(),
             peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
         }
     };
-    history.model().pairs.iter().enumerate().map(of_pair).collect()
+    history.listed_pairs().into_iter().map(of_pair).collect()
 }
 
 fn seats(history: &History) -> Vec<SeatReport> {

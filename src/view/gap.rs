@@ -27,6 +27,7 @@ fn face_of(scene: &Scene, moment: &Moment, side: Side) -> Option<(DVec3, DVec3)>
     let corners = match side {
         Side::Girder(i, end) => end_corners(scene, moment, i, end)?,
         Side::Abutment(i) => abutment_block(scene, scene.abutments.get(i)?)?.face,
+        Side::Flank(..) | Side::Rear(..) => return None,
     };
     let [a, b, c, d] = corners;
     Some(((a + b + c + d) / 4.0, (c - a).cross(d - b).normalize_or_zero()))
@@ -37,7 +38,7 @@ fn end_corners(scene: &Scene, moment: &Moment, girder: usize, end: End) -> Optio
     Some(girder.prism().end_face(end).map(|p| motion.place + motion.attitude * p))
 }
 
-/// The gap of each facing pair at a moment, in the order of the pairs.
+/// The gap of each pair of facing ends at a moment, in the order of the pairs.
 pub fn gaps(scene: &Scene, moment: &Moment) -> Vec<Option<GapNow>> {
     moment.facings.iter().map(|f| gap_of(scene, moment, f.first, f.second)).collect()
 }

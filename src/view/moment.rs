@@ -116,7 +116,12 @@ impl Moment {
             impulse_scale: by_impulses.and_then(auto_impulse_scale),
             t: Some(t),
             motions: (0..model.bodies.len()).map(|i| history.motion(i, t)).collect(),
-            facings: model.pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
+            facings: model
+                .pairs
+                .iter()
+                .filter(|p| !p.met)
+                .map(|p| Facing { first: p.first, second: p.second })
+                .collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
             devices: history.links(t),

@@ -6,6 +6,8 @@ use crate::program::call;
 const TWINS: &str = r#"
 name = "twin decks"
 duration_s = 1
+[contact]
+between = "ends"
 [[girder]]
 name = "one"
 length_m = 0.19

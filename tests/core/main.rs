@@ -22,6 +22,7 @@ mod physics {
     mod free_motion;
     mod hertz;
     mod long_runs;
+    mod meeting;
     mod overlap;
     mod reference;
     mod rows;

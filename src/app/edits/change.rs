@@ -85,7 +85,7 @@ pub(in crate::app) fn gap(scene: &Scene, gap: f64) -> Edit {
                 let along = placed::axes(&scene.girders[first]).x_axis * end.sign();
                 push_apart(&mut shift, first, second, along * (gap - pair.gap));
             }
-            (Side::Abutment(_), _) => {}
+            (Side::Abutment(_) | Side::Flank(..) | Side::Rear(..), _) | (_, Side::Flank(..) | Side::Rear(..)) => {}
         }
     }
     let moved = scene.girders.iter().zip(shift).enumerate();

@@ -1,14 +1,14 @@
 //! A facing pair's own entry of `[[contact.pair]]`, and what its stiffness follows from.
 
 use crate::geometry::End;
-use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS, Facing, Side};
+use crate::scene::facing::{self, DEFAULT_YOUNG_MODULUS, Facing, Side, SolidId};
 use crate::scene::{PairSettings, Scene};
 
 /// Names of the two bodies of a facing pair.
 pub(in crate::app) fn names_of<'a>(scene: &'a Scene, pair: &Facing) -> [&'a str; 2] {
-    [pair.first, pair.second].map(|side| match side {
-        Side::Girder(i, _) => scene.girders.get(i).map_or("", |g| g.name.as_str()),
-        Side::Abutment(i) => scene.abutments.get(i).map_or("", |a| a.name.as_str()),
+    [pair.first, pair.second].map(|side| match side.solid() {
+        SolidId::Girder(i) => scene.girders.get(i).map_or("", |g| g.name.as_str()),
+        SolidId::Abutment(i) => scene.abutments.get(i).map_or("", |a| a.name.as_str()),
     })
 }
 

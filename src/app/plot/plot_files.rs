@@ -39,7 +39,9 @@ fn standing(history: &History, girder: usize) -> Vec<PlotSettings> {
     vec![
         against_time(vec![format!("{name}.x"), format!("{name}.y")]),
         against_time(vec![format!("{name}.theta")]),
-        against_time(model.pairs.iter().take(6).map(|p| format!("{}.force", p.name)).collect()),
+        against_time(
+            history.listed_pairs().iter().take(6).map(|&p| format!("{}.force", model.pairs[p].name)).collect(),
+        ),
     ]
 }
 

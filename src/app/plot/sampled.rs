@@ -76,10 +76,9 @@ pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
 
 /// A panel's curves; quantities that the run does not have are left out.
 pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
-    let model = history.model();
     let found: Vec<(&String, Quantity)> =
-        plot.y.iter().filter_map(|name| Some((name, Quantity::find(model, name)?))).collect();
-    let x = plot.x.as_ref().and_then(|name| Some((name, Quantity::find(model, name)?)));
+        plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
+    let x = plot.x.as_ref().and_then(|name| Some((name, Quantity::find(history, name)?)));
     let times = times(history, window, points);
     let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| shown(q.unit()));
     let level = |t: f64| x.map_or(t, |(_, q)| q.at(history, t) * factor_x);

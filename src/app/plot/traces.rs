@@ -118,7 +118,7 @@ fn kept(pin: &Pin, girder: &str, window: [f64; 2], points: usize) -> Option<([Cu
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
     let history = &answer.history;
     let girders = history.model().bodies.len();
-    let pairs = history.model().pairs.len();
+    let pairs = history.listed_pairs();
     let mut traces = Traces {
         x: vec![Vec::with_capacity(points); girders],
         y: vec![Vec::with_capacity(points); girders],
@@ -143,8 +143,8 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         }
     }
     traces.bands = (girders > CROWD).then(|| [&traces.x, &traces.y, &traces.theta].map(|curves| Band::of(curves)));
-    traces.force = (0..pairs).flat_map(|pair| force(answer, pair, window, points)).collect();
-    if pairs > CROWD {
+    traces.force = pairs.iter().flat_map(|&pair| force(answer, pair, window, points)).collect();
+    if pairs.len() > CROWD {
         traces.force = vec![largest(&traces.force, window, points)];
     }
     traces

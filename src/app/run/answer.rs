@@ -144,7 +144,7 @@ impl Answer {
 
     /// Every quantity with its name; listed when first asked for, as a long row has many.
     pub fn quantities(&self) -> &[(String, Quantity)] {
-        self.quantities.get_or_init(|| Quantity::all(self.history.model()))
+        self.quantities.get_or_init(|| Quantity::all(&self.history))
     }
 
     /// The quantity of this name.

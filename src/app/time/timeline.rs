@@ -151,7 +151,7 @@ fn draw_lanes(painter: &Painter, answer: &Answer, axis: &TimeAxis, lanes: Rect, 
 /// The lanes: one for each pair, as long as they can be told apart.
 struct Rows {
     count: usize,
-    pairs: usize,
+    pairs: Vec<usize>,
     first: f32,
     height: f32,
 }
@@ -159,13 +159,14 @@ struct Rows {
 impl Rows {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a strip of some points")]
     fn of(answer: &Answer, lanes: Rect) -> Self {
-        let pairs = answer.history.model().pairs.len().max(1);
-        let count = pairs.min((lanes.height() / LOWEST) as usize).max(1);
+        let pairs = answer.history.listed_pairs();
+        let count = pairs.len().min((lanes.height() / LOWEST) as usize).max(1);
         Self { count, pairs, first: lanes.top(), height: lanes.height() / count as f32 }
     }
 
     fn of_pair(&self, pair: usize) -> usize {
-        pair * self.count / self.pairs
+        let place = self.pairs.binary_search(&pair).unwrap_or(0);
+        place * self.count / self.pairs.len().max(1)
     }
 
     fn top(&self, row: usize) -> f32 {

@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::scene::shown::escaped;
-use crate::scene::{Kind, Motion, STANDARD_GRAVITY, Scene};
+use crate::scene::{Between, Kind, ModelKind, Motion, STANDARD_GRAVITY, Scene};
 use crate::sim;
 
 /// So many pairs that can come near without contact are written out.
@@ -32,7 +32,10 @@ pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure
     let model = Model::compile(&scene)?;
     console.print(&text(&scene, &model));
     domain::warn(&scene, console);
-    unjoined(&scene, &model, console);
+    // Elsewhere bodies are joined where they meet.
+    if scene.contact.between == Between::Ends || scene.model.kind == ModelKind::Impact {
+        unjoined(&scene, &model, console);
+    }
     Ok(())
 }
 
@@ -43,8 +46,8 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
         let [one, other] = unjoined.bodies.map(|body| escaped(body.name(scene)));
         console.note(&format!(
             "warning: {one} and {other}: {} mm apart as placed, and they move by up to {} mm without contact: no contact is \
-             defined between the two, so that they can pass through each other; place them farther apart or hold them \
-             stiffer, or see `overlap` in the summary of `girderbench run`",
+             defined between the two, so that they can pass through each other; give `between = \"all\"` in [contact] (contact \
+             model), place them farther apart or hold them stiffer, or see `overlap` in the summary of `girderbench run`",
             six(unjoined.apart * 1e3),
             six(unjoined.reach * 1e3)
         ));
@@ -57,7 +60,11 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
 fn text(scene: &Scene, model: &Model) -> String {
     let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(g, body, scene.kind));
     let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
-    let none = model.pairs.is_empty().then(|| "no facing ends: nothing can touch\n".to_owned());
+    let elsewhere = match scene.contact.between {
+        Between::All => "bodies touch where they meet",
+        Between::Ends => "nothing can touch",
+    };
+    let none = model.pairs.is_empty().then(|| format!("no facing ends: {elsewhere}\n"));
     std::iter::once(head(scene)).chain(girders).chain(pairs).chain(none).collect()
 }
 

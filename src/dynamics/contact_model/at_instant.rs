@@ -127,11 +127,25 @@ impl AtInstant<'_> {
         (home, sides, locate(&home, &sides[0], &sides[1]))
     }
 
-    /// Whether the projection of a node is inside its face's polygon and the node touches no other face.
+    /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
+    /// of its corner's, and the node touches no other face.
     pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
         let here = self.local(contact);
         let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
-        is_over(face, here.at) && !self.touches_elsewhere(contact)
+        is_over(face, here.at) && self.is_opposed_most(contact) && !self.touches_elsewhere(contact)
+    }
+
+    /// Whether of the faces that meet in the node that of its pair is the most opposed to the face before it.
+    pub(in crate::dynamics) fn is_opposed_most(&self, contact: usize) -> bool {
+        let Some(corner) = &self.world.model.contacts[self.world.contacts[contact].site].corner else { return true };
+        let node = self.side(contact, 0, &self.now.frames);
+        corner.is_opposed_most(|own| node.turn(own), self.normal(contact))
+    }
+
+    /// Outward unit normal of a contact's face.
+    pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
+        let site = &self.world.model.contacts[self.world.contacts[contact].site];
+        self.side(contact, 1, &self.now.frames).turn(site.home.axes.z_axis)
     }
 
     /// Whether the node is in contact with another of its faces; a node touches one face at a time.

@@ -9,6 +9,7 @@ pub(in crate::dynamics) mod event_forecast;
 pub(in crate::dynamics) mod event_source;
 pub(in crate::dynamics) mod handlers;
 pub(in crate::dynamics) mod islands;
+pub(in crate::dynamics) mod least_overlap;
 pub(in crate::dynamics) mod link_transitions;
 pub mod run;
 pub(in crate::dynamics) mod step_planning;

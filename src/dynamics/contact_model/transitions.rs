@@ -2,7 +2,6 @@
 
 use glam::DVec2;
 
-use crate::contact::parameters::is_over;
 use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
@@ -89,13 +88,38 @@ impl Transitions<'_> {
             return true;
         }
         self.world.contacts[contact].closing = None;
-        self.log(contact, Contact::Open { armed: false }, EventKind::Missed, 0.0);
+        let (pair, disarmed) = (self.world.contacts[contact].pair, Contact::Open { armed: false });
+        if self.world.model.pairs[self.world.pairs[pair].pair].met {
+            // Between all faces of two bodies most crossings of a plane are beside the face.
+            self.enter_state(contact, disarmed);
+            self.count(contact);
+        } else {
+            self.log(contact, disarmed, EventKind::Missed, 0.0);
+        }
         self.world.contacts[contact].changes.of_touch = 0;
         false
     }
 
-    /// Closing of a contact in stick or slip (`docs/physics.md#closing`).
+    /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
+    /// overlap.
     pub(in crate::dynamics) fn close(&mut self, contact: usize) {
+        let by = self.at().entered_by(contact);
+        if by == Some(contact) {
+            self.close_at_face(contact);
+            return;
+        }
+        self.world.contacts[contact].closing = None;
+        self.enter_state(contact, Contact::Open { armed: false });
+        if let Some(by) = by
+            && self.world.contacts[by].state.closed().is_none()
+            && !self.at().touches_elsewhere(by)
+        {
+            self.close_inside(by, 0.0);
+        }
+    }
+
+    /// Closing of a contact whose node is at its face.
+    fn close_at_face(&mut self, contact: usize) {
         let (.., here) = self.at().since(contact, &self.now.since);
         let law = contact_law::of(self.world, contact, self.now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
@@ -116,6 +140,37 @@ impl Transitions<'_> {
         self.log(contact, Contact::Closed(closed), kind, appeared);
     }
 
+    /// Closing of a contact whose node is inside already, kept up to `kept` beyond the edges of its face \[m\]: the energy of
+    /// its spring enters the ledger as a negative release.
+    fn close_inside(&mut self, contact: usize, kept: f64) {
+        let mut closed = self.closed_inside(contact);
+        closed.solver.kept = kept;
+        let (.., here) = self.at().since(contact, &self.now.since);
+        let kind = match closed.mode {
+            Mode::Stick { .. } => EventKind::OpenToStick,
+            Mode::Slip { .. } => EventKind::OpenToSlip,
+        };
+        let track = &mut self.world.contacts[contact];
+        (track.closing, track.changes.of_touch) = (None, 0);
+        self.log(contact, Contact::Closed(closed), kind, -closed.law.entry_energy(&here));
+    }
+
+    /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
+    fn closed_inside(&mut self, contact: usize) -> ClosedContact {
+        let (.., here) = self.at().since(contact, &self.now.since);
+        let law = contact_law::of(self.world, contact, self.now);
+        let regularisation = self.at().regularisation_length(contact, &law, &here);
+        let mode = if law.has_friction() {
+            Mode::Stick { anchor: here.way }
+        } else {
+            let (sliding, _) = here.relative_velocity(DVec2::ZERO);
+            Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
+        };
+        let mut closed = ClosedContact::new(law, mode, regularisation);
+        closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
+        closed
+    }
+
     /// States at t = 0 of nodes behind the plane of their face: stick with the anchor at the projection where that is
     /// inside the polygon (slip where `μ_s = 0`), disarmed otherwise (`docs/physics.md#closing`).
     pub(in crate::dynamics) fn close_overlapping(&mut self) {
@@ -130,25 +185,14 @@ impl Transitions<'_> {
                 continue;
             }
             let here = self.at().local(contact);
-            let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
+            let site = &self.world.model.contacts[self.world.contacts[contact].site];
             if here.gap >= 0.0 {
                 continue;
             }
-            let inside = is_over(face, here.at) && here.penetration() < face.depth;
-            let inside = inside && !self.at().touches_elsewhere(contact);
-            let state = if inside {
-                let (.., here) = self.at().since(contact, &self.now.since);
-                let law = contact_law::of(self.world, contact, self.now);
-                let regularisation = self.at().regularisation_length(contact, &law, &here);
-                let mode = if law.has_friction() {
-                    Mode::Stick { anchor: here.way }
-                } else {
-                    let (sliding, _) = here.relative_velocity(DVec2::ZERO);
-                    Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
-                };
-                let mut closed = ClosedContact::new(law, mode, regularisation);
-                closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
-                Contact::Closed(closed)
+            let inside = site.beyond(&here) < 0.0;
+            let inside = inside && self.at().is_opposed_most(contact) && !self.at().touches_elsewhere(contact);
+            let state = if inside && self.at().entered_by(contact) == Some(contact) {
+                Contact::Closed(self.closed_inside(contact))
             } else {
                 Contact::Open { armed: false }
             };
@@ -161,11 +205,31 @@ impl Transitions<'_> {
         let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
         match reason {
             Reason::Opening => self.open(contact, &closed, EventKind::Opened),
-            Reason::Edge => self.open(contact, &closed, EventKind::LeftFace),
+            Reason::Edge => self.leave(contact, closed),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
                 self.enter_without_event(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed });
             }
+        }
+    }
+
+    /// A node leaves its face over an edge. Where the two bodies have met, still overlap, and no other contact carries that, the
+    /// contact of their least overlap takes over: another one, or this one beyond the edge, for as much again.
+    fn leave(&mut self, contact: usize, mut closed: ClosedContact) {
+        let Some(least) = self.at().takes_over(contact) else {
+            self.open(contact, &closed, EventKind::LeftFace);
+            return;
+        };
+        if least.contact == contact {
+            let site = &self.world.model.contacts[self.world.contacts[contact].site];
+            closed.solver.kept = 2.0 * site.beyond(&self.at().local(contact)).max(least.depth);
+            self.enter_without_event(contact, closed);
+            return;
+        }
+        self.open(contact, &closed, EventKind::LeftFace);
+        let open = self.world.contacts[least.contact].state.closed().is_none();
+        if open && !self.at().touches_elsewhere(least.contact) {
+            self.close_inside(least.contact, 2.0 * least.depth);
         }
     }
 

@@ -40,10 +40,12 @@ impl Model {
         let bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
         let mut pairs = Vec::with_capacity(facings.len());
         let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
+        let met = facing::bodies_met(facings.iter().filter(|f| f.met).map(|f| (f.first, f.second)));
         for facing in facings {
             let from = contacts.len();
             let number = pairs.len();
-            contact_sites::contacts(scene, &bodies, &facing, number, &mut contacts)?;
+            let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
+            contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
         }
@@ -146,11 +148,7 @@ fn free_directions(kind: Kind, held: &[Direction]) -> [bool; 6] {
 }
 
 fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, contacts: std::ops::Range<usize>) -> Pair {
-    let owner = |side: &Side| match side {
-        Side::Girder(g, _) => Some(*g),
-        Side::Abutment(_) => None,
-    };
-    let sides = [owner(&facing.first), owner(&facing.second)];
+    let sides = [facing.first, facing.second].map(Side::girder);
     let mass = |side: Option<usize>| side.map_or(f64::INFINITY, |b| bodies[b].mass);
     let numbers = &facing.contact;
     let flat = |side: Option<usize>| side.is_none_or(|b| bodies[b].free[2..5] == [false; 3]);
@@ -176,5 +174,6 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
         second: facing.second,
         contact: facing.contact,
         gap: facing.gap,
+        met: facing.met,
     }
 }

@@ -4,6 +4,7 @@ use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
+use crate::scene::facing::{self, SolidId};
 use crate::scene::{ImpactSettings, Kind};
 
 /// A scene, compiled.
@@ -40,6 +41,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// Bodies that met without facing each other as placed, each two once, in order: between them every face can touch.
+    pub fn bodies_met(&self) -> Vec<[SolidId; 2]> {
+        facing::bodies_met(self.pairs.iter().filter(|pair| pair.met).map(|pair| (pair.first, pair.second)))
+    }
+
     /// The sections of their bodies that carry a contact's node and face.
     pub fn sections(&self, site: usize) -> [usize; 2] {
         let ContactSite { node_body, face_body, ends, .. } = &self.contacts[site];

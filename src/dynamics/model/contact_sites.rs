@@ -7,9 +7,10 @@ use glam::{DMat3, DVec3};
 
 use crate::contact::{Frame, Home};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::pair::ContactSite;
+use crate::dynamics::model::pair::{ContactSite, CornerFaces};
+use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
-use crate::scene::facing::{Facing, Side};
+use crate::scene::facing::{Facing, Flank, Rear, Side};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
 /// What a planar girder's nodes are called after it.
@@ -17,19 +18,37 @@ const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 /// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
 const OVERHANG: f64 = 0.75;
 
+/// A node of a side.
+struct Node {
+    name: String,
+    /// In the frame of the body (about `fixed`, for an abutment) \[m\].
+    point: DVec3,
+    /// Number of the corner of its body where the node is; in plan of that at the underside or the lower edge.
+    corner: usize,
+}
+
 /// One side of a pair as the other sees it: nodes, and the face they may enter.
 struct PairSide {
+    side: Side,
     name: Arc<str>,
     body: Option<usize>,
-    end: Option<End>,
-    /// Node names and places, in the frame of the body (about `fixed`, for an abutment).
-    nodes: Vec<(String, DVec3)>,
+    nodes: Vec<Node>,
     face: Face,
     /// Where an abutment's frame stands: its corner a.
     fixed: DVec3,
 }
 
-/// Declares all contacts of a facing pair: nodes of the first against the face of the second, then back.
+impl PairSide {
+    fn end(&self) -> Option<End> {
+        match self.side {
+            Side::Girder(_, end) => Some(end),
+            _ => None,
+        }
+    }
+}
+
+/// Declares all contacts of a pair: nodes of the first side against the face of the second, then back. With `met`, where
+/// every face of the two bodies is in a pair, each node belongs to that of its faces which is the most opposed.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
@@ -37,33 +56,79 @@ pub(in crate::dynamics) fn contacts(
     scene: &Scene,
     bodies: &[Body],
     facing: &Facing,
-    pair: usize,
+    (pair, met): (usize, bool),
     sites: &mut Vec<ContactSite>,
 ) -> Result<(), SceneErrors> {
     let mut first = facade(scene, bodies, facing.first)?;
     let mut second = facade(scene, bodies, facing.second)?;
-    if let (Some(girder), None) = (first.body, second.body) {
+    if let (Some(girder), None, false) = (first.body, second.body, met) {
         let fixed = second.fixed;
-        second.nodes.retain(|(_, point)| can_enter(&bodies[girder], &first.face, fixed + *point));
+        second.nodes.retain(|node| can_enter(&bodies[girder], &first.face, fixed + node.point));
     }
     let fixed = if first.body.is_none() { first.fixed } else { second.fixed };
     let nodes = [std::mem::take(&mut first.nodes), std::mem::take(&mut second.nodes)];
     for (nodes, [own, face]) in nodes.into_iter().zip([[&first, &second], [&second, &first]]) {
-        sites.extend(nodes.into_iter().map(|(node, point)| ContactSite {
-            node,
-            face_name: Arc::clone(&face.name),
-            pair,
-            ends: [own.end, face.end],
-            node_body: own.body,
-            point,
-            face_body: face.body,
-            home: Home::of(point, placed_at(bodies, own), &face.face, placed_at(bodies, face)),
-            face: face.face.clone(),
-            fixed,
-            stand: Frame::fixed(fixed),
-        }));
+        for Node { name, mut point, corner } in nodes {
+            if facing.met && scene.kind == Kind::Planar {
+                point.z += level(bodies, face) - height(bodies, own, point);
+            }
+            sites.push(ContactSite {
+                node: name,
+                face_name: Arc::clone(&face.name),
+                pair,
+                ends: [own.end(), face.end()],
+                around: met.then(|| around(scene, bodies, face)).transpose()?,
+                corner: met.then(|| corner_faces(scene, bodies, own, corner)).transpose()?,
+                node_body: own.body,
+                point,
+                face_body: face.body,
+                home: Home::of(point, placed_at(bodies, own), &face.face, placed_at(bodies, face)),
+                face: face.face.clone(),
+                fixed,
+                stand: Frame::fixed(fixed),
+            });
+        }
     }
     Ok(())
+}
+
+/// Height of a point of a side's body \[m\].
+fn height(bodies: &[Body], side: &PairSide, point: DVec3) -> f64 {
+    placed_at(bodies, side).0.z + point.z
+}
+
+/// Height of the middle of a side's face \[m\]. In plan heights have no meaning: nodes are put at that of the face before them.
+fn level(bodies: &[Body], side: &PairSide) -> f64 {
+    height(bodies, side, side.face.corners.iter().sum::<DVec3>() / 4.0)
+}
+
+/// The faces that meet in a corner of a side's body.
+fn corner_faces(scene: &Scene, bodies: &[Body], own: &PairSide, corner: usize) -> Result<CornerFaces, SceneErrors> {
+    let axes = placed_at(bodies, own).1;
+    let mut others = Vec::new();
+    for side in Side::of(scene.kind, own.side.solid()) {
+        if side != own.side && side.corners().contains(&corner) {
+            others.push((axes * facade(scene, bodies, side)?.face.normal, own.side < side));
+        }
+    }
+    Ok(CornerFaces { own: axes * own.face.normal, others })
+}
+
+/// Outward unit normals, in the face's axes, of the faces along the sides of the face's polygon, from corner a on; in plan, of
+/// the polygon itself above and below.
+fn around(scene: &Scene, bodies: &[Body], face: &PairSide) -> Result<[DVec3; 4], SceneErrors> {
+    let (quad, axes) = (face.side.corners(), [face.face.tangent, face.face.bitangent, face.face.normal]);
+    let mut normals = [DVec3::NEG_Y, DVec3::X, DVec3::Y, DVec3::NEG_X];
+    for side in Side::of(scene.kind, face.side.solid()).into_iter().filter(|&side| side != face.side) {
+        let corners = side.corners();
+        for (edge, normal) in normals.iter_mut().enumerate() {
+            if corners.contains(&quad[edge]) && corners.contains(&quad[(edge + 1) % 4]) {
+                let outward = facade(scene, bodies, side)?.face.normal;
+                *normal = DVec3::from(axes.map(|axis| axis.dot(outward)));
+            }
+        }
+    }
+    Ok(normals)
 }
 
 /// Where the body of a facade was placed, and its axes there.
@@ -78,23 +143,28 @@ fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
 
 fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
     match side {
-        Side::Girder(girder, end) => Ok(girder_facade(scene.kind, &bodies[girder], girder, end)),
-        Side::Abutment(number) => abutment_facade(scene, number),
+        Side::Girder(girder, end) => Ok(end_facade(scene.kind, &bodies[girder], girder, end)),
+        Side::Flank(girder, _) => flank_facade(scene.kind, &bodies[girder], girder, side),
+        Side::Abutment(number) | Side::Rear(number, _) => abutment_facade(scene, number, side),
     }
 }
 
-fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
-    let corners = body.prism.corners();
+/// A node at a corner of a girder, by the number of that among the eight.
+fn girder_node(kind: Kind, body: &Body, corner: usize) -> Node {
+    let at = body.prism.corners()[corner];
+    let name = match (kind, corner < 4) {
+        (Kind::Planar, _) => [&body.name, CORNERS[corner % 4]].concat(),
+        (Kind::Spatial, true) => format!("{}.corner{corner}-bottom", body.name),
+        (Kind::Spatial, false) => format!("{}.corner{}-top", body.name, corner - 4),
+    };
+    Node { name, point: if kind == Kind::Planar { at.with_z(0.0) } else { at }, corner }
+}
+
+fn end_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
     let plan = Prism::end_corners(end);
-    let nodes = match kind {
-        Kind::Planar => plan.iter().map(|&c| ([&body.name, CORNERS[c]].concat(), corners[c].with_z(0.0))).collect(),
-        Kind::Spatial => plan
-            .iter()
-            .flat_map(|&c| {
-                [("bottom", corners[c]), ("top", corners[c + 4])]
-                    .map(|(level, at)| (format!("{}.corner{c}-{level}", body.name), at))
-            })
-            .collect(),
+    let corners: Vec<usize> = match kind {
+        Kind::Planar => plan.to_vec(),
+        Kind::Spatial => plan.iter().flat_map(|&corner| [corner, corner + 4]).collect(),
     };
     let quad = body.prism.end_face(end);
     let [a, b, _, d] = quad;
@@ -109,41 +179,82 @@ fn girder_facade(kind: Kind, body: &Body, number: usize, end: End) -> PairSide {
         depth: body.prism.depth_behind_end(),
     };
     PairSide {
+        side: Side::Girder(number, end),
         name: [&body.name, end.label()].concat().into(),
         body: Some(number),
-        end: Some(end),
-        nodes,
+        nodes: corners.into_iter().map(|corner| girder_node(kind, body, corner)).collect(),
         face,
         fixed: DVec3::ZERO,
     }
 }
 
-fn abutment_facade(scene: &Scene, number: usize) -> Result<PairSide, SceneErrors> {
+fn flank_facade(kind: Kind, body: &Body, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
+    let (corners, all) = (side.corners(), body.prism.corners());
+    let depth = match side {
+        Side::Flank(_, Flank::Left | Flank::Right) => body.prism.width,
+        _ => body.prism.thickness,
+    };
+    let face = Face::new(corners.map(|i| all[i]), depth)
+        .map_err(|error| complaint(&body.name, "a face", &error.to_string()))?;
+    let nodes = corners.iter().filter(|&&corner| kind == Kind::Spatial || corner < 4);
+    Ok(PairSide {
+        side,
+        name: [&body.name, side.label()].concat().into(),
+        body: Some(number),
+        nodes: nodes.map(|&corner| girder_node(kind, body, corner)).collect(),
+        face,
+        fixed: DVec3::ZERO,
+    })
+}
+
+fn complaint(body: &str, value: &str, remedy: &str) -> SceneErrors {
+    let (place, value, remedy) = (body.to_owned(), value.to_owned(), remedy.to_owned());
+    SceneErrors(vec![SceneError { file: "scene".to_owned(), place, value, remedy }])
+}
+
+/// A face of an abutment: the front, or of the block behind it.
+fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide, SceneErrors> {
     let abutment = &scene.abutments[number];
-    let complaint = |value: String, remedy: String| {
-        SceneErrors(vec![SceneError {
-            file: scene.name.clone(),
-            place: format!("abutment.{}", abutment.name),
-            value,
-            remedy,
-        }])
-    };
-    let corners = placed::abutment_face(scene, abutment).ok_or_else(|| {
-        complaint("no face".into(), "give gap_m, or polygon_m with four corners, before a girder that is there".into())
+    let complaint = |value: &str, remedy: &str| complaint(&format!("abutment.{}", abutment.name), value, remedy);
+    let front = placed::abutment_face(scene, abutment).ok_or_else(|| {
+        complaint("no face", "give gap_m, or polygon_m with four corners, before a girder that is there")
     })?;
-    let fixed = corners[0];
-    let corners = corners.map(|corner| corner - fixed);
-    let face = Face::new(corners, placed::abutment_depth(scene, abutment))
-        .map_err(|error| complaint("its face".into(), error.to_string()))?;
-    let [a, b, c, d] = corners;
-    let nodes: Vec<(String, DVec3)> = match scene.kind {
-        Kind::Planar => vec![
-            (format!("{}.side0", abutment.name), a.midpoint(d)),
-            (format!("{}.side1", abutment.name), b.midpoint(c)),
-        ],
-        Kind::Spatial => (0..4).map(|i| (format!("{}.corner{i}", abutment.name), corners[i])).collect(),
+    let fixed = front[0];
+    let front = front.map(|corner| corner - fixed);
+    let behind = placed::abutment_depth(scene, abutment);
+    let block = block_behind(front, behind);
+    let [a, b, _, d] = front;
+    let depth = match side {
+        Side::Rear(_, Rear::Left | Rear::Right) => (b - a).length(),
+        Side::Rear(_, Rear::Bottom | Rear::Top) => (d - a).length(),
+        _ => behind,
     };
-    Ok(PairSide { name: abutment.name.as_str().into(), body: None, end: None, nodes, face, fixed })
+    let corners = side.corners();
+    let face =
+        Face::new(corners.map(|i| block[i]), depth).map_err(|error| complaint("its face", &error.to_string()))?;
+    let node = |corner: usize| {
+        let (place, number) = if corner < 4 { ("back", corner) } else { ("corner", corner - 4) };
+        Node { name: format!("{}.{place}{number}", abutment.name), point: block[corner], corner }
+    };
+    // In plan a node stands for a whole upright edge: for that above and below it.
+    let edge = |corner: usize, above: usize, name: &str| Node {
+        name: [&abutment.name, name].concat(),
+        point: block[corner].midpoint(block[above]),
+        corner,
+    };
+    let nodes = match scene.kind {
+        Kind::Spatial => corners.map(node).into(),
+        Kind::Planar => {
+            let edges = [(4, 7, ".side0"), (5, 6, ".side1"), (0, 3, ".back0"), (1, 2, ".back1")];
+            edges
+                .into_iter()
+                .filter(|(c, ..)| corners.contains(c))
+                .map(|(c, above, name)| edge(c, above, name))
+                .collect()
+        }
+    };
+    let name = [&abutment.name, side.label()].concat();
+    Ok(PairSide { side, name: name.into(), body: None, nodes, face, fixed })
 }
 
 #[cfg(test)]

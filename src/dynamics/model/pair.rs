@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::contact::parameters::{edge_slack, outside};
 use crate::contact::{Frame, Home, Law, Local};
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
@@ -13,10 +14,12 @@ use crate::scene::facing::{PairContact, Side};
 pub struct Pair {
     /// `deck+x|wall`.
     pub name: String,
-    /// A girder's end.
+    /// A face of a girder; of facing ends, an end.
     pub first: Side,
-    /// A girder's end or an abutment.
+    /// A face of a girder or an abutment.
     pub second: Side,
+    /// Whether the pair was added because the two bodies met, where they do not face each other as placed.
+    pub met: bool,
     /// The girders on both sides; nothing for an abutment.
     pub bodies: [Option<usize>; 2],
     /// The numbers in force.
@@ -40,8 +43,13 @@ pub struct ContactSite {
     pub face_name: Arc<str>,
     /// Its pair.
     pub pair: usize,
-    /// The ends of their bodies that node and face are of; nothing for an abutment.
+    /// The ends of their bodies that node and face are of; nothing for other faces.
     pub ends: [Option<End>; 2],
+    /// The faces around the face, where contact lasts until the node comes out of its body; else it ends where the projection
+    /// leaves the polygon.
+    pub around: Option<[DVec3; 4]>,
+    /// The faces of its body that meet in the node, where the node is in pairs of several of them.
+    pub corner: Option<CornerFaces>,
     /// The body that owns the node; nothing for an abutment's corner.
     pub node_body: Option<usize>,
     /// The node in its body's frame (about `fixed`, for an abutment) \[m\].
@@ -58,7 +66,44 @@ pub struct ContactSite {
     pub stand: Frame,
 }
 
+/// Faces that meet in a node: outward unit normals as placed, world axes.
+#[derive(Clone, Debug)]
+pub struct CornerFaces {
+    /// Of the face by which the node belongs to its pair.
+    pub own: DVec3,
+    /// Of the others, and whether the own one has precedence over it where both look at a face equally.
+    pub others: Vec<(DVec3, bool)>,
+}
+
+impl CornerFaces {
+    /// Whether of all faces that meet in the node the own one is the most opposed to a face with outward normal `normal`:
+    /// exactly one of them is. `turn` takes a vector of the node's body as placed to its present one.
+    pub fn is_opposed_most(&self, turn: impl Fn(DVec3) -> DVec3, normal: DVec3) -> bool {
+        let facing = |own: DVec3| turn(own).dot(normal);
+        let own = facing(self.own);
+        self.others.iter().all(|&(other, precedes)| {
+            let other = facing(other);
+            own < other || (own == other && precedes)
+        })
+    }
+}
+
 impl ContactSite {
+    /// How far a node is beyond the edges of its face, or beyond the face's body behind; negative within \[m\].
+    ///
+    /// Without [`around`](Self::around) the polygon's edges count, for the projection; with it the planes of the neighbouring
+    /// faces, for the node itself: at the end of a skewed girder a node that is over the edge may still be in the girder.
+    pub fn beyond(&self, here: &Local) -> f64 {
+        let Some(normals) = &self.around else {
+            return outside(&self.face, here.at).max(here.penetration() - self.face.depth);
+        };
+        let beyond = |(normal, corner): (&DVec3, DVec3)| {
+            (here.at - self.face.coordinates(corner)).dot(normal.truncate()) + here.gap * normal.z
+        };
+        let farthest = normals.iter().zip(self.face.corners).map(beyond).fold(f64::NEG_INFINITY, f64::max);
+        (farthest - edge_slack(&self.face)).max(here.penetration() - self.face.depth)
+    }
+
     /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].
     pub fn reach(&self) -> f64 {
         self.face.size().max(self.point.length()).max(self.face.corners[0].length())

@@ -39,6 +39,9 @@ pub struct SolverState {
     pub passing_stop: bool,
     /// In slip, the number of changes of the contact at the instant at which the slip began; 0 in stick.
     pub retries: u32,
+    /// Distance beyond the edges of its face up to which the contact is kept, where it alone carries an overlap of two bodies
+    /// that have met \[m\].
+    pub kept: f64,
 }
 
 impl ClosedContact {

@@ -4,8 +4,8 @@
 //! Five samples show every sign change within an explicit step, which is short against all motions in it, except a
 //! short excursion; three samples whose second difference points to 0 show that.
 
-use crate::contact::parameters::outside;
 use crate::contact::{Local, Mode, NormalLaw, locate};
+use crate::dynamics::Model;
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::locate::root::root;
 use crate::dynamics::penalty3d::constants::{
@@ -15,7 +15,6 @@ use crate::dynamics::penalty3d::constants::{
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
 use crate::dynamics::penalty3d::due::{Due, Reason};
 use crate::dynamics::penalty3d::island::Island;
-use crate::dynamics::{ContactSite, Model};
 
 /// Position and velocity of a node relative to its face at `t` within an island's planned step.
 pub(in crate::dynamics) fn local_at(model: &Model, island: &Island, number: usize, t: f64) -> Local {
@@ -39,10 +38,7 @@ pub(in crate::dynamics) fn function(
     let active = &island.system.active[number];
     match reason {
         Reason::Opening => here.gap,
-        Reason::Edge => {
-            let site: &ContactSite = &model.contacts[active.site];
-            outside(&site.face, here.at).max(here.penetration() - site.face.depth)
-        }
+        Reason::Edge => model.contacts[active.site].beyond(here) - active.closed.solver.kept,
         Reason::Switching | Reason::Kink => {
             // A slip direction that turns is taken at `t`.
             let turned = active.angle.map(|_| island.closed_at(number, t));

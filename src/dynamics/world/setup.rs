@@ -83,7 +83,7 @@ impl World {
         let axial = AxialGap::of(model, number, &sites);
         let sections = [pair.first, pair.second].map(|side| match side {
             Side::Girder(body, end) => model.bodies[body].section(end),
-            Side::Abutment(_) => 0,
+            Side::Abutment(_) | Side::Flank(..) | Side::Rear(..) => 0,
         });
         self.pairs.push(PairTrack { pair: number, slots, sections, contacts, sharers: 0, simultaneity, axial });
     }

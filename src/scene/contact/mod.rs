@@ -47,6 +47,16 @@ words! {
     }
 }
 
+words! {
+    /// Which faces of the bodies of a scene can touch under the contact model.
+    Between, by default All {
+        /// Any face of any two bodies that come near.
+        All = "all",
+        /// Facing ends and declared pairs alone, as in the paper (Fig. 24).
+        Ends = "ends",
+    }
+}
+
 /// `E` where neither `K` nor `E` is given: ordinary concrete \[Pa\].
 pub const DEFAULT_YOUNG_MODULUS: f64 = 30e9;
 

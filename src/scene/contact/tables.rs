@@ -19,6 +19,8 @@ macro_rules! contact_tables {
                 $( $given: Option<f64> = $given_key as $given_label, $given_range, $fallback, $given_meaning; )+
                 $( $number: f64 = $key as $label, $range, Fallback::Number($default), $meaning, slider $bounds; )+
                 $( $rule: $Rule = $rule_key as $rule_label, Range::Words($Rule::WORDS), $Rule::FALLBACK, $rule_meaning; )+
+                between: Between = "between" as "Between", Range::Words(Between::WORDS), Between::FALLBACK,
+                    "which faces can touch: any of any two bodies that come near, or facing ends and declared pairs alone";
                 pairs: Vec<PairSettings> = "pair", Range::Free, Fallback::Words("none"), "[[contact.pair]], see below";
             }
         }
@@ -86,6 +88,7 @@ macro_rules! contact_tables {
                     $( $given: self.$given, )+
                     $( $number: self.$number, )+
                     $( $rule: self.$rule, )+
+                    between: self.between,
                     pairs: Vec::new(),
                 }
             }

@@ -64,10 +64,8 @@ pub(super) fn start_displacements(girder: &Girder) -> [f64; 2] {
 /// turns left out; 0 where they do not \[m\].
 pub(super) fn pressed_by(scene: &Scene, facing: &Facing) -> f64 {
     let Side::Girder(first, end) = facing.first else { return 0.0 };
-    let displacement = |side: Side| match side {
-        Side::Girder(n, _) => DVec3::from(scene.girders[n].initial.displacement),
-        Side::Abutment(_) => DVec3::ZERO,
-    };
+    let displacement =
+        |side: Side| side.girder().map_or(DVec3::ZERO, |n| DVec3::from(scene.girders[n].initial.displacement));
     let outward = placed::axes(&scene.girders[first]).x_axis * end.sign();
     let closer = (displacement(facing.first) - displacement(facing.second)).dot(outward);
     (closer - facing.gap).max(0.0)

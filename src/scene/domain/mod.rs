@@ -278,10 +278,7 @@ fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
     if scene.model.kind == ModelKind::Impact {
         return;
     }
-    let mass = |side: Side| match side {
-        Side::Girder(n, _) => scene.girders[n].mass,
-        Side::Abutment(_) => f64::INFINITY,
-    };
+    let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
     let stiffness = facing.contact.stiffness / reduced_mass(mass(facing.first), mass(facing.second));
     let place = "contact.stiffness_n_per_m";
     found.look_of(place, name, stiffness, STIFFNESS);

@@ -9,26 +9,30 @@
 
 mod declared;
 mod end;
+mod met;
 mod numbers;
 mod side;
 
 pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
 pub use end::LARGEST_TURN_DEG;
-pub use side::Side;
+pub use met::{between, bodies_met};
+pub use side::{Flank, Rear, Side, SolidId};
 
 use super::{Scene, SceneError, SceneErrors, placed};
 use end::{EndFace, Walls};
 use side::{front, girder_named, names};
 
-/// Two facing ends.
+/// Two faces that can touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facing {
     /// `deck+x|wall`, as tables and legends call it.
     pub name: String,
-    /// Always a girder's end; of two girders, the one that comes first in the file.
+    /// Always of a girder, and of facing ends an end; of two girders, the one that comes first in the file.
     pub first: Side,
-    /// A girder's end or an abutment.
+    /// Of a girder or an abutment.
     pub second: Side,
+    /// Whether the pair was added because the two bodies met, where they do not face each other as placed.
+    pub met: bool,
     /// The numbers in force.
     pub contact: PairContact,
     /// Distance as placed, along the first girder's axis \[m\].
@@ -54,7 +58,7 @@ pub fn find(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     if !complaints.is_empty() {
         return Err(SceneErrors(complaints));
     }
-    Ok(sides.into_iter().map(|(first, second)| facing(scene, first, second)).collect())
+    Ok(sides.into_iter().map(|(first, second)| facing(scene, first, second, false)).collect())
 }
 
 /// Pairs that are found by themselves.
@@ -81,11 +85,12 @@ fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
     sides
 }
 
-fn facing(scene: &Scene, first: Side, second: Side) -> Facing {
+fn facing(scene: &Scene, first: Side, second: Side, met: bool) -> Facing {
     Facing {
         name: pair_name(scene, first, second),
         first,
         second,
+        met,
         contact: numbers::in_force(scene, first, second),
         gap: gap(scene, first, second),
     }
@@ -99,10 +104,7 @@ fn pair_name(scene: &Scene, first: Side, second: Side) -> String {
 
 /// `deck+x` in two pieces; an abutment has a name only.
 fn name_of(scene: &Scene, side: Side) -> [&str; 2] {
-    match side {
-        Side::Girder(n, end) => [&scene.girders[n].name, end.label()],
-        Side::Abutment(n) => [&scene.abutments[n].name, ""],
-    }
+    [side.solid().name(scene), side.label()]
 }
 
 /// The gap as it is written, to the last digit, where an abutment stands before this very end.
@@ -113,14 +115,14 @@ fn written_gap(scene: &Scene, first: Side, second: Side) -> Option<f64> {
     abutment.gap.filter(|_| faced)
 }
 
-/// Distance from the first end's centre to the second's plane along the first girder's axis \[m\].
+/// Distance from the first face's centre to the second's plane: of an end along the girder's axis, else square to the plane \[m\].
 fn gap(scene: &Scene, first: Side, second: Side) -> f64 {
     if let Some(gap) = written_gap(scene, first, second) {
         return gap;
     }
-    let Side::Girder(girder, end) = first else { return 0.0 };
     let (Some((here, _)), Some((there, normal))) = (front(scene, first), front(scene, second)) else { return 0.0 };
     let square = (here - there).dot(normal);
+    let Side::Girder(girder, end) = first else { return square };
     // A declared pair may be turned so far that the axis never meets the plane: then square to it.
     let slope = -(placed::axes(&scene.girders[girder]).x_axis * end.sign()).dot(normal);
     if slope > 1e-6 { square / slope } else { square }

@@ -8,7 +8,8 @@ use crate::scene::{ContactSettings, PairSettings, Scene};
 pub(super) fn is_between(scene: &Scene, pair: &PairSettings, sides: &(Side, Side)) -> bool {
     let matches = |side: Side, n: usize| match side {
         Side::Girder(g, end) => scene.girders[g].name == pair.between[n] && pair.ends.is_none_or(|ends| ends[n] == end),
-        Side::Abutment(a) => scene.abutments[a].name == pair.between[n],
+        Side::Flank(g, _) => scene.girders[g].name == pair.between[n] && pair.ends.is_none(),
+        Side::Abutment(a) | Side::Rear(a, _) => scene.abutments[a].name == pair.between[n],
     };
     (matches(sides.0, 0) && matches(sides.1, 1)) || (matches(sides.0, 1) && matches(sides.1, 0))
 }
@@ -31,13 +32,13 @@ fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Sid
     if let Some(k) = settings.stiffness {
         return k;
     }
-    let of = |side: Side| match side {
-        Side::Girder(n, _) => {
+    let of = |side: Side| match side.girder() {
+        Some(n) => {
             let girder = &scene.girders[n];
             let area = settings.area.unwrap_or(girder.width * girder.thickness);
             settings.young_modulus.unwrap_or(DEFAULT_YOUNG_MODULUS) * area / girder.length
         }
-        Side::Abutment(_) => f64::INFINITY,
+        None => f64::INFINITY,
     };
     of(first).min(of(second))
 }

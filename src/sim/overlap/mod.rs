@@ -24,6 +24,9 @@ impl History {
     pub fn overlaps(&self) -> &[Overlap] {
         self.overlaps.get_or_init(|| {
             let (solids, joined) = (Solids::of(self.scene(), self.model()), Joined::of(self.model()));
+            if solids.len() < 2 {
+                return Vec::new();
+            }
             let boxes: Vec<_> = (0..solids.len()).map(|number| envelope::of(self, &solids, number)).collect();
             let near =
                 broad::pairs(&boxes).into_iter().filter(|&(one, other)| solids.moves(one) || solids.moves(other));

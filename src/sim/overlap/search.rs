@@ -91,6 +91,9 @@ pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [
     let side = solids.least_side(pair);
     let meeting = Meeting { history, solids, pair, contacts, least: COUNTS * side, resolved: RESOLVED * side };
     let sought = match facing {
+        _ if facing.iter().any(|&number| history.model().pairs[number].met) => {
+            vec![(Followed::Bodies, vec![[0.0, history.end()]])]
+        }
         [] => vec![(Followed::Bodies, vec![[0.0, history.end()]])],
         _ => facing.iter().flat_map(|&number| meeting.left_by(number)).collect(),
     };

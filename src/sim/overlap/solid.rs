@@ -39,13 +39,9 @@ pub(super) struct Joined(BTreeMap<[SolidId; 2], Vec<usize>>);
 
 impl Joined {
     pub(super) fn of(model: &Model) -> Self {
-        let id = |side: Side| match side {
-            Side::Girder(girder, _) => SolidId::Girder(girder),
-            Side::Abutment(abutment) => SolidId::Abutment(abutment),
-        };
         let mut joined: BTreeMap<[SolidId; 2], Vec<usize>> = BTreeMap::new();
         for (number, pair) in model.pairs.iter().enumerate() {
-            let mut bodies = [id(pair.first), id(pair.second)];
+            let mut bodies = [pair.first, pair.second].map(Side::solid);
             bodies.sort();
             joined.entry(bodies).or_default().push(number);
         }

@@ -3,9 +3,9 @@
 use super::dice::{Dice, three_digits};
 use crate::geometry::End;
 use crate::scene::{
-    Abutment, Bearing, Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, Kind, ModelSettings, Motion,
-    PerDirection, RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, SolverSettings, Tension,
-    ViewSettings,
+    Abutment, Bearing, Bearings, Between, ContactSettings, FrictionLaw, Girder, ImpactSettings, Kind, ModelSettings,
+    Motion, PerDirection, RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, SolverSettings,
+    Tension, ViewSettings,
 };
 
 /// Contact stiffness \[N/m\].
@@ -155,6 +155,7 @@ pub(super) fn contact(dice: &mut Dice) -> ContactSettings {
     let mu_kinetic = if dice.chance(0.15) { 0.0 } else { three_digits(dice.range(0.0, 2.0)) };
     let mu_static = if dice.chance(0.3) { mu_kinetic } else { three_digits(dice.range(mu_kinetic, 2.0)) };
     ContactSettings {
+        between: Between::Ends,
         stiffness: Some(dice.log(STIFFNESS[0], STIFFNESS[1])),
         young_modulus: None,
         area: None,

@@ -310,7 +310,7 @@ fn what_a_damped_cable_loses_is_booked() {
     within("ledger", books.residual / books.scale, 1e-9);
     let taut = history.link_phases(0)[1].0 + 2e-3;
     for t in [0.5, taut, 1.0] {
-        let energy = |name: &str| Quantity::find(history.model(), name).expect("a plotted energy").at(&history, t);
+        let energy = |name: &str| Quantity::find(&history, name).expect("a plotted energy").at(&history, t);
         let plotted = ["energy.kinetic", "energy.devices", "energy.lost-devices"].map(energy);
         within("plotted energies", plotted.iter().sum::<f64>() / (0.5 * MASS * SPEED * SPEED) - 1.0, 1e-9);
         assert_eq!(plotted[1] > 0.0, t == taut, "{} J stored at {t} s", plotted[1]);

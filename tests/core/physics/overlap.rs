@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
 use girderbench::dynamics::Model;
-use girderbench::scene::{ModelKind, presets};
+use girderbench::scene::{Between, ModelKind, presets};
 use girderbench::sim::{History, Overlap, SolidId, unjoined};
 use glam::DVec3;
 
@@ -15,7 +15,7 @@ const GIRDER: &str = "length_m = 0.19\nwidth_m = 0.07\nthickness_m = 0.02\nmass_
 /// Two girders without bearings, the second of which moves as its keys say.
 fn two(second: &str, duration: f64) -> History {
     let text = format!(
-        "name = \"two\"\nduration_s = {duration}\n[[girder]]\nname = \"one\"\n{GIRDER}[[girder]]\nname = \"two\"\n{GIRDER}{second}"
+        "name = \"two\"\nduration_s = {duration}\n[contact]\nbetween = \"ends\"\n[[girder]]\nname = \"one\"\n{GIRDER}[[girder]]\nname = \"two\"\n{GIRDER}{second}"
     );
     History::of(&scene(&text)).expect("it runs")
 }
@@ -146,12 +146,15 @@ fn what_contacts_carry_is_no_overlap() {
                 continue;
             }
             scene.model.kind = kind;
+            scene.contact.between = Between::Ends;
             let history = History::of(&scene).expect("it runs");
             if (name, kind) == ("row-of-5", ModelKind::Contact) {
                 expect_the_corner_of_the_row(&history);
             } else {
                 assert_eq!(history.overlaps(), [], "{name}, {kind:?}");
             }
+            scene.contact.between = Between::All;
+            assert_eq!(History::of(&scene).expect("it runs").overlaps(), [], "{name}, {kind:?}: between all faces");
         }
     }
 }

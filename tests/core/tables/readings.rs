@@ -96,14 +96,14 @@ fn every_quantity_has_a_name_of_its_own_and_a_finite_value() {
         let mut scene = presets::load(preset).expect("ships");
         scene.duration = scene.duration.min(2.0);
         let history = History::of(&scene).expect("runs");
-        let all = Quantity::all(history.model());
+        let all = Quantity::all(&history);
         let mut names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), all.len(), "{preset}: no name twice");
         let t = history.summary().peak_time.unwrap_or(0.5);
         for (name, quantity) in &all {
-            assert_eq!(Quantity::find(history.model(), name), Some(*quantity), "{name} is found");
+            assert_eq!(Quantity::find(&history, name), Some(*quantity), "{name} is found");
             assert!(quantity.at(&history, t).is_finite(), "{preset}: {name} at the peak");
         }
     }
@@ -114,7 +114,7 @@ fn quantities_are_what_the_history_says() {
     let scene = presets::load(presets::OPENING).expect("ships");
     let history = History::of(&scene).expect("runs");
     let t = history.summary().peak_time.expect("a hit");
-    let value = |name: &str| Quantity::find(history.model(), name).expect(name).at(&history, t);
+    let value = |name: &str| Quantity::find(&history, name).expect(name).at(&history, t);
     let motion = history.motion(0, t);
     assert_eq!(value("deck.theta"), motion.theta, "the same bits");
     let energy: f64 = ["kinetic", "bearings", "contacts", "lost-bearings", "lost-contacts", "friction"]
@@ -124,12 +124,12 @@ fn quantities_are_what_the_history_says() {
     let ledger = history.ledger(t);
     let jumps = ledger.jump_slip + ledger.jump_open + ledger.jump_edge + ledger.jump_entry;
     near(energy + jumps, value("energy.work"), 1e-9 * ledger.scale, "what is stored and lost was worked");
-    assert_eq!(Quantity::find(history.model(), "deck.theta").map(Quantity::unit), Some(Unit::Radian), "its unit");
+    assert_eq!(Quantity::find(&history, "deck.theta").map(Quantity::unit), Some(Unit::Radian), "its unit");
     for now in history.contacts(t).iter().filter(|c| c.state == ContactState::Slip) {
         near(Quantity::Contact(now.contact, OfContact::Use).at(&history, t), 1.0, 1e-9, "on the rim while it slips");
     }
-    assert_eq!(Quantity::find(history.model(), "nobody.x"), None, "nobody");
-    assert_eq!(Quantity::find(history.model(), "energy.devices"), None, "a scene without devices");
+    assert_eq!(Quantity::find(&history, "nobody.x"), None, "nobody");
+    assert_eq!(Quantity::find(&history, "energy.devices"), None, "a scene without devices");
 }
 
 #[test]

@@ -219,6 +219,7 @@ fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
             edits::abutment(i, Abutment { gap: Some(edits::micrometres(gap)), ..pull.scene.abutments.get(i)?.clone() })
         }
         Side::Girder(second, _) => edits::row_shifted(pull.scene, first, second, outward * (gap - pair.gap)),
+        Side::Flank(..) | Side::Rear(..) => return None,
     };
     let mut words = vec![text::dragged(text::APART, &text::exact_length(gap))];
     words.extend(to);

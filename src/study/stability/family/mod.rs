@@ -4,6 +4,7 @@ mod bodies;
 mod faces;
 mod pressed;
 mod shaken;
+mod thrown;
 
 use super::dice::Dice;
 use crate::scene::Scene;
@@ -38,10 +39,17 @@ const HOUR_EVERY: u64 = 1000;
 /// Which of them.
 const HOUR: u64 = 7;
 
+/// Girders thrown at one another.
+pub const THROWN: &str = "thrown";
+/// The seeds from this one on throw girders at one another; those below stay what they have always been.
+pub const FIRST_THROWN: u64 = 1_000_000;
+
 /// The scene of a seed, and the name of its family.
 pub fn scene(seed: u64) -> (&'static str, Scene) {
     let mut dice = Dice::new(seed);
-    let (family, maker) = if seed % HOUR_EVERY == HOUR {
+    let (family, maker) = if seed >= FIRST_THROWN {
+        (THROWN, thrown::thrown as Maker)
+    } else if seed % HOUR_EVERY == HOUR {
         (HOURS, shaken::hour as Maker)
     } else {
         #[expect(clippy::cast_possible_truncation, reason = "below the number of families")]
@@ -55,5 +63,5 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
 
 /// Names of all families.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS])
+    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN])
 }

@@ -1,0 +1,134 @@
+//! The face through which two bodies that have met are the least inside each other, and the node deepest behind it.
+//!
+//! Behind a face of one body lie nodes of the other; the overlap along the face's normal is the depth of the deepest. Of two
+//! convex bodies that overlap, the face of the least overlap is the shortest way out (separating axes, of the faces' normals). A
+//! contact that carries an overlap otherwise carries it along a way that is longer.
+
+use crate::dynamics::ContactSite;
+use crate::dynamics::contact_model::at_instant::AtInstant;
+use crate::scene::facing::{Side, SolidId};
+
+/// Depths are alike up to this ratio. Chosen: of ends that stand flush they differ by the angle between them alone.
+const ALIKE: f64 = 2.0;
+
+/// Cosine of half a right angle: of two ways square to each other, the nearer one.
+const ALONG: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// A face and the node deepest behind it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct LeastOverlap {
+    /// The contact of the two.
+    pub contact: usize,
+    /// Depth of the node behind the face's plane, negative before it \[m\].
+    pub depth: f64,
+}
+
+impl AtInstant<'_> {
+    /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
+    fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
+        let mut faces: Vec<(Side, LeastOverlap)> = Vec::new();
+        for contact in self.between(contact) {
+            let face = self.face_of(contact);
+            let here = LeastOverlap { contact, depth: self.local(contact).penetration() };
+            match faces.iter_mut().find(|(known, _)| *known == face) {
+                None => faces.push((face, here)),
+                // A node is in a pair for each of its own faces: the most opposed counts.
+                Some((_, deepest))
+                    if here.depth > deepest.depth || (here.depth == deepest.depth && self.is_opposed_most(contact)) =>
+                {
+                    *deepest = here;
+                }
+                Some(_) => {}
+            }
+        }
+        faces.sort_by(|(_, a), (_, b)| a.depth.total_cmp(&b.depth));
+        faces.into_iter().map(|(_, deepest)| deepest).collect()
+    }
+
+    /// The contact by which a node that comes inside another body is in it; `None` where the overlap of the two bodies is
+    /// carried by others.
+    ///
+    /// The face through which the node came, where its normal is along that of the least overlap to [`ALONG`]: so it is of bodies
+    /// that did not overlap before. Else the node comes from beside, behind another face of the body that it enters: it is in
+    /// by that face, where its normal is along that of the least overlap and its depth is [`ALIKE`].
+    pub(in crate::dynamics) fn entered_by(&self, contact: usize) -> Option<usize> {
+        if self.site(contact).around.is_none() {
+            return Some(contact);
+        }
+        let (overlaps, crossed) = (self.overlaps(contact), self.face_of(contact));
+        let Some(least) = overlaps.first().filter(|least| least.depth > 0.0) else { return Some(contact) };
+        if self.is_along(contact, least.contact) {
+            return Some(contact);
+        }
+        let of_entered = |o: &&LeastOverlap| {
+            self.face_of(o.contact).solid() == crossed.solid() && self.is_along(o.contact, least.contact)
+        };
+        let from_beside = overlaps.iter().filter(of_entered).find_map(|o| self.of_node(contact, o.contact));
+        let depth = |other: &usize| self.local(*other).penetration();
+        let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= ALIKE * least.depth;
+        match from_beside.filter(is_alike) {
+            Some(other) => Some(other),
+            None => (!self.is_carried_beside(contact, least.depth)).then_some(contact),
+        }
+    }
+
+    /// Whether the normals of two contacts' faces are along one line, to [`ALONG`].
+    fn is_along(&self, one: usize, other: usize) -> bool {
+        let [one, other] = [one, other].map(|contact| self.normal(contact));
+        one.dot(other).abs() >= ALONG
+    }
+
+    /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact
+    /// carries that: of the least overlap, the node's own one included, or of one [`ALIKE`] whose node is inside its face.
+    pub(in crate::dynamics) fn takes_over(&self, contact: usize) -> Option<LeastOverlap> {
+        self.site(contact).around?;
+        let overlaps = self.overlaps(contact);
+        let least = *overlaps.first().filter(|least| least.depth > 0.0)?;
+        if self.is_carried_beside(contact, least.depth) {
+            return None;
+        }
+        let inside = |other: &&LeastOverlap| {
+            let is_before = self.site(other.contact).beyond(&self.local(other.contact)) < 0.0;
+            other.contact != contact && other.depth <= ALIKE * least.depth && is_before
+        };
+        Some(overlaps.iter().find(inside).copied().unwrap_or(least))
+    }
+
+    /// The contact of the same node with the face of `other`, by that face of the node's body which is the most opposed.
+    fn of_node(&self, contact: usize, other: usize) -> Option<usize> {
+        let (node, face) = (&self.site(contact).node, self.face_of(other));
+        self.between(contact)
+            .find(|&c| self.site(c).node == *node && self.face_of(c) == face && self.is_opposed_most(c))
+    }
+
+    /// Whether another closed contact of the same two bodies is [`ALIKE`] in depth.
+    pub(in crate::dynamics) fn is_carried_beside(&self, contact: usize, depth: f64) -> bool {
+        let carries =
+            |c: usize| self.world.contacts[c].state.closed().is_some() && ALIKE * self.local(c).penetration() >= depth;
+        self.between(contact).any(|c| c != contact && carries(c))
+    }
+
+    /// All contacts between the two bodies of a contact.
+    fn between(&self, contact: usize) -> impl Iterator<Item = usize> + '_ {
+        let solids = |pair: usize| -> [SolidId; 2] {
+            let pair = &self.world.model.pairs[self.world.pairs[pair].pair];
+            [pair.first.solid(), pair.second.solid()]
+        };
+        let own = solids(self.world.contacts[contact].pair);
+        // At least one of the two is a girder, and is in the group.
+        let slot = self.world.contacts[contact].slots.into_iter().flatten().next();
+        let pairs = slot.map_or(&[][..], |slot| &self.world.bodies[slot].pairs);
+        let between = pairs.iter().filter(move |&&pair| solids(pair) == own);
+        between.flat_map(|&pair| self.world.pairs[pair].contacts.clone())
+    }
+
+    fn site(&self, contact: usize) -> &ContactSite {
+        &self.world.model.contacts[self.world.contacts[contact].site]
+    }
+
+    /// The face of a contact.
+    fn face_of(&self, contact: usize) -> Side {
+        let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
+        if pair.first.girder() == self.site(contact).face_body { pair.first } else { pair.second }
+    }
+}
