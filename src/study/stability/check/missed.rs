@@ -2,11 +2,13 @@
 
 use super::finding::{Check, Complaint, Figures};
 use crate::contact::{Frame, Local, locate};
+use crate::scene::Between;
 use crate::sim::{EventKind, History};
 
 pub(super) const CLAIM: &str = "no node is deeper than 1e-9 of the face's size behind a face and inside its polygon \
                                 without a closed contact, unless it went in beside the polygon, left it over its \
-                                edge, or touches another face";
+                                edge, or touches another face; of bodies with contact between all faces, no overlap is \
+                                without a contact as deep";
 
 /// Depth without a contact, in parts of the face's size.
 const DEPTH: f64 = 1e-9;
@@ -21,7 +23,18 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
     let model = history.model();
     let frames: Vec<Vec<Frame>> =
         times.iter().map(|&t| (0..model.bodies.len()).map(|body| history.frame(body, t)).collect()).collect();
-    for contact in 0..model.contacts.len() {
+    if history.scene().contact.between == Between::All
+        && let Some(overlap) = history.overlaps().first()
+    {
+        let [one, other] = overlap.bodies.map(|body| body.name(history.scene()));
+        let (depth, t) = (overlap.depth.value, overlap.depth.t);
+        figures.missed = figures.missed.max(depth);
+        let detail = format!("{one} and {other} overlap by {depth:e} m more than a contact carries at t = {t} s");
+        return complaints.push(Complaint::new(Check::Missed, detail));
+    }
+    // Between all faces of two bodies a node may be deep behind one face and in by another: the overlap tells.
+    let of_one_face = |&contact: &usize| model.contacts[contact].corner.is_none();
+    for contact in (0..model.contacts.len()).filter(of_one_face) {
         if let Some((t, depth)) = deepest(history, contact, times, &frames) {
             figures.missed = figures.missed.max(depth);
             let site = &model.contacts[contact];
