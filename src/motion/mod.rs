@@ -14,10 +14,12 @@ use glam::DVec3;
 pub enum Ground {
     /// The ground stands still.
     Still,
-    /// `A sin(ω t + φ0)`, along `amplitude`.
+    /// `A sin(ω t + φ0) + B cos(ω t + φ0)`.
     Sine {
-        /// `A` times the unit direction of shaking \[m/s²\].
+        /// `A` \[m/s²\].
         amplitude: DVec3,
+        /// `B`, of a vertical component out of phase \[m/s²\].
+        quadrature: DVec3,
         /// `ω = 2π f` \[rad/s\].
         omega: f64,
         /// `φ0` \[rad\].
@@ -88,7 +90,11 @@ impl Ground {
     pub fn acceleration(&self, t: f64) -> DVec3 {
         match self {
             Self::Still => DVec3::ZERO,
-            Self::Sine { amplitude, omega, phase } => *amplitude * (omega * t + phase).sin(),
+            Self::Sine { amplitude, quadrature: DVec3::ZERO, omega, phase } => *amplitude * (omega * t + phase).sin(),
+            Self::Sine { amplitude, quadrature, omega, phase } => {
+                let (sin, cos) = (omega * t + phase).sin_cos();
+                *amplitude * sin + *quadrature * cos
+            }
             Self::Record { direction, .. } => {
                 let piece = self.piece(self.piece_number(t));
                 *direction * (piece.start + piece.slope * (t - piece.from))
@@ -134,16 +140,16 @@ impl Ground {
         }
     }
 
-    /// Largest |`a_g`| at any time \[m/s²\].
+    /// Bound of |`a_g`| at any time, reached without a component out of phase \[m/s²\].
     pub fn peak(&self) -> f64 {
         match self {
             Self::Still => 0.0,
-            Self::Sine { amplitude, .. } => amplitude.length(),
+            Self::Sine { amplitude, quadrature, .. } => amplitude.length().hypot(quadrature.length()),
             Self::Record { peak, .. } => *peak,
         }
     }
 
-    /// Unit direction of shaking, or nothing when the ground stands still.
+    /// Unit direction of shaking, of a component out of phase apart; nothing when the ground stands still.
     pub fn axis(&self) -> DVec3 {
         match self {
             Self::Still => DVec3::ZERO,

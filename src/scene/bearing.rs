@@ -60,6 +60,8 @@ table! {
         at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
             Fallback::Needed("this or the last"),
             "places before skewing, m: y cot β is added to x, so that they follow the skew";
+        height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
+            "height above G in the girder's frame, m", in in_space;
     }
 }
 
@@ -75,6 +77,8 @@ table! {
         #[serde(with = "super::two_or_three")]
         damping: [f64; 3] = "damping_n_s_per_m", Range::NotNegative, Fallback::Needed("must be given"),
             "[c_x, c_y] or [c_x, c_y, c_z], N·s/m";
+        height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
+            "height above G in the girder's frame, m", in in_space;
     }
 }
 

@@ -36,6 +36,14 @@ table! {
         velocity: [f64; 3] = "velocity_m_s" as "Starts with v", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m/s";
         spin_deg_s: f64 = "spin_deg_s" as "Starts with spin", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
+        pitch_deg: Option<f64> = "pitch_deg" as "Starts pitched", Range::Any, Fallback::Words("0.0"),
+            "about its y axis after that turn, +x end downwards, degrees", in in_space;
+        roll_deg: Option<f64> = "roll_deg" as "Starts rolled", Range::Any, Fallback::Words("0.0"),
+            "about its x axis after those two, degrees", in in_space;
+        pitch_deg_s: Option<f64> = "pitch_deg_s" as "Starts with pitch rate", Range::Any, Fallback::Words("0.0"),
+            "rate of pitch_deg, degrees/s", in in_space;
+        roll_deg_s: Option<f64> = "roll_deg_s" as "Starts with roll rate", Range::Any, Fallback::Words("0.0"),
+            "rate of roll_deg, degrees/s", in in_space;
     }
 }
 
@@ -47,6 +55,10 @@ table! {
         force: [f64; 3] = "force_n" as "Push", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "constant force at G, world frame, N";
         moment: f64 = "moment_n_m" as "Push moment", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
+        moment_x: Option<f64> = "moment_x_n_m" as "Push moment about x", Range::Any, Fallback::Words("0.0"),
+            "constant moment about world x, N·m", in in_space;
+        moment_y: Option<f64> = "moment_y_n_m" as "Push moment about y", Range::Any, Fallback::Words("0.0"),
+            "constant moment about world y, N·m", in in_space;
     }
 }
 
@@ -58,6 +70,25 @@ table! {
             "length of seat under the +x end, m";
         minus: Option<f64> = "-x" as "Seat at -x", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the -x end, m";
+    }
+}
+
+impl Initial {
+    /// Roll, pitch and yaw \[rad\], in the reverse order of their rotations.
+    pub fn angles(&self) -> [f64; 3] {
+        [self.roll_deg.unwrap_or(0.0), self.pitch_deg.unwrap_or(0.0), self.rotation_deg].map(f64::to_radians)
+    }
+
+    /// Their rates \[rad/s\].
+    pub fn angle_rates(&self) -> [f64; 3] {
+        [self.roll_deg_s.unwrap_or(0.0), self.pitch_deg_s.unwrap_or(0.0), self.spin_deg_s].map(f64::to_radians)
+    }
+}
+
+impl Push {
+    /// About the world's x, y and z \[N·m\].
+    pub fn moments(&self) -> [f64; 3] {
+        [self.moment_x.unwrap_or(0.0), self.moment_y.unwrap_or(0.0), self.moment]
     }
 }
 

@@ -46,10 +46,14 @@ pub const RECORD: &[Key] = &[
     Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees")
         .labelled("Angle α")
         .slid([-180.0, 180.0]),
+    Key::new("vertical_scale", Range::Any, Fallback::Number(0.0), "multiplies every sample for a vertical component")
+        .labelled("Vertical scale")
+        .slid([0.0, 3.0])
+        .in_space(),
 ];
 
 table! {
-    /// `kind = "sine"`: `A sin(2π f t + φ0)`.
+    /// `kind = "sine"`: `A sin(2π f t + φ0)` in plan, `A_z sin(2π f t + φz)` upwards.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     struct SineMotion, SINE {
         amplitude_g: Option<f64> = "amplitude_g" as "Amplitude", Range::Any, Fallback::Needed("this or the next"),
@@ -60,6 +64,12 @@ table! {
         phase_deg: f64 = "phase_deg" as "Phase φ0", Range::Any, Fallback::Number(0.0), "φ0, degrees", slider [-180.0, 180.0];
         #[serde(default)]
         angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
+        vertical_amplitude_g: Option<f64> = "vertical_amplitude_g" as "Vertical amplitude", Range::Any,
+            Fallback::Words("0.0, or the next"), "A_z as a multiple of 9.80665 m/s²", slider [0.0, 1.0], in in_space;
+        vertical_amplitude: Option<f64> = "vertical_amplitude_m_s2" as "Vertical amplitude", Range::Any,
+            Fallback::Words("0.0, or the last"), "A_z, m/s²", slider [0.0, STANDARD_GRAVITY], in in_space;
+        vertical_phase_deg: Option<f64> = "vertical_phase_deg" as "Vertical phase φz", Range::Any,
+            Fallback::Words("as phase_deg"), "φz, degrees", slider [-180.0, 180.0], in in_space;
     }
 }
 
@@ -82,9 +92,17 @@ pub struct RecordMotion {
     /// Excitation angle α, anticlockwise from world x \[degrees\].
     #[serde(default)]
     pub angle_deg: f64,
+    /// Multiplies every sample for a vertical component.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub vertical_scale: f64,
     /// What `file` held, once whoever opens files has read it: `(dt, samples)` in s and m/s². Never written.
     #[serde(skip)]
     pub loaded: Option<(f64, Vec<f64>)>,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 fn one() -> f64 {
@@ -108,6 +126,18 @@ impl SineMotion {
     /// `A`, from whichever of the two keys is given; 0 when neither is (validation says so in words) \[m/s²\].
     pub fn amplitude_si(&self) -> f64 {
         self.amplitude.or(self.amplitude_g.map(|g| g * STANDARD_GRAVITY)).unwrap_or(0.0)
+    }
+}
+
+impl SineMotion {
+    /// `A_z`, 0 when it is not given \[m/s²\].
+    pub fn vertical_si(&self) -> f64 {
+        self.vertical_amplitude.or(self.vertical_amplitude_g.map(|g| g * STANDARD_GRAVITY)).unwrap_or(0.0)
+    }
+
+    /// `φ_z − φ0` \[rad\].
+    pub fn vertical_lead(&self) -> f64 {
+        self.vertical_phase_deg.map_or(0.0, |phase| (phase - self.phase_deg).to_radians())
     }
 }
 

@@ -12,6 +12,8 @@ use super::{Motion, Scene, SceneError, SceneErrors, format};
 const REPLACES: &[(&str, &[&str])] = &[
     ("amplitude_g", &["amplitude_m_s2"]),
     ("amplitude_m_s2", &["amplitude_g"]),
+    ("vertical_amplitude_g", &["vertical_amplitude_m_s2"]),
+    ("vertical_amplitude_m_s2", &["vertical_amplitude_g"]),
     ("gap_m", &["polygon_m"]),
     ("polygon_m", &["gap_m", "width_m", "height_m", "offset_m"]),
     ("stiffness_n_per_m", &["young_modulus_pa", "area_m2"]),

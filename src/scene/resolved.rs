@@ -7,8 +7,8 @@ use super::{Bearings, Girder, Kind, SharedBearings};
 /// A bearing with everything filled in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResolvedBearing {
-    /// Attachment point in the girder's frame; at the underside in a spatial scene, at the height of G in a planar
-    /// one \[m\].
+    /// Attachment point in the girder's frame; at the underside of a spatial girder unless a height is given, at the
+    /// height of G in a planar scene \[m\].
     pub place: DVec3,
     /// `k_x, k_y, k_z` along the girder's axes as placed \[N/m\].
     pub stiffness: [f64; 3],
@@ -38,11 +38,11 @@ impl SharedBearings {
 impl Bearings {
     /// The bearings of `girder` one by one: `k = m (2π f)²`, `c = 2 h m (2π f)` shared equally (paper equation (5)).
     pub fn resolve(&self, girder: &Girder, kind: Kind) -> Vec<ResolvedBearing> {
-        let height = match kind {
+        let height = |given: Option<f64>| match kind {
             Kind::Planar => 0.0,
-            Kind::Spatial => -girder.thickness / 2.0,
+            Kind::Spatial => given.unwrap_or(-girder.thickness / 2.0),
         };
-        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, height);
+        let at = |[x, y]: [f64; 2], given| DVec3::new(x, y, height(given));
         match self {
             Self::Shared(shared) => {
                 let places = shared.places(girder);
@@ -50,11 +50,14 @@ impl Bearings {
                 let modes = shared.modes(kind).map(|(f, h)| (std::f64::consts::TAU * f, h));
                 let stiffness = modes.map(|(omega, _)| share * omega.powi(2));
                 let damping = modes.map(|(omega, h)| 2.0 * h * share * omega);
-                places.into_iter().map(|p| ResolvedBearing { place: at(p), stiffness, damping }).collect()
+                places
+                    .into_iter()
+                    .map(|p| ResolvedBearing { place: at(p, shared.height), stiffness, damping })
+                    .collect()
             }
             Self::Each(bearings) => bearings
                 .iter()
-                .map(|b| ResolvedBearing { place: at(b.at), stiffness: b.stiffness, damping: b.damping })
+                .map(|b| ResolvedBearing { place: at(b.at, b.height), stiffness: b.stiffness, damping: b.damping })
                 .collect(),
         }
     }

@@ -29,6 +29,7 @@ mod physics {
     mod spatial;
     mod stick_slip;
     mod symmetry;
+    mod tilt;
     mod turns;
     mod two_coordinates;
     mod two_sections;

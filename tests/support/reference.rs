@@ -119,6 +119,7 @@ fn girder(index: usize, body: &Value) -> Girder {
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
             at_skewed: None,
+            height: None,
             at: Some(legs),
         })
     });
@@ -137,8 +138,9 @@ fn girder(index: usize, body: &Value) -> Girder {
             rotation_deg: x0[2].to_degrees(),
             velocity: [x0[3], x0[4], 0.0],
             spin_deg_s: x0[5].to_degrees(),
+            ..Initial::default()
         },
-        push: Push { force: [push[0], push[1], 0.0], moment: push[2] },
+        push: Push { force: [push[0], push[1], 0.0], moment: push[2], ..Push::default() },
         held,
         ..Girder::straight(format!("body{index}"), shape, number(&body["m"]))
     }
@@ -213,6 +215,9 @@ fn motion(excitation: &Value) -> Motion {
             frequency_hz: number(&excitation["f"]),
             phase_deg: number(&excitation["phi0"]).to_degrees(),
             angle_deg: number(&excitation["angle_deg"]),
+            vertical_amplitude_g: None,
+            vertical_amplitude: None,
+            vertical_phase_deg: None,
         }),
         "record" => Motion::Record(record(excitation)),
         _ => Motion::None,
@@ -226,6 +231,7 @@ fn record(excitation: &Value) -> RecordMotion {
         file: None,
         scale: number(&excitation["scale"]),
         angle_deg: number(&excitation["angle_deg"]),
+        vertical_scale: 0.0,
         loaded: None,
     }
 }

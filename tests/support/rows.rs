@@ -139,6 +139,7 @@ pub(crate) fn record(samples: u32, tolerance: f64) -> Scene {
         file: None,
         scale: 1.0,
         angle_deg: 0.0,
+        vertical_scale: 0.0,
         loaded: None,
     });
     scene

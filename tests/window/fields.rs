@@ -57,8 +57,9 @@ fn windows() -> Vec<Window> {
     both.view.plots = vec![PlotSettings { x: None, y: vec!["deck.x".into()] }];
     let named = with(&planar, &["contact.pair=[{ between = [\"deck\", \"wall\"] }]"]);
     let record = ["motion.kind=record", "motion.samples_m_s2=[0, 1, 0]", "motion.dt_s=0.1"];
-    let record = with(&planar, &record);
     let deck = presets::load("deck-30m").expect("ships");
+    let [record, record_in_space] = [&planar, &deck].map(|scene| with(scene, &record));
+    let metric_in_space = with(&deck, &["motion.amplitude_m_s2=4", "motion.vertical_amplitude_m_s2=2"]);
     let each =
         "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0] }]";
     let each = with(&deck, &[each]);
@@ -72,6 +73,8 @@ fn windows() -> Vec<Window> {
         show(named.clone(), None),
         show(named, Some(Target::Abutment(0))),
         show(record, None),
+        show(record_in_space, None),
+        show(metric_in_space, None),
         show(deck, Some(Target::Girder(0))),
         show(each, Some(Target::Girder(0))),
         show(metric, None),

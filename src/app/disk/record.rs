@@ -5,16 +5,25 @@ use std::path::{Path, PathBuf};
 use crate::files::read_record;
 use crate::scene::{Motion, RecordMotion};
 
-/// Shaking by the record in a file, the path given from the scene's own `folder` on. The scale stays if there was a
+/// Shaking by the record in a file, the path given from the scene's own `folder` on. The scales stay if there was a
 /// record before, the angle in any case.
 ///
 /// # Errors
 /// In words: a file that is no record.
 pub(in crate::app) fn shaking_by(path: &Path, folder: &Path, before: &Motion) -> Result<Motion, String> {
     let series = read_record(&folder.join(path)).map_err(|errors| errors.to_string())?;
-    let scale = if let Motion::Record(record) = before { record.scale } else { 1.0 };
+    let [scale, vertical_scale] =
+        if let Motion::Record(record) = before { [record.scale, record.vertical_scale] } else { [1.0, 0.0] };
     let (file, angle_deg) = (Some(seen_from(folder, path)), before.angle_deg());
-    Ok(Motion::Record(RecordMotion { samples: None, dt: None, file, scale, angle_deg, loaded: Some(series) }))
+    Ok(Motion::Record(RecordMotion {
+        samples: None,
+        dt: None,
+        file,
+        scale,
+        angle_deg,
+        vertical_scale,
+        loaded: Some(series),
+    }))
 }
 
 /// The path as the scene's file writes it: from its own folder on, if the record is in there.

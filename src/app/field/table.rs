@@ -46,6 +46,11 @@ impl<'a> Look<'a> {
         Self { place, kind, size, whose: "", without: Without::Off(&|_| 0.0) }
     }
 
+    /// Whether a scene of this kind has no such quantity.
+    fn lacks(&self, key: &Key) -> bool {
+        key.spatial && self.kind == Kind::Planar
+    }
+
     fn label(&self, key: &Key) -> String {
         if self.whose.is_empty() { key.label.to_owned() } else { format!("{} {}", key.label, self.whose) }
     }
@@ -125,6 +130,9 @@ fn each(
 }
 
 fn row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) -> Option<Change> {
+    if look.lacks(key) {
+        return None;
+    }
     let (place, label) = (look.place, look.label(key));
     let names = (key.name, label.as_str());
     match slot {
@@ -180,6 +188,9 @@ fn optional_row(
 }
 
 fn panel_row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) -> Option<Change> {
+    if look.lacks(key) {
+        return None;
+    }
     let (place, label) = (look.place, look.label(key));
     let names = (key.name, label.as_str());
     let bounds = key.slider.map(|[from, to]| Bounds::new(from, to));

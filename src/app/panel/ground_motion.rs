@@ -4,10 +4,11 @@ use egui::{RichText, TextEdit, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, FileCommand};
-use crate::app::field::{CLICK, Change, Look, Place, choice_line, complain, slider_at, sliders, tag};
+use crate::app::field::{CLICK, Change, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
 use crate::app::unit::Size;
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
+use crate::scene::keys::Key;
 use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
 
 /// Which kind of motion it is.
@@ -23,6 +24,9 @@ const KINDS: [(Kind, &str); 3] = [(Kind::Still, text::STILL), (Kind::Sine, text:
 
 /// Whether an amplitude is said in m/s² rather than in g.
 const UNITS: [(bool, &str); 2] = [(false, "g"), (true, "m/s²")];
+
+/// Keys of the vertical share of a sine.
+const VERTICAL: [&str; 3] = ["vertical_amplitude_g", "vertical_amplitude_m_s2", "vertical_phase_deg"];
 
 /// Most samples that are written out to be edited by hand.
 const MOST_SAMPLES: usize = 2000;
@@ -62,13 +66,22 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
 
 /// The paper's: 0.4 g at 2.6 Hz.
 fn shaken() -> SineMotion {
-    SineMotion { amplitude_g: Some(0.4), amplitude: None, frequency_hz: 2.6, phase_deg: 0.0, angle_deg: 0.0 }
+    SineMotion {
+        amplitude_g: Some(0.4),
+        amplitude: None,
+        frequency_hz: 2.6,
+        phase_deg: 0.0,
+        angle_deg: 0.0,
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
+    }
 }
 
 /// A record in which nothing happens, until one is chosen.
 fn silence() -> RecordMotion {
     let (samples, dt) = (Some(vec![0.0, 0.0]), Some(0.01));
-    RecordMotion { samples, dt, file: None, scale: 1.0, angle_deg: 0.0, loaded: None }
+    RecordMotion { samples, dt, file: None, scale: 1.0, angle_deg: 0.0, vertical_scale: 0.0, loaded: None }
 }
 
 fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
@@ -81,13 +94,26 @@ fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
 
 fn sine_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion) -> Option<Change> {
     let mut metric = sine.amplitude.is_some();
-    let moved = sliders(ui, look, sine, &[]);
+    let moved = sliders(ui, look, sine, &VERTICAL).or(vertical_rows(ui, look, sine, metric));
     let said = choice_line(ui, look.place, ("amplitude_m_s2", text::AMPLITUDE_IN), &mut metric, &UNITS);
     if said.is_some() {
         let a = sine.amplitude_si();
-        (sine.amplitude, sine.amplitude_g) = if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
+        let said = |a: f64| if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
+        (sine.amplitude, sine.amplitude_g) = said(a);
+        if sine.vertical_si() != 0.0 {
+            (sine.vertical_amplitude, sine.vertical_amplitude_g) = said(sine.vertical_si());
+        }
     }
     moved.or(said)
+}
+
+/// The vertical share, in the unit of the other; none in plan.
+fn vertical_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion, metric: bool) -> Option<Change> {
+    let phase = sine.phase_deg;
+    let otherwise = move |key: &Key| if key.name == "vertical_phase_deg" { phase } else { 0.0 };
+    let look = Look { without: Without::Reckoned(&otherwise), ..*look };
+    let other = if metric { "vertical_amplitude_g" } else { "vertical_amplitude_m_s2" };
+    sliders(ui, &look, sine, &["amplitude_g", "amplitude_m_s2", "frequency_hz", "phase_deg", "angle_deg", other])
 }
 
 fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
@@ -95,7 +121,8 @@ fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mu
     about(ui, record);
     let kept = kept_rows(ui, look, record);
     let scale = slider_at(ui, look, "scale", &mut record.scale);
-    kept.or(scale).or(slider_at(ui, look, "angle_deg", &mut record.angle_deg))
+    let vertical = slider_at(ui, look, "vertical_scale", &mut record.vertical_scale);
+    kept.or(scale).or(slider_at(ui, look, "angle_deg", &mut record.angle_deg)).or(vertical)
 }
 
 /// The record's file: chosen, or typed.

@@ -119,6 +119,7 @@ pub(super) const BEARINGS_ONE_BY_ONE_HINT: &str = "Each bearing gets its own spr
 pub(super) const BEARING: &str = "Bearing";
 pub(super) const BEARING_ADD: &str = "Add a bearing";
 pub(super) const BEARING_REMOVE: &str = "Remove no.";
+pub(super) const BEARING_HEIGHT: &str = "Height";
 pub(super) const BEARING_X: &str = "At x";
 pub(super) const BEARING_Y: &str = "At y";
 pub(super) const AT: &str = "Places, from the middle of the girder";

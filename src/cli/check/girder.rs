@@ -40,8 +40,16 @@ fn start(initial: &Initial) -> String {
     if *initial == Initial::default() {
         return String::new();
     }
+    let [pitch, roll, pitch_rate, roll_rate] =
+        [initial.pitch_deg, initial.roll_deg, initial.pitch_deg_s, initial.roll_deg_s].map(|v| v.unwrap_or(0.0));
+    let tilted = if [pitch, roll, pitch_rate, roll_rate] == [0.0; 4] {
+        String::new()
+    } else {
+        let [pitch, roll, pitch_rate, roll_rate] = [pitch, roll, pitch_rate, roll_rate].map(six);
+        format!(", pitched by {pitch}° at {pitch_rate}°/s, rolled by {roll}° at {roll_rate}°/s")
+    };
     format!(
-        "  starts displaced by {} m, turned by {}°, at {} m/s, {}°/s\n",
+        "  starts displaced by {} m, turned by {}°, at {} m/s, {}°/s{tilted}\n",
         list(&initial.displacement),
         six(initial.rotation_deg),
         list(&initial.velocity),
@@ -53,7 +61,11 @@ fn push(push: &Push) -> String {
     if *push == Push::default() {
         return String::new();
     }
-    format!("  pushed by {} N and {} N·m\n", list(&push.force), six(push.moment))
+    let moments = match push.moments() {
+        [0.0, 0.0, z] => six(z),
+        all => list(&all),
+    };
+    format!("  pushed by {} N and {moments} N·m\n", list(&push.force))
 }
 
 fn held(directions: &[Direction]) -> String {

@@ -92,12 +92,23 @@ fn motion_words(motion: &Motion) -> String {
             let amplitude = sine.amplitude_si();
             let [si, g] = [amplitude, amplitude / STANDARD_GRAVITY].map(six);
             let [frequency, phase, angle] = [sine.frequency_hz, sine.phase_deg, sine.angle_deg].map(six);
-            format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°")
+            let vertical = match sine.vertical_si() {
+                0.0 => String::new(),
+                a => {
+                    let phase = sine.vertical_phase_deg.unwrap_or(sine.phase_deg);
+                    format!(", vertical {} m/s² of phase {}°", six(a), six(phase))
+                }
+            };
+            format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°{vertical}")
         }
         Motion::Record(record) => {
             let (dt, samples) = record.series().unwrap_or((0.0, &[]));
             let [dt, scale, angle] = [dt, record.scale, record.angle_deg].map(six);
-            format!("record of {} samples × {dt} s, scale {scale}, angle {angle}°", samples.len())
+            let vertical = match record.vertical_scale {
+                0.0 => String::new(),
+                scale => format!(", vertical scale {}", six(scale)),
+            };
+            format!("record of {} samples × {dt} s, scale {scale}, angle {angle}°{vertical}", samples.len())
         }
     }
 }

@@ -105,7 +105,12 @@ mod tests {
 
     #[test]
     fn a_search_covers_a_period_or_samples_or_the_run() {
-        let sine = Ground::Sine { amplitude: DVec3::X, omega: 4.0 * std::f64::consts::PI, phase: 0.3 };
+        let sine = Ground::Sine {
+            amplitude: DVec3::X,
+            quadrature: DVec3::ZERO,
+            omega: 4.0 * std::f64::consts::PI,
+            phase: 0.3,
+        };
         let record = Ground::record(DVec3::X, 0.01, [0.0; 5]);
         assert_eq!(horizon(&Ground::Still, 1.0, 60.0), 60.0, "nothing drives: to the end");
         assert!((horizon(&sine, 1.0, 60.0) - 1.5).abs() < 1e-15, "a period of 2 Hz");

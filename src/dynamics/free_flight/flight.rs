@@ -83,7 +83,7 @@ impl FreeMotion {
         let mask = DVec3::from(free.map(|f| if f { 1.0 } else { 0.0 }));
         let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
         let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
-        let push = (DVec3::new(body.push.x, body.push.y, body.moment) * inverse * mask).to_array();
+        let push = (DVec3::new(body.push.x, body.push.y, body.moment.z) * inverse * mask).to_array();
         let axis = ground.axis();
         let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
         let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, ground, forced);

@@ -25,7 +25,7 @@ fn girder(stiffness: DMat3, damping: DMat3) -> Body {
     let inertia = DMat3::from_diagonal(DVec3::new(body.mass, body.mass, body.mass * body.gyration2));
     body.free = [true, true, false, false, false, true];
     (body.planar.stiffness, body.planar.damping) = (inertia * stiffness, inertia * damping);
-    (body.push, body.moment) = (DVec3::ZERO, 0.0);
+    (body.push, body.moment) = (DVec3::ZERO, DVec3::ZERO);
     body
 }
 
@@ -53,7 +53,7 @@ fn grounds() -> [Ground; 3] {
     let samples = [0.0, 1.5, -2.0, 0.7, 3.0, -1.0, 0.4, 0.0, -0.8, 2.2, 0.3, 0.0];
     [
         Ground::Still,
-        Ground::Sine { amplitude, omega: 9.0, phase: 0.4 },
+        Ground::Sine { amplitude, quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 },
         Ground::record(Ground::direction(30.0), 0.11, samples),
     ]
 }
@@ -139,7 +139,7 @@ fn a_flight_stays_within_its_bounds() {
 
 #[test]
 fn two_girders_stay_within_their_relative_bounds() {
-    let ground = Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), omega: 9.0, phase: 0.4 };
+    let ground = Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 };
     let bodies = [diagonal(50.0, 1.4), diagonal(31.0, 0.8)];
     let motions = [&bodies[0], &bodies[1]].map(|body| FreeMotion::new(body, &ground, 2.0));
     let other = [-0.01, 0.005, 0.0, -0.05, 0.2, 0.1];
@@ -184,7 +184,7 @@ fn a_steady_response_solves_the_driven_equation() {
 #[test]
 fn a_face_slides_by_the_forces_felt_along_its_direction() {
     let body = diagonal(50.0, 1.4);
-    let ground = Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), omega: 9.0, phase: 0.4 };
+    let ground = Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 };
     let s = glam::DVec2::new(0.6, 0.8);
     for mu_k in [0.0, 0.3, 3.0] {
         let d = s + s.perp() * -mu_k;

@@ -195,7 +195,7 @@ fn turns_without_contact(body: &Body) -> bool {
         x.abs() > ROTATION_ROUND_OFF * (m.x_axis.x * m.z_axis.z).sqrt()
             || y.abs() > ROTATION_ROUND_OFF * (m.y_axis.y * m.z_axis.z).sqrt()
     };
-    planar::free(body)[2] && (body.moment != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
+    planar::free(body)[2] && (body.moment.z != 0.0 || coupled(&body.planar.stiffness) || coupled(&body.planar.damping))
 }
 
 #[cfg(test)]
@@ -270,7 +270,7 @@ mod tests {
     fn a_given_moment_turns_a_girder_that_is_free_to_turn() {
         let mut model = example::at_wall(|_| ());
         assert!(!turns_without_contact(&model.bodies[0]), "bearings on both axes");
-        model.bodies[0].moment = 1.0;
+        model.bodies[0].moment.z = 1.0;
         assert!(turns_without_contact(&model.bodies[0]), "a moment");
         model.bodies[0].free[5] = false;
         assert!(!turns_without_contact(&model.bodies[0]), "held");

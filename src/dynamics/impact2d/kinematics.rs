@@ -82,7 +82,7 @@ impl Kinematics {
 /// Sum of the magnitudes of the accelerations that act on a body \[m/s²\].
 fn acceleration_size(body: &Body, state: &PlanarState, ground: DVec3) -> f64 {
     let (q, v) = (planar::positions(state), planar::rates(state));
-    let push = DVec3::new(body.push.x, body.push.y, body.moment);
+    let push = DVec3::new(body.push.x, body.push.y, body.moment.z);
     let at_corner = |force: DVec3| {
         let a = inverse_mass(body) * force;
         a.truncate().length() + a.z.abs() * body.radius

@@ -10,6 +10,7 @@ use crate::dynamics::model::compiled_model::Model;
 use crate::dynamics::model::contact_sites;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
@@ -76,12 +77,20 @@ fn ground(motion: &Motion) -> Ground {
     match motion {
         Motion::None => Ground::Still,
         Motion::Sine(sine) => Ground::Sine {
-            amplitude: direction * sine.amplitude_si(),
+            amplitude: (direction * sine.amplitude_si()).with_z(sine.vertical_si() * sine.vertical_lead().cos()),
+            quadrature: DVec3::Z * (sine.vertical_si() * sine.vertical_lead().sin()),
             omega: std::f64::consts::TAU * sine.frequency_hz,
             phase: sine.phase_deg.to_radians(),
         },
         Motion::Record(record) => match record.series() {
-            Some((dt, samples)) => Ground::record(direction, dt, samples.iter().map(|a| a * record.scale)),
+            Some((dt, samples)) if record.vertical_scale == 0.0 => {
+                Ground::record(direction, dt, samples.iter().map(|a| a * record.scale))
+            }
+            Some((dt, samples)) => {
+                let along = direction * record.scale + DVec3::Z * record.vertical_scale;
+                let scale = along.length();
+                Ground::record(along / scale, dt, samples.iter().map(|a| a * scale))
+            }
             None => Ground::Still,
         },
     }
@@ -109,6 +118,8 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
     let initial = &girder.initial;
     let [x, y, z] = initial.displacement;
     let [vx, vy, vz] = initial.velocity;
+    let [roll, pitch, yaw] = initial.angles();
+    let spin = rotation::angular_velocity(axes, [pitch, yaw], initial.angle_rates());
     let free = free_directions(scene.kind, &girder.held);
     // A held direction keeps its place but has no speed.
     let rate = |direction: usize, v: f64| if free[direction] { v } else { 0.0 };
@@ -124,9 +135,9 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         mass: girder.mass,
         planar: PlanarBearings::gather(&bearings, axes),
         push: girder.push.force.into(),
-        moment: girder.push.moment,
-        start: [x, y, z, initial.rotation_deg.to_radians()],
-        start_rate: [rate(0, vx), rate(1, vy), rate(2, vz), rate(5, initial.spin_deg_s.to_radians())],
+        moment: girder.push.moments().into(),
+        start: [x, y, z, roll, pitch, yaw],
+        start_rate: [rate(0, vx), rate(1, vy), rate(2, vz), rate(3, spin.x), rate(4, spin.y), rate(5, spin.z)],
         free,
         straight: [false; 2],
         inertia: [inertia, inertia.inverse()],
@@ -151,7 +162,9 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
     let sides = [facing.first, facing.second].map(Side::girder);
     let mass = |side: Option<usize>| side.map_or(f64::INFINITY, |b| bodies[b].mass);
     let numbers = &facing.contact;
-    let flat = |side: Option<usize>| side.is_none_or(|b| bodies[b].free[2..5] == [false; 3]);
+    let flat = |side: Option<usize>| {
+        side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])
+    };
     let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
     let law = law_of_pair(&PairNumbers {
         stiffness: numbers.stiffness,

@@ -53,14 +53,14 @@ pub struct Body {
     pub free: [bool; 6],
     /// Constant force at G \[N\].
     pub push: DVec3,
-    /// Constant moment about the vertical \[N·m\].
-    pub moment: f64,
+    /// Constant moment about the world's axes \[N·m\].
+    pub moment: DVec3,
     /// For the world's x and y: whether nothing but a touch can drive it off that axis once it moves along it.
     pub straight: [bool; 2],
-    /// Displacement and rotation at the start: x, y, z \[m\], θ \[rad\].
-    pub start: [f64; 4],
-    /// Velocity and spin at the start: x, y, z \[m/s\], ω \[rad/s\].
-    pub start_rate: [f64; 4],
+    /// Displacement at the start: x, y, z \[m\], roll, pitch, yaw \[rad\].
+    pub start: [f64; 6],
+    /// Velocity and angular velocity at the start, world axes \[m/s, rad/s\].
+    pub start_rate: [f64; 6],
 }
 
 impl Body {

@@ -13,5 +13,6 @@ pub mod pair;
 pub(in crate::dynamics) mod rate_bounds;
 pub mod reference_pose;
 pub mod rigid_body;
+pub(in crate::dynamics) mod rotation;
 pub(in crate::dynamics) mod single_axis;
 pub mod wrench;

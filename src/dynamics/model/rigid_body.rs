@@ -1,6 +1,6 @@
 //! What moves a rigid body in space: bearings at their attachment points, given pushes, inertia.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::connection::{Connection, Separation};
@@ -14,7 +14,11 @@ pub(in crate::dynamics) fn accelerations(body: &Body, here: &Frame, contact: &Wr
     let mut wrench = on_bearings(body, here);
     wrench.force += contact.force + body.push + DVec3::Z * body.standing.left;
     wrench.moment += contact.moment + first_moment(body, here).cross(DVec3::Z);
-    wrench.moment.z += body.moment;
+    wrench.moment.z += body.moment.z;
+    // A sum with 0 would change the sign of a zero.
+    if body.moment.truncate() != DVec2::ZERO {
+        wrench.moment += body.moment.with_z(0.0);
+    }
     [wrench.force / body.mass - ground, spin_rate(body, here, wrench.moment)]
 }
 

@@ -34,7 +34,7 @@ impl Island {
             let known = since.max(floor * self.moved[i]);
             // Round-off of a position acts through the frequency of the connections, however fast the body rotates.
             roundoff = roundoff.max(self.system.omega * known + here.speed(self.system.radii[i]));
-            pushed = pushed.max((body.push.length() + body.moment.abs() / body.gyration2.sqrt()) / body.mass);
+            pushed = pushed.max((body.push.length() + turning_push(body)) / body.mass);
             if body.free[2] {
                 weight = weight.max(body.standing.left.abs() / body.mass);
             }
@@ -136,6 +136,13 @@ impl Island {
         let moved: f64 = [active.node, active.face].into_iter().flatten().map(|body| self.moved[body]).sum();
         moved.max(SIZE_ROUNDING_SHARE * model.contacts[active.site].reach())
     }
+}
+
+/// Bound of the force at the radii of gyration that given moments amount to \[N\].
+fn turning_push(body: &crate::dynamics::Body) -> f64 {
+    let [inertia, _] = &body.inertia;
+    let gyration2 = [inertia.x_axis.x / body.mass, inertia.y_axis.y / body.mass, body.gyration2];
+    body.moment.to_array().into_iter().zip(gyration2).map(|(moment, i2)| moment.abs() / i2.sqrt()).sum()
 }
 
 #[cfg(test)]

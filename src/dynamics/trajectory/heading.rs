@@ -35,7 +35,7 @@ impl HalfTurns {
 
     /// Follows the step that becomes stretch `number`.
     pub(super) fn follow(&mut self, number: usize, step: &StepHeading<'_>) {
-        let before = if number == 0 { Some(step.body.start[3]) } else { self.end };
+        let before = if number == 0 { Some(step.body.start[5]) } else { self.end };
         if before.is_none() && step.begins.x > step.length() {
             return;
         }

@@ -46,7 +46,8 @@ fn radius(girder: &Girder) -> f64 {
 
 /// Angular speed at the start \[rad/s\].
 pub(super) fn spin(girder: &Girder) -> f64 {
-    girder.initial.spin_deg_s.to_radians().abs()
+    // With one rate alone its size; the angular velocity of several is at most their sum.
+    girder.initial.angle_rates().into_iter().map(f64::abs).sum()
 }
 
 /// Speed of G at the start, and of the farthest corner about G \[m/s\].
@@ -56,7 +57,7 @@ pub(super) fn start_speeds(girder: &Girder) -> [f64; 2] {
 
 /// Displacement of G at the start, and of the farthest corner about G \[m\].
 pub(super) fn start_displacements(girder: &Girder) -> [f64; 2] {
-    let turn = girder.initial.rotation_deg.to_radians().abs();
+    let turn: f64 = girder.initial.angles().into_iter().map(f64::abs).sum();
     [DVec3::from(girder.initial.displacement).length(), turn * radius(girder)]
 }
 
@@ -73,7 +74,9 @@ pub(super) fn pressed_by(scene: &Scene, facing: &Facing) -> f64 {
 
 /// Acceleration of G by the constant force, and of the farthest corner about G by the constant moment \[m/s²\].
 pub(super) fn push_accelerations(girder: &Girder) -> [f64; 2] {
-    let gyration2 = girder.prism().inertia_per_mass().z_axis.z;
-    let turn = girder.push.moment.abs() / (girder.mass * gyration2);
+    let per_mass = girder.prism().inertia_per_mass();
+    let gyration2 = [per_mass.x_axis.x, per_mass.y_axis.y, per_mass.z_axis.z];
+    let about = girder.push.moments().into_iter().zip(gyration2).map(|(moment, i2)| moment.abs() / (girder.mass * i2));
+    let turn: f64 = about.sum();
     [DVec3::from(girder.push.force).length() / girder.mass, turn * radius(girder)]
 }

@@ -295,7 +295,7 @@ fn look_at_ground(scene: &Scene, found: &mut Departures) {
         Motion::None => {}
         Motion::Sine(sine) => {
             let key = if sine.amplitude_g.is_some() { "motion.amplitude_g" } else { "motion.amplitude_m_s2" };
-            found.look(key, sine.amplitude_si().abs(), ACCELERATION);
+            found.look(key, sine.amplitude_si().abs().max(sine.vertical_si().abs()), ACCELERATION);
             let phase = std::f64::consts::TAU * sine.frequency_hz * scene.duration;
             found.look("motion.frequency_hz", phase, MOTION_PHASE);
         }
@@ -308,7 +308,7 @@ fn look_at_record(scene: &Scene, record: &RecordMotion, found: &mut Departures) 
     let (peak_key, step_key) =
         if record.file.is_some() { ("motion.file", "motion.file") } else { ("motion.samples_m_s2", "motion.dt_s") };
     let peak = samples.iter().fold(0.0_f64, |most, sample| most.max(sample.abs()));
-    found.look(peak_key, (peak * record.scale).abs(), ACCELERATION);
+    found.look(peak_key, peak * record.scale.abs().max(record.vertical_scale.abs()), ACCELERATION);
     found.look(step_key, (scene.duration / dt).min(samples.len() as f64), MOTION_PHASE);
 }
 

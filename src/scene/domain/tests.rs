@@ -136,7 +136,16 @@ fn long_runs_are_measured_by_what_is_fastest() {
 fn the_ground_is_measured_by_its_peak_and_its_samples() {
     let sine = |amplitude_g: Option<f64>, amplitude: Option<f64>| {
         with(|s| {
-            let motion = SineMotion { amplitude_g, amplitude, frequency_hz: 2.6, phase_deg: 0.0, angle_deg: 0.0 };
+            let motion = SineMotion {
+                amplitude_g,
+                amplitude,
+                frequency_hz: 2.6,
+                phase_deg: 0.0,
+                angle_deg: 0.0,
+                vertical_amplitude_g: None,
+                vertical_amplitude: None,
+                vertical_phase_deg: None,
+            };
             s.motion = Motion::Sine(motion);
         })
     };
@@ -147,7 +156,8 @@ fn the_ground_is_measured_by_its_peak_and_its_samples() {
         with(|s| {
             let (samples, dt, loaded) =
                 if file.is_some() { (None, None, Some((dt, samples))) } else { (Some(samples), Some(dt), None) };
-            s.motion = Motion::Record(RecordMotion { samples, dt, file, scale, angle_deg: 0.0, loaded });
+            s.motion =
+                Motion::Record(RecordMotion { samples, dt, file, scale, angle_deg: 0.0, vertical_scale: 0.0, loaded });
         })
     };
     let name = || Some("quake.csv".to_owned());
@@ -174,8 +184,12 @@ fn a_displaced_start_counts_by_the_speed_that_it_leads_to() {
     assert_eq!(only(&found), ("girder.deck.initial.rotation_deg", 181.0, TURN));
     let long = alone(|g| {
         g.length = 40.0;
-        g.bearings =
-            Some(Bearings::Each(vec![Bearing { at: [20.0, 0.0], stiffness: [0.0, 8e2, 0.0], damping: [0.0; 3] }]));
+        g.bearings = Some(Bearings::Each(vec![Bearing {
+            at: [20.0, 0.0],
+            stiffness: [0.0, 8e2, 0.0],
+            damping: [0.0; 3],
+            height: None,
+        }]));
         g.initial.rotation_deg = 170.0;
     });
     assert_eq!((only(&long).0, only(&long).2), ("girder.deck.initial.rotation_deg", SPEED));
@@ -197,7 +211,7 @@ fn gravity_counts_in_a_spatial_scene() {
 #[test]
 fn a_bearings_rate_is_that_of_its_stiffness_its_damping_and_its_lever() {
     let bearings = |stiffness: [f64; 3], damping: [f64; 3]| {
-        let at = |x: f64| Bearing { at: [x, 0.0], stiffness, damping };
+        let at = |x: f64| Bearing { at: [x, 0.0], stiffness, damping, height: None };
         Some(Bearings::Each(vec![at(0.07), at(-0.07)]))
     };
     let mut girder = paper().girders.remove(0);

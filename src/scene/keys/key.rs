@@ -34,6 +34,8 @@ pub struct Key {
     pub label: &'static str,
     /// From where to where its slider goes, in the unit of the key; what is typed may lie beyond. None: no slider.
     pub slider: Option<[f64; 2]>,
+    /// Whether a planar scene has no such quantity.
+    pub spatial: bool,
 }
 
 impl Key {
@@ -43,7 +45,7 @@ impl Key {
         fallback: Fallback,
         meaning: &'static str,
     ) -> Self {
-        Self { name, range, fallback, meaning, label: name, slider: None }
+        Self { name, range, fallback, meaning, label: name, slider: None, spatial: false }
     }
 
     /// The same with a name for its field.
@@ -54,6 +56,11 @@ impl Key {
     /// The same with a slider between these bounds.
     pub(in crate::scene) const fn slid(self, bounds: [f64; 2]) -> Self {
         Self { slider: Some(bounds), ..self }
+    }
+
+    /// The same of a quantity that only spatial scenes have.
+    pub(in crate::scene) const fn in_space(self) -> Self {
+        Self { spatial: true, ..self }
     }
 
     /// The number that it is when the file does not have it, where that is always the same.

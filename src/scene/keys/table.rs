@@ -189,7 +189,8 @@ pub(in crate::scene) trait Keyed {
 }
 
 /// States a table of the scene file: one line a key, of field, type, name in the file (`as` the name of its field in the
-/// window), range, default, meaning, and bounds of its slider where it has one.
+/// window), range, default, meaning, bounds of its slider where it has one, and `in in_space` where planar scenes have no such
+/// quantity.
 ///
 /// `default struct` is a table that may be left out, with all of its keys: each field is what its [`Fallback`] says. The
 /// keys of a plain `struct` must be given unless their type has a way to be nothing.
@@ -198,14 +199,14 @@ macro_rules! table {
         $(#[$meta:meta])*
         default struct $Name:ident, $KEYS:ident {
             $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal $(as $label:literal)?, $range:expr, $fallback:expr, $meaning:literal
-                $(, slider $bounds:expr)?; )+
+                $(, slider $bounds:expr)? $(, in $space:ident)?; )+
         }
     ) => {
         $crate::scene::keys::table! {
             $(#[$meta])*
             #[serde(default)]
             struct $Name, $KEYS {
-                $( $(#[$how])* $field: $Type = $key $(as $label)?, $range, $fallback, $meaning $(, slider $bounds)?; )+
+                $( $(#[$how])* $field: $Type = $key $(as $label)?, $range, $fallback, $meaning $(, slider $bounds)? $(, in $space)?; )+
             }
         }
 
@@ -229,7 +230,7 @@ macro_rules! table {
         $(#[$meta:meta])*
         struct $Name:ident, $KEYS:ident {
             $( $(#[$how:meta])* $field:ident: $Type:ty = $key:literal $(as $label:literal)?, $range:expr, $fallback:expr, $meaning:literal
-                $(, slider $bounds:expr)?; )+
+                $(, slider $bounds:expr)? $(, in $space:ident)?; )+
         }
     ) => {
         $(#[$meta])*
@@ -245,7 +246,7 @@ macro_rules! table {
 
         #[doc = concat!("The keys of [`", stringify!($Name), "`].")]
         pub const $KEYS: &[$crate::scene::keys::Key] =
-            &[$( $crate::scene::keys::Key::new($key, $range, $fallback, $meaning)$(.labelled($label))?$(.slid($bounds))?, )+];
+            &[$( $crate::scene::keys::Key::new($key, $range, $fallback, $meaning)$(.labelled($label))?$(.slid($bounds))?$(.$space())?, )+];
 
         impl $crate::scene::keys::Keyed for $Name {
             fn stated(&self) -> impl Iterator<Item = (&'static str, $crate::scene::keys::Stated<'_>)> {

@@ -15,9 +15,11 @@ pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     match &girder.bearings {
         None => {}
         Some(Bearings::Shared(bearings)) => {
-            shared(bearings, needs_vertical(girder, kind), &mut at.below("bearings", keys::BEARINGS));
+            let mut table = at.below("bearings", keys::BEARINGS);
+            table.fits(bearings, kind);
+            shared(bearings, needs_vertical(girder, kind), &mut table);
         }
-        Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), at),
+        Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), kind, at),
     }
 }
 
@@ -30,10 +32,12 @@ fn start(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     let (initial, push) = (&girder.initial, &girder.push);
     let mut table = at.below("initial", keys::INITIAL);
     table.all(initial);
+    table.fits(initial, kind);
     level("displacement_m", &initial.displacement, kind, &mut table);
     level("velocity_m_s", &initial.velocity, kind, &mut table);
     let mut table = at.below("push", keys::PUSH);
     table.all(push);
+    table.fits(push, kind);
     level("force_n", &push.force, kind, &mut table);
 }
 
@@ -101,13 +105,15 @@ fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
     }
 }
 
-fn single(bearings: &[Bearing], needs_vertical: bool, at: &mut At<'_>) {
+fn single(bearings: &[Bearing], needs_vertical: bool, kind: Kind, at: &mut At<'_>) {
     if bearings.is_empty() {
         at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
     }
     for (n, bearing) in bearings.iter().enumerate() {
         let key = format!("bearings[{n}]");
-        at.below(&key, keys::BEARING).all(bearing);
+        let mut table = at.below(&key, keys::BEARING);
+        table.all(bearing);
+        table.fits(bearing, kind);
     }
     if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
         let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";

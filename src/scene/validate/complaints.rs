@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use crate::scene::Kind;
 use crate::scene::keys::{self, Key, Keyed, Range, Stated};
 use crate::scene::shown::{escaped, shown};
 
@@ -160,6 +161,24 @@ impl At<'_> {
                 Stated::Numbers(numbers) => self.each(key, numbers),
                 Stated::Lists(lists) => self.each_of(key, lists),
             }
+        }
+    }
+
+    /// Complains about every number of a table that a scene of this kind has no quantity for.
+    pub(super) fn fits(&mut self, table: &impl Keyed, kind: Kind) {
+        for (name, stated) in table.stated() {
+            let Some(key) = keys::find(self.keys, name) else { continue };
+            if let Stated::Number(value) = stated {
+                self.fits_key(key, value, kind);
+            }
+        }
+    }
+
+    /// The same of one key.
+    pub(super) fn fits_key(&mut self, key: &Key, value: f64, kind: Kind) {
+        if key.spatial && kind == Kind::Planar && value != 0.0 {
+            let remedy = "a planar scene knows no vertical, roll or pitch: leave it out, or set kind = \"spatial\"";
+            self.add(key.name, number(value), remedy);
         }
     }
 

@@ -49,16 +49,20 @@ fn stiffness(stiffness: Option<f64>, young_modulus: Option<f64>, area: Option<f6
     }
 }
 
-pub(super) fn motion(motion: &Motion, complaints: &mut Complaints) {
+pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
     match motion {
         Motion::None => {}
-        Motion::Sine(sine) => harmonic(sine, &mut complaints.at("motion", keys::SINE)),
-        Motion::Record(recorded) => record(recorded, &mut complaints.at("motion", keys::RECORD)),
+        Motion::Sine(sine) => harmonic(sine, kind, &mut complaints.at("motion", keys::SINE)),
+        Motion::Record(recorded) => record(recorded, kind, &mut complaints.at("motion", keys::RECORD)),
     }
 }
 
-fn harmonic(sine: &SineMotion, at: &mut At<'_>) {
+fn harmonic(sine: &SineMotion, kind: Kind, at: &mut At<'_>) {
     at.all(sine);
+    at.fits(sine, kind);
+    if sine.vertical_amplitude_g.is_some() && sine.vertical_amplitude.is_some() {
+        at.add("vertical_amplitude_g", "vertical_amplitude_g and vertical_amplitude_m_s2", "give one of the two");
+    }
     match (sine.amplitude_g, sine.amplitude) {
         (None, None) => at.add("amplitude_g", "nothing", "give the amplitude: amplitude_g, or amplitude_m_s2"),
         (Some(_), Some(_)) => at.add("amplitude_g", "amplitude_g and amplitude_m_s2", "give one of the two"),
@@ -66,8 +70,12 @@ fn harmonic(sine: &SineMotion, at: &mut At<'_>) {
     }
 }
 
-fn record(record: &RecordMotion, at: &mut At<'_>) {
+fn record(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
     at.number("scale", record.scale);
+    at.number("vertical_scale", record.vertical_scale);
+    if let Some(key) = keys::find(keys::RECORD, "vertical_scale") {
+        at.fits_key(key, record.vertical_scale, kind);
+    }
     at.number("angle_deg", record.angle_deg);
     at.if_given("dt_s", record.dt);
     match (&record.samples, &record.file) {

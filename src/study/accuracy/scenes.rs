@@ -10,7 +10,16 @@ const MU: f64 = 0.15;
 
 /// A sine that starts at phase 0.
 fn sine(amplitude: f64, frequency_hz: f64, angle_deg: f64) -> Motion {
-    Motion::Sine(SineMotion { amplitude_g: None, amplitude: Some(amplitude), frequency_hz, phase_deg: 0.0, angle_deg })
+    Motion::Sine(SineMotion {
+        amplitude_g: None,
+        amplitude: Some(amplitude),
+        frequency_hz,
+        phase_deg: 0.0,
+        angle_deg,
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
+    })
 }
 
 /// The paper's straight girder 1 with nothing to touch, let go from a displacement and a rotation.
@@ -99,6 +108,7 @@ pub(super) fn under_a_record() -> Result<Scene, SceneErrors> {
         file: None,
         scale: 1.0,
         angle_deg: 0.0,
+        vertical_scale: 0.0,
         loaded: None,
     });
     scene.duration = record::SAMPLES as f64 * record::INTERVAL;

@@ -55,6 +55,9 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
             frequency_hz: 2.4,
             phase_deg: 0.0,
             angle_deg: 0.0,
+            vertical_amplitude_g: None,
+            vertical_amplitude: None,
+            vertical_phase_deg: None,
         }),
         solver: crate::scene::SolverSettings::default(),
         view: crate::scene::ViewSettings::default(),
@@ -70,6 +73,7 @@ fn girder(number: usize, x: f64, frequency: f64) -> Girder {
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
             at_skewed: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
+            height: None,
             at: None,
         })),
         ..Girder::straight(format!("g{number}"), [LENGTH, 0.07, 0.02], 2.0)

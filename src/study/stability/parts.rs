@@ -100,6 +100,7 @@ pub(super) fn stand(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64) {
             vertical_frequency_hz: (kind == Kind::Spatial).then_some(vertical),
             vertical_damping_ratio: None,
             at_skewed: Some(vec![[x, y], [x, -y], [-x, y], [-x, -y]]),
+            height: None,
             at: None,
         };
         girder.bearings = Some(Bearings::Shared(shared));
@@ -116,7 +117,7 @@ fn uneven(dice: &mut Dice, girder: &mut Girder, kind: Kind) {
         let factor = dice.log(0.3, 3.0);
         let scaled = |v: [f64; 3]| v.map(|x| three_digits(x * factor));
         let at = [b.place.x, b.place.y].map(three_digits);
-        Bearing { at, stiffness: scaled(b.stiffness), damping: scaled(b.damping) }
+        Bearing { at, stiffness: scaled(b.stiffness), damping: scaled(b.damping), height: None }
     });
     girder.bearings = Some(Bearings::Each(each.collect()));
 }
@@ -190,6 +191,9 @@ pub(super) fn sine(dice: &mut Dice, ground_hz: f64, bearing_hz: f64, reach: f64)
         frequency_hz: ground_hz,
         phase_deg: dice.pick(&[0.0, 90.0, 37.0]),
         angle_deg: if dice.chance(0.3) { 0.0 } else { three_digits(dice.range(-180.0, 180.0)) },
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
     })
 }
 
@@ -204,6 +208,7 @@ pub(super) fn record(dice: &mut Dice, ground_hz: f64, bearing_hz: f64, reach: f6
         file: None,
         scale: 1.0,
         angle_deg: three_digits(dice.range(-180.0, 180.0)),
+        vertical_scale: 0.0,
         loaded: None,
     })
 }

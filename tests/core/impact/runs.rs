@@ -218,6 +218,9 @@ fn shaken(push: f64, amplitude: f64, frequency_hz: f64, phase_deg: f64, duration
         frequency_hz,
         phase_deg,
         angle_deg: 90.0,
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
     });
     scene
 }

@@ -304,6 +304,7 @@ fn a_long_search_misses_no_touch() {
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
             at_skewed: None,
+            height: None,
             at: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
         }));
     }
@@ -314,6 +315,9 @@ fn a_long_search_misses_no_touch() {
         frequency_hz: 1.0,
         phase_deg: 0.0,
         angle_deg: 0.0,
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
     });
     let by_periods = run(&scene);
     let first = |h: &History| h.touches().first().map(|touch| touch.start).expect("they meet");

@@ -26,6 +26,9 @@ fn block(law: FrictionLaw) -> Scene {
         frequency_hz: 2.0,
         phase_deg: 0.0,
         angle_deg: 90.0,
+        vertical_amplitude_g: None,
+        vertical_amplitude: None,
+        vertical_phase_deg: None,
     });
     scene
 }

@@ -445,6 +445,23 @@ fn a_spatial_girder_stands_on_vertical_springs() {
 fn a_planar_scene_knows_no_vertical_push_or_start() {
     let push = "mass_kg = 6e5\npush = { force_n = [1, 2, 3] }";
     assert_complaint("mass_kg = 6e5", push, "girder.deck.push.force_n", "[1.0, 2.0, 3.0]", "give two numbers");
+    let keys = [
+        ("initial", "roll_deg"),
+        ("initial", "pitch_deg"),
+        ("initial", "roll_deg_s"),
+        ("initial", "pitch_deg_s"),
+        ("push", "moment_x_n_m"),
+        ("push", "moment_y_n_m"),
+    ];
+    for (table, key) in keys {
+        let with = |value: &str| format!("mass_kg = 6e5\n{table} = {{ {key} = {value} }}");
+        let place = format!("girder.deck.{table}.{key}");
+        assert_complaint("mass_kg = 6e5", &with("2.5"), &place, "2.5", "leave it out, or set kind = \"spatial\"");
+        let none = GOOD.replacen("mass_kg = 6e5", &with("0.0"), 1);
+        assert!(format::read(&none, "good.toml").is_ok(), "{key} of 0 says nothing");
+    }
+    let high = "damping_ratio = 0.1, height_m = -0.3";
+    assert_complaint("damping_ratio = 0.1", high, "girder.deck.bearings.height_m", "-0.3", "leave it out");
     let held = GOOD.replacen("mass_kg = 6e5", "mass_kg = 6e5\nheld = [\"z\", \"roll\", \"pitch\"]", 1);
     assert!(format::read(&held, "good.toml").is_ok(), "holding what is held anyway is no mistake");
 }

@@ -335,6 +335,25 @@ fn a_number_out_of_its_range_is_refused_with_the_ranges_own_words() {
     assert!(checked > 50, "every number, got {checked}");
 }
 
+#[test]
+fn a_planar_scene_refuses_every_key_of_space_and_a_spatial_one_has_it() {
+    let mut checked = 0;
+    for table in TABLES {
+        for key in table.keys.iter().filter(|key| key.spatial) {
+            let scene =
+                set(table.path, key.name, "0.25").unwrap_or_else(|e| panic!("{}.{}: {e}", table.path, key.name));
+            assert_eq!(validate::validate(&scene), Ok(()), "[{}] {} in space", table.path, key.name);
+            let plan = Scene { kind: girderbench::scene::Kind::Planar, ..scene };
+            let errors = validate::validate(&plan).expect_err(key.name).0;
+            let place = errors[0].place.clone();
+            assert!(place.ends_with(key.name) && errors.len() == 1, "[{}] {}: {errors:#?}", table.path, key.name);
+            assert!(errors[0].remedy.contains("kind = \"spatial\""), "[{}] {}", table.path, key.name);
+            checked += 1;
+        }
+    }
+    assert_eq!(checked, 12, "keys of spatial scenes");
+}
+
 /// Lines of the room of scenes, its tests left out, where a word stands.
 fn lines_with(word: &str) -> Vec<String> {
     let mut folders = vec![std::path::PathBuf::from("src/scene")];

@@ -13,7 +13,11 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
     let (length, shear) = (length_unit(g.length), g.prism().shear());
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
-            let numbers = grid(ui, "bearings", |ui| shared_rows(ui, place, kind, shared));
+            let underside = -0.5 * g.thickness;
+            let numbers = grid(ui, "bearings", |ui| {
+                let rows = shared_rows(ui, place, kind, shared);
+                rows.or(height_row(ui, place, (kind, length), "bearings.height_m", (&mut shared.height, underside)))
+            });
             let places = places(ui, place, length, shear, shared);
             let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
             let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
@@ -25,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
             numbers.or(places).or(if each || gone { CLICK } else { None })
         }
         Some(Bearings::Each(each)) => {
-            let changed = list(ui, place, kind, length, each);
+            let changed = list(ui, place, (kind, length, -0.5 * g.thickness), each);
             if each.is_empty() {
                 g.bearings = None;
             }
@@ -53,6 +57,7 @@ fn four_below(g: &Girder) -> SharedBearings {
         vertical_damping_ratio: None,
         at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]]),
         at: None,
+        height: None,
     }
 }
 
@@ -63,10 +68,15 @@ fn tidy(place: [f64; 2]) -> [f64; 2] {
 /// The same bearings, each with its own numbers.
 fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
     let resolved = g.bearings.as_ref().map(|b| b.resolve(g, kind)).unwrap_or_default();
+    let height = |g: &Girder| match &g.bearings {
+        Some(Bearings::Shared(shared)) => shared.height,
+        _ => None,
+    };
     let single = |b: &crate::scene::ResolvedBearing| Bearing {
         at: [b.place.x, b.place.y],
         stiffness: b.stiffness,
         damping: b.damping,
+        height: height(g),
     };
     Bearings::Each(resolved.iter().map(single).collect())
 }
@@ -129,12 +139,21 @@ fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut V
 }
 
 /// Single bearings, each in a fold of its own.
-fn list(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, each: &mut Vec<Bearing>) -> Option<Change> {
+fn list(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (kind, unit, underside): (Kind, Unit, f64),
+    each: &mut Vec<Bearing>,
+) -> Option<Change> {
     let mut change = None;
     let mut gone = None;
     for (n, bearing) in each.iter_mut().enumerate() {
         super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
-            change = change.or(grid(ui, &format!("bearing {n}"), |ui| single(ui, place, kind, unit, n, bearing)));
+            change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
+                let numbers = single(ui, place, kind, unit, n, bearing);
+                let key = format!("bearings[{n}].height_m");
+                numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)))
+            }));
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);
             }
@@ -166,6 +185,20 @@ fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &m
         changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c));
     }
     changes.into_iter().flatten().next()
+}
+
+/// Height of the attachment points, at the underside where it is not given; none in plan.
+fn height_row(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (kind, unit): (Kind, Unit),
+    key: &str,
+    height: (&mut Option<f64>, f64),
+) -> Option<Change> {
+    if kind == Kind::Planar {
+        return None;
+    }
+    optional(ui, place, (key, text::BEARING_HEIGHT), height, unit)
 }
 
 fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {

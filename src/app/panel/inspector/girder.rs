@@ -20,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, ou
     let table = format!("girder.{}", girder.name);
     let [starts, pushes, seats] = ["initial", "push", "seat_m"].map(|below| format!("{table}.{below}"));
     let place = Place { problems: bench.problems(), table: &table };
-    let look = |place| Look::new(place, kind, Size::of(girder));
+    let look = |place| Look { without: Without::Reckoned(&|_| 0.0), ..Look::new(place, kind, Size::of(girder)) };
     let first = grid(ui, "girder", |ui| {
         name_field::show(ui, place, bench.selected(), &girder.name, out);
         rows(ui, &look(place), &mut new, &["name"])

@@ -346,7 +346,12 @@ mod tests {
 
     #[test]
     fn the_horizon_is_two_periods_or_sixty_four_samples() {
-        let sine = Ground::Sine { amplitude: glam::DVec3::X, omega: std::f64::consts::TAU, phase: 0.0 };
+        let sine = Ground::Sine {
+            amplitude: glam::DVec3::X,
+            quadrature: glam::DVec3::ZERO,
+            omega: std::f64::consts::TAU,
+            phase: 0.0,
+        };
         assert_eq!(horizon(&sine, 1.0, 10.0), 3.0, "two periods of 1 s");
         assert_eq!(horizon(&sine, 9.0, 10.0), 10.0, "the end of the run");
         assert_eq!(horizon(&Ground::Still, 1.0, 10.0), 10.0, "nothing shakes");

@@ -125,7 +125,7 @@ fn slope_from(body: &Body, base: DVec3, state: &[f64], contact: &Wrench, ground:
     let q = base + positions(state);
     let bearings = body.planar.stiffness * q + body.planar.damping * rates(state);
     let force =
-        DVec3::new(contact.force.x + body.push.x, contact.force.y + body.push.y, contact.moment.z + body.moment);
+        DVec3::new(contact.force.x + body.push.x, contact.force.y + body.push.y, contact.moment.z + body.moment.z);
     let total = force - bearings;
     let gains =
         [total.x / body.mass - ground.x, total.y / body.mass - ground.y, total.z / (body.mass * body.gyration2)];
@@ -152,7 +152,7 @@ impl Coordinates for Planar {
     }
 
     fn initial(&self, body: &Body) -> Vec<f64> {
-        let ([x, y, _, turn], [vx, vy, _, spin]) = (body.start, body.start_rate);
+        let ([x, y, .., turn], [vx, vy, .., spin]) = (body.start, body.start_rate);
         vec![x, y, turn, vx, vy, spin]
     }
 
@@ -261,7 +261,7 @@ impl Coordinates for Planar {
     fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
         let here = body.planar_frame(state);
         let inertia = -body.mass * ground.dot(here.velocity);
-        let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
+        let push = body.push.dot(here.velocity) + body.moment.z * here.spin.z;
         let v = rates(state);
         [inertia, push, v.dot(body.planar.damping * v)]
     }

@@ -10,6 +10,7 @@ use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::rigid_body;
+use crate::dynamics::model::rotation;
 use crate::dynamics::model::wrench::Wrench;
 
 /// Components of a state.
@@ -93,9 +94,11 @@ impl Coordinates for Spatial {
     }
 
     fn initial(&self, body: &Body) -> Vec<f64> {
-        let ([x, y, z, turn], [vx, vy, vz, spin]) = (body.start, body.start_rate);
-        let q = DQuat::from_rotation_z(turn);
-        vec![x, y, z, q.x, q.y, q.z, q.w, vx, vy, vz, 0.0, 0.0, spin]
+        let [x, y, z, angles @ ..] = body.start;
+        let q = rotation::turned(body.axes, angles);
+        let mut state = vec![x, y, z, q.x, q.y, q.z, q.w];
+        state.extend(body.start_rate);
+        state
     }
 
     #[inline]
@@ -239,7 +242,7 @@ impl Coordinates for Spatial {
 
     fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3] {
         let here = self.frame(body, 0, state);
-        let push = body.push.dot(here.velocity) + body.moment * here.spin.z;
+        let push = body.push.dot(here.velocity) + body.moment.dot(here.spin);
         [-body.mass * ground.dot(here.velocity), push, rigid_body::bearing_loss(body, &here)]
     }
 }
@@ -257,7 +260,7 @@ mod tests {
         let model = Model::compile(&presets::load("deck-30m").expect("a preset")).expect("a scene");
         let mut body = model.bodies[0].clone();
         body.bearings.clear();
-        (body.standing, body.push, body.moment) = (Standing::default(), DVec3::ZERO, 0.0);
+        (body.standing, body.push, body.moment) = (Standing::default(), DVec3::ZERO, DVec3::ZERO);
         body.free = [true; 6];
         body
     }

@@ -91,7 +91,7 @@ fn a_sliding_face_follows_a_record_and_resonates_as_the_integrator_does() {
     // Without dashpots, and shaken at what friction makes of the frequency: there is no steady response.
     let resonance = |model: &mut Model| {
         bear(model, 400.0, 400.0);
-        model.ground = Ground::Sine { amplitude: DVec3::Y, omega: 200f64.sqrt(), phase: 0.3 };
+        model.ground = Ground::Sine { amplitude: DVec3::Y, quadrature: DVec3::ZERO, omega: 200f64.sqrt(), phase: 0.3 };
     };
     agree("resonance", &sliding("straight-abutment", resonance, 1.0), 0.3);
 }

@@ -56,14 +56,15 @@ fn vector(part: &[f64]) -> DVec3 {
 
 /// State at the start.
 pub(super) fn start(kind: Kind, body: &Body) -> Vec<f64> {
-    let ([x, y, z, turn], [vx, vy, vz, spin]) = (body.start, body.start_rate);
+    let ([x, y, z, roll, pitch, turn], [vx, vy, .., spin]) = (body.start, body.start_rate);
     match kind {
         Kind::Planar => vec![x, y, turn, vx, vy, spin],
         Kind::Spatial => {
-            let attitude = DMat3::from_rotation_z(turn) * body.axes;
+            let tilt = DMat3::from_rotation_y(pitch) * DMat3::from_rotation_x(roll);
+            let attitude = DMat3::from_rotation_z(turn) * body.axes * tilt;
             let mut state = vec![x, y, z];
             state.extend(attitude.to_cols_array());
-            state.extend([vx, vy, vz, 0.0, 0.0, spin]);
+            state.extend(body.start_rate);
             state
         }
     }
@@ -118,7 +119,7 @@ pub(super) fn rate(model: &Model, body: &Body, state: &[f64], load: &Load, groun
     let here = pose(model.kind, body, state);
     let mut load = *load;
     load.force += body.push - body.mass * (ground + DVec3::Z * model.gravity);
-    load.moment.z += body.moment;
+    load.moment += body.moment;
     match model.kind {
         Kind::Planar => planar(body, state, load, out),
         Kind::Spatial => spatial(body, &here, load, out),
