@@ -27,6 +27,7 @@ mod physics {
     mod reference;
     mod rows;
     mod spatial;
+    mod spatial_reference;
     mod stick_slip;
     mod symmetry;
     mod tilt;

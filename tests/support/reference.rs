@@ -76,7 +76,8 @@ fn hit(event: &Value) -> Option<ReferenceHit> {
     Some(ReferenceHit { t: number(&event["t"]), flush, impulse: [number(&event["Q_n"]), number(&event["Q_s"])] })
 }
 
-fn rows(name: &str) -> Vec<Vec<f64>> {
+/// The samples of a case, row by row.
+pub(crate) fn rows(name: &str) -> Vec<Vec<f64>> {
     let file = std::fs::File::open(data(&format!("{name}.csv.gz"))).expect("the reference samples are in tests/data");
     let mut csv = String::new();
     flate2::read::GzDecoder::new(file).read_to_string(&mut csv).expect("gzip");

@@ -7,7 +7,7 @@ use glam::{DMat2, DMat3, DVec2, DVec3};
 use crate::contact::parameters::is_over;
 use crate::contact::{Frame, FrictionLaw, Home, Law, Local, Mode, NormalLaw, locate};
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
-use crate::dynamics::contact_model::constants::{REGULARISATION_FRICTION, REGULARISATION_LENGTH};
+use crate::dynamics::contact_model::constants::{REGULARISATION_CLOCK, REGULARISATION_FRICTION, REGULARISATION_LEAST};
 use crate::dynamics::contact_model::event_forecast::frames_after;
 use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
@@ -206,21 +206,23 @@ impl AtInstant<'_> {
     }
 
     /// Regularisation length `ℓ` of a slip direction that turns \[m\], `docs/physics.md#law-return-mapping`:
-    /// proportional to the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`, with ω the contact
-    /// frequency of the pair; 0 for a law whose slip direction is no state.
+    /// proportional to the tolerance and to the largest of the penetration and the depths `|V_n|/ω` and `|a_n|/ω²`,
+    /// with ω the contact frequency of the pair; 0 for a law whose slip direction is no state.
     pub(in crate::dynamics) fn regularisation_length(&self, contact: usize, law: &Law, here: &Local) -> f64 {
         // At μ_k = 0 the tangential force vanishes and has no direction.
         if law.v_stick == 0.0 || law.friction == FrictionLaw::Paper || law.mu_k == 0.0 {
             return 0.0;
         }
         let radian = self.world.pairs[self.world.contacts[contact].pair].simultaneity * SIMULTANEOUS_PER_RADIAN;
-        let (_, speed) = here.relative_velocity(DVec2::ZERO);
+        let (sliding, speed) = here.relative_velocity(DVec2::ZERO);
         let (_, acceleration) = self.relative_acceleration(contact, here);
         let depth = (speed.abs() * radian).max(acceleration.abs() * radian * radian).max(here.penetration());
         let size = self.world.model.contacts[self.world.contacts[contact].site].reach();
-        // At least the round-off of a stretch, below which its direction is undefined.
-        (REGULARISATION_LENGTH * law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t))
-            .max(POSITION_ROUNDING * size)
+        let eased = law.mu_k.max(REGULARISATION_FRICTION) * law.normal.length(depth, law.k_t);
+        // At least the round-off of a stretch, below which its direction is undefined, and the way that is travelled
+        // within the round-off of the time.
+        let rounding = POSITION_ROUNDING * size + REGULARISATION_CLOCK * self.now.t * (speed.abs() + sliding.length());
+        (self.world.model.tolerance.max(REGULARISATION_LEAST) * eased).max(rounding)
     }
 }
 
@@ -234,6 +236,7 @@ mod tests {
     use crate::scene::Direction;
 
     const DEPTH: f64 = 1e-3;
+    const TOLERANCE: f64 = 1e-6;
 
     /// A girder at a wall at this displacement and velocity along x, under a constant push along y, all nodes in slip
     /// under a law that stops at 1e-6 m/s in two directions.
@@ -244,6 +247,7 @@ mod tests {
         let slip = |_: &Local| Mode::Slip { direction: DVec2::X };
         let (mut model, active) = closed(&scene, slip);
         model.bodies[0].push.y = push;
+        model.tolerance = TOLERANCE;
         let mut world = World::of(&Arc::new(model), 0);
         for mut contact in active {
             contact.closed.law.v_stick = 1e-6;
@@ -299,11 +303,11 @@ mod tests {
         };
         let near = |value: f64, expected: f64| (value / expected - 1.0).abs() < 1e-6;
         let pressed_in = length([DEPTH, 0.0], |_| {});
-        assert!(near(pressed_in, 1e-3 * 0.4 * DEPTH), "overlap: {pressed_in} m");
+        assert!(near(pressed_in, TOLERANCE * 0.4 * DEPTH), "overlap: {pressed_in} m");
         let hit = length([0.0, SPEED], |_| {});
-        assert!(near(hit, 1e-3 * 0.4 * SPEED / omega), "v/ω: {hit} m");
+        assert!(near(hit, TOLERANCE * 0.4 * SPEED / omega), "v/ω: {hit} m");
         let smooth = length([0.0, SPEED], |law| law.mu_k = 0.01);
-        assert!(near(smooth, 1e-3 * 0.05 * SPEED / omega), "least friction: {smooth} m");
+        assert!(near(smooth, TOLERANCE * 0.05 * SPEED / omega), "least friction: {smooth} m");
         assert_eq!(length([0.0, SPEED], |law| law.mu_k = 0.0), 0.0, "no friction, no direction");
         assert_eq!(length([0.0, SPEED], |law| law.v_stick = 0.0), 0.0, "one direction of sliding");
         assert_eq!(length([0.0, SPEED], |law| law.friction = FrictionLaw::Paper), 0.0, "law paper");
