@@ -35,18 +35,17 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
     first
 }
 
-/// Whether the gap of every open contact exceeds the bound on the excursion of both bodies, by one sample.
+/// Whether the distance of every open contact's node before its plane, or behind it where the contact is disarmed, exceeds the
+/// bound on the excursion of both bodies, by one sample.
 fn cannot_close(world: &World, pair: usize, samples: &StepSamples) -> bool {
     let slots = world.pairs[pair].slots;
     let (mut least_gap, mut longest_arm) = (f64::INFINITY, [0.0f64; 2]);
     for contact in world.pairs[pair].contacts.clone() {
         let track = &world.contacts[contact];
         let Contact::Open { armed } = track.state else { continue };
-        if !armed {
-            return false;
-        }
         let here = samples.local(world, contact, 0);
-        least_gap = least_gap.min(here.gap);
+        // A disarmed node that stays behind the plane is not armed again.
+        least_gap = least_gap.min(if armed { here.gap } else { -here.gap });
         for (slot, arm) in track.slots.into_iter().zip(world.model.contacts[track.site].levers(&here)) {
             let side = usize::from(slot == slots[1]);
             longest_arm[side] = longest_arm[side].max(arm);

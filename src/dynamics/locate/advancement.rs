@@ -18,7 +18,7 @@ pub struct BoundedGap {
     pub curvature: f64,
     /// How long the bounds hold \[s\].
     pub window: f64,
-    /// Whether the gap stays open within `window`, by its distance alone.
+    /// Whether the gap keeps its sign within `window`, by its distance alone.
     pub out_of_reach: bool,
 }
 
@@ -78,7 +78,7 @@ impl Advancement {
 
     /// Whether the gap cannot close while its bounds hold.
     pub(in crate::dynamics) fn out_of_reach(&self) -> bool {
-        self.armed && self.here.out_of_reach
+        self.here.out_of_reach && (self.armed || self.here.gap < 0.0)
     }
 
     /// Whether the gap closes where the search begins.

@@ -18,13 +18,16 @@ pub(in crate::dynamics) struct SiteGeometry {
     pub apart: f64,
     /// Size of the contact geometry, to which round-off of positions is proportional \[m\].
     pub size: f64,
+    /// Whether it is of two bodies that have met: most of their nodes stay behind most of their faces.
+    pub of_met: bool,
 }
 
 impl SiteGeometry {
     pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
         let (arm, apart) = (site.home.arm.length(), site.home.lever.length());
-        Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size() }
+        let of_met = site.corner.is_some();
+        Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size(), of_met }
     }
 
     /// The gap `here` with a bound on `|g̈|` from bounds on the motion of both bodies and on their relative motion,
@@ -44,7 +47,8 @@ impl SiteGeometry {
             + turn(face.spin, face.spin_rate, apart)
             + 2.0 * face.spin * (between.speed + node.spin * self.arm);
         let moved = between.reach + node.turn * self.arm + face.turn * apart;
+        let out_of_reach = self.home_gap > moved || (self.of_met && -self.home_gap > moved);
         let window = between.window;
-        BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach: self.home_gap > moved }
+        BoundedGap { gap: here.gap, rate: here.gap_rate, curvature, window, out_of_reach }
     }
 }
