@@ -111,6 +111,13 @@ impl Home {
         self.at.z
     }
 
+    /// Geometry of a node at `by` from this one \[m\], world axes as placed.
+    #[must_use]
+    pub fn shifted(&self, by: DVec3) -> Self {
+        let (arm, lever, apart) = (self.arm + by, self.lever + by, self.apart + by);
+        Self { at: self.at + self.axes.transpose() * by, apart, arm, lever, ..*self }
+    }
+
     /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.
     #[must_use]
     pub fn seen_from(&self, node_body: &Frame, face_body: &Frame) -> Self {

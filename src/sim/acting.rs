@@ -52,12 +52,12 @@ impl History {
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
-            let home = seen_from(site, [node.as_ref(), face.as_ref()]);
+            let home = seen_from(site, closed.shift, [node.as_ref(), face.as_ref()]);
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
         }
         let (closed, sides) = (*log.at(t).closed()?, self.sides(contact, t));
-        Some(Seen { closed, home: site.home, since: sides, sides })
+        Some(Seen { closed, home: site.home_at(closed.shift), since: sides, sides })
     }
 
     /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.

@@ -57,7 +57,7 @@ impl History {
         let allowed = DEEPEST * sides.fold(f64::INFINITY, f64::min);
         // At its deepest a contact has no normal velocity: its force is no less than the spring's. A node has at least the
         // whole law's share of one of them all.
-        let force = own.law.normal.elastic(allowed) / own.contacts.len().max(1) as f64;
+        let force = own.law.normal.elastic(allowed) / own.nodes().count().max(1) as f64;
         let touches = self.touches().iter().filter(|touch| touch.pair == pair && touch.peak_force >= force);
         let deepest = touches.map(|touch| {
             let part = (touch.end - touch.start) / f64::from(PARTS);

@@ -103,7 +103,7 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
         let entry = match event.kind {
             EventKind::StickToSlip | EventKind::SlipToStick => &mut ledger.jump_slip,
             EventKind::Opened => &mut ledger.jump_open,
-            EventKind::LeftFace => &mut ledger.jump_edge,
+            EventKind::LeftFace | EventKind::Moved => &mut ledger.jump_edge,
             EventKind::OpenToStick | EventKind::OpenToSlip | EventKind::Missed => &mut ledger.jump_entry,
             EventKind::Hit => &mut ledger.loss_hits,
         };

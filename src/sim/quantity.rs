@@ -247,8 +247,7 @@ impl Quantity {
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Force => model.pairs[i]
-                    .contacts
-                    .clone()
+                    .nodes()
                     .filter_map(|c| history.contact_at(c, t))
                     .map(|c| c.force.length())
                     .fold(0.0, f64::max),

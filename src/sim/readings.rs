@@ -89,11 +89,12 @@ fn corner_off_seat(history: &History, girder: usize, end: End, corner: usize, t:
     (motion.displacement + motion.attitude * here - body.axes * here).dot(inwards)
 }
 
-/// Where a contact's node is before its face, open or closed: gap, and distance along the face's horizontal \[m\].
+/// Where a contact's node is before its face, open or closed, an open edge node in the middle of its edge: gap, and distance along the face's horizontal \[m\].
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
     let [node, face] = history.sides(contact, t.clamp(0.0, history.end()));
-    let here = locate(&site.home, &node, &face);
+    let shift = history.logs[contact].at(t).closed().map_or(DVec3::ZERO, |closed| closed.shift);
+    let here = locate(&site.home_at(shift), &node, &face);
     let level = DVec3::Z.cross(site.face.normal);
     let [u, v] = [site.face.tangent.dot(level), site.face.bitangent.dot(level)];
     [here.gap, here.at.x * u + here.at.y * v]

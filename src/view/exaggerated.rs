@@ -31,6 +31,7 @@ impl Moment {
     pub(super) fn exaggerated(mut self, history: &History, factor: f64) -> Self {
         let model = history.model();
         self.true_gaps = gap::gaps(history.scene(), &self).into_iter().map(|g| g.map(|g| g.gap)).collect();
+        let before = self.motions.clone();
         for motions in [&mut self.motions, &mut self.ghosts] {
             for (own, body) in motions.iter_mut().zip(&model.bodies) {
                 *own = motion(body, own, factor);
@@ -39,7 +40,12 @@ impl Moment {
         let moved = &self.motions;
         let place = |contact: usize, point: DVec3| {
             let site = &model.contacts[contact];
-            site.node_body.and_then(|b| moved.get(b)).map_or(point, |m| m.place + m.attitude * site.point)
+            let motions = site.node_body.and_then(|b| Some((before.get(b)?, moved.get(b)?)));
+            motions.map_or(point, |(before, m)| {
+                // An edge node is another point of its edge at each touch.
+                let own = site.edge.as_ref().map(|_| before.attitude.inverse() * (point - before.place));
+                m.place + m.attitude * own.unwrap_or(site.point)
+            })
         };
         for contact in &mut self.contacts {
             contact.point = place(contact.contact, contact.point);

@@ -18,6 +18,7 @@ mod physics {
     mod cable;
     mod contact_laws;
     mod drift;
+    mod edge_nodes;
     mod energy;
     mod free_motion;
     mod hertz;

@@ -204,8 +204,8 @@ fn spans(history: &History) -> Vec<Span> {
     let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
     let mut spans = Vec::new();
     for event in history.events() {
-        if event.kind == EventKind::Hit {
-            // It takes no time.
+        if matches!(event.kind, EventKind::Hit | EventKind::Moved) {
+            // A hit takes no time; a node that is moved stays in its state.
             continue;
         }
         let Some(slot) = open.get_mut(event.contact()) else { continue };
@@ -230,7 +230,7 @@ fn after(kind: EventKind) -> Option<ContactState> {
     match kind {
         EventKind::OpenToStick | EventKind::SlipToStick => Some(ContactState::Stick),
         EventKind::OpenToSlip | EventKind::StickToSlip => Some(ContactState::Slip),
-        EventKind::Opened | EventKind::LeftFace | EventKind::Missed | EventKind::Hit => None,
+        EventKind::Opened | EventKind::LeftFace | EventKind::Moved | EventKind::Missed | EventKind::Hit => None,
     }
 }
 

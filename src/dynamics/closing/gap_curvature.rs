@@ -47,6 +47,13 @@ impl GapCurvature {
             + 2.0 * face.spin * speed
     }
 
+    /// Bound on the speed in the face's frame of a point of side `node` at `arms` from both G \[m/s\], as in
+    /// [`GapCurvature::curvature`].
+    pub(in crate::dynamics) fn speed_on_face(&self, node: usize, [arm, apart]: [f64; 2], stretch: f64) -> f64 {
+        let speed = self.speed + self.sides[node].spin * arm;
+        speed + self.sides[1 - node].spin * (apart + speed * stretch)
+    }
+
     /// Bounds on the relative motion over an interval of length `stretch` \[s\] of a point at `arms[0]` from G of the
     /// first body and one at `arms[1]` from G of the second, `distance` apart at the start \[m\].
     pub(in crate::dynamics) fn separation(&self, arms: [f64; 2], distance: f64, stretch: f64) -> SeparationBounds {

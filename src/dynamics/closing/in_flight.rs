@@ -79,12 +79,15 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64) -> Nex
     NextClosing { due, evaluations, work: if cut { CUT_SEARCH_WORK } else { 0 } }
 }
 
-/// The open contacts of a pair; a disarmed one whose gap is positive is armed again.
+/// The open corners of a pair (edge nodes are of spatial girders, which have no flight in closed form); a disarmed one whose gap is positive is armed again.
 fn open<'a>(world: &'a World, pair: usize, t: f64, sample: &FlightSample) -> Vec<OpenContact<'a>> {
     let slots = world.pairs[pair].slots;
     let moved: f64 = sample.frames.iter().map(|frame| frame.shift.length()).sum();
     let open_contact = |contact: usize| {
         let track = &world.contacts[contact];
+        if world.model.contacts[track.site].edge.is_some() {
+            return None;
+        }
         let Contact::Open { armed } = track.state else { return None };
         let side = |slot: Option<usize>| slot.map(|slot| usize::from(Some(slot) == slots[1]));
         let (site, geometry) = (&world.model.contacts[track.site], track.geometry);

@@ -2,6 +2,7 @@
 
 pub(in crate::dynamics) mod collinear_pair;
 pub(in crate::dynamics) mod constants;
+pub(in crate::dynamics) mod edge_in_step;
 pub(in crate::dynamics) mod flight_view;
 pub(in crate::dynamics) mod found;
 pub(in crate::dynamics) mod gap_curvature;
@@ -9,3 +10,4 @@ pub(in crate::dynamics) mod in_flight;
 pub(in crate::dynamics) mod in_steps;
 pub(in crate::dynamics) mod link_closing;
 pub mod next_closing;
+mod step_samples;

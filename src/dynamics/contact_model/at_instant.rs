@@ -13,11 +13,12 @@ use crate::dynamics::contact_model::islands::assemble;
 use crate::dynamics::integrator::step_control::ControllerState;
 use crate::dynamics::model::body::Point;
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
+use crate::dynamics::model::edge_node::Edge;
 use crate::dynamics::model::reference_pose::{self, ReferencePose};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, SIMULTANEOUS_PER_RADIAN};
 use crate::dynamics::penalty3d::contact_force;
 use crate::dynamics::penalty3d::contact_state::ClosedContact;
-use crate::dynamics::world::World;
+use crate::dynamics::world::{World, contact_points};
 use crate::scene::Kind;
 
 /// States and poses of bodies at the time of an event.
@@ -100,6 +101,13 @@ pub(in crate::dynamics) struct AtInstant<'a> {
     pub now: &'a EventInstant,
 }
 
+impl<'a> AtInstant<'a> {
+    /// The edge of an edge node.
+    pub(in crate::dynamics) fn edge(&self, contact: usize) -> Option<&'a Edge> {
+        self.world.model.contacts[self.world.contacts[contact].site].edge.as_deref()
+    }
+}
+
 impl AtInstant<'_> {
     /// Pose from `frames` of the node's body (`which` 0) or the face's (1); the fixed pose of an abutment.
     fn side(&self, contact: usize, which: usize, frames: &[Frame]) -> Frame {
@@ -110,11 +118,17 @@ impl AtInstant<'_> {
         track.slots[which].map_or(stand, frame)
     }
 
+    /// Poses of the node's and the face's body relative to the placed poses.
+    pub(in crate::dynamics) fn sides(&self, contact: usize) -> [Frame; 2] {
+        [0, 1].map(|which| self.side(contact, which, &self.now.frames))
+    }
+
     /// Position and velocity of a node relative to its face, poses relative to the placed poses.
     pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
-        let site = &self.world.model.contacts[self.world.contacts[contact].site];
-        let sides = [0, 1].map(|which| self.side(contact, which, &self.now.frames));
-        locate(&site.home, &sides[0], &sides[1])
+        let track = &self.world.contacts[contact];
+        let home = self.world.model.contacts[track.site].home_at(track.shift);
+        let [node, face] = self.sides(contact);
+        locate(&home, &node, &face)
     }
 
     /// Contact geometry at the reference poses, the poses in `frames` of node's and face's body relative to them, and
@@ -122,14 +136,18 @@ impl AtInstant<'_> {
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
         let bases = track.slots.map(|slot| self.now.base(slot));
-        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], bases);
+        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], track.shift, bases);
         let sides = [0, 1].map(|which| self.side(contact, which, frames));
         (home, sides, locate(&home, &sides[0], &sides[1]))
     }
 
     /// Whether the projection of a node is inside its face's polygon, the face by which it is in the pair is the most opposed
-    /// of its corner's, and the node touches no other face.
+    /// of its corner's, and the node touches no other face; of an edge
+    /// node, whether the crossing is a contact point of its own.
     pub(in crate::dynamics) fn is_over(&self, contact: usize) -> bool {
+        if self.edge(contact).is_some() {
+            return contact_points::crossing(self.world, contact, &|contact| self.sides(contact)).is_some();
+        }
         let here = self.local(contact);
         let face = &self.world.model.contacts[self.world.contacts[contact].site].face;
         is_over(face, here.at) && self.is_opposed_most(contact) && !self.touches_elsewhere(contact)

@@ -3,28 +3,36 @@
 
 use crate::contact::{Law, parameters};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
-use crate::dynamics::world::World;
-use crate::scene::Sharing;
+use crate::dynamics::world::{World, contact_points};
+use crate::scene::{Kind, Sharing};
 
-/// Law of a contact that closes. The number of nodes that share stiffness and dashpots is determined when the first
-/// contact of the pair closes and kept until all of them are open.
+/// Law of a contact that closes. The parts of the pair's nodes in stiffness and dashpots are determined when its first
+/// contact closes and kept until all of them are open.
 pub(in crate::dynamics) fn of(world: &mut World, contact: usize, now: &EventInstant) -> Law {
     let number = world.contacts[contact].pair;
     if world.pairs[number].sharers == 0 {
-        world.pairs[number].sharers = sharers(AtInstant { world, now }, number);
+        let (sharers, nodes) = sharers(AtInstant { world, now }, number);
+        for (contact, nodes) in world.pairs[number].contacts.clone().zip(nodes) {
+            world.contacts[contact].sharers = sharers * nodes;
+        }
+        world.pairs[number].sharers = sharers;
     }
-    world.model.pairs[world.pairs[number].pair].law.shared(world.pairs[number].sharers)
+    world.model.pairs[world.pairs[number].pair].law.shared(world.contacts[contact].sharers)
 }
 
-/// Number of nodes that share the law of a pair, from their projections at the time of the event.
-fn sharers(at: AtInstant<'_>, pair: usize) -> usize {
+/// Number of nodes, in space of vertices, that share the law of a pair, and for each of its contacts the number of
+/// nodes at its vertex, from the poses at the time of the event.
+fn sharers(at: AtInstant<'_>, pair: usize) -> (usize, Vec<usize>) {
     let world = at.world;
     let track = &world.pairs[pair];
-    match world.model.pairs[track.pair].contact.sharing {
-        Sharing::PerNode => 1,
-        Sharing::Tributary => parameters::sharers(track.contacts.clone().map(|contact| {
-            let face = &world.model.contacts[world.contacts[contact].site].face;
-            (face, at.local(contact).at)
-        })),
+    let alone = vec![1; track.contacts.len()];
+    match (world.model.pairs[track.pair].contact.sharing, world.model.kind) {
+        (Sharing::PerNode, _) => (1, alone),
+        (Sharing::Tributary, Kind::Planar) => {
+            let node =
+                |contact: usize| (&world.model.contacts[world.contacts[contact].site].face, at.local(contact).at);
+            (parameters::sharers(track.contacts.clone().map(node)), alone)
+        }
+        (Sharing::Tributary, Kind::Spatial) => contact_points::sharers(world, pair, &|contact| at.sides(contact)),
     }
 }

@@ -27,7 +27,7 @@ impl AtInstant<'_> {
     /// The overlaps of a contact's two bodies, which have met, by the faces of both, the least first.
     fn overlaps(&self, contact: usize) -> Vec<LeastOverlap> {
         let mut faces: Vec<(Side, LeastOverlap)> = Vec::new();
-        for contact in self.between(contact) {
+        for contact in self.between(contact).filter(|&c| self.site(c).edge.is_none()) {
             let face = self.face_of(contact);
             let here = LeastOverlap { contact, depth: self.local(contact).penetration() };
             match faces.iter_mut().find(|(known, _)| *known == face) {

@@ -1,6 +1,6 @@
 //! Transitions between the states open, stick and slip of a contact at an event (`docs/physics.md#contact-events`).
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
@@ -28,11 +28,11 @@ pub(in crate::dynamics) struct Transitions<'a> {
 
 impl Transitions<'_> {
     /// The contacts as they are now.
-    fn at(&self) -> AtInstant<'_> {
+    pub(super) fn at(&self) -> AtInstant<'_> {
         AtInstant { world: self.world, now: self.now }
     }
 
-    fn log(&mut self, contact: usize, state: Contact, kind: EventKind, released: f64) {
+    pub(super) fn log(&mut self, contact: usize, state: Contact, kind: EventKind, released: f64) {
         self.enter_state(contact, state);
         self.events.push(Event::new(self.now.t, self.world.contacts[contact].site, kind, released));
         self.count(contact);
@@ -49,12 +49,14 @@ impl Transitions<'_> {
     fn enter_state(&mut self, contact: usize, state: Contact) {
         let track = &mut self.world.contacts[contact];
         let way = match state {
-            // The origin is kept as long as the contact is closed.
-            Contact::Closed(_) if track.state.closed().is_some() => track.log.way(),
+            // The origin is kept as long as the node is the same.
+            Contact::Closed(now) if track.state.closed().is_some_and(|before| before.shift == now.shift) => {
+                track.log.way()
+            }
             // Without friction there is no tangential spring and no anchor.
             Contact::Closed(now) if now.law.has_friction() => {
                 let bases = track.slots.map(|slot| self.now.base(slot));
-                reference_pose::way_to(&self.world.model.contacts[track.site], bases)
+                reference_pose::way_to(&self.world.model.contacts[track.site], track.shift, bases)
             }
             _ => DVec2::ZERO,
         };
@@ -88,6 +90,9 @@ impl Transitions<'_> {
             return true;
         }
         self.world.contacts[contact].closing = None;
+        if self.at().edge(contact).is_some() {
+            return false;
+        }
         let (pair, disarmed) = (self.world.contacts[contact].pair, Contact::Open { armed: false });
         if self.world.model.pairs[self.world.pairs[pair].pair].met {
             // Between all faces of two bodies most crossings of a plane are beside the face.
@@ -98,6 +103,19 @@ impl Transitions<'_> {
         }
         self.world.contacts[contact].changes.of_touch = 0;
         false
+    }
+
+    /// Places an edge node at the present crossing.
+    pub(super) fn place(&mut self, contact: usize) {
+        self.world.contacts[contact].shift = self.crossing(contact).unwrap_or(DVec3::ZERO);
+    }
+
+    /// Place of an edge node at the present crossing, from the middle of its edge as placed \[m\]; `None` for a corner
+    /// and where the edges do not cross.
+    pub(super) fn crossing(&self, contact: usize) -> Option<DVec3> {
+        let edge = self.at().edge(contact)?;
+        let [node, face] = self.at().sides(contact);
+        Some(edge.shift(&edge.crossing(&edge.ends(&node, &face), edge.tolerance())?))
     }
 
     /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
@@ -120,6 +138,7 @@ impl Transitions<'_> {
 
     /// Closing of a contact whose node is at its face.
     fn close_at_face(&mut self, contact: usize) {
+        self.place(contact);
         let (.., here) = self.at().since(contact, &self.now.since);
         let law = contact_law::of(self.world, contact, self.now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
@@ -128,7 +147,8 @@ impl Transitions<'_> {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let regularisation = self.at().regularisation_length(contact, &law, &here);
-        let closed = ClosedContact::new(law, mode, regularisation);
+        let shift = self.world.contacts[contact].shift;
+        let closed = ClosedContact { shift, ..ClosedContact::new(law, mode, regularisation) };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -166,7 +186,8 @@ impl Transitions<'_> {
             let (sliding, _) = here.relative_velocity(DVec2::ZERO);
             Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
         };
-        let mut closed = ClosedContact::new(law, mode, regularisation);
+        let shift = self.world.contacts[contact].shift;
+        let mut closed = ClosedContact { shift, ..ClosedContact::new(law, mode, regularisation) };
         closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
         closed
     }
@@ -184,11 +205,18 @@ impl Transitions<'_> {
             {
                 continue;
             }
+            if self.at().edge(contact).is_some() {
+                if !self.at().is_over(contact) {
+                    continue;
+                }
+                self.place(contact);
+            }
             let here = self.at().local(contact);
             let site = &self.world.model.contacts[self.world.contacts[contact].site];
             if here.gap >= 0.0 {
                 continue;
             }
+            // An edge node is at its crossing.
             let inside = site.beyond(&here) < 0.0;
             let inside = inside && self.at().is_opposed_most(contact) && !self.at().touches_elsewhere(contact);
             let state = if inside && self.at().entered_by(contact) == Some(contact) {
@@ -205,6 +233,7 @@ impl Transitions<'_> {
         let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
         match reason {
             Reason::Opening => self.open(contact, &closed, EventKind::Opened),
+            Reason::Edge if self.follow(contact, closed) => {}
             Reason::Edge => self.leave(contact, closed),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
@@ -234,9 +263,13 @@ impl Transitions<'_> {
     }
 
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
+        self.world.contacts[contact].shift = closed.shift;
         let (.., here) = self.at().since(contact, &self.now.since);
         let released = closed.law.strain(&here, &closed.forces(&here));
         self.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);
+        if kind == EventKind::LeftFace {
+            self.pass_on(contact, closed);
+        }
         let pair = self.world.contacts[contact].pair;
         let touching = self.world.pairs[pair].contacts.clone().any(|c| self.world.contacts[c].state.closed().is_some());
         if !touching {

@@ -7,11 +7,11 @@ use crate::contact::{PairNumbers, law_of_pair};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Model;
-use crate::dynamics::model::contact_sites;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
+use crate::dynamics::model::{contact_sites, edge_sites};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, Tension, facing, placed};
@@ -49,6 +49,11 @@ impl Model {
             contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
+        }
+        for (number, pair) in pairs.iter_mut().enumerate().filter(|(_, pair)| !pair.met) {
+            let from = contacts.len();
+            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], number, &mut contacts)?;
+            pair.edges = from..contacts.len();
         }
         let mut model = Self {
             kind: scene.kind,
@@ -181,6 +186,7 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
         bodies: sides,
         law,
         contacts,
+        edges: 0..0,
         one_way,
         name: facing.name,
         first: facing.first,

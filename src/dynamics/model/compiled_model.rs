@@ -28,7 +28,7 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// Facing pairs.
     pub pairs: Vec<Pair>,
-    /// Declared nodes and faces.
+    /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.
     pub contacts: Vec<ContactSite>,
     /// Links: devices between two points.
     pub links: Vec<Link>,

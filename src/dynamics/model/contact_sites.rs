@@ -16,7 +16,7 @@ use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 /// What a planar girder's nodes are called after it.
 const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 /// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
-const OVERHANG: f64 = 0.75;
+pub(super) const OVERHANG: f64 = 0.75;
 
 /// A node of a side.
 struct Node {
@@ -28,18 +28,18 @@ struct Node {
 }
 
 /// One side of a pair as the other sees it: nodes, and the face they may enter.
-struct PairSide {
+pub(super) struct PairSide {
     side: Side,
-    name: Arc<str>,
-    body: Option<usize>,
+    pub name: Arc<str>,
+    pub body: Option<usize>,
     nodes: Vec<Node>,
-    face: Face,
+    pub face: Face,
     /// Where an abutment's frame stands: its corner a.
-    fixed: DVec3,
+    pub fixed: DVec3,
 }
 
 impl PairSide {
-    fn end(&self) -> Option<End> {
+    pub(super) fn end(&self) -> Option<End> {
         match self.side {
             Side::Girder(_, end) => Some(end),
             _ => None,
@@ -86,6 +86,7 @@ pub(in crate::dynamics) fn contacts(
                 face: face.face.clone(),
                 fixed,
                 stand: Frame::fixed(fixed),
+                edge: None,
             });
         }
     }
@@ -132,7 +133,7 @@ fn around(scene: &Scene, bodies: &[Body], face: &PairSide) -> Result<[DVec3; 4],
 }
 
 /// Where the body of a facade was placed, and its axes there.
-fn placed_at(bodies: &[Body], facade: &PairSide) -> (DVec3, DMat3) {
+pub(super) fn placed_at(bodies: &[Body], facade: &PairSide) -> (DVec3, DMat3) {
     facade.body.map_or((facade.fixed, DMat3::IDENTITY), |body| (bodies[body].home, bodies[body].axes))
 }
 
@@ -141,7 +142,7 @@ fn can_enter(body: &Body, face: &Face, world: DVec3) -> bool {
     face.inset(local) > -OVERHANG * body.prism.end_length()
 }
 
-fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
+pub(super) fn facade(scene: &Scene, bodies: &[Body], side: Side) -> Result<PairSide, SceneErrors> {
     match side {
         Side::Girder(girder, end) => Ok(end_facade(scene.kind, &bodies[girder], girder, end)),
         Side::Flank(girder, _) => flank_facade(scene.kind, &bodies[girder], girder, side),

@@ -7,6 +7,8 @@ pub mod closed_form;
 pub mod compiled_model;
 pub(in crate::dynamics) mod contact_sites;
 pub mod coordinates;
+pub mod edge_node;
+mod edge_sites;
 pub mod groups;
 pub mod motion_bounds;
 pub mod pair;

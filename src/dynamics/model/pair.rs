@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::contact::parameters::{edge_slack, outside};
 use crate::contact::{Frame, Home, Law, Local};
+use crate::dynamics::model::edge_node::Edge;
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
 
@@ -30,8 +31,17 @@ pub struct Pair {
     pub gap: f64,
     /// Its contacts, numbers in [`Model::contacts`](crate::dynamics::Model::contacts).
     pub contacts: std::ops::Range<usize>,
+    /// Its edge nodes, behind the contacts of all pairs in the same list; none in plan.
+    pub edges: std::ops::Range<usize>,
     /// Whether sliding has one direction only: the faces are vertical and no body can move vertically, roll or pitch.
     pub one_way: bool,
+}
+
+impl Pair {
+    /// Numbers of all its contact sites: corners, then edge nodes.
+    pub fn nodes(&self) -> impl Iterator<Item = usize> + use<> {
+        self.contacts.clone().chain(self.edges.clone())
+    }
 }
 
 /// A declared node and face (Fig. 24).
@@ -64,6 +74,9 @@ pub struct ContactSite {
     pub fixed: DVec3,
     /// That frame.
     pub stand: Frame,
+    /// For an edge node its edge and the side of the face across it; `point` and `home` are then those of the edge's
+    /// middle. Nothing for a corner.
+    pub edge: Option<Box<Edge>>,
 }
 
 /// Faces that meet in a node: outward unit normals as placed, world axes.
@@ -89,11 +102,26 @@ impl CornerFaces {
 }
 
 impl ContactSite {
-    /// How far a node is beyond the edges of its face, or beyond the face's body behind; negative within \[m\].
+    /// Node and face as placed, the node at `shift` from the site's \[m\], world axes as placed.
+    #[inline]
+    pub fn home_at(&self, shift: DVec3) -> Home {
+        if shift == DVec3::ZERO { self.home } else { self.home.shifted(shift) }
+    }
+
+    /// Half the length of the edge that the node is on; 0 for a corner \[m\].
+    pub(in crate::dynamics) fn half_edge(&self) -> f64 {
+        self.edge.as_ref().map_or(0.0, |edge| 0.5 * edge.length())
+    }
+
+    /// How far a node is beyond the edges of its face, or beyond the face's body behind; negative within \[m\]; of
+    /// an edge node, how far it is from the crossing beyond the distance at which it is moved.
     ///
     /// Without [`around`](Self::around) the polygon's edges count, for the projection; with it the planes of the neighbouring
     /// faces, for the node itself: at the end of a skewed girder a node that is over the edge may still be in the girder.
     pub fn beyond(&self, here: &Local) -> f64 {
+        if let Some(edge) = &self.edge {
+            return edge.left(here.at).max(here.penetration() - self.face.depth);
+        }
         let Some(normals) = &self.around else {
             return outside(&self.face, here.at).max(here.penetration() - self.face.depth);
         };
@@ -106,10 +134,10 @@ impl ContactSite {
 
     /// Size that the node's coordinates on the face round with: of the face, and of either lever from G \[m\].
     pub fn reach(&self) -> f64 {
-        self.face.size().max(self.point.length()).max(self.face.corners[0].length())
+        self.face.size().max(self.point.length() + self.half_edge()).max(self.face.corners[0].length())
     }
     /// Distances of the node from G of its own body, and of the same point from G of the face's body, as an upper bound \[m\].
     pub(in crate::dynamics) fn levers(&self, here: &Local) -> [f64; 2] {
-        [self.point.length(), self.face.corners[0].length() + here.gap.abs() + here.at.length()]
+        [self.point.length() + self.half_edge(), self.face.corners[0].length() + here.gap.abs() + here.at.length()]
     }
 }

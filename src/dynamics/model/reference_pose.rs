@@ -88,14 +88,19 @@ impl ReferencePose {
     }
 }
 
-/// Node and face of a contact as if they had been placed where the bases of their bodies are; an abutment stands.
-pub(crate) fn seen_from(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
-    site.home.seen_from(&pose(site, node), &pose(site, face))
+/// Node, at `shift` from its site's, and face of a contact as if they had been placed where the bases of their bodies
+/// are; an abutment stands.
+pub(crate) fn seen_from(site: &ContactSite, shift: DVec3, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
+    site.home_at(shift).seen_from(&pose(site, node), &pose(site, face))
 }
 
-/// Displacement of the node along the face at the reference poses, since placed \[m\].
-pub(in crate::dynamics) fn way_to(site: &ContactSite, [node, face]: [Option<&ReferencePose>; 2]) -> DVec2 {
-    locate(&site.home, &pose(site, node), &pose(site, face)).way
+/// Displacement of the node, at `shift` from its site's, along the face at the reference poses, since placed \[m\].
+pub(in crate::dynamics) fn way_to(
+    site: &ContactSite,
+    shift: DVec3,
+    [node, face]: [Option<&ReferencePose>; 2],
+) -> DVec2 {
+    locate(&site.home_at(shift), &pose(site, node), &pose(site, face)).way
 }
 
 fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
@@ -163,7 +168,7 @@ mod tests {
             let mut since = away(model.kind);
             let base = body.rebase(&mut since);
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));
-            let home = seen_from(site, bases);
+            let home = seen_from(site, DVec3::ZERO, bases);
             let look = |state: &[f64]| {
                 let own = body.frame_since(0, state);
                 let whole = base.whole(&own);
@@ -178,7 +183,7 @@ mod tests {
             assert!((end.at - far_end.at).length() < 1e-13, "{name}: {end:?} against {far_end:?}");
             assert!((end.gap_rate - far_end.gap_rate).abs() < 1e-15, "{name}: {end:?} against {far_end:?}");
             assert!((end.rate - far_end.rate).length() < 1e-15, "{name}: {end:?} against {far_end:?}");
-            let way = way_to(site, bases);
+            let way = way_to(site, DVec3::ZERO, bases);
             assert!((start.way + way - far_start.way).length() < 1e-15, "{name}: ways add up");
             // A thousandth of the last digit of where the body is.
             let least = 1e-3 * f64::EPSILON * 0.43;

@@ -15,6 +15,8 @@ pub enum EventKind {
     Opened,
     /// The projection leaves the polygon, or the node comes out behind the body.
     LeftFace,
+    /// An edge node has moved along its edge to the present crossing; the contact goes on.
+    Moved,
     /// The node crosses the plane of the face outside the polygon; no contact.
     Missed,
     /// Hit by an impulse (impact model).
@@ -31,6 +33,7 @@ impl EventKind {
             Self::SlipToStick => "slip->stick",
             Self::Opened => "->open",
             Self::LeftFace => "->left-face",
+            Self::Moved => "moved",
             Self::Missed => "miss",
             Self::Hit => "hit",
         }

@@ -7,6 +7,7 @@
 pub(in crate::dynamics) mod axial_gap;
 pub(in crate::dynamics) mod connectivity;
 mod constants;
+pub(in crate::dynamics) mod contact_points;
 #[cfg(test)]
 pub(in crate::dynamics) mod example;
 pub(in crate::dynamics) mod poses;

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use crate::contact::NormalLaw;
 use crate::dynamics::Model;
 use crate::dynamics::free_flight::body_motion::BodyMotion;
@@ -39,7 +41,7 @@ impl World {
         let pairs = model.group_pairs[number].as_slice();
         self.bodies.reserve_exact(group.len());
         self.pairs.reserve_exact(pairs.len());
-        self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].contacts.len()).sum());
+        self.contacts.reserve_exact(pairs.iter().map(|&pair| model.pairs[pair].nodes().count()).sum());
         let slot = |side: Option<usize>| side.and_then(|b| group.binary_search(&b).ok());
         for &body in group {
             self.add_body(&model, body);
@@ -69,7 +71,7 @@ impl World {
         let pair = &model.pairs[number];
         let slots = pair.bodies.map(slot);
         let from = self.contacts.len();
-        for site in pair.contacts.clone() {
+        for site in pair.nodes() {
             let owners = [model.contacts[site].node_body, model.contacts[site].face_body].map(slot);
             self.add_contact(model, site, owners);
         }
@@ -98,6 +100,8 @@ impl World {
             geometry: SiteGeometry::of(model, site),
             rivals: Vec::new(),
             state: Contact::Open { armed: true },
+            sharers: 1,
+            shift: DVec3::ZERO,
             closing: None,
             rearmed_at: None,
             log: ContactLog::default(),
@@ -129,7 +133,9 @@ impl World {
             return;
         }
         let mut nodes: BTreeMap<(Option<usize>, &str), Vec<usize>> = BTreeMap::new();
-        for (contact, track) in self.contacts.iter().enumerate() {
+        // An edge node is another material point at each closing.
+        let corners = self.contacts.iter().enumerate().filter(|(_, track)| model.contacts[track.site].edge.is_none());
+        for (contact, track) in corners {
             nodes.entry((track.slots[0], &model.contacts[track.site].node)).or_default().push(contact);
         }
         for same in nodes.values().filter(|same| same.len() > 1) {

@@ -12,7 +12,7 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 pub(in crate::dynamics) struct SiteGeometry {
     /// Gap as placed \[m\].
     pub home_gap: f64,
-    /// Distance of the node from G of its own body \[m\].
+    /// Distance of the node from G of its own body, of an edge node at most \[m\].
     pub arm: f64,
     /// Distance of the node from G of the face's body as placed \[m\].
     pub apart: f64,
@@ -25,7 +25,8 @@ pub(in crate::dynamics) struct SiteGeometry {
 impl SiteGeometry {
     pub(in crate::dynamics) fn of(model: &Model, site: usize) -> Self {
         let site = &model.contacts[site];
-        let (arm, apart) = (site.home.arm.length(), site.home.lever.length());
+        let half = site.half_edge();
+        let (arm, apart) = (site.home.arm.length() + half, site.home.lever.length() + half);
         let of_met = site.corner.is_some();
         Self { home_gap: site.home.gap(), arm, apart, size: arm + apart + site.face.size(), of_met }
     }

@@ -1,6 +1,8 @@
 //! Bodies, facing pairs, links and contacts of one group during a run: present states, trajectories, and times found
 //! by searches.
 
+use glam::DVec3;
+
 use crate::dynamics::connection::Phase;
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
 use crate::dynamics::penalty3d::contact_state::Contact;
@@ -59,9 +61,10 @@ pub(in crate::dynamics) struct PairTrack {
     pub slots: [Option<usize>; 2],
     /// Sections of these bodies that face each other.
     pub sections: [usize; 2],
-    /// Numbers of its contacts in the group.
+    /// Numbers of its contacts in the group, corners before edge nodes.
     pub contacts: std::ops::Range<usize>,
-    /// Number of nodes that share K and C while a contact of the pair is closed; 0 while all are open.
+    /// Number of nodes, in space of vertices, that share K and C while a contact of the pair is closed; 0 while all are
+    /// open.
     pub sharers: usize,
     /// Simultaneity interval: equal events of the pair's contacts within it change state together \[s\]
     /// (`docs/physics.md#simultaneous-events`).
@@ -100,6 +103,11 @@ pub(in crate::dynamics) struct ContactTrack {
     pub sections: [usize; 2],
     /// Present state.
     pub state: Contact,
+    /// Number by which the pair's K and C are divided for this node in the present touch \[–\].
+    pub sharers: usize,
+    /// Place of an edge node at its last closing, from the middle of its edge as placed, world axes \[m\]; 0 for a
+    /// corner.
+    pub shift: DVec3,
     /// Other contacts of the node, which touches one face at a time.
     pub rivals: Vec<usize>,
     /// Geometry of its site as placed.

@@ -87,7 +87,7 @@ struct Found {
 /// The overlap of two bodies that no contact carries; `None` where there is none.
 pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [usize; 2]) -> Option<Overlap> {
     let facing = joined.facing(pair.map(|number| solids.id(number)));
-    let contacts = facing.iter().flat_map(|&number| history.model().pairs[number].contacts.clone()).collect();
+    let contacts = facing.iter().flat_map(|&number| history.model().pairs[number].nodes()).collect();
     let side = solids.least_side(pair);
     let meeting = Meeting { history, solids, pair, contacts, least: COUNTS * side, resolved: RESOLVED * side };
     let sought = match facing {
@@ -183,7 +183,13 @@ impl Meeting<'_> {
     /// Deepest penetration of a closed contact between the two bodies \[m\]; `None` where all are open.
     fn carried(&self, t: f64) -> Option<f64> {
         let closed = |&contact: &usize| matches!(self.history.logs[contact].at(t), Contact::Closed(_));
-        let depth = |contact: usize| -before_face(self.history, contact, t)[0];
+        let depth = |contact: usize| {
+            let [node, face] = self.history.sides(contact, t);
+            // An edge node carries what overlaps at its crossing.
+            let edge = self.history.model().contacts[contact].edge.as_ref();
+            let crossing = edge.map_or(f64::NEG_INFINITY, |edge| -edge.gap_at(&node, &face));
+            crossing.max(-before_face(self.history, contact, t)[0])
+        };
         self.contacts.iter().copied().filter(closed).map(depth).reduce(f64::max)
     }
 

@@ -81,15 +81,15 @@ fn girders_that_pass_at_a_distance_do_not_overlap() {
 
 #[test]
 fn in_space_an_edge_that_meets_an_edge_is_seen() {
-    // A backwall that is narrower and higher than the deck's end: no corner is in front of the other's face. The deck, held
-    // in height and attitude, comes at 0.5 m/s from 10 mm before it.
-    let text = "name = \"narrow wall\"\nkind = \"spatial\"\nduration_s = 0.05\n[[girder]]\nname = \"deck\"\nlength_m = 0.19\n\
-        width_m = 0.07\nthickness_m = 0.02\nmass_kg = 2.0\nheld = [\"z\", \"roll\", \"pitch\", \"yaw\"]\n\
-        initial = { velocity_m_s = [0.5, 0] }\n[[abutment]]\nname = \"wall\"\nfaces = \"deck\"\nend = \"+x\"\n\
-        gap_m = 0.01\nwidth_m = 0.06\nheight_m = 0.04\n";
-    let history = History::of(&scene(text)).expect("it runs");
-    let [overlap] = history.overlaps() else { panic!("one overlap: {:?}", history.overlaps()) };
-    assert_eq!(overlap.bodies, [SolidId::Girder(0), SolidId::Abutment(0)], "deck and wall");
+    // Side by side, the second girder 5 mm higher: it comes at 1 m/s from 0.02 m beside the first, and the way out is upwards
+    // once it is 0.015 m inside.
+    let text = format!(
+        "name = \"beside\"\nkind = \"spatial\"\ngravity_m_s2 = 0.0\nduration_s = 0.05\n[contact]\nbetween = \"ends\"\n\
+         [[girder]]\nname = \"one\"\n{GIRDER}[[girder]]\nname = \"two\"\n{GIRDER}position_m = [0.0, 0.09, 0.005]\n\
+         initial = {{ velocity_m_s = [0, -1] }}\n"
+    );
+    let history = History::of(&scene(&text)).expect("it runs");
+    let overlap = only(&history);
     within("first seen", overlap.first() - 0.02, 1e-6);
     within("depth", overlap.depth.value - 0.015, 1e-12);
 }

@@ -33,7 +33,9 @@ pub(super) fn check(history: &History, times: &[f64], figures: &mut Figures, com
         return complaints.push(Complaint::new(Check::Missed, detail));
     }
     // Between all faces of two bodies a node may be deep behind one face and in by another: the overlap tells.
-    let of_one_face = |&contact: &usize| model.contacts[contact].corner.is_none();
+    // Of an open edge node only the crossing is anywhere.
+    let of_one_face =
+        |&contact: &usize| model.contacts[contact].corner.is_none() && model.contacts[contact].edge.is_none();
     for contact in (0..model.contacts.len()).filter(of_one_face) {
         if let Some((t, depth)) = deepest(history, contact, times, &frames) {
             figures.missed = figures.missed.max(depth);

@@ -1,0 +1,114 @@
+//! The first closing of an edge node within planned steps: subdivision of the gap of two edges with the bound on its
+//! second derivative, at a crossing that is a contact point.
+//!
+//! The lines of two edges meet at many times at which the edges do not: a crossing of 0 beside the edges, at a corner
+//! that is inside the polygon, or by a slide along tilted faces that part is passed over, and the gap has to be positive again before the next one.
+
+use crate::dynamics::closing::constants::CLOSING_INTERVAL;
+use crate::dynamics::closing::gap_curvature::GapCurvature;
+use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error, resolution};
+use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
+use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
+use crate::dynamics::world::World;
+use crate::dynamics::world::contact_points::{self, poses_at};
+
+/// Closing of an edge node, and time from which it is armed if it was not \[s\].
+pub(super) fn search(
+    world: &World,
+    contact: usize,
+    samples: &mut StepSamples,
+    armed: bool,
+) -> (Option<f64>, Option<f64>) {
+    let times = samples.times;
+    let [t, until] = [times[0], times[times.len() - 1]];
+    let site = &world.model.contacts[world.contacts[contact].site];
+    let Some(edge) = site.edge.as_deref().filter(|_| until > t) else { return (None, None) };
+    let ends_at = |samples: &StepSamples, i: usize| {
+        let [node, face] = samples.sides(world, contact, i);
+        edge.ends(node, face)
+    };
+    let before = ends_at(samples, 0);
+    let arms = levers(world, contact, samples);
+    let slots = world.contacts[contact].slots;
+    let reach: f64 =
+        slots.iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until))).sum();
+    if Edge::is_clear(&before, reach) {
+        return (None, None);
+    }
+    let resolution = resolution(world, contact, t) * edge.amplification(&before).max(1.0);
+    let [gap, rate] = edge.gap(&before);
+    let error = rate_error(world, contact, samples.sides(world, contact, 0)) * edge.amplification(&before).max(1.0);
+    let closes_now = armed && gap.abs() <= resolution && rate < -error;
+    if closes_now && begins(world, contact, t) {
+        return (Some(t), None);
+    }
+    // A gap that is negative, or falls through 0 now beside the edges, was passed over.
+    let armed = armed && gap >= -resolution && !closes_now;
+    let pair = world.pairs[world.contacts[contact].pair].slots;
+    let bounds = GapCurvature::of(world, pair, t, until);
+    let node = usize::from(slots[0] == pair[1]);
+    let bound = |bounds: &GapCurvature, here: &EdgeEnds, stretch: f64| {
+        let motion = [bounds.speed_on_face(node, arms, stretch), bounds.curvature(node, arms, stretch)];
+        edge.curvature(here, motion, stretch)
+    };
+    let span = until - t;
+    let curvature_bound = bound(&bounds, &before, span);
+    if armed && bounds.holds(span) && gap > resolution + span * ((-rate).max(0.0) + 0.5 * curvature_bound * span) {
+        return (None, None);
+    }
+    let ends = |at: f64| {
+        let [node, face] = poses_at(world, contact, at);
+        edge.ends(&node, &face)
+    };
+    let curvature = |from: &GapSample, to: f64| {
+        if bounds.holds(span) {
+            return curvature_bound;
+        }
+        let part = GapCurvature::of(world, pair, from.t, to);
+        if part.holds(to - from.t) { bound(&part, &ends(from.t), to - from.t) } else { f64::INFINITY }
+    };
+    let gap_at = |at: f64| sample(edge, &ends(at), at);
+    let rate_error_at = |at: f64| {
+        let [node, face] = poses_at(world, contact, at);
+        rate_error(world, contact, [&node, &face])
+    };
+    let interval = CLOSING_INTERVAL * world.pairs[world.contacts[contact].pair].simultaneity;
+    samples.fill(world);
+    let mut gaps: Vec<GapSample> =
+        times.iter().enumerate().map(|(i, &at)| sample(edge, &ends_at(samples, i), at)).collect();
+    let (mut armed, mut rearmed) = (armed, None);
+    loop {
+        let mut subdivision = Subdivision::new((gap_at, curvature, rate_error_at), armed, resolution, interval);
+        let closing = subdivision.first_closing(&gaps);
+        rearmed = rearmed.or(subdivision.rearmed_at());
+        match closing {
+            Some(at) if !begins(world, contact, at) => {
+                armed = false;
+                gaps = std::iter::once(gap_at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();
+            }
+            _ => return (closing, rearmed),
+        }
+    }
+}
+
+fn sample(edge: &Edge, here: &EdgeEnds, t: f64) -> GapSample {
+    let [gap, rate] = edge.gap(here);
+    GapSample { t, gap, rate }
+}
+
+/// Whether a contact begins where the lines of the edges meet: at a contact point, with a node that enters the face. A
+/// node that slides along a tilted face moves out of it while the crossing moves in.
+fn begins(world: &World, contact: usize, t: f64) -> bool {
+    let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return false };
+    let [node, face] = poses_at(world, contact, t);
+    let crossing = contact_points::crossing(world, contact, &|other| poses_at(world, other, t));
+    let rate = crossing.map_or(0.0, |crossing| crossing.gap_rate(&edge.ends(&node, &face)));
+    rate < -rate_error(world, contact, [&node, &face])
+}
+
+/// Bounds on the distances of the ends of a contact's edge from G of its own body and of the face's \[m\].
+fn levers(world: &World, contact: usize, samples: &StepSamples) -> [f64; 2] {
+    let site = &world.model.contacts[world.contacts[contact].site];
+    let [own, apart] = site.levers(&samples.local(world, contact, 0));
+    [own, apart + site.half_edge()]
+}

@@ -1,0 +1,104 @@
+//! Poses of a pair's bodies at the sample times of a planned step, and the errors and excursions of their contacts.
+
+use crate::contact::{Frame, Local, gap, locate};
+use crate::dynamics::closing::constants::{SPEED_ROUNDING, STEP_SAMPLES};
+use crate::dynamics::locate::constants::RESOLUTION;
+use crate::dynamics::locate::subdivision::GapSample;
+use crate::dynamics::world::World;
+use crate::dynamics::world::site_geometry::SiteGeometry;
+use crate::dynamics::world::tracks::{PairTrack, Trajectory};
+
+/// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
+pub(super) fn resolution(world: &World, contact: usize, t: f64) -> f64 {
+    let track = &world.contacts[contact];
+    // The round-off of positions grows with the displacement of the bodies.
+    let sides = track.slots.into_iter().zip(track.sections);
+    let moved: f64 = sides.filter_map(|(slot, section)| Some(world.frame(slot?, section, t).shift.length())).sum();
+    RESOLUTION * (track.geometry.size + moved)
+}
+
+/// Poses of a pair's bodies at the sample times of a planned step, shared by its contacts.
+pub(super) struct StepSamples {
+    pub times: [f64; STEP_SAMPLES],
+    /// Poses at the first sample time.
+    first: [Frame; 2],
+    /// Poses at the other sample times; empty until they are asked for.
+    others: Vec<[Frame; 2]>,
+    pub slots: [Option<usize>; 2],
+    sections: [usize; 2],
+}
+
+impl StepSamples {
+    /// With the poses of the first sample time.
+    pub(super) fn begin(world: &World, pair: usize, t: f64, until: f64) -> Self {
+        let PairTrack { slots, sections, .. } = world.pairs[pair];
+        let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
+        let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
+        Self { times, first: Self::frames(world, slots, sections, t), others: Vec::new(), slots, sections }
+    }
+
+    /// Computes the poses of the other sample times.
+    pub(super) fn fill(&mut self, world: &World) {
+        if !self.others.is_empty() {
+            return;
+        }
+        let frames = |&t: &f64| Self::frames(world, self.slots, self.sections, t);
+        self.others.extend(self.times[1..].iter().map(frames));
+    }
+
+    fn frames(world: &World, slots: [Option<usize>; 2], sections: [usize; 2], t: f64) -> [Frame; 2] {
+        let still = Frame::fixed(glam::DVec3::ZERO);
+        [0, 1].map(|side| slots[side].map_or(still, |slot| world.frame(slot, sections[side], t)))
+    }
+
+    /// Pose of one of the pair's bodies at sample `i`.
+    pub(super) fn side(&self, slot: Option<usize>, i: usize) -> &Frame {
+        let frames = i.checked_sub(1).map_or(&self.first, |other| &self.others[other]);
+        &frames[usize::from(slot == self.slots[1])]
+    }
+
+    /// Poses of node's and face's body of a contact at sample `i`.
+    pub(super) fn sides<'a>(&'a self, world: &'a World, contact: usize, i: usize) -> [&'a Frame; 2] {
+        let track = &world.contacts[contact];
+        let site = &world.model.contacts[track.site];
+        track.slots.map(|slot| if slot.is_some() { self.side(slot, i) } else { &site.stand })
+    }
+
+    pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {
+        let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
+        locate(&site.home, node, face)
+    }
+
+    /// Gap and rate of a contact at sample `i`.
+    pub(super) fn gap(&self, world: &World, contact: usize, i: usize) -> GapSample {
+        let (site, [node, face]) = (&world.model.contacts[world.contacts[contact].site], self.sides(world, contact, i));
+        let [gap, rate] = gap(&site.home, node, face);
+        GapSample { t: self.times[i], gap, rate }
+    }
+}
+
+/// Error bound of the rate of a contact's gap \[m/s\]: the tolerance of the run, at least round-off, times the speeds
+/// of node and face.
+pub(super) fn rate_error(world: &World, contact: usize, sides: [&Frame; 2]) -> f64 {
+    let SiteGeometry { arm, apart, .. } = world.contacts[contact].geometry;
+    let speed = |(side, arm): (&Frame, f64)| side.velocity.length() + side.spin.length() * arm;
+    world.model.tolerance.max(SPEED_ROUNDING) * sides.into_iter().zip([arm, apart]).map(speed).sum::<f64>()
+}
+
+/// Bound on the displacement of a point at `arm` \[m\] from a body's G from `from` to `until` \[m\]; infinite where
+/// no bound holds.
+pub(super) fn excursion(world: &World, slot: usize, arm: f64, from: f64, until: f64) -> f64 {
+    match (&world.bodies[slot].now, &world.bodies[slot].system) {
+        (Trajectory::Island { island, index }, _) => {
+            world.islands[*island].as_ref().map_or(0.0, |island| island.excursion(&world.model, *index, arm, from))
+        }
+        (Trajectory::Flight(flight), Some(system)) => {
+            let bound = system.bounds(flight, from, until - from);
+            if bound.window < until - from {
+                return f64::INFINITY;
+            }
+            (bound.speed + bound.spin * arm) * (until - from)
+        }
+        _ => f64::INFINITY,
+    }
+}

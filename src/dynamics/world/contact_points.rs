@@ -1,0 +1,161 @@
+//! Contact points of two facing ends in space: the vertices of the polygon in which the faces overlap, seen along the
+//! normal (`docs/physics.md#edge-nodes`).
+
+use glam::{DVec2, DVec3};
+
+use crate::contact::parameters::edge_slack;
+use crate::contact::{Frame, locate};
+use crate::dynamics::model::edge_node::Crossing;
+use crate::dynamics::world::World;
+
+/// Distance of two vertices below which they are one, per size of the face \[–\]. Tuned: above the round-off of ends
+/// placed edge on edge, below any width.
+const ONE_VERTEX: f64 = 1e-6;
+
+/// Poses of the node's and the face's body of a contact.
+pub(in crate::dynamics) type Poses<'a> = &'a dyn Fn(usize) -> [Frame; 2];
+
+/// The crossing of an edge node, unless it is beside the edges or at a corner that is over the facing polygon.
+pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<'_>) -> Option<Crossing> {
+    let (crossing, at) = edge_vertex(world, contact, poses, 1.0)?;
+    is_free(world, contact, at, poses, 1.0).then_some(crossing)
+}
+
+/// Number of vertices of the polygon at which a pair touches, and for each of its contacts the number of nodes at its
+/// vertex. A node that is at no vertex counts alone, an edge node as one of two.
+pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> (usize, Vec<usize>) {
+    let contacts = world.pairs[pair].contacts.clone();
+    let near = one_vertex(world, pair);
+    let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, 1.0)?)));
+    let mut vertices = gathered(corners, near);
+    let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, 1.0)?.1)));
+    let free = crossings.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
+    let crossings = gathered(free.collect::<Vec<_>>().into_iter(), near);
+    vertices.extend(crossings);
+    let nodes = |contact: usize| {
+        let own = vertices.iter().find(|vertex| vertex.nodes.contains(&contact));
+        own.map_or(if is_edge(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
+    };
+    (vertices.len().max(1), contacts.map(nodes).collect())
+}
+
+/// The nodes at the vertex that the node of `contact` has left: those that are there, corners inside the facing polygon
+/// or crossings without one, and those in contact that are there no more.
+pub(in crate::dynamics) fn at_vertex_of(world: &World, contact: usize, poses: Poses<'_>) -> [Vec<usize>; 2] {
+    let pair = world.contacts[contact].pair;
+    let left = place(world, contact, poses);
+    let near = one_vertex(world, pair) + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
+    let here = |&c: &usize| {
+        let at = if is_edge(world, c) {
+            edge_vertex(world, c, poses, 0.0).map(|(_, at)| at).filter(|&at| is_free(world, c, at, poses, 0.0))
+        } else {
+            corner_vertex(world, c, poses, 0.0)
+        };
+        c != contact && at.is_some_and(|at| (at - left).length() <= near)
+    };
+    let contacts = world.pairs[pair].contacts.clone();
+    let nodes: Vec<usize> = contacts.clone().filter(here).collect();
+    let gone = |&c: &usize| {
+        let near = near + if is_edge(world, c) { slide(world, c) } else { 0.0 };
+        let is_closed = world.contacts[c].state.closed().is_some();
+        is_closed && !nodes.contains(&c) && (place(world, c, poses) - left).length() <= near
+    };
+    let gone = contacts.filter(gone).collect();
+    [nodes, gone]
+}
+
+/// Whether no corner over the facing polygon is at a crossing.
+fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance: f64) -> bool {
+    let pair = world.contacts[contact].pair;
+    let near = one_vertex(world, pair);
+    let is_at =
+        |c: usize| corner_vertex(world, c, poses, tolerance).is_some_and(|corner| (corner - at).length() <= near);
+    !world.pairs[pair].contacts.clone().any(is_at)
+}
+
+/// Place of a node on the second side's face \[m\].
+fn place(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
+    let track = &world.contacts[contact];
+    let site = &world.model.contacts[track.site];
+    if is_of_first(world, contact) {
+        let [node, face] = poses(contact);
+        return locate(&site.home_at(track.shift), &node, &face).at;
+    }
+    site.edge.as_ref().map_or_else(|| on_second_face(world, contact, site.point), |edge| edge.own_place(track.shift))
+}
+
+/// Coordinates on the second side's face of a point of its body \[m\].
+fn on_second_face(world: &World, contact: usize, point: DVec3) -> DVec2 {
+    // The first contacts of a pair are the corners of its first side, against the face of the second.
+    let first = world.model.pairs[world.pairs[world.contacts[contact].pair].pair].contacts.start;
+    world.model.contacts[first].face.coordinates(point)
+}
+
+/// Largest distance of an edge node from its crossing \[m\].
+fn slide(world: &World, contact: usize) -> f64 {
+    world.model.contacts[world.contacts[contact].site].edge.as_ref().map_or(0.0, |edge| edge.slide())
+}
+
+/// A vertex with its nodes.
+struct Vertex {
+    /// Place on the second side's face \[m\].
+    at: DVec2,
+    nodes: Vec<usize>,
+}
+
+/// Vertices of nodes at these places; places nearer than `near` \[m\] are one.
+fn gathered(nodes: impl Iterator<Item = (usize, DVec2)>, near: f64) -> Vec<Vertex> {
+    let mut vertices: Vec<Vertex> = Vec::new();
+    for (node, at) in nodes {
+        match vertices.iter_mut().find(|vertex| (vertex.at - at).length() <= near) {
+            Some(vertex) => vertex.nodes.push(node),
+            None => vertices.push(Vertex { at, nodes: vec![node] }),
+        }
+    }
+    vertices
+}
+
+fn one_vertex(world: &World, pair: usize) -> f64 {
+    let sites = &world.model.contacts[world.model.pairs[world.pairs[pair].pair].contacts.clone()];
+    ONE_VERTEX * sites.iter().map(|site| site.face.size()).fold(f64::INFINITY, f64::min)
+}
+
+fn is_edge(world: &World, contact: usize) -> bool {
+    world.model.contacts[world.contacts[contact].site].edge.is_some()
+}
+
+/// Whether a node is of the pair's first side, against the face of the second.
+fn is_of_first(world: &World, contact: usize) -> bool {
+    let track = &world.contacts[contact];
+    track.slots[0] == world.pairs[track.pair].slots[0]
+}
+
+/// Place on the second side's face of a corner that is inside the facing polygon to `tolerance` edge tolerances \[m\];
+/// `None` for an edge node and for a corner beside it.
+fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, tolerance: f64) -> Option<DVec2> {
+    let site = &world.model.contacts[world.contacts[contact].site];
+    if site.edge.is_some() {
+        return None;
+    }
+    let [node, face] = poses(contact);
+    let at = locate(&site.home, &node, &face).at;
+    if site.face.inset_at(at) < -tolerance * edge_slack(&site.face) {
+        return None;
+    }
+    Some(if is_of_first(world, contact) { at } else { on_second_face(world, contact, site.point) })
+}
+
+/// The crossing of an edge node to `tolerance` edge tolerances, and its place on the second side's face \[m\]; `None`
+/// for a corner and for a crossing beside the edges.
+fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, tolerance: f64) -> Option<(Crossing, DVec2)> {
+    let site = &world.model.contacts[world.contacts[contact].site];
+    let edge = site.edge.as_deref()?;
+    let [node, face] = poses(contact);
+    let crossing = edge.crossing(&edge.ends(&node, &face), tolerance * edge_slack(&site.face))?;
+    Some((crossing, edge.place(&crossing, !is_of_first(world, contact))))
+}
+
+/// Poses of both bodies of a contact at `t` on the present trajectories.
+pub(in crate::dynamics) fn poses_at(world: &World, contact: usize, t: f64) -> [Frame; 2] {
+    [0, 1].map(|side| world.side(contact, side, t))
+}
