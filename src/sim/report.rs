@@ -12,7 +12,7 @@ pub struct Motion {
     pub place: DVec3,
     /// Displacement of G from where it was placed \[m\].
     pub displacement: DVec3,
-    /// Rotation about the vertical since placed, anticlockwise: without jumps at ±π in plan, between −π and π in space \[rad\].
+    /// Rotation about the vertical since placed, anticlockwise, counted beyond ±π (`docs/physics.md#motion-in-space`) \[rad\].
     pub theta: f64,
     /// Attitude, body to world, heading included.
     pub attitude: DQuat,

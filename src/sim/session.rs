@@ -157,7 +157,8 @@ impl Session {
     }
 
     /// Motion of every girder at the time that was last asked for: what [`History::motion`] will say of it, to within
-    /// rounding, unless bodies meet until the end that no contact joins yet.
+    /// rounding, unless bodies meet until the end that no contact joins yet. Until the scene's duration is computed the θ
+    /// of a spatial girder is without its half turns, between −π and π.
     ///
     /// # Errors
     /// Why a group of bodies stopped early.
