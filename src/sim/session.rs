@@ -108,7 +108,7 @@ impl Session {
         let history = History::gather(self.scene.clone(), Arc::clone(&self.model), groups);
         let known = self.met.len();
         for overlap in history.overlaps() {
-            if !self.met.contains(&overlap.bodies) {
+            if history.have_met(overlap) && !self.met.contains(&overlap.bodies) {
                 self.met.push(overlap.bodies);
             }
         }

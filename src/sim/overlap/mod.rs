@@ -16,8 +16,13 @@ mod unwatched;
 use super::History;
 use super::report::Overlap;
 use crate::geometry::broad;
+use crate::scene::Kind;
 pub use expected::{Unjoined, unjoined};
 use solid::{Joined, Solids};
+
+/// Overlap, in parts of the smallest side of either body, that contact points of two tilted faces in space can leave between
+/// them: a hundred times the largest that was measured, 8 µm of 1.5 m (`docs/physics.md#edge-nodes`).
+const SLIVER: f64 = 5e-4;
 
 impl History {
     /// Overlaps that no contact carries, one for every two bodies, in order of the time when each was seen first.
@@ -35,6 +40,14 @@ impl History {
             found.sort_by(|a, b| a.first().total_cmp(&b.first()).then(a.bodies.cmp(&b.bodies)));
             found
         })
+    }
+
+    /// Whether two bodies that overlap without a contact have met where their pairs do not touch: not where the overlap is a sliver
+    /// that contact between tilted faces in space leaves.
+    pub(super) fn have_met(&self, overlap: &Overlap) -> bool {
+        let faces = !Joined::of(self.model()).facing(overlap.bodies).is_empty();
+        let sliver = SLIVER * Solids::pair(self, overlap.bodies).least_side([0, 1]);
+        !(faces && self.model().kind == Kind::Spatial && overlap.depth.value <= sliver)
     }
 
     /// How deep the two bodies of an overlap are inside each other at `t`, the shortest way out; 0 apart \[m\].
