@@ -72,7 +72,8 @@ pub(in crate::dynamics) fn closed(scene: &Scene, mode: impl Fn(&Local) -> Mode) 
             angle: None,
             depth: 0.0,
         };
-        is_over(&site.face, here.at).then_some(active)
+        // An edge node is one from the closing of its pair on.
+        (site.edge.is_none() && is_over(&site.face, here.at)).then_some(active)
     });
     let mut active: Vec<ActiveContact> = active.collect();
     let layout = StateLayout::of(model.bodies.iter());
