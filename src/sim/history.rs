@@ -20,7 +20,7 @@ use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
-use crate::scene::Scene;
+use crate::scene::{Between, Scene};
 
 /// Instants at which two runs are compared.
 const COMPARED: u32 = 2000;
@@ -161,6 +161,25 @@ impl History {
         self.record = self.record.map(|record| Record::together(vec![record], t));
         (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         self.beside = self.beside.map(|beside| Arc::new(Arc::unwrap_or_clone(beside).cut(t)));
+        self
+    }
+
+    /// The answer of the impact model as far as two bodies meet between which it has no contact, and the reason for that end,
+    /// where the scene asks for contact between all faces.
+    #[must_use]
+    pub(super) fn until_met(mut self) -> Self {
+        if self.impact().is_none() || self.scene.contact.between == Between::Ends {
+            return self;
+        }
+        let Some(met) = self.overlaps().first() else { return self };
+        let (t, [one, other]) = (met.first(), met.bodies.map(|body| body.name(&self.scene)));
+        let place = format!("{one}, {other}");
+        let reason = "they meet where the impact model has no contact: it knows facing ends and declared pairs; choose `kind = \
+                      \"contact\"` in [model], declare the pair, or let bodies pass with `between = \"ends\"` in [contact]";
+        self.stop = Some(Stop { t, place, reason: reason.to_owned() });
+        self.end = t;
+        self.record = self.record.map(|record| Record::together(vec![record], t));
+        (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         self
     }
 

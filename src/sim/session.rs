@@ -181,7 +181,7 @@ impl Session {
         let beside = self.beside.map(|beside| beside.finish());
         let (scene, model, groups) = (self.scene, self.model, self.groups);
         let gather = || History::gather(scene, model, groups.into_iter().map(Run::finish).collect());
-        let history = self.answer.unwrap_or_else(gather);
+        let history = self.answer.unwrap_or_else(gather).until_met();
         match beside {
             Some(beside) => history.with_beside(beside),
             None => history,

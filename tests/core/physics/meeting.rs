@@ -1,7 +1,7 @@
 //! Contact between faces that did not face each other as placed: closed forms of hits, and what holds of any bodies thrown at each
 //! other.
 
-use girderbench::scene::{Between, Scene};
+use girderbench::scene::{Between, ModelKind, STANDARD_GRAVITY, Scene};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
 use glam::DVec3;
@@ -137,4 +137,36 @@ fn girders_thrown_at_each_other_from_anywhere_do_not_pass_through() {
         let balance = history.balance();
         assert!(balance.holds(), "seed {seed}: {balance:?}");
     }
+}
+
+#[test]
+fn the_impact_model_ends_where_bodies_meet_that_it_has_no_contact_for() {
+    let keys = ["", "position_m = [0.0, 0.09, 0.0]\ninitial = { velocity_m_s = [0, -1] }\n"];
+    let mut scene = girders(&keys, 0.1);
+    scene.model.kind = ModelKind::Impact;
+    let history = History::of(&scene).expect("a sound scene");
+    let stop = history.stop().expect("it ends early");
+    within("where the sides meet", stop.t - 0.02, 1e-6);
+    assert_eq!((history.end(), stop.place.as_str()), (stop.t, "g0, g1"), "{stop:?}");
+    scene.contact.between = Between::Ends;
+    assert_eq!(run(&scene).stop(), None, "asked to let them pass");
+}
+
+#[test]
+fn a_girder_that_falls_on_another_comes_to_rest_on_it() {
+    let bearings = "vertical_frequency_hz = 15.0, frequency_hz = 8.0, damping_ratio = 0.7, \
+                    at_m = [[0.8, 0.2], [-0.8, 0.2], [0.8, -0.2], [-0.8, -0.2]]";
+    let text = format!(
+        "name = \"stack\"\nkind = \"spatial\"\nduration_s = 2.0\n[solver]\ntolerance = 1e-7\n[contact]\nstiffness_n_per_m = 1e5\n\
+         restitution_normal = 0.05\n[[girder]]\nname = \"base\"\nlength_m = 2.0\nwidth_m = 0.6\nthickness_m = 0.2\nmass_kg = 50.0\n\
+         bearings = {{ {bearings} }}\n[[girder]]\nname = \"top\"\nlength_m = 0.8\nwidth_m = 0.3\nthickness_m = 0.1\nmass_kg = 5.0\n\
+         position_m = [0.0, 0.0, 0.17]\n"
+    );
+    let history = run(&scene(&text));
+    assert_eq!(history.overlaps(), [], "the upper side carries");
+    // Down by the gap, by the penetration under its weight, and by what the bearings yield under it.
+    let weight = 5.0 * STANDARD_GRAVITY;
+    let stiffness = 50.0 * (std::f64::consts::TAU * 15.0).powi(2);
+    let rest = -(0.02 + weight / 1e5 + weight / stiffness);
+    within("at rest", history.motion(1, history.end()).displacement.z - rest, 1e-6);
 }
