@@ -41,6 +41,15 @@ pub struct Model {
 }
 
 impl Model {
+    /// The same with corners alone as contact points, without edge nodes: for a method that has none of its own.
+    #[must_use]
+    pub fn of_corners(mut self) -> Self {
+        // Edge nodes are behind the contacts of all pairs.
+        self.contacts.truncate(self.pairs.iter().map(|pair| pair.contacts.end).max().unwrap_or(0));
+        self.pairs.iter_mut().for_each(|pair| pair.edges = 0..0);
+        self
+    }
+
     /// Bodies that met without facing each other as placed, each two once, in order: between them every face can touch.
     pub fn bodies_met(&self) -> Vec<[SolidId; 2]> {
         facing::bodies_met(self.pairs.iter().filter(|pair| pair.met).map(|pair| (pair.first, pair.second)))

@@ -27,7 +27,7 @@ impl World {
     /// The scene at t = 0.
     pub(super) fn new(scene: &Scene) -> Result<Self, String> {
         crate::scene::validate::validate(scene).map_err(|errors| errors.to_string())?;
-        let model = Model::compile(scene).map_err(|errors| errors.to_string())?;
+        let model = Model::compile(scene).map_err(|errors| errors.to_string())?.of_corners();
         let y = model.bodies.iter().flat_map(Body::initial).collect();
         let (width, contacts) = (model.bodies.first().map_or(0, Body::width), Contacts::new(&model));
         let mut world = Self { model, width, y, contacts, frames: Vec::new(), wrenches: Vec::new() };
