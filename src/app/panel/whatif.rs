@@ -73,7 +73,7 @@ fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     let place = Place { problems: bench.problems(), table: "contact" };
     let look = Look::new(place, scene.kind, Size::of_scene(scene));
     // The rules that are rarely changed stand in the inspector alone.
-    let change = sliders(ui, &look, &mut new, &["sharing", "tension"]);
+    let change = sliders(ui, &look, &mut new, &["sharing", "tension", "between"]);
     push(out, change, || edits::contact(new));
 }
 
