@@ -32,7 +32,7 @@ pub(super) fn search(
     let slots = world.contacts[contact].slots;
     let reach: f64 =
         slots.iter().zip(arms).map(|(slot, arm)| slot.map_or(0.0, |s| excursion(world, s, arm, t, until))).sum();
-    if Edge::is_clear(&before, reach) {
+    if edge.is_clear(&before, reach) {
         return (None, None);
     }
     let resolution = resolution(world, contact, t) * edge.amplification(&before).max(1.0);

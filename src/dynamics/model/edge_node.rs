@@ -142,10 +142,16 @@ impl Edge {
         (acceleration * (now + 4.0 * speed * stretch) + 4.0 * speed * speed) / self.across.abs()
     }
 
-    /// Whether no crossing on the edge can be in the face's plane while both ends move by at most `reach` \[m\].
-    pub(in crate::dynamics) fn is_clear(here: &EdgeEnds, reach: f64) -> bool {
+    /// Whether no crossing on the edge and the side can be in the face's plane while both ends move by at most `reach` \[m\]:
+    /// both ends are before the plane, on one side of the side's line, or beyond one of its ends.
+    pub(in crate::dynamics) fn is_clear(&self, here: &EdgeEnds, reach: f64) -> bool {
         let beyond = |values: [f64; 2]| values.into_iter().all(|value| value > reach);
-        beyond(here.ends.map(|end| end.gap)) || beyond(here.inset) || beyond(here.inset.map(|d| -d))
+        let along = here.ends.map(|end| self.side.dot(end.at - self.from));
+        beyond(here.ends.map(|end| end.gap))
+            || beyond(here.inset)
+            || beyond(here.inset.map(|d| -d))
+            || beyond(along.map(|at| at - self.length - self.tolerance))
+            || beyond(along.map(|at| -at - self.tolerance))
     }
 
     /// The crossing; `None` where it is more than `tolerance` \[m\] beyond an end of the edge or of the side.
