@@ -10,6 +10,7 @@ use crate::dynamics::locate::positive_again::is_positive_again;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::PairTrack;
 
 /// Searches the first closing of a pair from `t` to `until`, the end of the first planned step; enters the closing of
 /// each contact and returns the first, infinite without one \[s\].
@@ -29,10 +30,13 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
     if corners_stay && edges_stay {
         return f64::INFINITY;
     }
+    let moved = if edges_stay { 0.0 } else { edges_moved(world, pair, &samples) };
     let mut first = f64::INFINITY;
     for contact in contacts {
-        let is_edge = is_edge(world, contact);
-        if (is_edge && edges_stay) || (!is_edge && corners_stay) {
+        let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
+        let is_edge = edge.is_some();
+        let stays = edge.map_or(corners_stay, |edge| edges_stay || edge.stays_clear(moved));
+        if stays {
             continue;
         }
         let search = if is_edge { edge_in_step::search } else { in_step };
@@ -42,6 +46,18 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
     first
+}
+
+/// Bound on the displacement, from where they were placed, of points of the edges of a pair's bodies relative to each other
+/// until the last sample time \[m\].
+fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> f64 {
+    let PairTrack { slots, contacts, .. } = &world.pairs[pair];
+    let lever = |c: usize| world.contacts[c].geometry.arm.max(world.contacts[c].geometry.apart);
+    let arm = contacts.clone().filter(|&c| is_edge(world, c)).map(lever).fold(0.0, f64::max);
+    let bodies = || slots.iter().flatten().copied();
+    let moved: f64 = bodies().map(|slot| samples.side(Some(slot), 0).moved(arm)).sum();
+    let [t, until] = [samples.times[0], samples.times[STEP_SAMPLES - 1]];
+    moved + bodies().map(|slot| excursion(world, slot, arm + moved, t, until)).sum::<f64>()
 }
 
 fn is_edge(world: &World, contact: usize) -> bool {

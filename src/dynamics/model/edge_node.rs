@@ -45,6 +45,9 @@ pub struct Edge {
     tolerance: f64,
     /// Distance of the node from the crossing at which it is moved \[m\].
     slide: f64,
+    /// Distance as placed, along the face, by which the edge is on one side of the side's line or beyond one of its ends;
+    /// negative where they cross \[m\].
+    clear: f64,
 }
 
 /// Both ends of an edge relative to the face.
@@ -95,9 +98,12 @@ impl Edge {
             across: 1.0,
             tolerance: edge_slack(face),
             slide: SLIDE * face.size(),
+            clear: 0.0,
         };
         let [node, facing] = frames();
-        let [a, b] = edge.ends(&node, &facing).inset;
+        let placed = edge.ends(&node, &facing);
+        edge.clear = edge.beside(&placed);
+        let [a, b] = placed.inset;
         edge.across = b - a;
         (edge.across.abs() >= LEAST_SINE * edge.length()).then_some(edge)
     }
@@ -145,13 +151,23 @@ impl Edge {
     /// Whether no crossing on the edge and the side can be in the face's plane while both ends move by at most `reach` \[m\]:
     /// both ends are before the plane, on one side of the side's line, or beyond one of its ends.
     pub(in crate::dynamics) fn is_clear(&self, here: &EdgeEnds, reach: f64) -> bool {
-        let beyond = |values: [f64; 2]| values.into_iter().all(|value| value > reach);
+        here.ends.iter().all(|end| end.gap > reach) || self.beside(here) > reach
+    }
+
+    /// Distance along the face by which both ends are on one side of the side's line, or beyond one of its ends; negative
+    /// where they are not \[m\].
+    fn beside(&self, here: &EdgeEnds) -> f64 {
         let along = here.ends.map(|end| self.side.dot(end.at - self.from));
-        beyond(here.ends.map(|end| end.gap))
-            || beyond(here.inset)
-            || beyond(here.inset.map(|d| -d))
-            || beyond(along.map(|at| at - self.length - self.tolerance))
-            || beyond(along.map(|at| -at - self.tolerance))
+        let least = |values: [f64; 2]| values[0].min(values[1]);
+        let lines = least(here.inset).max(least(here.inset.map(|d| -d)));
+        let ends = least(along.map(|at| at - self.length)).max(least(along.map(|at| -at)));
+        lines.max(ends - self.tolerance)
+    }
+
+    /// Whether no crossing on the edge and the side can be while points of both bodies are displaced by at most `moved` from
+    /// where they were placed \[m\].
+    pub(in crate::dynamics) fn stays_clear(&self, moved: f64) -> bool {
+        self.clear > moved
     }
 
     /// The crossing; `None` where it is more than `tolerance` \[m\] beyond an end of the edge or of the side.
