@@ -17,7 +17,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("contact", &["geometry"]),
     ("motion", &["geometry"]),
-    ("scene", &["geometry", "contact"]),
+    ("scene", &["geometry", "contact", "motion"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
     ("study", &["geometry", "contact", "motion", "scene", "dynamics", "sim"]),

@@ -1,9 +1,10 @@
 //! Reads a scene by the name of a preset or by path, with everything it needs from the disk.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use super::read::{LARGEST_INPUT, ReadError, read_regular};
-use crate::motion::format::read as read_series;
+use crate::motion::format::{Record, Supplement, read as read_bytes};
 use crate::scene::validate::validate;
 use crate::scene::{Motion, Scene, SceneError, SceneErrors, format, overrides, presets};
 
@@ -52,24 +53,28 @@ fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(),
         let value = format!("{}: {}", error.path.display(), error.found());
         complaint(scene_file, "motion.file", value, remedy(&error))
     };
-    record.loaded = Some(series(&folder.join(file), unreadable)?);
+    let beside = Supplement { dt: record.dt, unit: record.unit };
+    record.loaded = Some(Arc::new(read_from(&folder.join(file), &beside, unreadable)?));
     Ok(())
 }
 
-/// Reads a record: its interval \[s\] and its samples \[m/s²\].
+/// Reads a record with what is stated beside its file.
 ///
 /// # Errors
 /// A file that cannot be read, or that is no record: line, value and remedy.
-pub fn read_record(path: &Path) -> Result<(f64, Vec<f64>), SceneErrors> {
-    series(path, |error| about_file(path, &error, error.remedy()))
+pub fn read_record(path: &Path, beside: &Supplement) -> Result<Record, SceneErrors> {
+    read_from(path, beside, |error| about_file(path, &error, error.remedy()))
 }
 
-fn series(path: &Path, unreadable: impl Fn(ReadError) -> SceneErrors) -> Result<(f64, Vec<f64>), SceneErrors> {
+fn read_from(
+    path: &Path,
+    beside: &Supplement,
+    unreadable: impl Fn(ReadError) -> SceneErrors,
+) -> Result<Record, SceneErrors> {
     let bytes = read_regular(path, LARGEST_INPUT).map_err(unreadable)?;
-    let series = read_series(&bytes, path).map_err(|error| {
+    read_bytes(&bytes, path, beside).map_err(|error| {
         complaint(&path.to_string_lossy(), &format!("line {}", error.line), error.value, &error.remedy)
-    })?;
-    Ok((series.dt, series.samples))
+    })
 }
 
 fn read_text(path: &Path) -> Result<String, SceneErrors> {

@@ -14,7 +14,7 @@ mod staging;
 mod stamp;
 mod write_error;
 
-pub use crate::motion::format::{FORMATS as RECORD_FORMATS, formats_in_words, is_record};
+pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Supplement, formats_in_words, is_record};
 pub use earlier::{earlier_files, remove_files};
 pub use load::{load_scene, load_unsaved, read_record};
 pub use read::{ReadError, read_table};

@@ -36,10 +36,10 @@ pub(super) fn stage_scene(scene: &Scene, text: Option<&str>, path: &Path) -> Res
 fn portable(scene: &Scene, path: &Path) -> Scene {
     let mut scene = scene.clone();
     if let Motion::Record(record) = &mut scene.motion
-        && let (Some(file), Some((dt, samples))) = (&record.file, &record.loaded)
+        && let Some(file) = &record.file
         && !folder_of(path).join(file).is_file()
     {
-        (record.dt, record.samples, record.file) = (Some(*dt), Some(samples.clone()), None);
+        record.keep_samples();
     }
     scene
 }

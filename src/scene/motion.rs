@@ -1,14 +1,16 @@
 //! How the ground moves, as written in a scene.
 
+use std::sync::Arc;
+
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
+use crate::motion::format::{Record, Unit};
 
-/// Standard gravity, as the paper's "g" is read here \[m/s²\].
-pub const STANDARD_GRAVITY: f64 = 9.806_65;
+pub use crate::motion::format::STANDARD_GRAVITY;
 
 /// `[motion]`, whatever its kind.
 pub const MOTION: &[Key] = &[Key::new(
@@ -30,7 +32,7 @@ pub const RECORD: &[Key] = &[
         "dt_s",
         Range::Positive,
         Fallback::Needed("must be given with samples_m_s2"),
-        "interval between samples, s",
+        "interval between samples, s; beside a file only where that states none",
     )
     .labelled("Interval")
     .slid([0.001, 0.1]),
@@ -39,6 +41,18 @@ pub const RECORD: &[Key] = &[
         Range::Free,
         Fallback::Needed("this or samples_m_s2"),
         "a file that holds it, beside the scene's file",
+    ),
+    Key::new(
+        "channel",
+        Range::Like("a whole number from 1 on"),
+        Fallback::Words("the one channel of the file"),
+        "which channel of a file that has several",
+    ),
+    Key::new(
+        "unit",
+        Range::Words(Unit::WORDS),
+        Fallback::Words("as the file states"),
+        "unit of the numbers in a file that states none",
     ),
     Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample")
         .labelled("Record scale")
@@ -86,6 +100,12 @@ pub struct RecordMotion {
     /// File of the record, relative to the scene's file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
+    /// Which channel of the file, from 1; needed where the file has several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub channel: Option<usize>,
+    /// Unit of the numbers in a file that states none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<Unit>,
     /// Multiplies every sample.
     #[serde(default = "one")]
     pub scale: f64,
@@ -95,9 +115,9 @@ pub struct RecordMotion {
     /// Multiplies every sample for a vertical component.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub vertical_scale: f64,
-    /// What `file` held, once whoever opens files has read it: `(dt, samples)` in s and m/s². Never written.
+    /// What `file` held, once it has been read. Never written.
     #[serde(skip)]
-    pub loaded: Option<(f64, Vec<f64>)>,
+    pub loaded: Option<Arc<Record>>,
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
@@ -141,14 +161,47 @@ impl SineMotion {
     }
 }
 
+impl Default for RecordMotion {
+    /// No samples yet, scale 1 along x.
+    fn default() -> Self {
+        Self {
+            samples: None,
+            dt: None,
+            file: None,
+            channel: None,
+            unit: None,
+            scale: 1.0,
+            angle_deg: 0.0,
+            vertical_scale: 0.0,
+            loaded: None,
+        }
+    }
+}
+
 impl RecordMotion {
-    /// `(dt, samples)` in s and m/s², unscaled, from the scene or from the file that was read; `None` until it is.
+    /// `(dt, samples)` in s and m/s², unscaled, from the scene or from the file that was read; `None` until it is, and where
+    /// the file has no such channel.
     pub fn series(&self) -> Option<(f64, &[f64])> {
         match (&self.samples, self.dt, &self.loaded) {
             (Some(samples), Some(dt), _) => Some((dt, samples)),
-            (None, _, Some((dt, samples))) => Some((*dt, samples)),
+            (None, _, Some(loaded)) => {
+                loaded.channel(self.channel).ok().map(|channel| (channel.dt, channel.samples.as_slice()))
+            }
             _ => None,
         }
+    }
+
+    /// Samples of the scene's own in place of those of the file; whether there were any.
+    pub fn keep_samples(&mut self) -> bool {
+        let Some((dt, samples)) = self.series().map(|(dt, samples)| (dt, samples.to_vec())) else { return false };
+        (self.dt, self.samples) = (Some(dt), Some(samples));
+        (self.file, self.channel, self.unit, self.loaded) = (None, None, None, None);
+        true
+    }
+
+    /// Whether a file read for one of the two holds for the other as well.
+    pub(in crate::scene) fn reads_as(&self, other: &Self) -> bool {
+        (&self.file, self.dt, self.unit) == (&other.file, other.dt, other.unit)
     }
 }
 

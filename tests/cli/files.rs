@@ -96,6 +96,34 @@ fn a_record_is_read_relative_to_its_scene() {
 }
 
 #[test]
+fn channel_interval_and_unit_of_a_record_are_the_scenes_to_state() {
+    let folder = folder();
+    for name in ["csmip.V2", "one-column.dat"] {
+        fs::copy(Path::new("tests/data/records").join(name), folder.path().join(name)).expect("copied");
+    }
+    fs::write(folder.path().join("bare.acc"), "100\n-50\n").expect("written");
+    let path = write_recorded_scene(folder.path());
+    let set = |settings: &[&str]| {
+        let settings: Vec<String> = settings.iter().map(|setting| format!("motion.{setting}")).collect();
+        load_scene(&path, &settings).map_err(|errors| errors.to_string())
+    };
+    let series = |scene: &Scene| match &scene.motion {
+        Motion::Record(record) => record.series().map(|(dt, samples)| (dt, samples.len())),
+        _ => None,
+    };
+    let several = set(&["file=csmip.V2"]).expect_err("which of three");
+    assert!(several.contains("motion.channel: found nothing") && several.contains("2 (Chan  2:  Up)"), "{several}");
+    assert_eq!(series(&set(&["file=csmip.V2", "channel=3"]).expect("the third")), Some((0.005, 100)), "of three");
+    let bare = set(&["file=bare.acc"]).expect_err("no interval");
+    assert!(bare.contains("dt_s"), "{bare}");
+    let stated = set(&["file=bare.acc", "dt_s=0.02", "unit=gal"]).expect("both stated");
+    let Motion::Record(record) = &stated.motion else { panic!("a record") };
+    assert_eq!(record.series(), Some((0.02, &[1.0, -0.5][..])), "in m/s²");
+    let twice = set(&["file=one-column.dat", "dt_s=0.02"]).expect_err("stated twice");
+    assert!(twice.contains("line 1") && twice.contains("dt_s"), "{twice}");
+}
+
+#[test]
 fn a_scene_saved_away_from_its_record_takes_the_samples_along() {
     let (here, there) = (folder(), folder());
     let scene = load(&write_recorded_scene(here.path()));

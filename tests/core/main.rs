@@ -5,6 +5,11 @@ mod support;
 
 mod digests;
 
+mod motion {
+    mod formats;
+    mod mutations;
+}
+
 mod impact {
     mod limit;
     mod random;

@@ -229,10 +229,8 @@ fn record(excitation: &Value) -> RecordMotion {
     RecordMotion {
         samples: Some(numbers(&excitation["samples"])),
         dt: Some(number(&excitation["dt"])),
-        file: None,
         scale: number(&excitation["scale"]),
         angle_deg: number(&excitation["angle_deg"]),
-        vertical_scale: 0.0,
-        loaded: None,
+        ..RecordMotion::default()
     }
 }

@@ -133,14 +133,6 @@ pub(crate) fn record(samples: u32, tolerance: f64) -> Scene {
     let samples = values.iter().map(|a| a * 3.924 / peak).collect();
     scene.duration = 40.0;
     scene.solver.tolerance = tolerance;
-    scene.motion = Motion::Record(RecordMotion {
-        dt: Some(dt),
-        samples: Some(samples),
-        file: None,
-        scale: 1.0,
-        angle_deg: 0.0,
-        vertical_scale: 0.0,
-        loaded: None,
-    });
+    scene.motion = Motion::Record(RecordMotion { dt: Some(dt), samples: Some(samples), ..RecordMotion::default() });
     scene
 }

@@ -1,8 +1,9 @@
 //! A record of ground motion from a file.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use crate::files::read_record;
+use crate::files::{Supplement, read_record};
 use crate::scene::{Motion, RecordMotion};
 
 /// Shaking by the record in a file, the path given from the scene's own `folder` on. The scales stay if there was a
@@ -11,18 +12,20 @@ use crate::scene::{Motion, RecordMotion};
 /// # Errors
 /// In words: a file that is no record.
 pub(in crate::app) fn shaking_by(path: &Path, folder: &Path, before: &Motion) -> Result<Motion, String> {
-    let series = read_record(&folder.join(path)).map_err(|errors| errors.to_string())?;
+    let record = read_record(&folder.join(path), &Supplement::default()).map_err(|errors| errors.to_string())?;
     let [scale, vertical_scale] =
         if let Motion::Record(record) = before { [record.scale, record.vertical_scale] } else { [1.0, 0.0] };
     let (file, angle_deg) = (Some(seen_from(folder, path)), before.angle_deg());
+    let channel = (record.channels.len() > 1).then_some(1);
+    let loaded = Some(Arc::new(record));
     Ok(Motion::Record(RecordMotion {
-        samples: None,
-        dt: None,
         file,
+        channel,
         scale,
         angle_deg,
         vertical_scale,
-        loaded: Some(series),
+        loaded,
+        ..RecordMotion::default()
     }))
 }
 

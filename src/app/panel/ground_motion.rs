@@ -81,7 +81,7 @@ fn shaken() -> SineMotion {
 /// A record in which nothing happens, until one is chosen.
 fn silence() -> RecordMotion {
     let (samples, dt) = (Some(vec![0.0, 0.0]), Some(0.01));
-    RecordMotion { samples, dt, file: None, scale: 1.0, angle_deg: 0.0, vertical_scale: 0.0, loaded: None }
+    RecordMotion { samples, dt, ..RecordMotion::default() }
 }
 
 fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
@@ -164,12 +164,9 @@ fn about(ui: &mut Ui, record: &RecordMotion) {
 /// Samples that the scene keeps itself, or a way to have it keep them.
 fn kept_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<Change> {
     let Some(list) = record.samples.clone() else {
-        let (dt, samples) = record.loaded.clone()?;
-        if !ui.button(text::KEEP_RECORD).on_hover_text(text::KEEP_RECORD_HINT).clicked() {
-            return None;
-        }
-        (record.samples, record.dt, record.file, record.loaded) = (Some(samples), Some(dt), None, None);
-        return CLICK;
+        record.series()?;
+        let keep = ui.button(text::KEEP_RECORD).on_hover_text(text::KEEP_RECORD_HINT).clicked();
+        return if keep && record.keep_samples() { CLICK } else { None };
     };
     let mut dt = record.dt.unwrap_or(0.01);
     let interval = slider_at(ui, look, "dt_s", &mut dt);

@@ -6,7 +6,7 @@
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
-use super::record::{Format, RecordError, Series};
+use super::record::{Channel, Format, RecordError, Supplement};
 
 /// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
@@ -52,7 +52,8 @@ fn reader(bytes: &[u8], separator: u8) -> Reader<&[u8]> {
 /// # Errors
 /// The first line that is not two numbers, or that breaks the even spacing; points and commas as decimal marks in one file;
 /// fewer than two samples.
-fn read(bytes: &[u8]) -> Result<Series, RecordError> {
+fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
+    beside.nothing("a table of times and accelerations in m/s² states its own")?;
     let (mut times, mut samples, mut marks) = (Vec::new(), Vec::new(), None);
     for (n, record) in reader(bytes, separator(bytes).unwrap_or(b',')).records().enumerate() {
         let record = record.map_err(|error| unreadable(&error))?;
@@ -67,7 +68,7 @@ fn read(bytes: &[u8]) -> Result<Series, RecordError> {
             Err(error) => return Err(error),
         }
     }
-    Ok(Series { dt: interval(&times)?, samples })
+    Ok(vec![Channel::plain(interval(&times)?, samples)])
 }
 
 fn unreadable(error: &csv::Error) -> RecordError {
@@ -201,14 +202,18 @@ fn uneven(time: &Time, (dt, expected): (f64, f64), unit: f64) -> RecordError {
 mod tests {
     use super::*;
 
+    fn table(bytes: &[u8]) -> Result<Channel, RecordError> {
+        read(bytes, &Supplement::default()).map(|mut channels| channels.remove(0))
+    }
+
     fn error(text: &str) -> String {
-        read(text.as_bytes()).expect_err("it is no record").to_string()
+        table(text.as_bytes()).expect_err("it is no record").to_string()
     }
 
     #[test]
     fn heading_comments_and_a_later_start_are_read_over() {
         let text = "\u{feff}# El Centro\nt_s, a_m_s2\n1.00, 0.5\n1.02, -0.25\n# a gap in the paper\n1.04, 1e-3\n";
-        let series = read(text.as_bytes()).expect("a record");
+        let series = table(text.as_bytes()).expect("a record");
         assert_eq!(series.samples, [0.5, -0.25, 1e-3], "in order");
         assert!((series.dt - 0.02).abs() < 4.0 * f64::EPSILON, "from rounded times: {}", series.dt);
     }
@@ -238,7 +243,7 @@ mod tests {
     fn times_may_be_rounded_in_their_last_digit() {
         let series = |printed: &dyn Fn(f64) -> String| {
             let lines: Vec<_> = (0..6001).map(|i| format!("{},{}", printed(f64::from(i) / 60.0), i % 7)).collect();
-            read(lines.join("\n").as_bytes()).expect("a record at 60 Hz").dt
+            table(lines.join("\n").as_bytes()).expect("a record at 60 Hz").dt
         };
         // The interval is off by a unit of the last digit over the whole record.
         let unit = |dt: f64, unit: f64| assert!((dt - 1.0 / 60.0).abs() <= unit / 6000.0, "{dt}, to {unit}");
@@ -253,7 +258,7 @@ mod tests {
         let without = |gap: u32| {
             let kept = (0..2001).filter(|&i| i != gap);
             let lines: Vec<_> = kept.map(|i| format!("{:.2},1", f64::from(i) * 0.0425)).collect();
-            read(lines.join("\n").as_bytes())
+            table(lines.join("\n").as_bytes())
         };
         (1..2000).step_by(37).for_each(|gap| assert!(without(gap).is_err(), "sample {gap} is missing"));
         assert!(without(5000).is_ok(), "none is missing");
@@ -263,7 +268,7 @@ mod tests {
 
     #[test]
     fn decimal_commas_are_read_where_something_else_separates_the_columns() {
-        let wanted = Series { dt: 0.5, samples: vec![0.25, -1.5, 2.0] };
+        let wanted = Channel::plain(0.5, vec![0.25, -1.5, 2.0]);
         for text in [
             "0,0;0,25\n0,5;-1,5\n1,0;2\n",
             "t;a\n0,0;0,25\n0,5;-15e-1\n1;2\n",
@@ -271,7 +276,7 @@ mod tests {
             "0.0;0.25\n0.5;-1.5\n1.0;2\n",
             "\"0,0\",\"0,25\"\n\"0,5\",\"-1,5\"\n\"1,0\",2\n",
         ] {
-            assert_eq!(read(text.as_bytes()).as_ref(), Ok(&wanted), "{text}");
+            assert_eq!(table(text.as_bytes()).as_ref(), Ok(&wanted), "{text}");
         }
         assert!(error("0,00,0,25\n0,50,1,5\n").contains("separated by semicolons"), "what to do");
         let mixed = error("0,0;0,25\n0,5;1.5\n");
@@ -281,15 +286,15 @@ mod tests {
 
     #[test]
     fn blank_lines_are_skipped() {
-        let wanted = Series { dt: 0.5, samples: vec![1.0, 2.0] };
+        let wanted = Channel::plain(0.5, vec![1.0, 2.0]);
         for text in ["0,1\n0.5,2\n   \n", "0,1\n0.5,2\n\t\n\n", "  \n0,1\n\n0.5,2", "0;1\n0.5;2\n;\n"] {
-            assert_eq!(read(text.as_bytes()).as_ref(), Ok(&wanted), "{text:?}");
+            assert_eq!(table(text.as_bytes()).as_ref(), Ok(&wanted), "{text:?}");
         }
     }
 
     #[test]
     fn bytes_that_are_no_text_are_refused() {
-        let error = read(b"0,1\n\xff\xfe,2\n").expect_err("not UTF-8");
+        let error = table(b"0,1\n\xff\xfe,2\n").expect_err("not UTF-8");
         assert!(error.to_string().contains("line 2: found no text"), "{error}");
     }
 }

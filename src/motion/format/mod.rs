@@ -3,15 +3,25 @@
 //! A new format is one file beside `csv.rs`, its `mod` and its line in [`FORMATS`]: file dialog, files dropped on the window, error
 //! words and hints follow from that list, and a test holds `docs/scene-format.md` against it.
 
+mod at2;
+mod cosmos;
+mod csmip;
 mod csv;
+mod fortran;
+mod knet;
+mod one_column;
 mod record;
+mod text;
+mod unit;
 
 use std::path::Path;
 
-pub use record::{Format, RecordError, Series};
+pub use record::{Channel, Format, Orientation, Record, RecordError, Supplement};
+pub use unit::{STANDARD_GRAVITY, Unit};
 
 /// Every format that is read. Where the contents fit several, the first whose extensions fit the name counts.
-pub const FORMATS: &[Format] = &[csv::FORMAT];
+pub const FORMATS: &[Format] =
+    &[at2::FORMAT, knet::FORMAT, cosmos::FORMAT, csmip::FORMAT, csv::FORMAT, one_column::FORMAT];
 
 /// Whether a file of that name is a record of ground motion, by its extension.
 pub fn is_record(path: &Path) -> bool {
@@ -24,34 +34,28 @@ pub fn formats_in_words() -> String {
 }
 
 /// Reads a record of any of the [`FORMATS`]. `name`, the name or path of the file, counts only where the contents fit no
-/// format or several.
+/// format or several. `beside` is what is stated beside the file.
 ///
 /// # Errors
 /// Contents of no known format; else the first line that is not as the format has it.
-pub fn read(bytes: &[u8], name: &Path) -> Result<Series, RecordError> {
-    read_as(FORMATS, bytes, name)
+pub fn read(bytes: &[u8], name: &Path, beside: &Supplement) -> Result<Record, RecordError> {
+    read_as(FORMATS, bytes, name, beside)
 }
 
 /// The same with other formats.
-fn read_as(formats: &[Format], bytes: &[u8], name: &Path) -> Result<Series, RecordError> {
+fn read_as(formats: &[Format], bytes: &[u8], name: &Path, beside: &Supplement) -> Result<Record, RecordError> {
     let by_contents: Vec<&Format> = formats.iter().filter(|format| (format.sniff)(bytes)).collect();
     let by_name = |among: &[&Format]| among.iter().copied().find(|format| format.fits_name(name)).copied();
     let format = by_name(&by_contents).or(by_contents.first().map(|first| **first));
     let format = format.or_else(|| by_name(&formats.iter().collect::<Vec<_>>()));
-    format.map_or_else(|| Err(unknown(formats, bytes)), |format| (format.read)(bytes))
+    let format = format.ok_or_else(|| unknown(formats, bytes))?;
+    Ok(Record { format: format.name, channels: (format.read)(bytes, beside)? })
 }
 
 fn unknown(formats: &[Format], bytes: &[u8]) -> RecordError {
-    /// Characters of the first line that are shown.
-    const SHOWN: usize = 40;
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(4 * SHOWN)]).into_owned();
-    let line: String = start.lines().next().unwrap_or_default().chars().take(SHOWN).collect();
-    let value = if line.is_empty() { "nothing".to_owned() } else { format!("`{line}`") };
-    RecordError {
-        line: 1,
-        value,
-        remedy: format!("give a record in a format that is read: {}", in_words(formats, "; ")),
-    }
+    let first = text::Lines::of(bytes).next().unwrap_or_default();
+    let remedy = format!("give a record in a format that is read: {}", in_words(formats, "; "));
+    RecordError::new(1, text::quoted(&first), remedy)
 }
 
 fn in_words(formats: &[Format], between: &str) -> String {
@@ -71,18 +75,20 @@ mod tests {
         read: read_gal,
     };
 
-    fn read_gal(bytes: &[u8]) -> Result<Series, RecordError> {
+    fn read_gal(bytes: &[u8], _: &Supplement) -> Result<Vec<Channel>, RecordError> {
         let wrong = |line| RecordError { line, value: "no number".into(), remedy: "give numbers".into() };
         let text = std::str::from_utf8(bytes).map_err(|_| wrong(1))?;
         let mut lines = text.lines();
         let first = lines.next().and_then(|first| first.strip_prefix("DT ")?.trim().parse().ok());
         let samples: Option<Vec<f64>> = lines.flat_map(str::split_whitespace).map(|word| word.parse().ok()).collect();
         let gal_in_si = |samples: Vec<f64>| samples.into_iter().map(|gal| gal / 100.0).collect();
-        Ok(Series { dt: first.ok_or_else(|| wrong(1))?, samples: samples.map(gal_in_si).ok_or_else(|| wrong(2))? })
+        let samples = samples.map(gal_in_si).ok_or_else(|| wrong(2))?;
+        Ok(vec![Channel::plain(first.ok_or_else(|| wrong(1))?, samples)])
     }
 
-    fn read_either(text: &str, name: &str) -> Result<Series, RecordError> {
-        read_as(&[csv::FORMAT, GAL], text.as_bytes(), Path::new(name))
+    fn read_either(text: &str, name: &str) -> Result<Channel, RecordError> {
+        let record = read_as(&[csv::FORMAT, GAL], text.as_bytes(), Path::new(name), &Supplement::default())?;
+        Ok(record.channels[0].clone())
     }
 
     const TABLE: &str = "t_s,a_m_s2\n0,1\n0.5,2\n";
@@ -90,7 +96,7 @@ mod tests {
 
     #[test]
     fn contents_choose_the_format_whatever_the_name() {
-        let wanted = Series { dt: 0.5, samples: vec![1.0, 2.0] };
+        let wanted = Channel::plain(0.5, vec![1.0, 2.0]);
         for name in ["quake.csv", "quake.gal", "quake.txt", "quake", "QUAKE.GAL"] {
             assert_eq!(read_either(TABLE, name).as_ref(), Ok(&wanted), "a table called {name}");
             assert_eq!(read_either(IN_GAL, name).as_ref(), Ok(&wanted), "samples in gal called {name}");

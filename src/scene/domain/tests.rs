@@ -1,6 +1,7 @@
 //! Each limit of the domain by itself: just inside, just outside, and what is said.
 
 use super::*;
+use crate::motion::format::{Channel, Record};
 use crate::scene::{Bearing, Bearings, Direction, Kind, PairSettings, SineMotion, keys, presets};
 
 /// The paper's girder before its wall: 2 kg, K = 1.55e5 N/m, 10 s.
@@ -154,10 +155,14 @@ fn the_ground_is_measured_by_its_peak_and_its_samples() {
     assert_eq!(only(&sine(None, Some(-101.0))), ("motion.amplitude_m_s2", 101.0, ACCELERATION));
     let record = |samples: Vec<f64>, dt: f64, scale: f64, file: Option<String>| {
         with(|s| {
-            let (samples, dt, loaded) =
-                if file.is_some() { (None, None, Some((dt, samples))) } else { (Some(samples), Some(dt), None) };
-            s.motion =
-                Motion::Record(RecordMotion { samples, dt, file, scale, angle_deg: 0.0, vertical_scale: 0.0, loaded });
+            let own = RecordMotion { scale, ..RecordMotion::default() };
+            s.motion = Motion::Record(match file {
+                Some(_) => {
+                    let read = Record { format: "CSV", channels: vec![Channel::plain(dt, samples)] };
+                    RecordMotion { file, loaded: Some(std::sync::Arc::new(read)), ..own }
+                }
+                None => RecordMotion { samples: Some(samples), dt: Some(dt), ..own },
+            });
         })
     };
     let name = || Some("quake.csv".to_owned());

@@ -85,6 +85,11 @@ fn record(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
             if record.dt.is_none() {
                 at.add("dt_s", "nothing", "give the interval between samples in seconds");
             }
+            for (key, given) in [("channel", record.channel.is_some()), ("unit", record.unit.is_some())] {
+                if given {
+                    at.add(key, "samples_m_s2", "it belongs to a file: leave it out");
+                }
+            }
             samples("samples_m_s2", list, at);
         }
         (None, Some(file)) => recorded_file(record, file, at),
@@ -92,14 +97,18 @@ fn record(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
 }
 
 fn recorded_file(record: &RecordMotion, file: &str, at: &mut At<'_>) {
-    if let Some(dt) = record.dt {
-        at.add("dt_s", number(dt), "the file's own times say it: leave this out");
-    }
-    match &record.loaded {
-        None => at.add("file", format!("\"{file}\""), "this record has not been read: load it beside the scene's file"),
-        Some((dt, list)) => {
-            at.obeys("file", *dt, Range::Positive);
-            samples("file", list, at);
+    let Some(loaded) = &record.loaded else {
+        at.add("file", format!("\"{file}\""), "this record has not been read: load it beside the scene's file");
+        return;
+    };
+    match loaded.channel(record.channel) {
+        Ok(channel) => {
+            at.obeys("file", channel.dt, Range::Positive);
+            samples("file", &channel.samples, at);
+        }
+        Err(remedy) => {
+            let found = record.channel.map_or_else(|| "nothing".to_owned(), |channel| channel.to_string());
+            at.add("channel", found, remedy);
         }
     }
 }

@@ -105,11 +105,7 @@ pub(super) fn under_a_record() -> Result<Scene, SceneErrors> {
     scene.motion = Motion::Record(RecordMotion {
         samples: Some(record::samples(2004)),
         dt: Some(record::INTERVAL),
-        file: None,
-        scale: 1.0,
-        angle_deg: 0.0,
-        vertical_scale: 0.0,
-        loaded: None,
+        ..RecordMotion::default()
     });
     scene.duration = record::SAMPLES as f64 * record::INTERVAL;
     Ok(scene)

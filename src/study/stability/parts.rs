@@ -205,11 +205,8 @@ pub(super) fn record(dice: &mut Dice, ground_hz: f64, bearing_hz: f64, reach: f6
     Motion::Record(RecordMotion {
         samples: Some((0..samples).map(|_| three_digits(peak * dice.range(-1.0, 1.0))).collect()),
         dt: Some(three_digits(1.0 / (dice.range(4.0, 40.0) * ground_hz))),
-        file: None,
-        scale: 1.0,
         angle_deg: three_digits(dice.range(-180.0, 180.0)),
-        vertical_scale: 0.0,
-        loaded: None,
+        ..RecordMotion::default()
     })
 }
 

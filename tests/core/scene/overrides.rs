@@ -1,5 +1,6 @@
 //! `--set path=value` reaches every value of a scene, and complains like a file.
 
+use girderbench::motion::format::{Channel, Record};
 use girderbench::scene::{
     Bearings, FrictionLaw, Motion, PerDirection, Scene, SceneError, overrides, presets, validate,
 };
@@ -131,7 +132,8 @@ fn another_kind_of_motion_keeps_its_direction_only() {
 #[test]
 fn a_record_that_was_read_stays_read() {
     let mut scene = set(&preset("straight-abutment"), &["motion.kind=record", "motion.file=a.csv"]);
-    let read = Some((0.01, vec![0.0, 1.0]));
+    let channels = vec![Channel::plain(0.01, vec![0.0, 1.0])];
+    let read = Some(std::sync::Arc::new(Record { format: "CSV", channels }));
     if let Motion::Record(record) = &mut scene.motion {
         record.loaded.clone_from(&read);
     }

@@ -1,0 +1,142 @@
+//! Records with bytes changed, cut, repeated and overwritten by hostile words: a record or a complaint, never a panic, and
+//! never more memory than the file has room for.
+
+use super::formats::{FIXTURES, fixture, read};
+
+/// What a header may be made to say.
+const HOSTILE: &[&str] = &[
+    "1e18",
+    "NaN",
+    "inf",
+    "-1",
+    "0",
+    "99999999999999999999999",
+    "NPTS=1e18",
+    "DT=0",
+    "DT=1e-300",
+    "(999999F1)",
+    "(8F0)",
+    "%s%n",
+    "\0",
+    "\u{fffd}",
+    "1e400",
+    "-",
+    ".",
+    "=",
+    "(",
+    "/",
+    "|",
+    "units=",
+    "approx",
+    "/&",
+    "points of accel data equally spaced",
+    "End-of-data",
+    "with 1e18 text lines",
+    "Hz",
+    "3920(gal)/0",
+    "\r\n\r\n",
+    "\n\n\n",
+    "\t,;",
+    "١٢٣",
+];
+
+/// splitmix64.
+struct Bits(u64);
+
+impl Bits {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        usize::try_from(self.next() % u64::try_from(n.max(1)).expect("small")).expect("below n")
+    }
+}
+
+/// One to four changes; every second one within the first tenth, where headers stand.
+fn mutated(whole: &[u8], seed: u64) -> Vec<u8> {
+    let mut bits = Bits(seed);
+    let mut bytes = whole.to_vec();
+    for _ in 0..=bits.below(4) {
+        let span = if bits.below(2) == 0 { bytes.len() / 10 + 1 } else { bytes.len() + 1 };
+        let at = bits.below(span).min(bytes.len());
+        let until = (at + bits.below(40)).min(bytes.len());
+        match bits.below(6) {
+            0 => bytes.truncate(at),
+            1 => drop(bytes.drain(at..until)),
+            2 => {
+                let word = HOSTILE[bits.below(HOSTILE.len())].bytes();
+                bytes.splice(at..until, word);
+            }
+            3 => {
+                let copy = bytes[at..until].to_vec();
+                bytes.splice(at..at, copy);
+            }
+            4 => bytes.get_mut(at..until).into_iter().flatten().for_each(|byte| *byte = b'9'),
+            _ => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte = u8::try_from(bits.next() % 256).expect("a byte");
+                }
+            }
+        }
+    }
+    bytes
+}
+
+/// So many cases of every file; how many were read all the same.
+fn survive(cases: u64) {
+    for (name, format) in FIXTURES {
+        let whole = fixture(name);
+        let mut read_all_the_same = 0;
+        for seed in 0..cases {
+            let bytes = mutated(&whole, seed);
+            match read(&bytes, name) {
+                Ok(record) => {
+                    read_all_the_same += 1;
+                    for channel in &record.channels {
+                        assert!(channel.dt > 0.0 && channel.dt.is_finite(), "{name} {seed}: interval {}", channel.dt);
+                        assert!(channel.samples.len() >= 2, "{name} {seed}: samples");
+                        assert!(channel.samples.iter().all(|a| a.is_finite()), "{name} {seed}: a number that is none");
+                        assert!(
+                            channel.samples.capacity() <= 2 * bytes.len() + 64,
+                            "{name} {seed}: more room than file"
+                        );
+                    }
+                }
+                Err(error) => {
+                    let lines = bytes.split(|byte| *byte == b'\n').count() + 1;
+                    let line = usize::try_from(error.line).expect("small");
+                    assert!((1..=lines).contains(&line), "{name} {seed}: {error}");
+                    assert!(error.value.chars().count() < 120 && !error.remedy.is_empty(), "{name} {seed}: {error}");
+                }
+            }
+        }
+        assert!(read_all_the_same > 0, "{format}: a change in a sample leaves a record");
+    }
+}
+
+#[test]
+fn three_hundred_changes_of_every_file_are_read_or_refused() {
+    survive(300);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn a_million_changes_of_every_file_are_read_or_refused() {
+    survive(1_000_000);
+}
+
+#[test]
+fn ten_million_samples_are_read_in_bounded_memory() {
+    let count = 10_000_000;
+    let mut text = format!("A\nB, 90\nACCELERATION IN UNITS OF G\nNPTS= {count}, DT= .01\n");
+    text.push_str(&".1 -.2 .3 0 1\n".repeat(count / 5));
+    let record = read(text.as_bytes(), "long.AT2").expect("a long record");
+    let samples = &record.channels[0].samples;
+    assert_eq!(samples.len(), count, "all of them");
+    assert!(samples.capacity() <= 2 * count, "and no more room than twice that");
+}
