@@ -72,6 +72,16 @@ impl AtInstant<'_> {
         }
     }
 
+    /// Whether a node inside another body at t = 0, which came through no face, is in it by this contact: of bodies whose faces all
+    /// touch, by a face along that of the least overlap, and not by the one behind it.
+    pub(in crate::dynamics) fn begins_inside_by(&self, contact: usize) -> bool {
+        if self.site(contact).around.is_none() {
+            return true;
+        }
+        let least = self.overlaps(contact).first().map_or(0.0, |least| least.depth);
+        self.local(contact).penetration() <= ALIKE * least && self.entered_by(contact) == Some(contact)
+    }
+
     /// Whether the normals of two contacts' faces are along one line, to [`ALONG`].
     fn is_along(&self, one: usize, other: usize) -> bool {
         let [one, other] = [one, other].map(|contact| self.normal(contact));

@@ -219,7 +219,7 @@ impl Transitions<'_> {
             // An edge node is at its crossing.
             let inside = site.beyond(&here) < 0.0;
             let inside = inside && self.at().is_opposed_most(contact) && !self.at().touches_elsewhere(contact);
-            let state = if inside && self.at().entered_by(contact) == Some(contact) {
+            let state = if inside && self.at().begins_inside_by(contact) {
                 Contact::Closed(self.closed_inside(contact))
             } else {
                 Contact::Open { armed: false }
@@ -257,6 +257,8 @@ impl Transitions<'_> {
         }
         self.open(contact, &closed, EventKind::LeftFace);
         let open = self.world.contacts[least.contact].state.closed().is_none();
+        // Where the pair faces each other, the vertex may have another node by now.
+        let open = open && !self.at().is_carried_beside(contact, least.depth);
         if open && !self.at().touches_elsewhere(least.contact) {
             self.close_inside(least.contact, 2.0 * least.depth);
         }

@@ -193,7 +193,7 @@ fn a_contact_that_leaves_its_face_with_energy_in_its_spring_is_said() {
     let left = |lateral: f64| {
         // Pressed against a wall 0.1 m wide, the girder slides along it and off its end.
         let text = format!(
-            "name = \"off\"\nduration_s = 0.2\n[contact]\nmu_static = 0.0\nmu_kinetic = 0.0\n[[girder]]\nname = \"deck\"\n\
+            "name = \"off\"\nduration_s = 0.2\n[contact]\nstiffness_n_per_m = 1e6\nmu_static = 0.0\nmu_kinetic = 0.0\n[[girder]]\nname = \"deck\"\n\
              {GIRDER}push = {{ force_n = [200, 0] }}\ninitial = {{ velocity_m_s = [0, {lateral}] }}\n[[abutment]]\n\
              name = \"wall\"\nfaces = \"deck\"\nend = \"+x\"\ngap_m = 0.0\nwidth_m = 0.1\n"
         );
@@ -204,4 +204,5 @@ fn a_contact_that_leaves_its_face_with_energy_in_its_spring_is_said() {
     let dropped = history.dropped().expect("it leaves the wall");
     within("the ledger's own", dropped.energy - history.ledger(history.end()).jump_edge, 1e-12);
     assert!(dropped.share > 1e-6 && dropped.count > 0, "{dropped:?}");
+    assert_eq!(history.too_deep(), [], "corners at the wall's edge touch its front, not its sides from within");
 }
