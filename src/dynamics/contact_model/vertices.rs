@@ -37,9 +37,9 @@ impl Transitions<'_> {
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
     /// are there now; other nodes of the vertex that are there no more leave with it.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) {
-        let site = &self.world.model.contacts[self.world.contacts[contact].site];
-        // Between all faces of two bodies what leaves a face is carried on by the face of the least overlap.
-        if self.world.model.kind == Kind::Planar || site.around.is_some() {
+        let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
+        // Pairs of bodies that have met are without edge nodes.
+        if self.world.model.kind == Kind::Planar || pair.met {
             return;
         }
         let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, &|c| self.at().sides(c));
