@@ -1,6 +1,12 @@
 //! Contact between faces that did not face each other as placed: closed forms of hits, and what holds of any bodies thrown at each
 //! other.
 
+mod crossing;
+mod offset;
+mod ramp;
+mod round_a_corner;
+mod stacked;
+
 use girderbench::scene::{Between, ModelKind, STANDARD_GRAVITY, Scene};
 use girderbench::sim::History;
 use girderbench::study::stability::family;
@@ -18,6 +24,24 @@ fn girders(keys: &[&str], duration: f64) -> Scene {
         "name = \"met\"\nduration_s = {duration}\n[contact]\nstiffness_n_per_m = 1e6\nrestitution_normal = 0.6\nmu_static = 0.0\n\
          mu_kinetic = 0.0\n{girders}"
     ))
+}
+
+/// Every overlap is carried by a contact, and the ledger balances.
+fn expect_carried(history: &History) {
+    assert_eq!(history.overlaps(), [], "contacts carry all");
+    let balance = history.balance();
+    assert!(balance.holds(), "{balance:?}");
+}
+
+/// Damping ratio ξ of a coefficient of restitution (65).
+fn damping_ratio(restitution: f64) -> f64 {
+    let ln = restitution.ln();
+    -ln / (std::f64::consts::PI.powi(2) + ln * ln).sqrt()
+}
+
+/// Restitution of a contact with damping ratio ξ'.
+fn restitution(damping_ratio: f64) -> f64 {
+    (-std::f64::consts::PI * damping_ratio / (1.0 - damping_ratio * damping_ratio).sqrt()).exp()
 }
 
 /// Velocity of a girder at the end \[m/s\].
@@ -76,11 +100,8 @@ fn a_corner_that_meets_a_side_moves_both_as_one_point_does() {
     let (m, i2) = (2.0, history.model().bodies[0].gyration2);
     let lever = [node - at, node - history.motion(1, touch.start).place].map(|arm| arm.x);
     let mobility: f64 = lever.iter().map(|x| (1.0 + x * x / i2) / m).sum();
-    let ln = 0.6_f64.ln();
-    let xi = -ln / (std::f64::consts::PI.powi(2) + ln * ln).sqrt();
     let nodes = site_sharers(&history, site.pair, touch.start);
-    let damping = xi * (mobility * m / 2.0 / nodes).sqrt();
-    let returned = (-std::f64::consts::PI * damping / (1.0 - damping * damping).sqrt()).exp();
+    let returned = restitution(damping_ratio(0.6) * (mobility * m / 2.0 / nodes).sqrt());
     let impulse = (1.0 + returned) * 0.5 / mobility;
     // Both turn by a few milliradians during the touch, and with them the levers.
     within("impulse", velocity(&history, 1).y + 0.5 - impulse / m, 2e-3);
