@@ -27,7 +27,13 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
     ("app", &["geometry", "scene", "dynamics", "sim", "study", "tables", "view", "render", "snapshot", "files"]),
-    ("cli", &["geometry", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app", "study"]),
+    (
+        "cli",
+        &[
+            "geometry", "motion", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app",
+            "study",
+        ],
+    ),
 ];
 
 /// Every room of the window and the rooms of the window that it may use.

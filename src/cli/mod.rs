@@ -11,8 +11,10 @@ mod failure;
 mod headless;
 mod interrupt;
 mod limits;
+mod motion;
 mod open;
 mod output;
+mod plot_files;
 mod presets;
 mod progress;
 #[cfg(feature = "render")]
@@ -49,6 +51,7 @@ enum Command {
     Run(run::RunArgs),
     Check(check::CheckArgs),
     Compare(compare::CompareArgs),
+    Motion(motion::MotionArgs),
     Study(study::StudyArgs),
     /// List the scenes that come with the program
     Presets,
@@ -104,6 +107,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Run(args)) => run::run(&args, console),
         Some(Command::Check(args)) => check::run(&args, console),
         Some(Command::Compare(args)) => compare::run(&args, console),
+        Some(Command::Motion(args)) => motion::run(&args, console),
         Some(Command::Study(args)) => study::run(&args, console),
         Some(Command::Presets) => {
             presets::run(console);

@@ -4,6 +4,8 @@
 //! linear between samples; each is piecewise analytic, which is what lets free flight have a closed form.
 
 pub mod format;
+pub mod integrate;
+pub mod spectrum;
 
 use std::sync::Arc;
 

@@ -5,6 +5,7 @@
 
 pub mod accuracy;
 pub mod clock;
+pub mod ground;
 pub mod plot;
 pub mod size;
 pub mod stability;

@@ -7,6 +7,7 @@ mod files;
 mod headless;
 mod interrupted;
 mod killed;
+mod motion;
 mod odd_files;
 mod odd_output;
 mod overlap;

@@ -6,6 +6,7 @@ mod support;
 mod digests;
 
 mod motion {
+    mod figures;
     mod formats;
     mod mutations;
 }

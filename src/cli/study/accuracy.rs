@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use super::page::{OccasionArgs, picture_extension, plot_files};
+use super::page::{OccasionArgs, picture_extension};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
+use crate::cli::plot_files::plot_files;
 use crate::study::accuracy::{Options, Problem, method, problem, study};
 
 /// Measure work against error: every method on every problem
@@ -48,7 +49,7 @@ pub(super) fn run(args: &AccuracyArgs, console: &mut Console) -> Result<(), Fail
         ("README.md".to_owned(), study.page(&occasion, picture_extension()).into_bytes()),
     ];
     for (name, plot) in study.plots() {
-        all.extend(plot_files(&name, &plot)?);
+        all.extend(plot_files(&name, plot.svg())?);
     }
     write_files(&args.out, &all)?;
     console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
-use super::page::{OccasionArgs, picture_extension, plot_files};
+use super::page::{OccasionArgs, picture_extension};
 use crate::cli::args::at_least_one;
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
+use crate::cli::plot_files::plot_files;
 use crate::study::size;
 
 /// Measure cost against size: rows of 1 to 1000 girders
@@ -36,7 +37,7 @@ pub(super) fn run(args: &SizeArgs, console: &mut Console) -> Result<(), Failure>
     let command = format!("girderbench study size --repeat {}{quick} --out {}", args.repeat, args.out.display());
     let page = size::page(&rows, &args.occasion.with(command), picture_extension());
     let mut all = vec![("size.csv".to_owned(), csv.clone().into_bytes()), ("size.md".to_owned(), page.into_bytes())];
-    all.extend(plot_files("size", &size::plot(&rows))?);
+    all.extend(plot_files("size", size::plot(&rows).svg())?);
     write_files(&args.out, &all)?;
     console.print(&csv);
     console.print(&format!("written to {}: {} files\n", args.out.display(), all.len()));

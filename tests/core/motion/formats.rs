@@ -131,7 +131,7 @@ fn what_is_stated_in_the_file_is_not_stated_beside_it() {
 
 /// The real records, where they lie beside the project or beside its work trees.
 #[expect(clippy::print_stdout, reason = "a test that is skipped says so")]
-fn real(name: &str) -> Option<Vec<u8>> {
+pub(super) fn real(name: &str) -> Option<Vec<u8>> {
     let path = PathBuf::from("../shared/records").join(name);
     let path = if path.exists() { path } else { PathBuf::from("../../shared/records").join(name) };
     let bytes = std::fs::read(&path).ok();

@@ -1,0 +1,132 @@
+//! `girderbench motion`: what records of ground motion hold, as figures, plots and tables.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::args::{at_least_one, positive};
+use super::console::Console;
+use super::digits::six;
+use super::failure::Failure;
+use super::output::write_files;
+use super::plot_files::plot_files;
+use crate::files::{Supplement, read_record};
+use crate::motion::format::{Channel, Orientation, Record, STANDARD_GRAVITY, Unit};
+use crate::scene::shown::escaped;
+use crate::study::ground::{Figures, Ground, spectrum_chart, spectrum_csv};
+
+/// Show what records of ground motion hold: format, unit, peaks, duration; plots and response spectrum
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct MotionArgs {
+    /// Record files: PEER AT2, K-NET, COSMOS, CSMIP Volume 2, one column, CSV
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// Only this channel of each file, from 1
+    #[arg(long, value_name = "N", value_parser = at_least_one)]
+    channel: Option<usize>,
+    /// Interval between samples, for files that do not state it [s]
+    #[arg(long, value_name = "S", value_parser = positive)]
+    dt: Option<f64>,
+    /// Unit of the numbers, for files that do not state it: g, gal (cm/s2), m/s2
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<Unit>,
+    /// Write histories and 5 % response spectrum of each channel into this folder, as plots and as CSV
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+fn unit(text: &str) -> Result<Unit, String> {
+    Unit::of_word(text).ok_or_else(|| format!("give one of {}", Unit::WORDS.join(", ")))
+}
+
+/// Does it.
+///
+/// # Errors
+/// A file that is no record, a channel that it does not have; files that cannot be written.
+pub(super) fn run(args: &MotionArgs, console: &mut Console) -> Result<(), Failure> {
+    let beside = Supplement { dt: args.dt, unit: args.unit };
+    let (mut files, mut names) = (Vec::new(), BTreeSet::new());
+    for path in &args.files {
+        let record = read_record(path, &beside)?;
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        console.print(&heading(path, &record));
+        for (number, channel) in chosen(&record, args.channel, path)? {
+            let ground = Ground::of(channel);
+            console.print(&text(number, channel, &ground.figures()));
+            if args.out.is_some() {
+                let stem = if record.channels.len() > 1 { format!("{name}-{number}") } else { name.clone() };
+                if !names.insert(stem.clone()) {
+                    return Err(Failure::Input(format!("{stem}: two records of this name: give each its own --out")));
+                }
+                files.extend(drawn(&ground, &stem)?);
+            }
+        }
+    }
+    if let Some(out) = &args.out {
+        write_files(out, &files)?;
+        console.print(&format!("written to {}: {} files\n", out.display(), files.len()));
+    }
+    Ok(())
+}
+
+/// Channels with their numbers: all, or the one.
+fn chosen<'r>(record: &'r Record, number: Option<usize>, path: &Path) -> Result<Vec<(usize, &'r Channel)>, Failure> {
+    let Some(number) = number else { return Ok((1..).zip(&record.channels).collect()) };
+    let channel = record.channel(Some(number));
+    let channel =
+        channel.map_err(|remedy| Failure::Input(format!("{}: --channel {number}: {remedy}", path.display())))?;
+    Ok(vec![(number, channel)])
+}
+
+fn heading(path: &Path, record: &Record) -> String {
+    let count = record.channels.len();
+    let plural = if count == 1 { "channel" } else { "channels" };
+    format!("{}: {}, {count} {plural}\n", escaped(&path.display().to_string()), record.format)
+}
+
+/// A channel's figures, a line each.
+fn text(number: usize, channel: &Channel, figures: &Figures) -> String {
+    let Figures { acceleration: a, velocity: v, displacement: d, strong } = figures;
+    let direction = match channel.orientation {
+        Orientation::Unstated => "direction not stated".to_owned(),
+        Orientation::Azimuth(azimuth) => format!("azimuth {}°", six(azimuth)),
+        Orientation::Up => "upwards".to_owned(),
+    };
+    let name = if channel.name.is_empty() { "no name".into() } else { escaped(&channel.name) };
+    let count = channel.samples.len();
+    let length = (count - 1) as f64 * channel.dt;
+    let done = if channel.done.is_empty() { "nothing".to_owned() } else { channel.done.join("; ") };
+    let lines = [
+        format!("channel {number}: {name}, {direction}"),
+        format!("  read in {}: {count} samples, {} s apart, {} s", channel.unit.label(), six(channel.dt), six(length)),
+        format!("  peak {} g = {} gal at {} s", six(a.value / STANDARD_GRAVITY), six(a.value * 100.0), six(a.at)),
+        format!(
+            "  PGV {} m/s at {} s, PGD {} m at {} s: integrated from rest, straight lines between samples",
+            six(v.value.abs()),
+            six(v.at),
+            six(d.value.abs()),
+            six(d.at)
+        ),
+        format!(
+            "  strong motion {} s, from {} to {} s: 5 to 95 % of the Arias intensity of {} m/s (significant duration)",
+            six(strong.duration()),
+            six(strong.from),
+            six(strong.until),
+            six(strong.arias)
+        ),
+        format!("  done to it: {done}"),
+    ];
+    lines.join("\n") + "\n"
+}
+
+/// Plots and tables of a channel.
+fn drawn(ground: &Ground<'_>, stem: &str) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let spectrum = ground.spectrum();
+    let mut files = vec![
+        (format!("{stem}-history.csv"), ground.csv().into_bytes()),
+        (format!("{stem}-spectrum.csv"), spectrum_csv(&spectrum).into_bytes()),
+    ];
+    files.extend(plot_files(&format!("{stem}-history"), ground.histories(stem))?);
+    let title = format!("{stem}: response spectrum, 5 % damping");
+    files.extend(plot_files(&format!("{stem}-spectrum"), spectrum_chart(&spectrum, &title))?);
+    Ok(files)
+}

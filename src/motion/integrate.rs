@@ -1,0 +1,106 @@
+//! Velocity, displacement and intensity of an acceleration that is linear between samples: exact integrals, from rest.
+
+use super::format::STANDARD_GRAVITY;
+
+/// Largest magnitude of a series, with its sign and time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peak {
+    /// With its sign, in the unit of the series.
+    pub value: f64,
+    /// When \[s\].
+    pub at: f64,
+}
+
+impl Peak {
+    /// Of samples at this interval \[s\]; the first of several.
+    pub fn of(samples: &[f64], dt: f64) -> Self {
+        let larger = |most: Self, (n, value): (usize, &f64)| {
+            if value.abs() > most.value.abs() { Self { value: *value, at: n as f64 * dt } } else { most }
+        };
+        samples.iter().enumerate().fold(Self::default(), larger)
+    }
+}
+
+/// Ground velocity \[m/s\] and displacement \[m\] at the samples of an acceleration \[m/s²\], from rest at the first.
+pub fn integrate(samples: &[f64], dt: f64) -> [Vec<f64>; 2] {
+    let (mut v, mut d) = (0.0, 0.0);
+    let (mut velocity, mut displacement) = (Vec::with_capacity(samples.len()), Vec::with_capacity(samples.len()));
+    for (n, a) in samples.iter().enumerate() {
+        velocity.push(v);
+        displacement.push(d);
+        if let Some(next) = samples.get(n + 1) {
+            d += v * dt + dt * dt * (2.0 * a + next) / 6.0;
+            v += 0.5 * dt * (a + next);
+        }
+    }
+    [velocity, displacement]
+}
+
+/// Strong motion: Arias intensity and when it passes 5 % and 95 % of its final value.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StrongMotion {
+    /// `π / (2 g) ∫ a² dt` \[m/s\].
+    pub arias: f64,
+    /// When 5 % are reached \[s\].
+    pub from: f64,
+    /// When 95 % are reached \[s\].
+    pub until: f64,
+}
+
+impl StrongMotion {
+    /// Of an acceleration \[m/s²\]. The integral is exact at the samples and taken as linear between them.
+    pub fn of(samples: &[f64], dt: f64) -> Self {
+        let mut sum = 0.0;
+        let mut sums = vec![0.0];
+        for pair in samples.windows(2) {
+            sum += dt * (pair[0] * pair[0] + pair[0] * pair[1] + pair[1] * pair[1]) / 3.0;
+            sums.push(sum);
+        }
+        let reached = |share: f64| {
+            let goal = share * sum;
+            let n = sums.partition_point(|sum| *sum < goal);
+            let Some(before) = n.checked_sub(1) else { return 0.0 };
+            let end = sums.get(n).copied().unwrap_or(sum);
+            (before as f64 + (goal - sums[before]) / (end - sums[before])) * dt
+        };
+        let arias = std::f64::consts::PI / (2.0 * STANDARD_GRAVITY) * sum;
+        if sum > 0.0 { Self { arias, from: reached(0.05), until: reached(0.95) } } else { Self::default() }
+    }
+
+    /// Significant duration, 5 to 95 % \[s\].
+    pub fn duration(&self) -> f64 {
+        self.until - self.from
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ramp_integrates_to_its_cube() {
+        let dt = 0.1;
+        let ramp: Vec<f64> = (0..11).map(|n| 3.0 * f64::from(n) * dt).collect();
+        let [v, d] = integrate(&ramp, dt);
+        for n in 0..11_u32 {
+            let t = f64::from(n) * dt;
+            let at = n as usize;
+            assert!((v[at] - 1.5 * t * t).abs() < 1e-14, "v at {t}: {}", v[at]);
+            assert!((d[at] - 0.5 * t * t * t).abs() < 1e-14, "d at {t}: {}", d[at]);
+        }
+    }
+
+    #[test]
+    fn a_constant_has_nine_tenths_of_its_length_as_strong_motion() {
+        let strong = StrongMotion::of(&[2.0; 101], 0.1);
+        assert!((strong.duration() - 9.0).abs() < 1e-12 && (strong.from - 0.5).abs() < 1e-12, "{strong:?}");
+        let arias = std::f64::consts::PI / (2.0 * STANDARD_GRAVITY) * 40.0;
+        assert!((strong.arias - arias).abs() < 1e-12, "4 · 10 s");
+        assert_eq!(StrongMotion::of(&[0.0; 5], 0.1), StrongMotion::default(), "still ground");
+    }
+
+    #[test]
+    fn the_peak_keeps_its_sign_and_is_the_first_of_several() {
+        assert_eq!(Peak::of(&[1.0, -2.0, 2.0], 0.5), Peak { value: -2.0, at: 0.5 }, "downwards, first");
+    }
+}

@@ -1,0 +1,161 @@
+//! A ground motion as figures, tables and charts: acceleration, velocity, displacement, 5 % response spectrum.
+
+use std::fmt::Write as _;
+
+use super::plot::COLORS;
+use super::plot::chart::{Chart, Curve, Panel};
+use crate::motion::format::Channel;
+use crate::motion::integrate::{Peak, StrongMotion, integrate};
+use crate::motion::spectrum::{Response, periods, spectrum};
+
+/// Damping of the spectrum, of critical.
+pub const DAMPING: f64 = 0.05;
+/// Shortest and longest period of the spectrum \[s\].
+const PERIODS: [f64; 2] = [0.02, 10.0];
+/// Periods of the spectrum, evenly spaced by their logarithm: 75 a decade.
+const COUNT: u32 = 203;
+/// Longest period of the spectrum's chart \[s\].
+const DRAWN: f64 = 4.0;
+/// Pieces of a drawn history; of each the least and the largest sample are drawn, which is finer than the picture.
+const PIECES: usize = 2000;
+
+/// A channel with what follows from it.
+#[derive(Clone, Debug)]
+pub struct Ground<'a> {
+    channel: &'a Channel,
+    velocity: Vec<f64>,
+    displacement: Vec<f64>,
+}
+
+/// Figures of a ground motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figures {
+    /// Largest acceleration \[m/s²\].
+    pub acceleration: Peak,
+    /// Largest velocity, PGV \[m/s\].
+    pub velocity: Peak,
+    /// Largest displacement, PGD \[m\].
+    pub displacement: Peak,
+    /// Strong motion.
+    pub strong: StrongMotion,
+}
+
+impl<'a> Ground<'a> {
+    /// Integrates a channel from rest.
+    pub fn of(channel: &'a Channel) -> Self {
+        let [velocity, displacement] = integrate(&channel.samples, channel.dt);
+        Self { channel, velocity, displacement }
+    }
+
+    /// Peaks and duration.
+    pub fn figures(&self) -> Figures {
+        let (a, dt) = (&self.channel.samples, self.channel.dt);
+        Figures {
+            acceleration: Peak::of(a, dt),
+            velocity: Peak::of(&self.velocity, dt),
+            displacement: Peak::of(&self.displacement, dt),
+            strong: StrongMotion::of(a, dt),
+        }
+    }
+
+    /// The spectrum at 5 % of critical damping.
+    pub fn spectrum(&self) -> Vec<Response> {
+        spectrum(&self.channel.samples, self.channel.dt, &periods(PERIODS, COUNT), DAMPING)
+    }
+
+    /// Every sample: `t_s,a_m_s2,v_m_s,d_m`.
+    pub fn csv(&self) -> String {
+        let mut table = "t_s,a_m_s2,v_m_s,d_m\n".to_owned();
+        for (n, a) in self.channel.samples.iter().enumerate() {
+            let (v, d) = (self.velocity[n], self.displacement[n]);
+            let _ = writeln!(table, "{},{a},{v},{d}", n as f64 * self.channel.dt);
+        }
+        table
+    }
+
+    /// The three histories over time as an SVG document.
+    pub fn histories(&self, title: &str) -> String {
+        let panel = |name: &str, color: usize, values: &[f64]| Panel {
+            name: name.to_owned(),
+            curves: vec![curve("", color, thinned(values, self.channel.dt))],
+        };
+        let panels = vec![
+            panel("acceleration [m/s²]", 0, &self.channel.samples),
+            panel("velocity [m/s]", 1, &self.velocity),
+            panel("displacement [m]", 2, &self.displacement),
+        ];
+        Chart { title: title.to_owned(), x: "time [s]".to_owned(), panels }.to_svg()
+    }
+}
+
+/// The table of a spectrum: `period_s,sd_m,psv_m_s,psa_m_s2`.
+pub fn spectrum_csv(spectrum: &[Response]) -> String {
+    let mut table = "period_s,sd_m,psv_m_s,psa_m_s2\n".to_owned();
+    for r in spectrum {
+        let _ = writeln!(table, "{},{},{},{}", r.period, r.displacement, r.pseudo_velocity(), r.pseudo_acceleration());
+    }
+    table
+}
+
+/// A spectrum as an SVG document.
+pub fn spectrum_chart(spectrum: &[Response], title: &str) -> String {
+    let drawn = || spectrum.iter().filter(|r| r.period <= DRAWN);
+    let panel = |name: &str, color: usize, value: fn(&Response) -> f64| Panel {
+        name: name.to_owned(),
+        curves: vec![curve("5 % damping", color, drawn().map(|r| [r.period, value(r)]).collect())],
+    };
+    let panels = vec![
+        panel("pseudo-acceleration [m/s²]", 0, Response::pseudo_acceleration),
+        panel("pseudo-velocity [m/s]", 1, Response::pseudo_velocity),
+        panel("displacement [m]", 2, |r| r.displacement),
+    ];
+    Chart { title: title.to_owned(), x: "natural period [s]".to_owned(), panels }.to_svg()
+}
+
+fn curve(name: &str, color: usize, points: Vec<[f64; 2]>) -> Curve {
+    Curve { name: name.to_owned(), color: COLORS[color].to_owned(), dashes: "none", points }
+}
+
+/// Points to draw: all of them, or of each piece the least and the largest in their order.
+fn thinned(values: &[f64], dt: f64) -> Vec<[f64; 2]> {
+    let point = |n: usize| [n as f64 * dt, values[n]];
+    if values.len() <= 2 * PIECES {
+        return (0..values.len()).map(point).collect();
+    }
+    let size = values.len().div_ceil(PIECES);
+    let both = |first: usize| {
+        let piece = first..(first + size).min(values.len());
+        let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+        let low = piece.clone().min_by(by_value).unwrap_or(first);
+        let high = piece.max_by(by_value).unwrap_or(first);
+        [low.min(high), low.max(high)].map(point)
+    };
+    (0..values.len()).step_by(size).flat_map(both).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_history_is_drawn_with_its_extremes() {
+        let mut values = vec![0.0; 1_000_000];
+        (values[123_456], values[777_777]) = (5.0, -7.0);
+        let points = thinned(&values, 0.01);
+        assert!(points.len() <= 2 * PIECES, "{} points", points.len());
+        assert!(points.contains(&[123_456.0 * 0.01, 5.0]) && points.contains(&[777_777.0 * 0.01, -7.0]), "both");
+        assert!(points.is_sorted_by(|a, b| a[0] <= b[0]), "in their order");
+    }
+
+    #[test]
+    fn tables_have_a_row_for_every_sample_and_period() {
+        let channel = Channel::plain(0.1, vec![0.0, 1.0, -1.0, 0.0]);
+        let ground = Ground::of(&channel);
+        assert_eq!(ground.csv().lines().count(), 5, "heading and four samples");
+        let spectrum = ground.spectrum();
+        assert_eq!(spectrum_csv(&spectrum).lines().count(), 204, "heading and 203 periods");
+        for svg in [ground.histories("a < b"), spectrum_chart(&spectrum, "a < b")] {
+            assert!(svg.ends_with("</svg>\n") && svg.contains("a &lt; b") && !svg.contains("NaN"), "{svg}");
+        }
+    }
+}
