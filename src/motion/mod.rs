@@ -29,36 +29,134 @@ pub enum Ground {
     },
     /// Samples at `t = 0, dt, 2 dt, …`, straight lines between them, nothing after the last.
     Record {
-        /// Unit direction of shaking.
-        direction: DVec3,
         /// Interval \[s\].
         dt: f64,
-        /// Scaled samples, shared by all who fly under them \[m/s²\].
-        samples: Arc<[f64]>,
-        /// Largest of them, either sign \[m/s²\].
+        /// Scaled samples.
+        samples: Samples,
+        /// Largest magnitude of them \[m/s²\].
         peak: f64,
     },
 }
 
-/// A stretch of ground motion without a kink: `a(t) = start + slope (t − from)` plus the sine, until `until`.
+/// Samples of a record, shared by every body that moves under them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Samples {
+    /// Along one direction.
+    Along {
+        /// Unit direction of shaking.
+        direction: DVec3,
+        /// Samples \[m/s²\].
+        values: Arc<[f64]>,
+    },
+    /// Several components at once.
+    Components {
+        /// Samples in the world frame \[m/s²\].
+        values: Arc<[DVec3]>,
+        /// Largest magnitude along each world axis \[m/s²\].
+        largest: DVec3,
+    },
+}
+
+/// A stretch of ground motion without a kink, until `until`; the sine adds to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearPiece {
     /// Where the piece begins \[s\].
     pub from: f64,
     /// Where it ends; infinite after the last sample \[s\].
     pub until: f64,
-    /// Acceleration at `from` \[m/s²\].
-    pub start: f64,
-    /// Its rate \[m/s³\].
-    pub slope: f64,
+    /// Acceleration within it.
+    pub line: Line,
+}
+
+/// An acceleration that is linear in time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Line {
+    /// `direction (start + slope (t − from))`.
+    Along {
+        /// Unit direction.
+        direction: DVec3,
+        /// Acceleration at the start \[m/s²\].
+        start: f64,
+        /// Its rate \[m/s³\].
+        slope: f64,
+    },
+    /// `start + slope (t − from)`.
+    Components {
+        /// Acceleration at the start \[m/s²\].
+        start: DVec3,
+        /// Its rate \[m/s³\].
+        slope: DVec3,
+    },
+}
+
+impl LinearPiece {
+    /// Acceleration at `t` \[m/s²\].
+    pub fn acceleration(&self, t: f64) -> DVec3 {
+        match self.line {
+            Line::Along { direction, start, slope } => direction * (start + slope * (t - self.from)),
+            Line::Components { start, slope } => start + slope * (t - self.from),
+        }
+    }
+
+    /// Acceleration where the piece begins \[m/s²\].
+    pub fn start(&self) -> DVec3 {
+        match self.line {
+            Line::Along { direction, start, .. } => direction * start,
+            Line::Components { start, .. } => start,
+        }
+    }
+
+    /// Rate of the acceleration \[m/s³\].
+    pub fn rate(&self) -> DVec3 {
+        match self.line {
+            Line::Along { direction, slope, .. } => direction * slope,
+            Line::Components { slope, .. } => slope,
+        }
+    }
+
+    /// No acceleration from `from` to `until`.
+    fn still(from: f64, until: f64) -> Self {
+        Self { from, until, line: Line::Along { direction: DVec3::ZERO, start: 0.0, slope: 0.0 } }
+    }
+}
+
+impl Samples {
+    fn len(&self) -> usize {
+        match self {
+            Self::Along { values, .. } => values.len(),
+            Self::Components { values, .. } => values.len(),
+        }
+    }
+
+    /// The line from a sample to the next; none from the last.
+    fn line(&self, number: usize, dt: f64) -> Option<Line> {
+        match self {
+            Self::Along { direction, values } => {
+                let (start, next) = (*values.get(number)?, values.get(number + 1)?);
+                Some(Line::Along { direction: *direction, start, slope: (next - start) / dt })
+            }
+            Self::Components { values, .. } => {
+                let (start, next) = (*values.get(number)?, *values.get(number + 1)?);
+                Some(Line::Components { start, slope: (next - start) / dt })
+            }
+        }
+    }
 }
 
 impl Ground {
     /// A record: unit direction, interval \[s\], scaled samples \[m/s²\].
     pub fn record(direction: DVec3, dt: f64, samples: impl IntoIterator<Item = f64>) -> Self {
-        let samples: Arc<[f64]> = samples.into_iter().collect();
-        let peak = samples.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-        Self::Record { direction, dt, samples, peak }
+        let values: Arc<[f64]> = samples.into_iter().collect();
+        let peak = values.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+        Self::Record { dt, samples: Samples::Along { direction, values }, peak }
+    }
+
+    /// A record of several components: interval \[s\], samples in the world frame \[m/s²\].
+    pub fn components(dt: f64, samples: impl IntoIterator<Item = DVec3>) -> Self {
+        let values: Arc<[DVec3]> = samples.into_iter().collect();
+        let peak = values.iter().fold(0.0, |most: f64, a| most.max(a.length()));
+        let largest = values.iter().fold(DVec3::ZERO, |most, a| most.max(a.abs()));
+        Self::Record { dt, samples: Samples::Components { values, largest }, peak }
     }
 
     /// Unit vector in plan at the excitation angle α; multiples of 90° are exact.
@@ -97,10 +195,7 @@ impl Ground {
                 let (sin, cos) = (omega * t + phase).sin_cos();
                 *amplitude * sin + *quadrature * cos
             }
-            Self::Record { direction, .. } => {
-                let piece = self.piece(self.piece_number(t));
-                *direction * (piece.start + piece.slope * (t - piece.from))
-            }
+            Self::Record { .. } => self.piece(self.piece_number(t)).acceleration(t),
         }
     }
 
@@ -122,15 +217,12 @@ impl Ground {
     /// The linear piece of that number; past the last sample the ground stands still.
     pub fn piece(&self, number: usize) -> LinearPiece {
         let Self::Record { dt, samples, .. } = self else {
-            return LinearPiece { from: 0.0, until: f64::INFINITY, start: 0.0, slope: 0.0 };
+            return LinearPiece::still(0.0, f64::INFINITY);
         };
         let from = number as f64 * dt;
-        match samples.get(number + 1) {
-            Some(next) => {
-                let until = (number + 1) as f64 * dt;
-                LinearPiece { from, until, start: samples[number], slope: (next - samples[number]) / dt }
-            }
-            None => LinearPiece { from, until: f64::INFINITY, start: 0.0, slope: 0.0 },
+        match samples.line(number, *dt) {
+            Some(line) => LinearPiece { from, until: (number + 1) as f64 * dt, line },
+            None => LinearPiece::still(from, f64::INFINITY),
         }
     }
 
@@ -151,12 +243,14 @@ impl Ground {
         }
     }
 
-    /// Unit direction of shaking, of a component out of phase apart; nothing when the ground stands still.
+    /// Unit direction of shaking, of a component out of phase apart; nothing when the ground stands still. Of a record of
+    /// several components the largest of each \[m/s²\]: 0 along an axis that the ground does not drive.
     pub fn axis(&self) -> DVec3 {
         match self {
             Self::Still => DVec3::ZERO,
             Self::Sine { amplitude, .. } => amplitude.normalize_or_zero(),
-            Self::Record { direction, .. } => *direction,
+            Self::Record { samples: Samples::Along { direction, .. }, .. } => *direction,
+            Self::Record { samples: Samples::Components { largest, .. }, .. } => *largest,
         }
     }
 }
@@ -173,6 +267,14 @@ mod tests {
         assert_eq!(ground.acceleration(0.25), DVec3::ZERO, "after the record");
         assert_eq!(ground.next_kink(0.1), 0.2, "a sample belongs to the piece it begins");
         assert_eq!(ground.next_kink(0.3), f64::INFINITY, "no kink after the record");
+    }
+
+    #[test]
+    fn components_are_linear_between_their_samples_too() {
+        let ground = Ground::components(0.1, [DVec3::ZERO, DVec3::new(3.0, 4.0, -1.0), DVec3::new(1.0, 0.0, 0.0)]);
+        assert!((ground.acceleration(0.05) - DVec3::new(1.5, 2.0, -0.5)).length() < 1e-15, "halfway");
+        assert!((ground.peak() - 26f64.sqrt()).abs() < 1e-15 && ground.axis() == DVec3::new(3.0, 4.0, 1.0), "largest");
+        assert_eq!(ground.acceleration(0.2), DVec3::ZERO, "after the record");
     }
 
     #[test]

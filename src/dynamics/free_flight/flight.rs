@@ -15,15 +15,15 @@ use crate::dynamics::free_flight::uncoupled_axis::{SampleStep, UncoupledAxis};
 use crate::dynamics::model::bearing::is_diagonal;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, WIDTH};
-use crate::motion::{Ground, LinearPiece};
+use crate::motion::{Ground, Line, LinearPiece, Samples};
 
 /// A planar girder's free equation of motion, prepared once.
 #[derive(Clone, Debug)]
 pub struct FreeMotion {
     pub(in crate::dynamics) form: FreeMotionForm,
     pub(in crate::dynamics) ground: Ground,
-    /// `−direction` on x and y: what the ground's acceleration does to the girder.
-    forced: DVec3,
+    /// `−1` on x and y where the girder is free: the factor of the ground's acceleration.
+    driven: DVec3,
     /// Constant push per unit mass.
     pub(in crate::dynamics) push: [f64; 3],
     /// `√‖K/m‖` and `‖C/m‖`, for bounds.
@@ -36,8 +36,12 @@ pub struct FreeMotion {
 
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) enum FreeMotionForm {
-    Split { dof: [UncoupledAxis; 3], step: Option<Box<[SampleStep; 3]>> },
-    Coupled(Box<CoupledPropagator>),
+    Split {
+        dof: [UncoupledAxis; 3],
+        step: Option<Box<[SampleStep; 3]>>,
+    },
+    /// The second propagator is driven along y, where a record has several components; the first then along x.
+    Coupled(Box<CoupledPropagator>, Option<Box<CoupledPropagator>>),
 }
 
 /// One stretch of free motion.
@@ -84,7 +88,9 @@ impl FreeMotion {
         let scaled = |m: DMat3| DMat3::from_diagonal(inverse * mask) * m;
         let (k, c) = (scaled(body.planar.stiffness), scaled(body.planar.damping));
         let push = (DVec3::new(body.push.x, body.push.y, body.moment.z) * inverse * mask).to_array();
-        let axis = ground.axis();
+        let driven = -DVec3::new(1.0, 1.0, 0.0) * mask;
+        let several = matches!(ground, Ground::Record { samples: Samples::Components { .. }, .. });
+        let axis = if several { DVec3::X } else { ground.axis() };
         let forced = -DVec3::new(axis.x, axis.y, 0.0) * mask;
         let split = split(&body.planar.stiffness, &body.planar.damping, k, c, free, ground, forced);
         let form = split.unwrap_or_else(|| {
@@ -92,14 +98,11 @@ impl FreeMotion {
                 Ground::Sine { omega, amplitude, .. } => (*omega, amplitude.length()),
                 _ => (0.0, 1.0),
             };
-            FreeMotionForm::Coupled(Box::new(CoupledPropagator::new(
-                k,
-                c,
-                push.into(),
-                forced * amplitude,
-                drive,
-                duration,
-            )))
+            let propagator = |push: DVec3, forced: DVec3| {
+                Box::new(CoupledPropagator::new(k, c, push, forced * amplitude, drive, duration))
+            };
+            let across = several.then(|| propagator(DVec3::ZERO, -DVec3::Y * mask));
+            FreeMotionForm::Coupled(propagator(push.into(), forced), across)
         });
         // In lengths: θ counts by the radius of gyration.
         let length = DVec3::new(1.0, 1.0, body.gyration2.sqrt());
@@ -107,7 +110,7 @@ impl FreeMotion {
         Self {
             form,
             ground: ground.clone(),
-            forced,
+            driven,
             push,
             rates: [symmetric(k).sqrt(), symmetric(c)],
             gyration: body.gyration2.sqrt(),
@@ -131,7 +134,7 @@ impl FreeMotion {
                     let apart: PlanarState = std::array::from_fn(|i| state[i] - steady[i]);
                     FlightForm::Split([0, 1, 2].map(|i| planar::part(&apart, i)))
                 }
-                FreeMotionForm::Coupled(_) => FlightForm::Coupled(self.augmented(start, &state)),
+                FreeMotionForm::Coupled(..) => FlightForm::Coupled(self.augmented(start, &state)),
             }
         };
         Flight { start, state, form }
@@ -176,7 +179,7 @@ impl FreeMotion {
                 (0..WIDTH).for_each(|i| out[i] += free[i]);
                 out
             }
-            (FlightForm::Coupled(z), FreeMotionForm::Coupled(system)) => first_state(&system.advance(z, tau)),
+            (FlightForm::Coupled(z), FreeMotionForm::Coupled(system, _)) => first_state(&system.advance(z, tau)),
             (FlightForm::Record { first, anchors }, _) => self.record_state(flight, *first, anchors, t),
             // A flight is begun by its own system.
             _ => flight.state,
@@ -241,8 +244,9 @@ impl FreeMotion {
     fn cross(&self, piece: &LinearPiece, state: &PlanarState, at: f64) -> PlanarState {
         match &self.form {
             FreeMotionForm::Split { dof, step: Some(steps) } if at == piece.from => {
+                let [start, slope] = [piece.start(), piece.rate()].map(|a| self.driven * a);
                 planar::of_parts(std::array::from_fn(|i| {
-                    let force = [self.forced[i] * piece.start + self.push[i], self.forced[i] * piece.slope];
+                    let force = [start[i] + self.push[i], slope[i]];
                     dof[i].step(&steps[i], planar::part(state, i), force)
                 }))
             }
@@ -252,16 +256,22 @@ impl FreeMotion {
 
     /// From `at` in a piece on by τ within it.
     fn within(&self, piece: &LinearPiece, state: &PlanarState, at: f64, tau: f64) -> PlanarState {
-        let value = piece.start + piece.slope * (at - piece.from);
         match &self.form {
-            FreeMotionForm::Split { dof, .. } => planar::of_parts(std::array::from_fn(|i| {
-                let force = [self.forced[i] * value + self.push[i], self.forced[i] * piece.slope];
-                dof[i].advance(planar::part(state, i), force, tau)
-            })),
-            FreeMotionForm::Coupled(system) => {
-                let mut z = self.augmented(at, state);
-                (z[matrix_exponential::VALUE], z[matrix_exponential::VALUE + 1]) = (value, piece.slope);
-                first_state(&system.advance(&z, tau))
+            FreeMotionForm::Split { dof, .. } => {
+                let [value, slope] = [piece.acceleration(at), piece.rate()].map(|a| self.driven * a);
+                planar::of_parts(std::array::from_fn(|i| {
+                    let force = [value[i] + self.push[i], slope[i]];
+                    dof[i].advance(planar::part(state, i), force, tau)
+                }))
+            }
+            FreeMotionForm::Coupled(system, across) => {
+                let (along_x, along_y) = lines(piece, at);
+                let mut state = driven_by(system, self.augmented(at, state), along_x, tau);
+                if let Some(across) = across {
+                    let from_y = driven_by(across, [0.0; matrix_exponential::SIZE], along_y, tau);
+                    (0..WIDTH).for_each(|i| state[i] += from_y[i]);
+                }
+                state
             }
         }
     }
@@ -303,6 +313,29 @@ impl FreeMotion {
         }
         state
     }
+}
+
+/// Value at `at` and rate of the two lines that drive the propagators: of one direction its own and none, of several
+/// components those along x and y.
+fn lines(piece: &LinearPiece, at: f64) -> ([f64; 2], [f64; 2]) {
+    match piece.line {
+        Line::Along { start, slope, .. } => ([start + slope * (at - piece.from), slope], [0.0; 2]),
+        Line::Components { slope, .. } => {
+            let value = piece.acceleration(at);
+            ([value.x, slope.x], [value.y, slope.y])
+        }
+    }
+}
+
+/// State after τ under a line, value and rate, of the ground's acceleration.
+fn driven_by(
+    system: &CoupledPropagator,
+    mut z: matrix_exponential::AugmentedState,
+    [value, rate]: [f64; 2],
+    tau: f64,
+) -> PlanarState {
+    (z[matrix_exponential::VALUE], z[matrix_exponential::VALUE + 1]) = (value, rate);
+    first_state(&system.advance(&z, tau))
 }
 
 fn first_state(z: &matrix_exponential::AugmentedState) -> PlanarState {

@@ -96,7 +96,7 @@ impl GirderInFlight<'_> {
     fn dofs(&self) -> Option<&[UncoupledAxis; 3]> {
         match &self.system.form {
             FreeMotionForm::Split { dof, .. } => Some(dof),
-            FreeMotionForm::Coupled(_) => self.system.plain.as_ref(),
+            FreeMotionForm::Coupled(..) => self.system.plain.as_ref(),
         }
     }
 }

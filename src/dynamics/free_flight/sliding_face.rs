@@ -13,7 +13,7 @@ use crate::dynamics::free_flight::matrix_exponential::CoupledPropagator;
 use crate::dynamics::free_flight::oscillator::Oscillator;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::coordinates::planar::{self, PlanarState, RATES};
-use crate::motion::{Ground, LinearPiece};
+use crate::motion::{Ground, Line, LinearPiece, Samples};
 
 /// One stretch of sliding, within one piece of a record.
 #[derive(Clone, Debug)]
@@ -61,7 +61,8 @@ struct ProjectedForces {
     damping: f64,
     /// Constant part of the force at the start, without the ground's.
     force: f64,
-    /// Per unit of the ground's acceleration: along the sine's amplitude, or the record's direction.
+    /// Per unit of the ground's acceleration: along the sine's amplitude, or the record's direction; of a record of several
+    /// components 1, as [`line_along`] projects them.
     ground: f64,
 }
 
@@ -71,7 +72,8 @@ impl ProjectedForces {
         let per_ground = match ground {
             Ground::Still => 0.0,
             Ground::Sine { amplitude, .. } => -d.dot(amplitude.truncate()),
-            Ground::Record { direction, .. } => -d.dot(direction.truncate()),
+            Ground::Record { samples: Samples::Along { direction, .. }, .. } => -d.dot(direction.truncate()),
+            Ground::Record { samples: Samples::Components { .. }, .. } => 1.0,
         };
         Self {
             omega2: felt(body.planar.stiffness * s.extend(0.0)),
@@ -79,6 +81,14 @@ impl ProjectedForces {
             force: felt(body.push.truncate().extend(0.0) - body.planar.stiffness * q),
             ground: per_ground,
         }
+    }
+}
+
+/// Value at `t` and rate of a record's line, of which [`ProjectedForces::ground`] is felt along `d`.
+fn line_along(d: DVec2, piece: &LinearPiece, t: f64) -> [f64; 2] {
+    match piece.line {
+        Line::Along { start, slope, .. } => [start + slope * (t - piece.from), slope],
+        Line::Components { .. } => [piece.acceleration(t), piece.rate()].map(|a| -d.dot(a.truncate())),
     }
 }
 
@@ -96,7 +106,7 @@ impl SlidingFace {
         let felt = ProjectedForces::of(girder, place, s, d, ground);
         let speed = planar::rates(state).truncate().dot(s);
         let fastest = felt.omega2.abs().sqrt().max(felt.damping.abs());
-        let law = SlidingForm::of(&felt, ground, piece, t, speed, longest);
+        let law = SlidingForm::of(&felt, ground, line_along(d, piece, t), t, speed, longest);
         Self { from: t, sight: std::f64::consts::FRAC_PI_2 / fastest, place, along: s, law }
     }
 
@@ -123,18 +133,17 @@ impl SlidingFace {
 }
 
 impl SlidingForm {
-    fn of(felt: &ProjectedForces, ground: &Ground, piece: &LinearPiece, t: f64, speed: f64, longest: f64) -> Self {
+    fn of(felt: &ProjectedForces, ground: &Ground, [value, rate]: [f64; 2], t: f64, speed: f64, longest: f64) -> Self {
         let oscillator = Oscillator { gamma: felt.damping / 2.0, omega2: felt.omega2 };
         let (gain, drive, phase) = match ground {
             Ground::Sine { omega, phase, .. } => (oscillator.gain(*omega), *omega, *phase),
             _ => (Some((0.0, 0.0)), 0.0, 0.0),
         };
-        let value = piece.start + piece.slope * (t - piece.from);
         match gain {
             Some((re, im)) if felt.omega2 >= 0.0 && felt.damping >= 0.0 => {
                 let steady = SteadyResponse { re: felt.ground * re, im: felt.ground * im, drive, phase };
                 let [q, v] = steady.at(t);
-                let force = [felt.force + felt.ground * value, felt.ground * piece.slope];
+                let force = [felt.force + felt.ground * value, felt.ground * rate];
                 Self::Oscillator { oscillator, part: [-q, speed - v], force, steady }
             }
             _ => {
@@ -144,7 +153,7 @@ impl SlidingForm {
                 let system = CoupledPropagator::new(k, c, along(felt.force), along(felt.ground), drive, longest);
                 let mut start = Box::new([0.0; matrix_exponential::SIZE]);
                 (start[RATES], start[matrix_exponential::ONE]) = (speed, 1.0);
-                (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, piece.slope);
+                (start[matrix_exponential::VALUE], start[matrix_exponential::VALUE + 1]) = (value, rate);
                 if drive > 0.0 {
                     (start[matrix_exponential::SIN], start[matrix_exponential::SIN + 1]) =
                         (drive * t + phase).sin_cos();

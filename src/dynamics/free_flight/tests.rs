@@ -47,7 +47,7 @@ fn eccentric() -> Body {
     body
 }
 
-fn grounds() -> [Ground; 3] {
+fn grounds() -> [Ground; 4] {
     let amplitude = DVec3::new(2.0, 1.0, 0.0);
     // Back at 0 where it ends: the ground then stands still.
     let samples = [0.0, 1.5, -2.0, 0.7, 3.0, -1.0, 0.4, 0.0, -0.8, 2.2, 0.3, 0.0];
@@ -55,6 +55,8 @@ fn grounds() -> [Ground; 3] {
         Ground::Still,
         Ground::Sine { amplitude, quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 },
         Ground::record(Ground::direction(30.0), 0.11, samples),
+        // The components differ in time, not in size alone.
+        Ground::components(0.11, (0..12).map(|n| DVec3::new(samples[n], 0.7 * samples[11 - n], 0.0))),
     ]
 }
 

@@ -93,7 +93,7 @@ fn acceleration_size(body: &Body, state: &PlanarState, ground: DVec3) -> f64 {
 /// Acceleration of the ground within one linear piece of a record, or at any time without one \[m/s²\].
 pub fn ground_acceleration(ground: &Ground, piece: &LinearPiece, t: f64) -> DVec3 {
     match ground {
-        Ground::Record { direction, .. } => *direction * (piece.start + piece.slope * (t - piece.from)),
+        Ground::Record { .. } => piece.acceleration(t),
         other => other.acceleration(t),
     }
 }

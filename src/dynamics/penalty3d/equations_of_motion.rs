@@ -49,9 +49,7 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
 impl EquationsOfMotion<'_> {
     fn ground(&self, t: f64) -> DVec3 {
         match &self.model.ground {
-            Ground::Record { direction, .. } => {
-                *direction * (self.piece.start + self.piece.slope * (t - self.piece.from))
-            }
+            Ground::Record { .. } => self.piece.acceleration(t),
             other => other.acceleration(t),
         }
     }
