@@ -96,7 +96,6 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number from zero up.
-#[cfg(feature = "render")]
 pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),

@@ -12,6 +12,7 @@ mod headless;
 mod interrupt;
 mod limits;
 mod motion;
+mod motion_processing;
 mod open;
 mod output;
 mod plot_files;

@@ -7,6 +7,7 @@ use super::args::{at_least_one, positive};
 use super::console::Console;
 use super::digits::six;
 use super::failure::Failure;
+use super::motion_processing::ProcessingArgs;
 use super::output::write_files;
 use super::plot_files::plot_files;
 use crate::files::{Supplement, read_record};
@@ -32,6 +33,8 @@ pub(super) struct MotionArgs {
     /// Write histories and 5 % response spectrum of each channel into this folder, as plots and as CSV
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    processing: ProcessingArgs,
 }
 
 fn unit(text: &str) -> Result<Unit, String> {
@@ -50,8 +53,9 @@ pub(super) fn run(args: &MotionArgs, console: &mut Console) -> Result<(), Failur
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         console.print(&heading(path, &record));
         for (number, channel) in chosen(&record, args.channel, path)? {
-            let ground = Ground::of(channel);
-            console.print(&text(number, channel, &ground.figures()));
+            let channel = args.processing.apply(channel, path)?;
+            let ground = Ground::of(&channel);
+            console.print(&text(number, &channel, &ground.figures()));
             if args.out.is_some() {
                 let stem = if record.channels.len() > 1 { format!("{name}-{number}") } else { name.clone() };
                 if !names.insert(stem.clone()) {

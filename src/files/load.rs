@@ -41,21 +41,33 @@ pub fn load_unsaved(path: &Path) -> Result<Scene, SceneErrors> {
     Ok(scene)
 }
 
-/// Reads the record that `motion.file` names into [`RecordMotion::loaded`](crate::scene::RecordMotion::loaded).
+/// Reads the records that `motion.file` and those of its components name.
 fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(), SceneErrors> {
     let Motion::Record(record) = &mut scene.motion else { return Ok(()) };
-    let Some(file) = &record.file else { return Ok(()) };
+    let read = |file: &Option<String>, beside: Supplement, place: &str| {
+        let file = file.as_ref().map(|file| load_one(&folder.join(file), &beside, (scene_file, place)));
+        file.transpose()
+    };
+    record.loaded = read(&record.file, Supplement { dt: record.dt, unit: record.unit }, "motion.file")?;
+    let components = record.components.iter().enumerate().map(|(n, component)| {
+        let beside = Supplement { dt: component.dt, unit: component.unit };
+        read(&component.file, beside, &format!("motion.component[{n}].file"))
+    });
+    record.loaded_components = components.collect::<Result<_, _>>()?;
+    Ok(())
+}
+
+/// Reads one record of a scene, for the place in the scene's file that names it.
+fn load_one(path: &Path, beside: &Supplement, (scene_file, place): (&str, &str)) -> Result<Arc<Record>, SceneErrors> {
     let remedy = |error: &ReadError| match error {
         missing if missing.is_missing() => "give the record's path relative to the scene's file",
         other => other.remedy(),
     };
     let unreadable = |error: ReadError| {
         let value = format!("{}: {}", error.path.display(), error.found());
-        complaint(scene_file, "motion.file", value, remedy(&error))
+        complaint(scene_file, place, value, remedy(&error))
     };
-    let beside = Supplement { dt: record.dt, unit: record.unit };
-    record.loaded = Some(Arc::new(read_from(&folder.join(file), &beside, unreadable)?));
-    Ok(())
+    read_from(path, beside, unreadable).map(Arc::new)
 }
 
 /// Reads a record with what is stated beside its file.

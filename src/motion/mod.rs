@@ -5,6 +5,7 @@
 
 pub mod format;
 pub mod integrate;
+pub mod process;
 pub mod spectrum;
 
 use std::sync::Arc;

@@ -1,14 +1,12 @@
 //! How the ground moves, as written in a scene.
 
-use std::sync::Arc;
-
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
-use crate::motion::format::{Record, Unit};
+use super::record::RecordMotion;
 
 pub use crate::motion::format::STANDARD_GRAVITY;
 
@@ -19,52 +17,6 @@ pub const MOTION: &[Key] = &[Key::new(
     Fallback::Word("none"),
     "which of the following; \"none\" has no other keys",
 )];
-
-/// `[motion]` of `kind = "record"`.
-pub const RECORD: &[Key] = &[
-    Key::new(
-        "samples_m_s2",
-        Range::Like("two or more numbers"),
-        Fallback::Needed("this or file"),
-        "acceleration from t = 0 on, m/s²",
-    ),
-    Key::new(
-        "dt_s",
-        Range::Positive,
-        Fallback::Needed("must be given with samples_m_s2"),
-        "interval between samples, s; beside a file only where that states none",
-    )
-    .labelled("Interval")
-    .slid([0.001, 0.1]),
-    Key::new(
-        "file",
-        Range::Free,
-        Fallback::Needed("this or samples_m_s2"),
-        "a file that holds it, beside the scene's file",
-    ),
-    Key::new(
-        "channel",
-        Range::Like("a whole number from 1 on"),
-        Fallback::Words("the one channel of the file"),
-        "which channel of a file that has several",
-    ),
-    Key::new(
-        "unit",
-        Range::Words(Unit::WORDS),
-        Fallback::Words("as the file states"),
-        "unit of the numbers in a file that states none",
-    ),
-    Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample")
-        .labelled("Record scale")
-        .slid([0.0, 3.0]),
-    Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees")
-        .labelled("Angle α")
-        .slid([-180.0, 180.0]),
-    Key::new("vertical_scale", Range::Any, Fallback::Number(0.0), "multiplies every sample for a vertical component")
-        .labelled("Vertical scale")
-        .slid([0.0, 3.0])
-        .in_space(),
-];
 
 table! {
     /// `kind = "sine"`: `A sin(2π f t + φ0)` in plan, `A_z sin(2π f t + φz)` upwards.
@@ -85,48 +37,6 @@ table! {
         vertical_phase_deg: Option<f64> = "vertical_phase_deg" as "Vertical phase φz", Range::Any,
             Fallback::Words("as phase_deg"), "φz, degrees", slider [-180.0, 180.0], in in_space;
     }
-}
-
-/// `kind = "record"`: samples at a constant interval, straight lines between them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RecordMotion {
-    /// Acceleration samples \[m/s²\]; these with `dt_s`, or `file`.
-    #[serde(rename = "samples_m_s2", default, skip_serializing_if = "Option::is_none")]
-    pub samples: Option<Vec<f64>>,
-    /// Interval between samples \[s\].
-    #[serde(rename = "dt_s", default, skip_serializing_if = "Option::is_none")]
-    pub dt: Option<f64>,
-    /// File of the record, relative to the scene's file.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub file: Option<String>,
-    /// Which channel of the file, from 1; needed where the file has several.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub channel: Option<usize>,
-    /// Unit of the numbers in a file that states none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub unit: Option<Unit>,
-    /// Multiplies every sample.
-    #[serde(default = "one")]
-    pub scale: f64,
-    /// Excitation angle α, anticlockwise from world x \[degrees\].
-    #[serde(default)]
-    pub angle_deg: f64,
-    /// Multiplies every sample for a vertical component.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub vertical_scale: f64,
-    /// What `file` held, once it has been read. Never written.
-    #[serde(skip)]
-    pub loaded: Option<Arc<Record>>,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
-fn is_zero(number: &f64) -> bool {
-    *number == 0.0
-}
-
-fn one() -> f64 {
-    1.0
 }
 
 /// `[motion]`.
@@ -158,50 +68,6 @@ impl SineMotion {
     /// `φ_z − φ0` \[rad\].
     pub fn vertical_lead(&self) -> f64 {
         self.vertical_phase_deg.map_or(0.0, |phase| (phase - self.phase_deg).to_radians())
-    }
-}
-
-impl Default for RecordMotion {
-    /// No samples yet, scale 1 along x.
-    fn default() -> Self {
-        Self {
-            samples: None,
-            dt: None,
-            file: None,
-            channel: None,
-            unit: None,
-            scale: 1.0,
-            angle_deg: 0.0,
-            vertical_scale: 0.0,
-            loaded: None,
-        }
-    }
-}
-
-impl RecordMotion {
-    /// `(dt, samples)` in s and m/s², unscaled, from the scene or from the file that was read; `None` until it is, and where
-    /// the file has no such channel.
-    pub fn series(&self) -> Option<(f64, &[f64])> {
-        match (&self.samples, self.dt, &self.loaded) {
-            (Some(samples), Some(dt), _) => Some((dt, samples)),
-            (None, _, Some(loaded)) => {
-                loaded.channel(self.channel).ok().map(|channel| (channel.dt, channel.samples.as_slice()))
-            }
-            _ => None,
-        }
-    }
-
-    /// Samples of the scene's own in place of those of the file; whether there were any.
-    pub fn keep_samples(&mut self) -> bool {
-        let Some((dt, samples)) = self.series().map(|(dt, samples)| (dt, samples.to_vec())) else { return false };
-        (self.dt, self.samples) = (Some(dt), Some(samples));
-        (self.file, self.channel, self.unit, self.loaded) = (None, None, None, None);
-        true
-    }
-
-    /// Whether a file read for one of the two holds for the other as well.
-    pub(in crate::scene) fn reads_as(&self, other: &Self) -> bool {
-        (&self.file, self.dt, self.unit) == (&other.file, other.dt, other.unit)
     }
 }
 

@@ -60,10 +60,8 @@ pub fn apply_all<S: AsRef<str>>(scene: &Scene, settings: &[S]) -> Result<Scene, 
 
 /// What a record's file held is no part of the written scene; it stays while the file is the same.
 fn keep_loaded(scene: &Scene, changed: &mut Scene) {
-    if let (Motion::Record(before), Motion::Record(after)) = (&scene.motion, &mut changed.motion)
-        && before.reads_as(after)
-    {
-        after.loaded.clone_from(&before.loaded);
+    if let (Motion::Record(before), Motion::Record(after)) = (&scene.motion, &mut changed.motion) {
+        after.take_loaded(before);
     }
 }
 

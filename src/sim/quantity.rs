@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::{ContactNow, ContactState, History, readings};
 use crate::geometry::End;
+use crate::scene::Kind;
 
 /// Unit of a quantity's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,8 +130,8 @@ pub enum Quantity {
     Contact(usize, OfContact),
     /// Of the energy ledger.
     Energy(OfEnergy),
-    /// Acceleration of the ground along x or y.
-    Ground(bool),
+    /// Acceleration of the ground along world x, y or z: 0, 1 or 2.
+    Ground(usize),
 }
 
 const OF_GIRDER: [(&str, OfGirder); 7] = [
@@ -200,7 +201,9 @@ impl Quantity {
         let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
         let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || !model.links.is_empty());
         all.extend(energies.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
-        all.extend([("ground.x".to_owned(), Self::Ground(false)), ("ground.y".to_owned(), Self::Ground(true))]);
+        let axes = if model.kind == Kind::Spatial { 3 } else { 2 };
+        let names = ["ground.x", "ground.y", "ground.z"].map(str::to_owned);
+        all.extend(names.into_iter().take(axes).enumerate().map(|(axis, name)| (name, Self::Ground(axis))));
         all
     }
 
@@ -256,10 +259,7 @@ impl Quantity {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
             Self::Energy(what) => of_energy(history, what, t),
-            Self::Ground(y) => {
-                let a = model.ground.acceleration(t);
-                if y { a.y } else { a.x }
-            }
+            Self::Ground(axis) => model.ground.acceleration(t)[axis.min(2)],
             _ => 0.0,
         }
     }

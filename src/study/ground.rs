@@ -12,8 +12,8 @@ use crate::motion::spectrum::{Response, periods, spectrum};
 pub const DAMPING: f64 = 0.05;
 /// Shortest and longest period of the spectrum \[s\].
 const PERIODS: [f64; 2] = [0.02, 10.0];
-/// Periods of the spectrum, evenly spaced by their logarithm: 75 a decade.
-const COUNT: u32 = 203;
+/// Periods of the spectrum, evenly spaced by their logarithm: 150 a decade.
+const COUNT: u32 = 406;
 /// Longest period of the spectrum's chart \[s\].
 const DRAWN: f64 = 4.0;
 /// Pieces of a drawn history; of each the least and the largest sample are drawn, which is finer than the picture.
@@ -77,7 +77,7 @@ impl<'a> Ground<'a> {
     pub fn histories(&self, title: &str) -> String {
         let panel = |name: &str, color: usize, values: &[f64]| Panel {
             name: name.to_owned(),
-            curves: vec![curve("", color, thinned(values, self.channel.dt))],
+            curves: vec![curve("ground", color, thinned(values, self.channel.dt))],
         };
         let panels = vec![
             panel("acceleration [m/s²]", 0, &self.channel.samples),
@@ -153,7 +153,7 @@ mod tests {
         let ground = Ground::of(&channel);
         assert_eq!(ground.csv().lines().count(), 5, "heading and four samples");
         let spectrum = ground.spectrum();
-        assert_eq!(spectrum_csv(&spectrum).lines().count(), 204, "heading and 203 periods");
+        assert_eq!(spectrum_csv(&spectrum).lines().count(), 407, "heading and 406 periods");
         for svg in [ground.histories("a < b"), spectrum_chart(&spectrum, "a < b")] {
             assert!(svg.ends_with("</svg>\n") && svg.contains("a &lt; b") && !svg.contains("NaN"), "{svg}");
         }

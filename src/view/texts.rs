@@ -90,6 +90,9 @@ fn shaking(input: &ViewInput<'_>) -> String {
             let amplitude = if amplitude < 1e4 { format!("{amplitude:.2}") } else { scale::plain(amplitude) };
             format!("ground: sine {amplitude} g, {f} Hz at {angle}°")
         }
+        GroundMotion::Record(r) if !r.components.is_empty() => {
+            format!("ground: record of {} components × {}", r.components.len(), scale::plain(r.scale))
+        }
         GroundMotion::Record(r) => {
             format!("ground: record × {} at {}°", scale::plain(r.scale), scale::plain(r.angle_deg))
         }

@@ -31,7 +31,7 @@ fn plots_and_tables_of_one_channel_are_written() {
     assert_eq!(said.status, Some(0), "{}", said.err);
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).expect(name);
     assert_eq!(read("csmip.V2-2-history.csv").lines().count(), 101, "heading and samples");
-    assert_eq!(read("csmip.V2-2-spectrum.csv").lines().count(), 204, "heading and periods");
+    assert_eq!(read("csmip.V2-2-spectrum.csv").lines().count(), 407, "heading and periods");
     for name in ["csmip.V2-2-history.svg", "csmip.V2-2-spectrum.svg"] {
         assert!(read(name).ends_with("</svg>\n"), "{name}");
     }
@@ -58,4 +58,27 @@ fn what_cannot_be_read_is_answered_with_place_and_remedy() {
     }
     let said = call(&["motion", bare, "--dt", "0.01", "--unit", "cm/s2"]);
     assert!(said.status == Some(0) && said.out.contains("= 2 gal at 0.01 s"), "{}{}", said.out, said.err);
+}
+
+#[test]
+fn what_is_done_to_a_record_is_asked_for_and_said() {
+    let file = format!("{RECORDS}/old.AT2");
+    let said =
+        call(&["motion", &file, "--baseline", "mean", "--taper", "0.1", "--time-scale", "0.5", "--peak-g", "0.4"]);
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    for words in ["0.005 s apart", "peak -0.4 g", "baseline: mean removed; tapered over s: 0.1; time scaled by 0.5"] {
+        assert!(said.out.contains(words), "{words}: {}", said.out);
+    }
+    let doubled = call(&["motion", &file, "--peak-g", "0.4", "--scale", "-2"]);
+    assert!(doubled.out.contains("peak -0.8 g"), "{}{}", doubled.out, doubled.err);
+    for (flags, word) in [
+        (["--taper", "1"], "--taper 1: both tapers must fit"),
+        (["--from", "5"], "--from 5: the cut must leave"),
+        (["--baseline", "cubic"], "berg-housner"),
+        (["--pad", "1e12"], "--pad"),
+        (["--time-scale", "0"], "--time-scale"),
+    ] {
+        let said = call(&[&["motion", file.as_str()], flags.as_slice()].concat());
+        assert!(said.status == Some(2) && said.err.contains(word), "{flags:?}: {}", said.err);
+    }
 }

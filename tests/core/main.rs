@@ -6,6 +6,7 @@ mod support;
 mod digests;
 
 mod motion {
+    mod components;
     mod figures;
     mod formats;
     mod mutations;

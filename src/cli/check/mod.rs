@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::scene::shown::escaped;
-use crate::scene::{Between, Kind, ModelKind, Motion, STANDARD_GRAVITY, Scene};
+use crate::scene::{Between, Heading, Kind, ModelKind, Motion, RecordMotion, STANDARD_GRAVITY, Scene};
 use crate::sim;
 
 /// So many pairs that can come near without contact are written out.
@@ -101,16 +101,31 @@ fn motion_words(motion: &Motion) -> String {
             };
             format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°{vertical}")
         }
-        Motion::Record(record) => {
-            let (dt, samples) = record.series().unwrap_or((0.0, &[]));
-            let [dt, scale, angle] = [dt, record.scale, record.angle_deg].map(six);
-            let vertical = match record.vertical_scale {
-                0.0 => String::new(),
-                scale => format!(", vertical scale {}", six(scale)),
-            };
-            format!("record of {} samples × {dt} s, scale {scale}, angle {angle}°{vertical}", samples.len())
-        }
+        Motion::Record(record) => recorded(record),
     }
+}
+
+/// A record: samples, interval, scale, directions, what is done to it.
+fn recorded(record: &RecordMotion) -> String {
+    let (_, dt, count) = record.extent().unwrap_or((0.0, 0.0, 0));
+    let [dt, scale] = [dt, record.scale].map(six);
+    let direction = if record.components.is_empty() {
+        let vertical = match record.vertical_scale {
+            0.0 => String::new(),
+            scale => format!(", vertical scale {}", six(scale)),
+        };
+        format!("angle {}°{vertical}", six(record.angle_deg))
+    } else {
+        let each = |n: usize| match record.heading(n) {
+            Some(Heading::Up) => "up".to_owned(),
+            Some(Heading::InPlan(angle)) => format!("{}° from x", six(angle)),
+            None => "nowhere".to_owned(),
+        };
+        let all: Vec<String> = (0..record.components.len()).map(each).collect();
+        format!("{} components: {}", all.len(), all.join(", "))
+    };
+    let steps: Vec<String> = record.processing.in_words().into_iter().map(|step| format!(", {step}")).collect();
+    format!("record of {count} samples × {dt} s, scale {scale}, {direction}{}", steps.concat())
 }
 
 fn pair_text(pair: &Pair, nodes: &str) -> String {

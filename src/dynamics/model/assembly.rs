@@ -14,7 +14,7 @@ use crate::dynamics::model::single_axis;
 use crate::dynamics::model::{contact_sites, edge_sites};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
-use crate::scene::{Direction, Girder, Kind, Motion, Scene, SceneErrors, Tension, facing, placed};
+use crate::scene::{Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, Tension, facing, placed};
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
@@ -87,18 +87,25 @@ fn ground(motion: &Motion) -> Ground {
             omega: std::f64::consts::TAU * sine.frequency_hz,
             phase: sine.phase_deg.to_radians(),
         },
-        Motion::Record(record) => match record.series() {
-            Some((dt, samples)) if record.vertical_scale == 0.0 => {
-                Ground::record(direction, dt, samples.iter().map(|a| a * record.scale))
-            }
-            Some((dt, samples)) => {
-                let along = direction * record.scale + DVec3::Z * record.vertical_scale;
-                let scale = along.length();
-                Ground::record(along / scale, dt, samples.iter().map(|a| a * scale))
-            }
-            None => Ground::Still,
-        },
+        Motion::Record(record) => recorded(record, direction).unwrap_or(Ground::Still),
     }
+}
+
+/// A record as it shakes; nothing until it is read.
+fn recorded(record: &RecordMotion, direction: DVec3) -> Option<Ground> {
+    if !record.components.is_empty() {
+        let in_plan = |angle: f64| Ground::direction(angle).truncate().to_array();
+        let (dt, samples) = record.combined(in_plan)?;
+        return Some(Ground::components(dt, samples.into_iter().map(DVec3::from)));
+    }
+    let (dt, samples, factor) = record.processed()?;
+    let [scale, vertical] = [record.scale * factor, record.vertical_scale * factor];
+    if vertical == 0.0 {
+        return Some(Ground::record(direction, dt, samples.iter().map(|a| a * scale)));
+    }
+    let along = direction * scale + DVec3::Z * vertical;
+    let scale = along.length();
+    Some(Ground::record(along / scale, dt, samples.iter().map(|a| a * scale)))
 }
 
 fn body(scene: &Scene, girder: &Girder) -> Body {

@@ -18,7 +18,9 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Words that a scene and a flag take.
+    /// Every unit.
+    pub const ALL: &'static [Self] = &[Self::G, Self::Gal, Self::MetrePerSecond2];
+    /// Their words in a scene and in a flag.
     pub const WORDS: &'static [&'static str] = &["g", "gal", "m/s2"];
 
     /// One of it \[m/s²\].

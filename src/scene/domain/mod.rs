@@ -304,12 +304,15 @@ fn look_at_ground(scene: &Scene, found: &mut Departures) {
 }
 
 fn look_at_record(scene: &Scene, record: &RecordMotion, found: &mut Departures) {
-    let Some((dt, samples)) = record.series() else { return };
-    let (peak_key, step_key) =
-        if record.file.is_some() { ("motion.file", "motion.file") } else { ("motion.samples_m_s2", "motion.dt_s") };
-    let peak = samples.iter().fold(0.0_f64, |most, sample| most.max(sample.abs()));
-    found.look(peak_key, peak * record.scale.abs().max(record.vertical_scale.abs()), ACCELERATION);
-    found.look(step_key, (scene.duration / dt).min(samples.len() as f64), MOTION_PHASE);
+    let Some((peak, dt, count)) = record.extent() else { return };
+    let several = !record.components.is_empty();
+    let (peak_key, step_key) = match record.file {
+        _ if several => ("motion.component", "motion.component"),
+        Some(_) => ("motion.file", "motion.file"),
+        None => ("motion.samples_m_s2", "motion.dt_s"),
+    };
+    found.look(peak_key, peak, ACCELERATION);
+    found.look(step_key, (scene.duration / dt).min(count as f64), MOTION_PHASE);
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BEARING, BEARINGS, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PLOT, PUSH,
-    RECORD, SEAT, SINE, SOLVER, TOP, VIEW,
+    ABUTMENT, BEARING, BEARINGS, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR,
+    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, TOP, VIEW,
 };
 
 /// A table of the scene file.
@@ -34,6 +34,8 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion", keys: MOTION },
     Table { path: "motion kind = sine", keys: SINE },
     Table { path: "motion kind = record", keys: RECORD },
+    Table { path: "motion.processing", keys: PROCESSING },
+    Table { path: "motion.component", keys: COMPONENT },
     Table { path: "solver", keys: SOLVER },
     Table { path: "limits", keys: LIMITS },
     Table { path: "view", keys: VIEW },

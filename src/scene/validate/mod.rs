@@ -7,6 +7,7 @@ mod bodies;
 mod complaints;
 mod numbers;
 mod placing;
+mod record;
 
 pub use complaints::{SceneError, SceneErrors};
 

@@ -1,8 +1,9 @@
 //! Contact numbers, ground motion, solver and view settings.
 
 use super::complaints::{At, Complaints, number};
-use crate::scene::keys::{self, Range};
-use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, RecordMotion, Scene, SineMotion};
+use super::record::record;
+use crate::scene::keys;
+use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, Scene, SineMotion};
 
 pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     let mut at = complaints.at("contact", keys::CONTACT);
@@ -53,7 +54,7 @@ pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
     match motion {
         Motion::None => {}
         Motion::Sine(sine) => harmonic(sine, kind, &mut complaints.at("motion", keys::SINE)),
-        Motion::Record(recorded) => record(recorded, kind, &mut complaints.at("motion", keys::RECORD)),
+        Motion::Record(recorded) => record(recorded, kind, complaints),
     }
 }
 
@@ -68,56 +69,6 @@ fn harmonic(sine: &SineMotion, kind: Kind, at: &mut At<'_>) {
         (Some(_), Some(_)) => at.add("amplitude_g", "amplitude_g and amplitude_m_s2", "give one of the two"),
         _ => {}
     }
-}
-
-fn record(record: &RecordMotion, kind: Kind, at: &mut At<'_>) {
-    at.number("scale", record.scale);
-    at.number("vertical_scale", record.vertical_scale);
-    if let Some(key) = keys::find(keys::RECORD, "vertical_scale") {
-        at.fits_key(key, record.vertical_scale, kind);
-    }
-    at.number("angle_deg", record.angle_deg);
-    at.if_given("dt_s", record.dt);
-    match (&record.samples, &record.file) {
-        (None, None) => at.add("samples_m_s2", "nothing", "give samples_m_s2 with dt_s, or file"),
-        (Some(_), Some(_)) => at.add("samples_m_s2", "samples_m_s2 and file", "give one of the two"),
-        (Some(list), None) => {
-            if record.dt.is_none() {
-                at.add("dt_s", "nothing", "give the interval between samples in seconds");
-            }
-            for (key, given) in [("channel", record.channel.is_some()), ("unit", record.unit.is_some())] {
-                if given {
-                    at.add(key, "samples_m_s2", "it belongs to a file: leave it out");
-                }
-            }
-            samples("samples_m_s2", list, at);
-        }
-        (None, Some(file)) => recorded_file(record, file, at),
-    }
-}
-
-fn recorded_file(record: &RecordMotion, file: &str, at: &mut At<'_>) {
-    let Some(loaded) = &record.loaded else {
-        at.add("file", format!("\"{file}\""), "this record has not been read: load it beside the scene's file");
-        return;
-    };
-    match loaded.channel(record.channel) {
-        Ok(channel) => {
-            at.obeys("file", channel.dt, Range::Positive);
-            samples("file", &channel.samples, at);
-        }
-        Err(remedy) => {
-            let found = record.channel.map_or_else(|| "nothing".to_owned(), |channel| channel.to_string());
-            at.add("channel", found, remedy);
-        }
-    }
-}
-
-fn samples(key: &str, list: &[f64], at: &mut At<'_>) {
-    if list.len() < 2 {
-        at.add(key, format!("{} samples", list.len()), "a record needs at least 2 samples");
-    }
-    at.each(key, list);
 }
 
 pub(super) fn solver_and_view(scene: &Scene, complaints: &mut Complaints) {

@@ -61,22 +61,29 @@ grid = false
 
 const RECORD: &str = "kind = \"record\"\nsamples_m_s2 = [0.0, 1.0, 0.0]\ndt_s = 0.1\n";
 
+const COMPONENT: &str = "kind = \"record\"\nx_azimuth_deg = 30.0\n[motion.processing]\nbaseline = \"mean\"\n\
+    [[motion.component]]\nsamples_m_s2 = [0.0, 1.0, 0.0]\ndt_s = 0.1\nazimuth_deg = 75.0\n";
+
 fn full() -> Scene {
     format::read(FULL, "full").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The same with a record as its motion.
-fn recorded() -> Scene {
-    let text = FULL.replace("kind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 0.8\n", RECORD);
+fn recorded(record: &str) -> Scene {
+    let text = FULL.replace("kind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 0.8\n", record);
     format::read(&text, "recorded").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
 /// The path of a table as `--set` walks it in the full scene, and the scene.
 fn standing(table: &str) -> (Scene, String) {
-    let scene = if table.ends_with("record") { recorded() } else { full() };
+    let scene = match table {
+        "motion kind = record" => recorded(RECORD),
+        _ if table.starts_with("motion.") => recorded(COMPONENT),
+        _ => full(),
+    };
     let path = match table {
         "girder.bearings[]" => "girder.other.bearings.0".to_owned(),
-        "contact.pair" | "view.plot" => format!("{table}.0"),
+        "contact.pair" | "view.plot" | "motion.component" => format!("{table}.0"),
         "abutment" => "abutment.wall".to_owned(),
         _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
         _ => table.split(" kind").next().unwrap_or_default().to_owned(),
