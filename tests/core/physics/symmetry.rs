@@ -1,8 +1,9 @@
 //! What must not change the answer: mirrors, turning the whole scene, the order of bodies, threads, portions.
 
 use crate::support::{run, within};
-use girderbench::scene::{Between, Motion, Scene, presets};
+use girderbench::scene::{Bearings, Between, FrictionLaw, Kind, Motion, Scene, presets};
 use girderbench::sim::{History, Session};
+use glam::{DMat3, DVec3};
 
 fn preset(name: &str) -> Scene {
     let mut scene = presets::load(name).unwrap_or_else(|errors| panic!("{errors}"));
@@ -19,7 +20,7 @@ fn angle(scene: &mut Scene) -> &mut f64 {
 }
 
 /// Largest difference between two runs under a map of places and rotations.
-fn apart(a: &History, b: &History, map: impl Fn(glam::DVec3, f64) -> (glam::DVec3, f64)) -> f64 {
+fn apart(a: &History, b: &History, map: impl Fn(DVec3, f64) -> (DVec3, f64)) -> f64 {
     let mut worst = 0.0f64;
     for i in 0..=400 {
         let t = 4.0 * f64::from(i) / 400.0;
@@ -53,9 +54,83 @@ fn a_turned_scene_answers_turned() {
         let mut turned = scene.clone();
         turned.girders[0].heading_deg = turn;
         *angle(&mut turned) += turn;
-        let rotation = glam::DMat3::from_rotation_z(f64::to_radians(turn));
+        let rotation = DMat3::from_rotation_z(f64::to_radians(turn));
         let worst = apart(&run(&scene), &run(&turned), |d, theta| (rotation * d, theta));
         within(&format!("turned by {turn}°"), worst, 1e-11);
+    }
+}
+
+/// A spatial scene of a preset with every vector that a scene can hold, tilted and pushed.
+fn in_space(name: &str, law: FrictionLaw, tolerance: f64) -> Scene {
+    let mut scene = preset(name);
+    (scene.kind, scene.contact.law, scene.solver.tolerance, scene.duration) = (Kind::Spatial, law, tolerance, 1.5);
+    for girder in &mut scene.girders {
+        if let Some(Bearings::Shared(bearings)) = &mut girder.bearings {
+            bearings.vertical_frequency_hz.get_or_insert(15.0);
+        }
+    }
+    let girder = &mut scene.girders[0];
+    girder.initial.displacement = [1e-4, -2e-4, 1e-4];
+    girder.initial.velocity = [0.01, 0.02, -0.01];
+    (girder.initial.roll_deg, girder.initial.pitch_deg) = (Some(0.3), Some(-0.1));
+    girder.push.force = [0.1, 0.2, 0.1];
+    (girder.push.moment_x, girder.push.moment_y) = (Some(1e-3), Some(-2e-3));
+    scene
+}
+
+/// The whole scene turned in plan \[°\].
+fn turned_by(scene: &Scene, turn: f64) -> Scene {
+    let rotation = DMat3::from_rotation_z(turn.to_radians());
+    let rotate = |vector: [f64; 3]| (rotation * DVec3::from_array(vector)).to_array();
+    let mut turned = scene.clone();
+    for girder in &mut turned.girders {
+        girder.heading_deg += turn;
+        girder.position = rotate(girder.position);
+        girder.initial.displacement = rotate(girder.initial.displacement);
+        girder.initial.velocity = rotate(girder.initial.velocity);
+        girder.push.force = rotate(girder.push.force);
+        let moment = [girder.push.moment_x, girder.push.moment_y].map(Option::unwrap_or_default);
+        let [x, y, _] = rotate([moment[0], moment[1], 0.0]);
+        (girder.push.moment_x, girder.push.moment_y) = (Some(x), Some(y));
+    }
+    *angle(&mut turned) += turn;
+    turned
+}
+
+/// Largest difference of places \[m\] and of θ \[rad\] between a run and one that is turned by an angle \[°\].
+fn apart_in_space(a: &History, b: &History, turn: f64) -> [f64; 2] {
+    let rotation = DMat3::from_rotation_z(turn.to_radians());
+    let times = (0..=600).map(|i| a.end() * f64::from(i) / 600.0);
+    let at = |t: f64, body: usize| {
+        let (m, n) = (a.motion(body, t), b.motion(body, t));
+        [(rotation * m.displacement - n.displacement).length(), (m.theta - n.theta).abs()]
+    };
+    let all = times.flat_map(|t| (0..a.model().bodies.len()).map(move |body| at(t, body)));
+    all.fold([0.0; 2], |[place, theta], [p, q]| [f64::max(place, p), f64::max(theta, q)])
+}
+
+#[test]
+fn a_spatial_scene_turned_by_any_angle_differs_by_no_more_than_its_tolerance_leaves_open() {
+    // Steps are the same until a node stops under law `paper`: there friction turns within 1e-6 m/s of sliding, and the rounding of
+    // a velocity decides how long they are.
+    for (name, law) in [
+        ("skew45-abutment", FrictionLaw::Paper),
+        ("skew45-abutment", FrictionLaw::ReturnMapping),
+        ("straight-straight", FrictionLaw::Paper),
+        ("straight-straight", FrictionLaw::ReturnMapping),
+    ] {
+        for turn in [37.0, 90.0] {
+            let [[coarse, by_tolerance], [fine, _]] = [1e-10, 1e-12].map(|tolerance| {
+                let scene = in_space(name, law, tolerance);
+                let history = run(&scene);
+                let finer = run(&in_space(name, law, 1e-13));
+                [apart_in_space(&history, &run(&turned_by(&scene, turn)), turn), apart_in_space(&history, &finer, 0.0)]
+            });
+            for (what, k) in [("place", 0), ("theta", 1)] {
+                within(&format!("{name}, {law:?}, {turn}°: {what}"), coarse[k], 3.0 * by_tolerance[k] + 1e-13);
+                within(&format!("{name}, {law:?}, {turn}°: {what}, finer"), fine[k], 0.1 * coarse[k] + 1e-12);
+            }
+        }
     }
 }
 
