@@ -22,6 +22,7 @@ mod impact {
 }
 
 mod physics {
+    mod bounds;
     mod cable;
     mod contact_laws;
     mod drift;

@@ -155,6 +155,9 @@ impl ContactRun {
         Spent {
             work: self.schedule.work,
             bytes: steps + self.events.len() * size_of::<Event>(),
+            memory: self.world.model.memory,
+            events: self.events.len(),
+            touches: self.world.contacts.iter().any(|track| track.state.closed().is_some()),
             t,
             duration: self.world.model.duration,
             bodies: [self.world.bodies.len(), self.world.model.bodies.len()],

@@ -1,7 +1,7 @@
 //! Bounds that end a run: of its work, of its memory, and of a pace at which neither would be enough.
 
 use crate::dynamics::contact_model::constants::{
-    HOPELESS, MEMORY_BOUND, MEMORY_BOUND_OF_GROUP, PACE_SHARE, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
+    HOPELESS, MEMORY_SHARE_OF_GROUP, PACE_SHARE, STEADY, WORK_BETWEEN_LOOKS, WORK_BOUND_PER_BODY,
 };
 
 /// What a run has spent.
@@ -11,6 +11,12 @@ pub(super) struct Spent {
     pub(super) work: usize,
     /// Memory of stored steps and events \[bytes\].
     pub(super) bytes: usize,
+    /// The most that the whole run may take of it \[bytes\].
+    pub(super) memory: usize,
+    /// Events of contacts so far.
+    pub(super) events: usize,
+    /// Whether a contact is closed now.
+    pub(super) touches: bool,
     /// When it is \[s\].
     pub(super) t: f64,
     /// Length of the run \[s\].
@@ -35,8 +41,8 @@ enum Excess {
 pub(super) struct WorkBounds {
     /// Work at which the bounds are looked at next.
     due: usize,
-    /// Work and time \[s\] from which the pace is measured.
-    mark: (usize, f64),
+    /// Work, time \[s\] and events from which the pace is measured.
+    mark: (usize, f64, usize),
     excess: Option<Excess>,
 }
 
@@ -51,7 +57,7 @@ impl WorkBounds {
         let most = WORK_BOUND_PER_BODY.saturating_mul(spent.bodies[0]);
         self.due = (spent.work + WORK_BETWEEN_LOOKS).min(most + 1);
         let [own, all] = spent.bodies;
-        let memory = (MEMORY_BOUND / all.max(1)).saturating_mul(own).max(MEMORY_BOUND_OF_GROUP);
+        let memory = (spent.memory / all.max(1)).saturating_mul(own).max(spent.memory / MEMORY_SHARE_OF_GROUP);
         self.excess = if spent.work > most {
             Some(Excess::Work(spent.work))
         } else if spent.bytes > memory {
@@ -62,28 +68,30 @@ impl WorkBounds {
         self.excess.is_some()
     }
 
-    /// The work that is expected until the end, where a run that keeps its pace exceeds its bound by far.
+    /// The work that is expected until the end, where a run that keeps its pace exceeds its bound by far, or, without contact, comes
+    /// near it.
     fn hopeless(&mut self, spent: &Spent, most: usize) -> Option<Excess> {
-        let (work, from) = self.mark;
+        let (work, from, events) = self.mark;
         let done = spent.work - work;
         if done < most / PACE_SHARE {
             return None;
         }
-        self.mark = (spent.work, spent.t);
+        self.mark = (spent.work, spent.t, spent.events);
+        let bound = if spent.touches || spent.events > events { HOPELESS } else { STEADY };
         let expected = done as f64 / (spent.t - from) * (spent.duration - spent.t);
-        (expected > HOPELESS * most as f64).then_some(Excess::Pace(from, done, expected))
+        (expected > bound * most as f64).then_some(Excess::Pace(from, done, expected))
     }
 
     /// Which bound is exceeded, and what would avoid it.
     pub(super) fn reason(&self) -> String {
         let spent = match self.excess {
             Some(Excess::Memory(bytes, most)) => {
-                let [bytes, most] = [bytes, most].map(|bytes| bytes >> 20);
-                format!("the steps so far take {bytes} MiB, more than the {most} MiB that a run may take")
+                let [bytes, most] = [bytes, most].map(|bytes| bytes as f64 / f64::from(1 << 20));
+                format!("the steps so far take {bytes:.0} MiB, more than the {most:.0} MiB that a run may take")
             }
             Some(Excess::Pace(from, done, expected)) => format!(
-                "{done} steps and evaluations since t = {from:e} s: at this pace the run would take {expected:.0e}, far beyond the \
-                 bound on its work"
+                "{done} steps and evaluations since t = {from:e} s: at this pace the run would take {expected:.0e}, beyond what \
+                 a run may take"
             ),
             Some(Excess::Work(work)) => format!("{work} steps and evaluations exceed the bound on the work of a run"),
             None => "the bound on the work of a run is exceeded".to_owned(),
@@ -99,7 +107,9 @@ impl WorkBounds {
 mod tests {
     use super::*;
 
-    const BODY: Spent = Spent { work: 0, bytes: 0, t: 0.0, duration: 10.0, bodies: [1, 1] };
+    const MEMORY: usize = 1 << 30;
+    const BODY: Spent =
+        Spent { work: 0, bytes: 0, memory: MEMORY, events: 0, touches: true, t: 0.0, duration: 10.0, bodies: [1, 1] };
 
     #[test]
     fn work_is_bounded_to_the_step() {
@@ -115,9 +125,9 @@ mod tests {
     #[test]
     fn memory_is_bounded_by_the_share_of_the_group() {
         let over = |bytes, bodies| WorkBounds::default().exceeds(&Spent { bytes, bodies, ..BODY });
-        assert!(!over(MEMORY_BOUND, [1, 1]) && over(MEMORY_BOUND + 1, [1, 1]), "the whole of it alone");
-        assert!(!over(MEMORY_BOUND / 2, [1, 2]) && over(MEMORY_BOUND / 2 + 1, [1, 2]), "a half of two");
-        assert!(!over(MEMORY_BOUND_OF_GROUP, [1, 1000]), "a little for each");
+        assert!(!over(MEMORY, [1, 1]) && over(MEMORY + 1, [1, 1]), "the whole of it alone");
+        assert!(!over(MEMORY / 2, [1, 2]) && over(MEMORY / 2 + 1, [1, 2]), "a half of two");
+        assert!(!over(MEMORY / MEMORY_SHARE_OF_GROUP, [1, 1000]), "a little for each");
     }
 
     #[test]
@@ -131,5 +141,16 @@ mod tests {
         assert!(bounds.exceeds(&Spent { work: window, t: 1e-12, ..BODY }), "now");
         assert!(bounds.reason().contains("at this pace"), "{}", bounds.reason());
         assert!(!pace(BODY.duration), "at the end nothing is left");
+    }
+
+    #[test]
+    fn without_contact_a_pace_is_not_taken_for_a_dense_stretch() {
+        let window = WORK_BOUND_PER_BODY / PACE_SHARE;
+        // Until here the whole takes as much as the bound.
+        let t = BODY.duration / PACE_SHARE as f64;
+        let exceeds = |spent| WorkBounds::default().exceeds(&Spent { work: window, t, ..spent });
+        assert!(exceeds(Spent { touches: false, ..BODY }), "nothing touches");
+        assert!(!exceeds(Spent { touches: false, events: 1, ..BODY }) && !exceeds(BODY), "something has, or does");
+        assert!(!WorkBounds::default().exceeds(&Spent { work: window, t: 5.0 * t, touches: false, ..BODY }), "a fifth");
     }
 }

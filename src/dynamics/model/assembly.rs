@@ -18,6 +18,9 @@ use crate::scene::{Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneEr
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
+/// Memory at which a run ends \[bytes\]: five times what the largest measured row of 1000 girders takes (`docs/cost.md`), within a
+/// desktop computer.
+const MEMORY: usize = 2 << 30;
 
 impl Model {
     /// Compiles a scene that has been validated.
@@ -61,6 +64,7 @@ impl Model {
             tolerance: scene.solver.tolerance,
             impact: scene.impact,
             polynomials: POLYNOMIALS,
+            memory: MEMORY,
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground,
             bodies,

@@ -20,6 +20,8 @@ pub struct Model {
     pub impact: ImpactSettings,
     /// What a run may keep as polynomials before its steps are kept by their starts \[bytes\].
     pub polynomials: usize,
+    /// Memory of stored steps and events, of the contact model, at which a run ends \[bytes\].
+    pub memory: usize,
     /// Gravity; 0 in a planar scene \[m/s²\].
     pub gravity: f64,
     /// Ground motion.
