@@ -43,6 +43,30 @@ fn extremes_of_a_free_swing_are_the_closed_form_s() {
 }
 
 #[test]
+fn the_ground_is_plotted_in_all_directions_that_it_moves_in() {
+    let mut scene = presets::load("deck-30m").expect("ships");
+    scene.duration = 0.1;
+    let Motion::Sine(sine) = &mut scene.motion else { panic!("a sine") };
+    (sine.angle_deg, sine.phase_deg) = (30.0, 10.0);
+    (sine.vertical_amplitude, sine.vertical_phase_deg) = (Some(1.5), Some(70.0));
+    let (amplitude, omega) = (sine.amplitude_si(), std::f64::consts::TAU * sine.frequency_hz);
+    let history = History::of(&scene).expect("runs");
+    let at = |name: &str, t: f64| {
+        let quantity = Quantity::find(&history, name).unwrap_or_else(|| panic!("{name} is there"));
+        assert_eq!(quantity.unit(), Unit::MetrePerSecond2, "{name}");
+        quantity.at(&history, t)
+    };
+    let wave = |phase: f64, t: f64| (omega * t + phase.to_radians()).sin();
+    for t in [0.0, 0.03, 0.1] {
+        near(at("ground.x", t), amplitude * wave(10.0, t) * 30f64.to_radians().cos(), 1e-14, "A cos α");
+        near(at("ground.y", t), amplitude * wave(10.0, t) * 30f64.to_radians().sin(), 1e-14, "A sin α");
+        near(at("ground.z", t), 1.5 * wave(70.0, t), 1e-14, "A_z");
+    }
+    let plan = History::of(&swinging().0).expect("runs");
+    assert_eq!(Quantity::find(&plan, "ground.z"), None, "nothing moves vertically in plan");
+}
+
+#[test]
 fn a_limit_is_passed_when_the_closed_form_says() {
     let (mut scene, omega) = swinging();
     let limit = 0.6 * V / omega;
