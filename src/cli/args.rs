@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::failure::Failure;
 use crate::files;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, SceneError, SceneErrors};
@@ -29,6 +30,26 @@ pub(super) struct Changes {
     /// Local error per step, whatever the scene's `solver.tolerance`
     #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
     pub(super) tolerance: Option<f64>,
+}
+
+/// How many threads runs share.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct Threads {
+    /// Compute bodies that no pair joins on so many threads; `RAYON_NUM_THREADS` when left out, else one a processor
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Threads {
+    /// Sets the number for the program; to be called before anything is computed.
+    ///
+    /// # Errors
+    /// More threads than the system starts.
+    pub(super) fn start(self) -> Result<(), Failure> {
+        let Some(count) = self.threads else { return Ok(()) };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count.into()).build_global();
+        pool.map_err(|error| Failure::Input(format!("--threads {count}: they cannot be started ({error}): give fewer")))
+    }
 }
 
 impl SceneArgs {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::args::{SceneArgs, positive};
+use super::args::{SceneArgs, Threads, positive};
 use super::compute::{Timed, compute};
 use super::console::Console;
 use super::domain;
@@ -20,9 +20,8 @@ pub(super) struct RunArgs {
     /// Rows per second in the tables [Hz]
     #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
     sample: f64,
-    /// Compute bodies that no pair joins on so many threads; `RAYON_NUM_THREADS` when left out, else one a processor
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     /// Write trajectory.csv, contacts.csv, events.csv and summary.json into this folder; of the impact model also hits.csv and
     /// transitions.csv, and impact-….csv beside the contact model's where the scene asks for both
     #[arg(long, value_name = "DIR")]
@@ -38,7 +37,7 @@ pub(super) struct RunArgs {
 /// Bad input; a run that gave up, after its answer has been printed and written.
 pub(super) fn run(args: &RunArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
-    args.threads.map_or(Ok(()), use_threads)?;
+    args.threads.start()?;
     // Before the run, so that no answer is lost for want of a place to write it.
     if let Some(folder) = &args.out {
         limits::check_trajectory(args.sample, &scene)?;
@@ -84,10 +83,4 @@ fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), 
         console.print(&written);
     }
     Ok(())
-}
-
-/// Sets the number of threads that runs share.
-fn use_threads(count: u16) -> Result<(), Failure> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(count.into()).build_global();
-    pool.map_err(|error| Failure::Input(format!("--threads {count}: they cannot be started ({error}): give fewer")))
 }

@@ -44,7 +44,7 @@ struct Patch {
 /// written. Returns how many different ones were drawn.
 ///
 /// # Errors
-/// What the device, the writer or `each` says; the file is not whole then.
+/// What the device, the writer or `each` says; where that is `each`, what is written is a GIF of the frames so far, if there are any.
 pub fn gif<E: From<GpuError> + From<GifError>>(
     studio: &mut Studio,
     history: &History,

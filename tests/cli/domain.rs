@@ -113,3 +113,24 @@ fn an_answer_that_does_not_balance_is_said_to() {
     let said = call(&run);
     assert!(!said.err.contains("ledger") && summary()["balances"] == true, "a sound answer balances: {}", said.err);
 }
+
+#[cfg(feature = "render")]
+#[test]
+fn a_picture_of_an_answer_that_does_not_balance_comes_with_the_same_warning() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("one.png");
+    let size = ["--size", "160x90", "--quality", "draft", "--threads", "2"];
+    let picture = ["render", "skew45-abutment", "--until", "1", "--out", out.to_str().expect("a UTF-8 path")];
+    let said = |set: &[&str]| call(&[&picture[..], &size, set].concat());
+    let shaken = said(&["--set", "motion.frequency_hz=1e6"]);
+    // Nothing draws here.
+    if shaken.status == Some(3) {
+        return;
+    }
+    assert_eq!(shaken.status, Some(0), "it is drawn: {}", shaken.err);
+    assert!(shaken.err.contains("warning: skew45-abutment: the ledger's residual is"), "warns: {}", shaken.err);
+    let sound = said(&[]);
+    assert!(sound.status == Some(0) && !sound.err.contains("ledger"), "a sound answer balances: {}", sound.err);
+    let none = call(&[&picture[..], &["--threads", "0"]].concat());
+    assert!(none.status == Some(2) && none.err.contains("--threads"), "refused as by run: {}", none.err);
+}

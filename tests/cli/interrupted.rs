@@ -34,10 +34,15 @@ fn count_inside(folder: &Path) -> usize {
 
 /// Starts a call and waits until so many files are unfinished in its folder.
 fn start(args: &[&str], out: &Path, files: usize) -> Child {
+    start_until(args, out, || count_inside(out) >= files)
+}
+
+/// Starts a call and waits until what it writes has come so far.
+fn start_until(args: &[&str], out: &Path, come: impl Fn() -> bool) -> Child {
     let mut command = program();
     command.args(args).arg("--out").arg(out).stdout(Stdio::null()).stderr(Stdio::piped());
     let mut child = command.spawn().expect("the program starts");
-    while count_inside(out) < files {
+    while !come() {
         assert!(child.try_wait().expect("its state").is_none(), "it writes until it is interrupted");
         std::thread::sleep(Duration::from_millis(2));
     }
@@ -110,4 +115,32 @@ fn an_interrupted_film_keeps_its_finished_frames() {
         let bytes = fs::read(out.join(&name)).expect("there");
         assert!(girderbench::render::Image::from_png(&bytes).is_ok(), "{name} is whole");
     }
+}
+
+#[cfg(feature = "render")]
+#[test]
+fn an_interrupted_gif_keeps_its_finished_frames() {
+    let folder = folder();
+    let out = folder.path().join("film.gif");
+    let scene = ["render", "skew45-abutment", "--until", "1", "--size", "160x90", "--quality", "draft"];
+    let probe = folder.path().join("one.png");
+    // Nothing draws here.
+    if call(&[&scene[..], &["--out", probe.to_str().expect("UTF-8")]].concat()).status == Some(3) {
+        return;
+    }
+    // A palette and a few frames.
+    let written = || unfinished(folder.path()).and_then(|film| fs::metadata(film).ok()).map_or(0, |film| film.len());
+    let child = start_until(&[&scene[..], &["--frames", "20000"]].concat(), &out, || written() > 40_000);
+    signal(&child, "-TERM");
+    let output = child.wait_with_output().expect("it ends");
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.signal().is_some(), "ended by the signal: {:?}, {err}", output.status);
+    let mut film = gif::DecodeOptions::new().read_info(fs::File::open(&out).expect("it is there")).expect("a GIF");
+    let mut frames = 0;
+    while film.read_next_frame().expect("whole to its end").is_some() {
+        frames += 1;
+    }
+    let said = format!("{frames} of 20000 frames are finished, in {}", out.display());
+    assert!(frames > 1 && err.contains(&said), "says how many: {said}: {err}");
+    assert_eq!(unfinished(folder.path()), None, "nothing unfinished stays");
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::choices::{Behind, Size, Work, frame_rate, instant, layer, size, view};
-use crate::cli::args::{SceneArgs, not_negative, positive};
+use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
 use crate::cli::failure::Failure;
 use crate::files;
 use crate::scene::{Layer, Scene, ViewPreset};
@@ -21,6 +21,8 @@ const OTHER_FORMATS: &[&str] = &[
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(super) scene: SceneArgs,
+    #[command(flatten)]
+    pub(super) threads: Threads,
     /// When [s], or `peak`: the instant of the largest contact force; may be given many times
     #[arg(long, value_name = "S|peak", value_parser = instant, default_value = "peak", allow_negative_numbers = true)]
     pub(super) at: Vec<Instant>,

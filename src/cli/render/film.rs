@@ -90,12 +90,24 @@ fn take_gif(
 ) -> Result<usize, Failure> {
     let writing = Writing::begin();
     let mut draft = Draft::create(&args.out)?;
+    let mut finished = 0;
     let drawn = gif::<Failure>(studio, history, shots, args.fps, &mut draft, &mut |written| {
+        finished = written;
         progress.show(written as f64);
         writing.check()
-    })?;
-    draft.finish()?;
-    Ok(drawn)
+    });
+    match drawn {
+        Err(Failure::Interrupted(_)) if finished > 0 => {
+            draft.finish()?;
+            let (count, film) = (shots.len(), args.out.display());
+            Err(Failure::Interrupted(format!("{finished} of {count} frames are finished, in {film}")))
+        }
+        drawn => {
+            let drawn = drawn?;
+            draft.finish()?;
+            Ok(drawn)
+        }
+    }
 }
 
 fn said(args: &RenderArgs, wanted: &[Wanted], drawn: usize) -> String {

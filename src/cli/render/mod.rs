@@ -23,10 +23,12 @@ use args::{Wanted, reaches};
 pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
     args.check_out()?;
+    args.threads.start()?;
     // Before the run, so that a machine that cannot draw says so at once.
     let mut studio = Studio::open(args.quality.quality()).map_err(Failure::from)?;
     domain::warn(&scene, console);
     let history = compute_as_asked(&scene)?.history;
+    std::iter::once(&history).chain(history.beside()).for_each(|history| domain::warn_of_balance(history, console));
     let wanted = wanted(args, &history, console)?;
     console.print(&film::take(args, &mut studio, &history, &wanted)?);
     match history.stop() {
