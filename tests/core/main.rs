@@ -52,6 +52,7 @@ mod scene {
     mod edits;
     mod facing;
     mod keys;
+    mod mutations;
     mod overrides;
     mod presets;
     mod runs;
@@ -64,5 +65,6 @@ mod study {
 }
 
 mod tables {
+    mod mutations;
     mod readings;
 }

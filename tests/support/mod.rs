@@ -1,5 +1,6 @@
 //! What several tests of the core share: reference cases as scenes, small scenes in words, and a helper that prints residuals.
 
+pub(crate) mod mutate;
 pub(crate) mod reference;
 pub(crate) mod rows;
 

@@ -7,6 +7,7 @@
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
 use super::record::{Channel, Format, RecordError, Supplement};
+use super::text::quoted;
 
 /// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
@@ -97,8 +98,7 @@ fn number(field: &str) -> Option<f64> {
 }
 
 fn sample(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
-    let wrong =
-        |value: &str, remedy: &str| RecordError { line, value: format!("`{value}`"), remedy: remedy.to_owned() };
+    let wrong = |value: &str, remedy: &str| RecordError { line, value: quoted(value), remedy: remedy.to_owned() };
     let fields: Vec<&str> = record.iter().collect();
     let [t, a] = fields[..] else {
         let remedy = "give two columns: time in s, acceleration in m/s²; columns of numbers with decimal commas are separated by semicolons";
@@ -115,7 +115,7 @@ fn one_mark(record: &StringRecord, line: u64, mark: &mut Option<char>) -> Result
         let here = field.chars().find(|c| ['.', ','].contains(c));
         if here.is_some_and(|here| mark.is_some_and(|before| before != here)) {
             let remedy = "numbers above have another decimal mark: use one, and nothing between thousands".to_owned();
-            return Err(RecordError { line, value: format!("`{field}`"), remedy });
+            return Err(RecordError { line, value: quoted(field), remedy });
         }
         *mark = mark.or(here);
     }
