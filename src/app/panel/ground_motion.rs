@@ -2,6 +2,7 @@
 
 use egui::{RichText, TextEdit, Ui};
 
+use super::record_of;
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, FileCommand};
 use crate::app::field::{CLICK, Change, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
@@ -117,9 +118,17 @@ fn vertical_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion, metric: bo
 }
 
 fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
+    if !record.components.is_empty() {
+        record_of::components(ui, record);
+        let scale = slider_at(ui, look, "scale", &mut record.scale);
+        return scale.or(record_of::processing(ui, look, record));
+    }
     file_row(ui, look.place, record, out);
     about(ui, record);
-    let kept = kept_rows(ui, look, record);
+    record_of::read(ui, record);
+    let channel = record_of::channel(ui, look.place, record);
+    let kept = channel.or(kept_rows(ui, look, record));
+    let kept = kept.or(record_of::processing(ui, look, record));
     let scale = slider_at(ui, look, "scale", &mut record.scale);
     let vertical = slider_at(ui, look, "vertical_scale", &mut record.vertical_scale);
     kept.or(scale).or(slider_at(ui, look, "angle_deg", &mut record.angle_deg)).or(vertical)

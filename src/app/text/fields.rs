@@ -30,6 +30,10 @@ pub(in crate::app) const SAMPLES_FOLD: &str = "Samples";
 pub(in crate::app) const SAMPLES: &str = "Samples, m/s²";
 pub(in crate::app) const TOO_MANY_SAMPLES: &str = "Too many to be written out: choose a file.";
 pub(in crate::app) const NO_SAMPLE: &str = "is no number: write accelerations in m/s², with spaces between them";
+pub(in crate::app) const CHANNEL: &str = "Channel";
+pub(in crate::app) const PROCESSING_FOLD: &str = "Processing";
+pub(in crate::app) const UPWARDS: &str = "Upwards";
+pub(in crate::app) const NO_DIRECTION: &str = "No direction";
 pub(in crate::app) const SHAKE: &str = "Shake it";
 pub(in crate::app) const MOTION_SECTION: &str = "Ground motion";
 

@@ -59,6 +59,18 @@ pub(in crate::app) fn record(samples: usize, dt: f64, peak: f64) -> String {
     format!("{samples} samples, {} s apart, {} s; peak {} m/s² ({} g)", short(dt), short(length), short(peak), short(g))
 }
 
+/// What was read of a record: format, name of the channel, unit, what was done to the numbers.
+pub(in crate::app) fn record_read(format: &str, name: &str, unit: &str, done: &[String]) -> String {
+    let name = if name.is_empty() { String::new() } else { format!(", {name}") };
+    let done: Vec<String> = done.iter().map(|step| format!("; {step}")).collect();
+    format!("Read as {format}{name}, in {unit}{}", done.concat())
+}
+
+/// Direction of a component in plan \[degrees\].
+pub(in crate::app) fn from_x(angle: f64) -> String {
+    format!("{}° from x", short(angle))
+}
+
 /// An entry about a pair.
 pub(in crate::app) fn entry(number: usize) -> String {
     format!("Entry {number}")
