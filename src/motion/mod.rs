@@ -7,6 +7,7 @@ pub mod format;
 pub mod integrate;
 pub mod process;
 pub mod spectrum;
+pub mod synthetic;
 
 use std::sync::Arc;
 

@@ -17,6 +17,7 @@ mod processing;
 mod record;
 mod resolved;
 mod settings;
+mod synthetic;
 mod top;
 mod two_or_three;
 
@@ -43,5 +44,6 @@ pub use processing::{Baseline, Processing};
 pub use record::{Component, Heading, RecordMotion};
 pub use resolved::ResolvedBearing;
 pub use settings::{Layer, Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use synthetic::SyntheticMotion;
 pub use top::Scene;
 pub use validate::{SceneError, SceneErrors};

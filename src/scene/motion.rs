@@ -7,13 +7,14 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
 use super::record::RecordMotion;
+use super::synthetic::SyntheticMotion;
 
 pub use crate::motion::format::STANDARD_GRAVITY;
 
 /// `[motion]`, whatever its kind.
 pub const MOTION: &[Key] = &[Key::new(
     "kind",
-    Range::Words(&["none", "sine", "record"]),
+    Range::Words(&["none", "sine", "record", "synthetic"]),
     Fallback::Word("none"),
     "which of the following; \"none\" has no other keys",
 )];
@@ -50,6 +51,8 @@ pub enum Motion {
     Sine(SineMotion),
     /// A record.
     Record(RecordMotion),
+    /// A synthetic earthquake.
+    Synthetic(SyntheticMotion),
 }
 
 impl SineMotion {
@@ -78,6 +81,7 @@ impl Motion {
             Self::None => 0.0,
             Self::Sine(sine) => sine.angle_deg,
             Self::Record(record) => record.angle_deg,
+            Self::Synthetic(synthetic) => synthetic.angle_deg,
         }
     }
 
@@ -94,6 +98,7 @@ enum MotionKind {
     None,
     Sine,
     Record,
+    Synthetic,
 }
 
 /// Which keys are known depends on `kind`, so it is read first; the reader of scene files hands it out first.
@@ -123,6 +128,9 @@ impl<'de> Visitor<'de> for MotionVisitor {
             },
             MotionKind::Sine => SineMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Sine),
             MotionKind::Record => RecordMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Record),
+            MotionKind::Synthetic => {
+                SyntheticMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Synthetic)
+            }
         }
     }
 }

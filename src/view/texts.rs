@@ -90,6 +90,9 @@ fn shaking(input: &ViewInput<'_>) -> String {
             let amplitude = if amplitude < 1e4 { format!("{amplitude:.2}") } else { scale::plain(amplitude) };
             format!("ground: sine {amplitude} g, {f} Hz at {angle}°")
         }
+        GroundMotion::Synthetic(s) => {
+            format!("ground: synthetic, {} g at {}°", scale::plain(s.peak_g), scale::plain(s.angle_deg))
+        }
         GroundMotion::Record(r) if !r.components.is_empty() => {
             format!("ground: record of {} components × {}", r.components.len(), scale::plain(r.scale))
         }

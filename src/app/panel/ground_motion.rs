@@ -10,7 +10,7 @@ use crate::app::unit::Size;
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
-use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion};
+use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SyntheticMotion};
 
 /// Which kind of motion it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,9 +19,15 @@ enum Kind {
     Still,
     Sine,
     Record,
+    Synthetic,
 }
 
-const KINDS: [(Kind, &str); 3] = [(Kind::Still, text::STILL), (Kind::Sine, text::SINE), (Kind::Record, text::RECORD)];
+const KINDS: [(Kind, &str); 4] = [
+    (Kind::Still, text::STILL),
+    (Kind::Sine, text::SINE),
+    (Kind::Record, text::RECORD),
+    (Kind::Synthetic, text::SYNTHETIC),
+];
 
 /// Whether an amplitude is said in m/s² rather than in g.
 const UNITS: [(bool, &str); 2] = [(false, "g"), (true, "m/s²")];
@@ -42,6 +48,7 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         Motion::None => still(ui, &mut new),
         Motion::Sine(sine) => sine_rows(ui, &look, sine),
         Motion::Record(record) => record_rows(ui, &look, record, out),
+        Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]),
     };
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
@@ -54,6 +61,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Motion::None => Kind::Still,
         Motion::Sine(_) => Kind::Sine,
         Motion::Record(_) => Kind::Record,
+        Motion::Synthetic(_) => Kind::Synthetic,
     };
     let change = choice_line(ui, place, ("kind", text::GROUND), &mut kind, &KINDS)?;
     let angle_deg = motion.angle_deg();
@@ -61,6 +69,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Kind::Still => Motion::None,
         Kind::Sine => Motion::Sine(SineMotion { angle_deg, ..shaken() }),
         Kind::Record => Motion::Record(RecordMotion { angle_deg, ..silence() }),
+        Kind::Synthetic => Motion::Synthetic(SyntheticMotion { angle_deg, ..SyntheticMotion::default() }),
     };
     Some(change)
 }

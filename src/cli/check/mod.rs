@@ -102,6 +102,13 @@ fn motion_words(motion: &Motion) -> String {
             format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°{vertical}")
         }
         Motion::Record(record) => recorded(record),
+        Motion::Synthetic(quake) => {
+            let [seed, peak, length, angle] = [quake.seed, quake.peak_g, quake.duration, quake.angle_deg].map(six);
+            let [_, across, vertical] = quake.factors().map(six);
+            format!(
+                "synthetic earthquake of seed {seed}: {peak} g, {length} s, angle {angle}°, across × {across}, vertical × {vertical}"
+            )
+        }
     }
 }
 

@@ -14,7 +14,9 @@ use crate::dynamics::model::single_axis;
 use crate::dynamics::model::{contact_sites, edge_sites};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
-use crate::scene::{Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, Tension, facing, placed};
+use crate::scene::{
+    Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, SyntheticMotion, Tension, facing, placed,
+};
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
 const POLYNOMIALS: usize = 8 << 20;
@@ -92,7 +94,24 @@ fn ground(motion: &Motion) -> Ground {
             phase: sine.phase_deg.to_radians(),
         },
         Motion::Record(record) => recorded(record, direction).unwrap_or(Ground::Still),
+        Motion::Synthetic(quake) => synthetic(quake, direction),
     }
+}
+
+/// A synthetic earthquake; a component that is 0 is not made.
+fn synthetic(quake: &SyntheticMotion, direction: DVec3) -> Ground {
+    let [_, across, vertical] = quake.factors();
+    let first = quake.samples(0);
+    if across == 0.0 && vertical == 0.0 {
+        return Ground::record(direction, quake.dt, first);
+    }
+    let other = |number, factor: f64| if factor == 0.0 { Vec::new() } else { quake.samples(number) };
+    let [second, third] = [other(1, across), other(2, vertical)];
+    let left = DVec3::Z.cross(direction);
+    let at = |samples: &[f64], n: usize| samples.get(n).copied().unwrap_or(0.0);
+    let sum =
+        |n: usize| direction * first[n] + left * (across * at(&second, n)) + DVec3::Z * (vertical * at(&third, n));
+    Ground::components(quake.dt, (0..first.len()).map(sum))
 }
 
 /// A record as it shakes; nothing until it is read.

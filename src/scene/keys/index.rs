@@ -3,7 +3,7 @@
 use super::key::Key;
 use super::{
     ABUTMENT, BEARING, BEARINGS, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR,
-    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, TOP, VIEW,
+    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SYNTHETIC, TOP, VIEW,
 };
 
 /// A table of the scene file.
@@ -34,6 +34,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion", keys: MOTION },
     Table { path: "motion kind = sine", keys: SINE },
     Table { path: "motion kind = record", keys: RECORD },
+    Table { path: "motion kind = synthetic", keys: SYNTHETIC },
     Table { path: "motion.processing", keys: PROCESSING },
     Table { path: "motion.component", keys: COMPONENT },
     Table { path: "solver", keys: SOLVER },

@@ -54,6 +54,14 @@ pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
     match motion {
         Motion::None => {}
         Motion::Sine(sine) => harmonic(sine, kind, &mut complaints.at("motion", keys::SINE)),
+        Motion::Synthetic(synthetic) => {
+            let at = &mut complaints.at("motion", keys::SYNTHETIC);
+            at.all(synthetic);
+            at.fits(synthetic, kind);
+            if let Some((key, value, remedy)) = synthetic.fault() {
+                at.add(key, number(value), remedy);
+            }
+        }
         Motion::Record(recorded) => record(recorded, kind, complaints),
     }
 }

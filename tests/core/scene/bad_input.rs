@@ -131,7 +131,13 @@ fn a_wrong_type_is_answered_with_the_right_one() {
     );
     assert_complaint("[[12, 4]", "[[12, true]", &format!("{bearings}.at_m[0][1]"), "true", "expected a number");
     assert_complaint("kind = \"sine\"", "kind = \"sinus\"", "motion.kind", "\"sinus\"", "did you mean `sine`?");
-    assert_complaint("kind = \"sine\"", "kind = 3", "motion.kind", "3", "\"none\", \"sine\", \"record\"");
+    assert_complaint(
+        "kind = \"sine\"",
+        "kind = 3",
+        "motion.kind",
+        "3",
+        "\"none\", \"sine\", \"record\", \"synthetic\"",
+    );
     assert_complaint(
         "mu_static = 0.3",
         "mu_static = 0.3\nlaw = \"papr\"",

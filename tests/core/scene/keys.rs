@@ -78,6 +78,7 @@ fn recorded(record: &str) -> Scene {
 fn standing(table: &str) -> (Scene, String) {
     let scene = match table {
         "motion kind = record" => recorded(RECORD),
+        "motion kind = synthetic" => recorded("kind = \"synthetic\"\n"),
         _ if table.starts_with("motion.") => recorded(COMPONENT),
         _ => full(),
     };
@@ -358,7 +359,7 @@ fn a_planar_scene_refuses_every_key_of_space_and_a_spatial_one_has_it() {
             checked += 1;
         }
     }
-    assert_eq!(checked, 12, "keys of spatial scenes");
+    assert_eq!(checked, 13, "keys of spatial scenes");
 }
 
 /// Lines of the room of scenes, its tests left out, where a word stands.

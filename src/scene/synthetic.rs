@@ -1,0 +1,69 @@
+//! A synthetic earthquake, as written in a scene.
+
+use serde::{Deserialize, Serialize};
+
+use super::keys::{Fallback, Range, table};
+use super::motion::STANDARD_GRAVITY;
+use crate::motion::synthetic::Earthquake;
+
+/// Most samples of a synthetic record.
+const MOST_SAMPLES: f64 = 1e6;
+
+table! {
+    /// `kind = "synthetic"`: filtered noise under an envelope, by seed.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct SyntheticMotion, SYNTHETIC {
+        seed: f64 = "seed" as "Seed", Range::Within([0.0, 1e6]), Fallback::Number(1.0), "seed of the noise, a whole number", slider [0.0, 100.0];
+        peak_g: f64 = "peak_g" as "Peak", Range::NotNegative, Fallback::Number(0.35), "largest magnitude, g", slider [0.0, 1.0];
+        duration: f64 = "length_s" as "Length", Range::Positive, Fallback::Number(40.0), "length of the record, s", slider [5.0, 100.0];
+        dt: f64 = "dt_s" as "Interval", Range::Positive, Fallback::Number(0.01), "interval between samples, s", slider [0.001, 0.02];
+        ground_hz: f64 = "ground_hz" as "Ground frequency", Range::Positive, Fallback::Number(2.5), "frequency of the ground ω_g / 2π, Hz", slider [0.5, 10.0];
+        ground_damping: f64 = "ground_damping" as "Ground damping", Range::Positive, Fallback::Number(0.6), "damping of the ground ζ_g, of critical", slider [0.1, 1.0];
+        rise: f64 = "rise_s" as "Rise", Range::NotNegative, Fallback::Number(2.0), "time within which the envelope rises, as a parabola, s", slider [0.0, 10.0];
+        strong: f64 = "strong_s" as "Strong motion", Range::NotNegative, Fallback::Number(10.0), "time for which it then is 1, s", slider [0.0, 40.0];
+        decay: f64 = "decay_s" as "Decay", Range::Positive, Fallback::Number(7.0), "time τ of its decay exp(−t/τ), s", slider [1.0, 20.0];
+        angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
+        across: f64 = "across" as "Across", Range::Any, Fallback::Number(0.0), "multiplies an independent component square to the first in plan, of the next seed", slider [0.0, 1.5];
+        vertical: f64 = "vertical" as "Vertical", Range::Any, Fallback::Number(0.0), "multiplies an independent vertical component, of the seed after that", slider [0.0, 1.5], in in_space;
+    }
+}
+
+impl SyntheticMotion {
+    /// Samples of its first, second or third component, 0 to 2 \[m/s²\].
+    pub fn samples(&self, component: u64) -> Vec<f64> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 1e6")]
+        let seed = self.seed as u64 + component;
+        let quake = Earthquake {
+            seed,
+            duration: self.duration.min(MOST_SAMPLES * self.dt),
+            dt: self.dt,
+            peak: self.peak_g * STANDARD_GRAVITY,
+            ground: std::f64::consts::TAU * self.ground_hz,
+            damping: self.ground_damping,
+            rise: self.rise,
+            until: self.rise + self.strong,
+            decay: 1.0 / self.decay,
+        };
+        quake.samples()
+    }
+
+    /// Factors of its components along the angle, across and upwards.
+    pub fn factors(&self) -> [f64; 3] {
+        [1.0, self.across, self.vertical]
+    }
+
+    /// What does not fit together: key, value and remedy.
+    pub(in crate::scene) fn fault(&self) -> Option<(&'static str, f64, &'static str)> {
+        // The filter's step is semi-implicit: stable below 2 / ω_g, true to a few percent below a tenth of that.
+        let coarse = self.dt * std::f64::consts::TAU * self.ground_hz * self.ground_damping.max(1.0) > 0.5;
+        let count = self.duration / self.dt;
+        match () {
+            () if self.seed.fract() != 0.0 => Some(("seed", self.seed, "give a whole number")),
+            () if !(2.0..=MOST_SAMPLES).contains(&count) => {
+                Some(("length_s", self.duration, "give a length of 2 to 1e6 intervals"))
+            }
+            () if coarse => Some(("dt_s", self.dt, "the ground is quicker than that: give a shorter interval")),
+            () => None,
+        }
+    }
+}
