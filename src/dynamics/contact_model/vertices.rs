@@ -11,7 +11,7 @@ use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
-use crate::scene::{Kind, Sharing};
+use crate::scene::Sharing;
 
 /// What the nodes of a vertex have together.
 struct Carried {
@@ -38,8 +38,7 @@ impl Transitions<'_> {
     /// are there now; other nodes of the vertex that are there no more leave with it.
     pub(super) fn pass_on(&mut self, contact: usize, closed: &ClosedContact) {
         let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
-        // Pairs of bodies that have met are without edge nodes.
-        if self.world.model.kind == Kind::Planar || pair.met {
+        if pair.edges.is_empty() {
             return;
         }
         let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, &|c| self.at().sides(c));

@@ -55,9 +55,9 @@ impl Model {
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
             pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
         }
-        for (number, pair) in pairs.iter_mut().enumerate().filter(|(_, pair)| !pair.met) {
+        for (number, pair) in pairs.iter_mut().enumerate() {
             let from = contacts.len();
-            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], number, &mut contacts)?;
+            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, pair.met), &mut contacts)?;
             pair.edges = from..contacts.len();
         }
         let mut model = Self {

@@ -1,6 +1,7 @@
 //! Tops and undersides: a girder between two others, one that is pushed along another's top, and one that slides over its end.
 
 use girderbench::scene::{STANDARD_GRAVITY, Scene};
+use glam::DVec3;
 
 use super::expect_carried;
 use crate::support::{run, scene, within};
@@ -113,11 +114,12 @@ fn what_slides_over_the_end_falls_beyond_it() {
     let history = run(&lying(0.0, speed, duration));
     expect_carried(&history);
     let last = history.touches().iter().map(|touch| touch.end).fold(0.0, f64::max);
-    within("leaves the top", last / passed - 1.0, 1e-3);
+    // Nodes of its edges hold on for a thousandth of the face, 1.2 mm at 1.2 m/s.
+    within("leaves the top", last / passed - 1.0, 2.5e-3);
     let motion = history.motion(1, duration);
-    within("speed", motion.velocity.x / left - 1.0, 2e-3);
+    within("speed", motion.velocity.x / left - 1.0, 5e-3);
     let fallen = duration - last;
-    within("fall", motion.displacement.z + yields(1.0) + 0.5 * STANDARD_GRAVITY * fallen * fallen, 1e-9);
+    within("fall", motion.displacement.z + yields(1.0) + 0.5 * STANDARD_GRAVITY * fallen * fallen, 2e-3 * fallen);
 }
 
 /// A girder thrown over a fixed one, which it clears by `above` \[m\] at the top of its flight.
@@ -141,4 +143,35 @@ fn a_girder_thrown_over_another_lands_beyond_it() {
     let touching = run(&thrown_over(drop - 1e-3));
     expect_carried(&touching);
     assert!(!touching.touches().is_empty(), "a millimetre lower it touches");
+}
+
+#[test]
+fn a_girder_laid_across_another_rests_on_the_crossings_of_their_edges() {
+    // No corner of either is over the other. Square to it, in the middle and off it, and at 50°.
+    for (heading, [x, y]) in [(90.0, [0.0, 0.0]), (90.0, [0.07, 0.03]), (50.0, [0.0, 0.0])] {
+        let keys = format!("heading_deg = {heading}\n");
+        let girders =
+            [girder("base", [1.2, 0.3], [0.0; 3], FIXED), girder("across", [1.2, 0.3], [x, y, HEIGHT + 0.005], &keys)];
+        let history = run(&stack(&girders, 1.0));
+        expect_carried(&history);
+        let rest = history.motion(1, 1.0);
+        // It tilts on the crossings, 0.15 m from the middle of what is shared, a quarter of K each.
+        let tilt = yields(1.0) * y / 0.15_f64.powi(2);
+        within("rests", rest.displacement.z + 0.005 + yields(1.0) + tilt * y, 1e-7);
+        within("tilt", (rest.attitude * DVec3::Z).truncate().length() - tilt, 1e-5);
+        let pressed: f64 = history.contacts(1.0).iter().map(|c| c.normal_force * c.normal.z.abs()).sum();
+        within("weight", pressed / (MASS * STANDARD_GRAVITY) - 1.0, 1e-3);
+    }
+}
+
+#[test]
+fn a_girder_that_hangs_over_the_side_of_another_rests_on_it() {
+    // Half of its width beyond the side: two corners over the base, two crossings, and its weight at the edge between.
+    let girders = [
+        girder("base", [1.2, 0.3], [0.0; 3], FIXED),
+        girder("beside", [0.5, 0.3], [0.05, 0.12, HEIGHT + 0.005], "held = [\"roll\", \"pitch\", \"yaw\"]\n"),
+    ];
+    let history = run(&stack(&girders, 1.0));
+    expect_carried(&history);
+    within("rests", history.motion(1, 1.0).displacement.z + 0.005 + yields(1.0), 1e-7);
 }
