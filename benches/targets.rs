@@ -12,7 +12,7 @@ mod rows;
 
 use std::time::Instant;
 
-use girderbench::scene::{ModelKind, Scene, presets};
+use girderbench::scene::{Component, ModelKind, Motion, RecordMotion, Scene, presets};
 use girderbench::sim::History;
 use rows::Row;
 
@@ -51,6 +51,9 @@ const PROBLEMS: &[Problem] = &[
         tolerance: 4e-6,
         scene: |e| rows::record(8000, e),
     },
+    Problem { name: "record-turned", repeats: 20, asked_ms: 5.0, asked_m: 1e-8, tolerance: 4e-6, scene: turned },
+    // The same ground as two components: at most one and a half times the time.
+    Problem { name: "record-two", repeats: 20, asked_ms: 7.5, asked_m: 1e-8, tolerance: 4e-6, scene: two },
     // A millionth of its peak displacement, 0.299 m.
     Problem { name: "deck-30m", repeats: 1, asked_ms: 20.0, asked_m: 2.99e-7, tolerance: 2e-4, scene: deck },
     Problem { name: "row-1", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| many(1, e) },
@@ -74,6 +77,32 @@ const PROBLEMS: &[Problem] = &[
         scene: |e| few(1000, e),
     },
 ];
+
+/// A record along atan(0.6 / 0.8).
+fn turned(tolerance: f64) -> Scene {
+    let mut scene = rows::record(4000, tolerance);
+    if let Motion::Record(record) = &mut scene.motion {
+        record.angle_deg = 0.6_f64.atan2(0.8).to_degrees();
+    }
+    scene
+}
+
+/// The same ground as two components, 0.8 and 0.6 of the record.
+fn two(tolerance: f64) -> Scene {
+    let mut scene = rows::record(4000, tolerance);
+    if let Motion::Record(record) = &mut scene.motion {
+        let part = |azimuth: f64, scale: f64| Component {
+            samples: record.samples.clone(),
+            dt: record.dt,
+            azimuth_deg: Some(azimuth),
+            scale,
+            ..Component::default()
+        };
+        let components = vec![part(90.0, 0.8), part(0.0, 0.6)];
+        *record = RecordMotion { components, x_azimuth_deg: Some(90.0), ..RecordMotion::default() };
+    }
+    scene
+}
 
 fn many(count: usize, tolerance: f64) -> Scene {
     Row { tolerance, ..Row::many(count) }.scene()

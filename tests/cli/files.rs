@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use girderbench::dynamics::Model;
 use girderbench::files::{SceneSource, check_folder, load_scene, save_scene, write_atomic, write_set};
-use girderbench::scene::{Motion, Scene, presets};
+use girderbench::scene::{Heading, Motion, Scene, presets};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a folder")
@@ -121,6 +122,36 @@ fn channel_interval_and_unit_of_a_record_are_the_scenes_to_state() {
     assert_eq!(record.series(), Some((0.02, &[1.0, -0.5][..])), "in m/s²");
     let twice = set(&["file=one-column.dat", "dt_s=0.02"]).expect_err("stated twice");
     assert!(twice.contains("line 1") && twice.contains("dt_s"), "{twice}");
+}
+
+#[test]
+fn components_take_their_directions_from_their_files_and_keep_them_without() {
+    let (here, there) = (folder(), folder());
+    for name in ["old.AT2", "numbers-first.AT2"] {
+        fs::copy(Path::new("tests/data/records").join(name), here.path().join(name)).expect("copied");
+    }
+    let path = here.path().join("scene.toml");
+    let text = presets::get("flush-free-hit").expect("a preset").text;
+    let motion = "[motion]\nkind = \"record\"\nx_azimuth_deg = 60\n[[motion.component]]\nfile = \"old.AT2\"\n\
+                  [[motion.component]]\nfile = \"numbers-first.AT2\"\nscale = 0.5\n";
+    fs::write(&path, format!("{}\n{motion}", without_motion(text))).expect("written");
+    let scene = load(&path);
+    let headings = |scene: &Scene| match &scene.motion {
+        Motion::Record(record) => [0, 1].map(|n| record.heading(n)),
+        _ => [None; 2],
+    };
+    // Azimuths 270° and 90°, against 60° of world x.
+    assert_eq!(headings(&scene), [Some(Heading::InPlan(-210.0)), Some(Heading::InPlan(-30.0))], "as the files state");
+    let (beside, away) = (here.path().join("copy.toml"), there.path().join("copy.toml"));
+    save_scene(&scene, &SceneSource::New, &beside).expect("saved");
+    save_scene(&scene, &SceneSource::New, &away).expect("saved");
+    assert_eq!(load(&beside), scene, "beside its files it names them");
+    let ground = |scene: &Scene| Model::compile(scene).expect("a sound scene").ground.acceleration(0.123);
+    let apart = (ground(&load(&away)) - ground(&scene)).length();
+    assert!(apart < 1e-14 && ground(&scene).length() > 0.1, "the same ground away from them: {apart}");
+    fs::remove_file(here.path().join("old.AT2")).expect("removed");
+    let missing = load_scene(&path, &[]).expect_err("a file is not there").to_string();
+    assert!(missing.contains("motion.component[0].file") && missing.contains("old.AT2"), "{missing}");
 }
 
 #[test]

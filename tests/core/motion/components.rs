@@ -1,12 +1,16 @@
 //! Records of several components: how they add up, and that runs under them are those of the same ground in one.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use girderbench::dynamics::Model;
+use girderbench::motion::format::{Channel, Record};
 use girderbench::scene::{
     Component, Kind, ModelKind, Motion, Processing, RecordMotion, Scene, format, presets, validate,
 };
 
+use super::formats::{read, real};
 use crate::support::{rows, run, within};
 
 /// Noise of 12 s at 100 Hz, largest 3.924 m/s².
@@ -112,6 +116,31 @@ fn an_upward_component_shakes_spatial_scenes_only() {
     within("ledger", ledger.residual / ledger.scale, 5e-12);
     let errors = validate::validate(&Scene { kind: Kind::Planar, ..scene }).expect_err("in plan");
     assert!(errors.to_string().contains("motion.component[1].vertical"), "{errors}");
+}
+
+#[test]
+fn el_centro_shakes_in_its_own_directions() {
+    let names = ["RSN6_IMPVALL.I_I-ELC180-hor1.AT2", "RSN6_IMPVALL.I_I-ELC270-hor2.AT2"];
+    let read = |name: &str| Some(read(&real(name)?, name).expect("a record"));
+    let (Some(south), Some(west)) = (read(names[0]), read(names[1])) else { return };
+    let parts = [south, west].map(|record| record.channels[0].clone());
+    let mut scene = shaken("skew45-abutment", vec![component(&[0.0; 2], 0.0, 1.0); 2], 90.0);
+    let Motion::Record(record) = &mut scene.motion else { panic!("a record") };
+    for (component, name) in record.components.iter_mut().zip(names) {
+        *component = Component { file: Some(name.to_owned()), ..Component::default() };
+    }
+    let loaded = |channel: &Channel| Some(Arc::new(Record { format: "PEER AT2", channels: vec![channel.clone()] }));
+    record.loaded_components = parts.iter().map(loaded).collect();
+    validate::validate(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+    // World x points east: south is −y, west is −x.
+    let a = ground(&scene, 2.18);
+    within("south", a.y + parts[0].samples[218], 1e-12);
+    within("west", a.x + parts[1].samples[218], 1e-12);
+    for kind in [ModelKind::Contact, ModelKind::Impact] {
+        scene.model.kind = kind;
+        let history = run(&scene);
+        assert!(history.stop().is_none() && history.events().len() > 5, "{kind:?}: it runs and hits");
+    }
 }
 
 #[test]
