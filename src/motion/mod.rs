@@ -5,6 +5,7 @@
 
 pub mod format;
 pub mod integrate;
+pub mod matching;
 pub mod process;
 pub mod spectrum;
 pub mod synthetic;

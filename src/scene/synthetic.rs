@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table};
 use super::motion::STANDARD_GRAVITY;
+use crate::motion::matching::matched;
 use crate::motion::synthetic::Earthquake;
 
 /// Most samples of a synthetic record.
@@ -11,7 +12,7 @@ const MOST_SAMPLES: f64 = 1e6;
 
 table! {
     /// `kind = "synthetic"`: filtered noise under an envelope, by seed.
-    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     default struct SyntheticMotion, SYNTHETIC {
         seed: f64 = "seed" as "Seed", Range::Within([0.0, 1e6]), Fallback::Number(1.0), "seed of the noise, a whole number", slider [0.0, 100.0];
         peak_g: f64 = "peak_g" as "Peak", Range::NotNegative, Fallback::Number(0.35), "largest magnitude, g", slider [0.0, 1.0];
@@ -24,6 +25,8 @@ table! {
         decay: f64 = "decay_s" as "Decay", Range::Positive, Fallback::Number(7.0), "time τ of its decay exp(−t/τ), s", slider [1.0, 20.0];
         angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
         across: f64 = "across" as "Across", Range::Any, Fallback::Number(0.0), "multiplies an independent component square to the first in plan, of the next seed", slider [0.0, 1.5];
+        target: Option<Vec<[f64; 2]>> = "target_psa_g", Range::Like("two or more pairs"), Fallback::Words("none"),
+            "spectrum that each component is matched to in place of its peak: period in s and 5 % pseudo-acceleration in g, periods growing";
         vertical: f64 = "vertical" as "Vertical", Range::Any, Fallback::Number(0.0), "multiplies an independent vertical component, of the seed after that", slider [0.0, 1.5], in in_space;
     }
 }
@@ -44,12 +47,33 @@ impl SyntheticMotion {
             until: self.rise + self.strong,
             decay: 1.0 / self.decay,
         };
-        quake.samples()
+        let Some(target) = &self.target else { return quake.samples() };
+        let target: Vec<[f64; 2]> = target.iter().map(|[period, g]| [*period, g * STANDARD_GRAVITY]).collect();
+        matched(&quake.samples(), self.dt, &target)
+    }
+
+    /// Largest magnitude of its components \[m/s²\].
+    pub fn peak(&self) -> f64 {
+        let largest = self.factors().into_iter().fold(0.0, |most: f64, factor| most.max(factor.abs()));
+        let own = match &self.target {
+            // The pseudo-acceleration of a stiff oscillator is the peak of the ground; of others it is seldom less.
+            Some(target) => target.iter().fold(0.0, |most: f64, pair| most.max(pair[1])),
+            None => self.peak_g,
+        };
+        own * STANDARD_GRAVITY * largest
     }
 
     /// Factors of its components along the angle, across and upwards.
     pub fn factors(&self) -> [f64; 3] {
         [1.0, self.across, self.vertical]
+    }
+
+    fn target_is_sound(&self) -> bool {
+        let Some(target) = &self.target else { return true };
+        let [Some(first), Some(last)] = [target.first(), target.last()] else { return false };
+        let positive = target.iter().flatten().all(|number| number.is_finite() && *number > 0.0);
+        let grows = target.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        (2..=1000).contains(&target.len()) && positive && grows && first[0] >= 2.0 * self.dt && last[0] <= self.duration
     }
 
     /// What does not fit together: key, value and remedy.
@@ -62,6 +86,11 @@ impl SyntheticMotion {
             () if !(2.0..=MOST_SAMPLES).contains(&count) => {
                 Some(("length_s", self.duration, "give a length of 2 to 1e6 intervals"))
             }
+            () if !self.target_is_sound() => Some((
+                "target_psa_g",
+                self.target.as_ref().map_or(0.0, |target| target.len() as f64),
+                "give two to a thousand pairs [period in s, pseudo-acceleration in g], periods growing, from 2 dt_s to length_s",
+            )),
             () if coarse => Some(("dt_s", self.dt, "the ground is quicker than that: give a shorter interval")),
             () => None,
         }

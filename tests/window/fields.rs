@@ -21,6 +21,7 @@ const NO_FIELD: &[(&str, &str, &str)] = &[
     ("", "format", "the program writes its own version"),
     ("motion kind = record", "unit", "needed to read a file that states none: written in the scene's file"),
     ("motion kind = record", "x_azimuth_deg", "of components"),
+    ("motion kind = synthetic", "target_psa_g", "a list: written in the scene's file"),
     ("motion.component", "", "components are written in the scene's file, and shown"),
 ];
 

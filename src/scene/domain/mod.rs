@@ -301,8 +301,7 @@ fn look_at_ground(scene: &Scene, found: &mut Departures) {
         }
         Motion::Record(record) => look_at_record(scene, record, found),
         Motion::Synthetic(synthetic) => {
-            let largest = synthetic.factors().into_iter().fold(0.0, |most: f64, factor| most.max(factor.abs()));
-            found.look("motion.peak_g", synthetic.peak_g * super::STANDARD_GRAVITY * largest, ACCELERATION);
+            found.look("motion.peak_g", synthetic.peak(), ACCELERATION);
             found.look("motion.dt_s", scene.duration.min(synthetic.duration) / synthetic.dt, MOTION_PHASE);
         }
     }

@@ -202,3 +202,30 @@ fn processing_is_done_in_its_order_to_every_component() {
         within(&format!("at {t} s"), ground(&scene, t).x - expected * unit, 1e-12);
     }
 }
+
+#[test]
+fn a_synthetic_earthquake_is_matched_to_a_spectrum_and_shakes_in_up_to_three_directions() {
+    let set = |settings: &[&str]| {
+        let base = presets::load("two-components").expect("a preset");
+        let settings: Vec<String> = settings.iter().map(|setting| format!("motion.{setting}")).collect();
+        girderbench::scene::overrides::apply_all(&base, &settings).expect("it fits")
+    };
+    let alone = set(&["across=0"]);
+    let both = set(&["across=0.5", "angle_deg=0"]);
+    let (a, b) = (ground(&alone, 5.0), ground(&both, 5.0));
+    assert!(a.y == 0.0 && a.x == b.x && b.y != 0.0, "the first stays, the second is its own: {a} {b}");
+    let across = set(&["seed=3", "across=0"]);
+    within("of the next seed", b.y - 0.5 * ground(&across, 5.0).x, 1e-15);
+    let target = "target_psa_g=[[0.05, 0.3], [0.15, 0.75], [0.5, 0.75], [2.0, 0.19]]";
+    let matched = set(&[target, "across=0"]);
+    assert_eq!(validate::validate(&matched), Ok(()), "sound");
+    let Motion::Synthetic(quake) = &matched.motion else { panic!("synthetic") };
+    let found = girderbench::motion::spectrum::response(&quake.samples(0), quake.dt, 0.3, 0.05).pseudo_acceleration();
+    assert!((found / (0.75 * 9.80665) - 1.0).abs() < 0.2, "on the plateau: {found} m/s²");
+    for wrong in
+        ["seed=1.5", "dt_s=0.2", "length_s=1e9", "target_psa_g=[[1.0, 0.2]]", "target_psa_g=[[1, 0.2], [0.5, 0.1]]"]
+    {
+        let errors = validate::validate(&set(&[wrong])).expect_err(wrong).to_string();
+        assert!(errors.contains(wrong.split('=').next().expect("a key")), "{wrong}: {errors}");
+    }
+}
