@@ -15,8 +15,8 @@ const CONTROLS: u32 = 60;
 /// Rounds; the mean deviation falls no further after five to eight (measured on ten seeds).
 const ROUNDS: usize = 8;
 
-/// What a spectrum asks for at a period \[s\], linear in logarithms between pairs of period and value, both above 0.
-fn asked(target: &[[f64; 2]], period: f64) -> f64 {
+/// Value of a spectrum at a period \[s\], linear in logarithms between pairs of period and value, both above 0.
+fn interpolated(target: &[[f64; 2]], period: f64) -> f64 {
     let after = target.partition_point(|pair| pair[0] < period);
     match (after.checked_sub(1).and_then(|n| target.get(n)), target.get(after)) {
         (Some(low), Some(high)) => {
@@ -39,7 +39,7 @@ pub fn matched(samples: &[f64], dt: f64, target: &[[f64; 2]]) -> Vec<f64> {
     let controls = periods([first[0], last[0]], CONTROLS);
     let lacking = |samples: &[f64]| -> Vec<[f64; 2]> {
         let found = spectrum(samples, dt, &controls, DAMPING);
-        found.iter().map(|r| [r.period, asked(target, r.period) / r.pseudo_acceleration()]).collect()
+        found.iter().map(|r| [r.period, interpolated(target, r.period) / r.pseudo_acceleration()]).collect()
     };
     let (mut now, mut best) = (samples.to_vec(), (f64::INFINITY, samples.to_vec()));
     for _ in 0..ROUNDS {
@@ -64,7 +64,7 @@ fn multiplied(samples: &[f64], dt: f64, factors: &[[f64; 2]]) -> Vec<f64> {
     transform(&mut lines, -1.0);
     for (n, line) in lines.iter_mut().enumerate().skip(1) {
         let number = n.min(size - n);
-        let factor = asked(factors, size as f64 * dt / number as f64) / size as f64;
+        let factor = interpolated(factors, size as f64 * dt / number as f64) / size as f64;
         *line = line.map(|part| part * factor);
     }
     lines[0] = [0.0; 2];
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn a_matched_record_has_the_spectrum_asked_for() {
+    fn a_matched_record_has_the_target_spectrum() {
         // A plateau between 0.15 and 0.5 s, falling as 1/T beyond.
         let target = [[0.05, 3.0], [0.15, 7.5], [0.5, 7.5], [2.0, 1.875], [4.0, 0.9375]];
         for seed in 1..=3 {
@@ -157,7 +157,8 @@ mod tests {
             let controls = periods([0.05, 4.0], 60);
             let off = |samples: &[f64]| {
                 let found = spectrum(samples, 0.01, &controls, DAMPING);
-                let ratio = |r: &crate::motion::spectrum::Response| r.pseudo_acceleration() / asked(&target, r.period);
+                let ratio =
+                    |r: &crate::motion::spectrum::Response| r.pseudo_acceleration() / interpolated(&target, r.period);
                 found.iter().map(|r| ratio(r).ln().abs()).sum::<f64>() / 60.0
             };
             let after = matched(&raw, 0.01, &target);

@@ -1,11 +1,11 @@
-//! `girderbench motion`: what it says of a record, and the files that it writes.
+//! `girderbench motion`: the figures that it prints of a record, and the files that it writes.
 
 use crate::program::call;
 
 const RECORDS: &str = "tests/data/records";
 
 #[test]
-fn every_channel_is_said_with_its_unit_peak_and_duration() {
+fn every_channel_is_printed_with_its_unit_peak_and_duration() {
     let said = call(&["motion", &format!("{RECORDS}/csmip.V2"), &format!("{RECORDS}/old.AT2")]);
     assert_eq!(said.status, Some(0), "{}", said.err);
     for words in [
@@ -38,7 +38,7 @@ fn plots_and_tables_of_one_channel_are_written() {
 }
 
 #[test]
-fn what_cannot_be_read_is_answered_with_place_and_remedy() {
+fn an_unreadable_file_is_refused_with_place_and_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let bare = folder.path().join("bare.acc");
     std::fs::write(&bare, "1\n2\n1\n").expect("written");
@@ -61,7 +61,7 @@ fn what_cannot_be_read_is_answered_with_place_and_remedy() {
 }
 
 #[test]
-fn what_is_done_to_a_record_is_asked_for_and_said() {
+fn what_is_done_to_a_record_is_printed() {
     let file = format!("{RECORDS}/old.AT2");
     let said =
         call(&["motion", &file, "--baseline", "mean", "--taper", "0.1", "--time-scale", "0.5", "--peak-g", "0.4"]);

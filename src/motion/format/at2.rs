@@ -44,7 +44,7 @@ fn unit(text: &str, line: u64) -> Result<Unit, RecordError> {
     let words = find_word(text, UNITS).and_then(|at| text.get(at + UNITS.len()..)).unwrap_or_default();
     let unit = words.split_whitespace().next().and_then(Unit::of_word);
     unit.filter(|_| find_word(text, "ACCEL").is_some()).ok_or_else(|| {
-        let remedy = "the third line must say ACCELERATION … IN UNITS OF G: velocities and displacements are not read";
+        let remedy = "the third line must read ACCELERATION … IN UNITS OF G: velocities and displacements are not read";
         RecordError::new(line, quoted(text), remedy)
     })
 }

@@ -78,7 +78,7 @@ fn section(first: &str, lines: &mut Lines<'_>) -> Result<Option<Channel>, Record
 fn text_header(first: &str, lines: &mut Lines<'_>) -> Result<(Orientation, String), RecordError> {
     let stated = find_word(first, " with ").and_then(|at| first_number(&first[at..])).map(|(count, _)| count);
     let count = stated.filter(|count| (1.0..=MOST_TEXT).contains(count)).ok_or_else(|| {
-        lines.wrong(first, "the first line of a channel must say `(Format v01.20 with 13 text lines)`")
+        lines.wrong(first, "the first line of a channel must read `(Format v01.20 with 13 text lines)`")
     })?;
     let (mut direction, mut name) = (Orientation::Unstated, String::new());
     for n in 1.. {

@@ -154,7 +154,7 @@ fn one_of_several(record: &RecordMotion, (n, component): (usize, &Component), ki
             at.add(
                 "vertical",
                 "an upward component",
-                "a planar scene knows no vertical: leave it out, or set kind = \"spatial\"",
+                "a planar scene has no vertical: leave it out, or set kind = \"spatial\"",
             );
         }
         None if readable && record.x_azimuth_deg.is_none() => {

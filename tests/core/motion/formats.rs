@@ -130,7 +130,7 @@ fn what_is_stated_in_the_file_is_not_stated_beside_it() {
 }
 
 /// The real records, where they lie beside the project or beside its work trees.
-#[expect(clippy::print_stdout, reason = "a test that is skipped says so")]
+#[expect(clippy::print_stdout, reason = "a skipped test prints that it is")]
 pub(super) fn real(name: &str) -> Option<Vec<u8>> {
     let path = PathBuf::from("../shared/records").join(name);
     let path = if path.exists() { path } else { PathBuf::from("../../shared/records").join(name) };
@@ -142,7 +142,7 @@ pub(super) fn real(name: &str) -> Option<Vec<u8>> {
 }
 
 #[test]
-#[expect(clippy::print_stdout, reason = "a test that is skipped says so")]
+#[expect(clippy::print_stdout, reason = "a skipped test prints that it is")]
 fn real_records_have_the_peaks_that_their_headers_state() {
     // File, channel, peak [m/s²] as its header or its source states it, when [s], count, to so many m/s².
     const G: f64 = 9.80665;

@@ -4,7 +4,7 @@
 use super::formats::{FIXTURES, fixture, read};
 use crate::support::mutate::{Case, many, mutated};
 
-/// What a header may be made to say.
+/// Words put into a header or between numbers.
 const HOSTILE: &[&str] = &[
     "1e18",
     "NaN",
