@@ -51,9 +51,9 @@ const PROBLEMS: &[Problem] = &[
         tolerance: 4e-6,
         scene: |e| rows::record(8000, e),
     },
-    Problem { name: "record-turned", repeats: 20, asked_ms: 5.0, asked_m: 1e-8, tolerance: 4e-6, scene: turned },
+    Problem { name: "record-turned", repeats: 20, asked_ms: 6.0, asked_m: 1e-8, tolerance: 4e-6, scene: turned },
     // The same ground as two components: at most one and a half times the time.
-    Problem { name: "record-two", repeats: 20, asked_ms: 7.5, asked_m: 1e-8, tolerance: 4e-6, scene: two },
+    Problem { name: "record-two", repeats: 20, asked_ms: 9.0, asked_m: 1e-8, tolerance: 4e-6, scene: two },
     // A millionth of its peak displacement, 0.299 m.
     Problem { name: "deck-30m", repeats: 1, asked_ms: 20.0, asked_m: 2.99e-7, tolerance: 2e-4, scene: deck },
     Problem { name: "row-1", repeats: 40, asked_ms: 100.0, asked_m: 1e-8, tolerance: 1.5e-6, scene: |e| many(1, e) },
@@ -78,11 +78,11 @@ const PROBLEMS: &[Problem] = &[
     },
 ];
 
-/// A record along atan(0.6 / 0.8).
+/// A record along −atan(0.6 / 0.8), where the girder hits its wall.
 fn turned(tolerance: f64) -> Scene {
     let mut scene = rows::record(4000, tolerance);
     if let Motion::Record(record) = &mut scene.motion {
-        record.angle_deg = 0.6_f64.atan2(0.8).to_degrees();
+        record.angle_deg = -0.6_f64.atan2(0.8).to_degrees();
     }
     scene
 }
@@ -98,7 +98,7 @@ fn two(tolerance: f64) -> Scene {
             scale,
             ..Component::default()
         };
-        let components = vec![part(90.0, 0.8), part(0.0, 0.6)];
+        let components = vec![part(90.0, 0.8), part(180.0, 0.6)];
         *record = RecordMotion { components, x_azimuth_deg: Some(90.0), ..RecordMotion::default() };
     }
     scene
