@@ -98,7 +98,7 @@ fn number(field: &str) -> Option<f64> {
 }
 
 fn sample(record: &StringRecord, line: u64) -> Result<(f64, f64), RecordError> {
-    let wrong = |value: &str, remedy: &str| RecordError { line, value: quoted(value), remedy: remedy.to_owned() };
+    let wrong = |value: &str, remedy: &str| RecordError::new(line, quoted(value), remedy);
     let fields: Vec<&str> = record.iter().collect();
     let [t, a] = fields[..] else {
         let remedy = "give two columns: time in s, acceleration in m/s²; columns of numbers with decimal commas are separated by semicolons";
@@ -173,7 +173,7 @@ fn interval(times: &[Time]) -> Result<f64, RecordError> {
     let dt = (last - first) / (times.len() - 1) as f64;
     if times.len() < 2 || dt <= 0.0 {
         let remedy = "a record needs at least 2 samples, and times that grow".to_owned();
-        return Err(RecordError { line: *last_line, value: format!("time {last}"), remedy });
+        return Err(RecordError { line: *last_line, value: format!("time {}", short(*last)), remedy });
     }
     let units = printed_to(times);
     let rounding = units.into_iter().filter(|&unit| unit < FINE * dt).fold(0.0, f64::max);
@@ -182,6 +182,11 @@ fn interval(times: &[Time]) -> Result<f64, RecordError> {
         None => Ok(dt),
         Some((n, time)) => Err(uneven(time, (dt, first + dt * n as f64), units[0])),
     }
+}
+
+/// A time in a message, by its power of ten where it is beyond any recorder's clock.
+fn short(time: f64) -> String {
+    if time.abs() < 1e15 { time.to_string() } else { format!("{time:e}") }
 }
 
 /// A time that is not where its number in the file has it.
@@ -193,9 +198,10 @@ fn uneven(time: &Time, (dt, expected): (f64, f64), unit: f64) -> RecordError {
         String::new()
     };
     let remedy = format!(
-        "samples must be evenly spaced: with {dt:.6e} s between them this one belongs at {expected} s, {off:.1e} s away{coarse}"
+        "samples must be evenly spaced: with {dt:.6e} s between them this one belongs at {} s, {off:.1e} s away{coarse}",
+        short(expected)
     );
-    RecordError { line: time.line, value: format!("time {}", time.t), remedy }
+    RecordError { line: time.line, value: format!("time {}", short(time.t)), remedy }
 }
 
 #[cfg(test)]
