@@ -55,11 +55,16 @@ impl Frame {
 
     /// Upper bound of the displacement since placed of a point at distance `arm` from G \[m\].
     pub fn moved(&self, arm: f64) -> f64 {
+        self.shift.length() + self.chord() * arm
+    }
+
+    /// Upper bound of the displacement of a unit vector by the rotation since placed \[–\].
+    pub fn chord(&self) -> f64 {
         // Half of the squared Frobenius norm of D is the squared chord `(2 sin θ/2)²` of a point at unit distance
         // from the axis.
         let [x, y, z] = [self.turned.x_axis, self.turned.y_axis, self.turned.z_axis];
         let chord2 = 0.5 * (x.length_squared() + y.length_squared() + z.length_squared());
-        self.shift.length() + chord2.sqrt() * arm
+        chord2.sqrt()
     }
 
     /// Upper bound of the speed of a point at distance `arm` from G \[m/s\].
@@ -116,6 +121,14 @@ impl Home {
     pub fn shifted(&self, by: DVec3) -> Self {
         let (arm, lever, apart) = (self.arm + by, self.lever + by, self.apart + by);
         Self { at: self.at + self.axes.transpose() * by, apart, arm, lever, ..*self }
+    }
+
+    /// Geometry of the same node before the plane through `from`, from corner a \[m\], with these axes; world axes as
+    /// placed.
+    #[must_use]
+    pub fn before(&self, from: DVec3, axes: DMat3) -> Self {
+        let apart = self.apart - from;
+        Self { axes, at: axes.transpose() * apart, apart, corner: self.corner + from, upright: false, ..*self }
     }
 
     /// Geometry with the poses of `node_body` and `face_body`, at rest, in place of the placed ones.

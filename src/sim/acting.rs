@@ -52,12 +52,12 @@ impl History {
             None => Some((None, site.stand)),
         };
         if let (Some((node, at_node)), Some((face, at_face))) = (side(site.node_body, 0), side(site.face_body, 1)) {
-            let home = seen_from(site, closed.shift, [node.as_ref(), face.as_ref()]);
+            let home = seen_from(site, &closed.place, [node.as_ref(), face.as_ref()]);
             let whole = [(node, at_node), (face, at_face)].map(|(base, at)| base.map_or(at, |base| base.whole(&at)));
             return Some(Seen { closed, home, since: [at_node, at_face], sides: whole });
         }
         let (closed, sides) = (*log.at(t).closed()?, self.sides(contact, t));
-        Some(Seen { closed, home: site.home_at(closed.shift), since: sides, sides })
+        Some(Seen { closed, home: site.home_at(&closed.place), since: sides, sides })
     }
 
     /// Forces of a contact that is closed at `t`, and its state; nothing when it is open.
@@ -90,7 +90,8 @@ impl History {
         let action = act_in(&home, &closed, &closed.mode, &since[0], &since[1]);
         let forces = &action.forces;
         let point = node.origin() + action.node_arm;
-        let world = |v: glam::DVec2| to_world(&site.home, &face, v, 0.0);
+        let placed = site.home_at(&closed.place);
+        let world = |v: glam::DVec2| to_world(&placed, &face, v, 0.0);
         Some(ContactNow {
             contact,
             pair: site.pair,
@@ -100,7 +101,7 @@ impl History {
             },
             point,
             anchor: face.origin() + action.face_arm,
-            normal: face.turn(site.home.axes.z_axis),
+            normal: face.turn(placed.axes.z_axis),
             penetration: action.here.penetration(),
             normal_velocity: forces.normal_velocity,
             sliding: world(forces.sliding),

@@ -9,6 +9,7 @@ use super::History;
 pub use super::report::Extreme;
 use super::touches;
 use crate::contact::node_face::locate;
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::geometry::{End, Prism};
 
 /// What remains of a seat.
@@ -93,11 +94,12 @@ fn corner_off_seat(history: &History, girder: usize, end: End, corner: usize, t:
 pub fn before_face(history: &History, contact: usize, t: f64) -> [f64; 2] {
     let site = &history.model().contacts[contact];
     let [node, face] = history.sides(contact, t.clamp(0.0, history.end()));
-    let shift = history.logs[contact].at(t).closed().map_or(DVec3::ZERO, |closed| closed.shift);
-    let here = locate(&site.home_at(shift), &node, &face);
+    let place = history.logs[contact].at(t).closed().map_or_else(NodePlace::default, |closed| closed.place);
+    let here = locate(&site.home_at(&place), &node, &face);
+    let at = site.on_face(&place, &here);
     let level = DVec3::Z.cross(site.face.normal);
     let [u, v] = [site.face.tangent.dot(level), site.face.bitangent.dot(level)];
-    [here.gap, here.at.x * u + here.at.y * v]
+    [here.gap, at.x * u + at.y * v]
 }
 
 /// Least gap of a pair's nodes before the faces they are declared with \[m\].

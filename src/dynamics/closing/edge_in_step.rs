@@ -2,7 +2,7 @@
 //! second derivative, at a crossing that is a contact point.
 //!
 //! The lines of two edges meet at many times at which the edges do not: a crossing of 0 beside the edges, at a corner
-//! that is inside the polygon, or by a slide along tilted faces that part is passed over, and the gap has to be positive again before the next one.
+//! that is inside the polygon is passed over, and the gap has to be positive again before the next one.
 
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
@@ -35,11 +35,41 @@ pub(super) fn search(
     if edge.is_clear(&before, reach) {
         return (None, None);
     }
+    let first = with_sense(world, contact, samples, (before.sense(), armed));
+    // The sign of the gap of two lines changes where they pass through parallel.
+    if (before.inset[1] - before.inset[0]).abs() > 2.0 * reach {
+        return first;
+    }
+    samples.fill(world);
+    let turned = -before.sense();
+    if (1..times.len()).all(|i| ends_at(samples, i).sense() != turned) {
+        return first;
+    }
+    let (closing, _) = with_sense(world, contact, samples, (turned, true));
+    (first.0.into_iter().chain(closing).reduce(f64::min), first.1)
+}
+
+/// The same with one sign of the gap.
+fn with_sense(
+    world: &World,
+    contact: usize,
+    samples: &mut StepSamples,
+    (sense, armed): (f64, bool),
+) -> (Option<f64>, Option<f64>) {
+    let times = samples.times;
+    let [t, until] = [times[0], times[times.len() - 1]];
+    let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return (None, None) };
+    let ends_at = |samples: &StepSamples, i: usize| {
+        let [node, face] = samples.sides(world, contact, i);
+        edge.ends(node, face)
+    };
+    let before = ends_at(samples, 0);
+    let (slots, arms) = (world.contacts[contact].slots, levers(world, contact, samples));
     let resolution = resolution(world, contact, t) * edge.amplification(&before).max(1.0);
-    let [gap, rate] = edge.gap(&before);
+    let [gap, rate] = edge.gap(&before, sense);
     let error = rate_error(world, contact, samples.sides(world, contact, 0)) * edge.amplification(&before).max(1.0);
     let closes_now = armed && gap.abs() <= resolution && rate < -error;
-    if closes_now && begins(world, contact, t) {
+    if closes_now && begins(world, contact, sense, t) {
         return (Some(t), None);
     }
     // A gap that is negative, or falls through 0 now beside the edges, was passed over.
@@ -67,7 +97,7 @@ pub(super) fn search(
         let part = GapCurvature::of(world, pair, from.t, to);
         if part.holds(to - from.t) { bound(&part, &ends(from.t), to - from.t) } else { f64::INFINITY }
     };
-    let gap_at = |at: f64| sample(edge, &ends(at), at);
+    let gap_at = |at: f64| sample((edge, sense), &ends(at), at);
     let rate_error_at = |at: f64| {
         let [node, face] = poses_at(world, contact, at);
         rate_error(world, contact, [&node, &face])
@@ -75,14 +105,14 @@ pub(super) fn search(
     let interval = CLOSING_INTERVAL * world.pairs[world.contacts[contact].pair].simultaneity;
     samples.fill(world);
     let mut gaps: Vec<GapSample> =
-        times.iter().enumerate().map(|(i, &at)| sample(edge, &ends_at(samples, i), at)).collect();
+        times.iter().enumerate().map(|(i, &at)| sample((edge, sense), &ends_at(samples, i), at)).collect();
     let (mut armed, mut rearmed) = (armed, None);
     loop {
         let mut subdivision = Subdivision::new((gap_at, curvature, rate_error_at), armed, resolution, interval);
         let closing = subdivision.first_closing(&gaps);
         rearmed = rearmed.or(subdivision.rearmed_at());
         match closing {
-            Some(at) if !begins(world, contact, at) => {
+            Some(at) if !begins(world, contact, sense, at) => {
                 armed = false;
                 gaps = std::iter::once(gap_at(at)).chain(gaps.into_iter().filter(|sample| sample.t > at)).collect();
             }
@@ -91,19 +121,20 @@ pub(super) fn search(
     }
 }
 
-fn sample(edge: &Edge, here: &EdgeEnds, t: f64) -> GapSample {
-    let [gap, rate] = edge.gap(here);
+fn sample((edge, sense): (&Edge, f64), here: &EdgeEnds, t: f64) -> GapSample {
+    let [gap, rate] = edge.gap(here, sense);
     GapSample { t, gap, rate }
 }
 
-/// Whether a contact begins where the lines of the edges meet: at a contact point, with a node that enters the face. A
-/// node that slides along a tilted face moves out of it while the crossing moves in.
-fn begins(world: &World, contact: usize, t: f64) -> bool {
+/// Whether a contact begins where the lines of the edges meet: at a contact point, with a gap of this sign, and with a
+/// distance of the lines that falls.
+fn begins(world: &World, contact: usize, sense: f64, t: f64) -> bool {
     let Some(edge) = world.model.contacts[world.contacts[contact].site].edge.as_deref() else { return false };
     let [node, face] = poses_at(world, contact, t);
+    let ends = edge.ends(&node, &face);
     let crossing = contact_points::crossing(world, contact, &|other| poses_at(world, other, t));
-    let rate = crossing.map_or(0.0, |crossing| crossing.gap_rate(&edge.ends(&node, &face)));
-    rate < -rate_error(world, contact, [&node, &face])
+    let rate = crossing.map_or(0.0, |crossing| edge.distance_rate(&crossing, &ends));
+    ends.sense() == sense && rate < -rate_error(world, contact, [&node, &face])
 }
 
 /// Bounds on the distances of the ends of a contact's edge from G of its own body and of the face's \[m\].

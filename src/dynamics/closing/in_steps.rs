@@ -30,7 +30,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
     if corners_stay && edges_stay {
         return f64::INFINITY;
     }
-    let moved = if edges_stay { 0.0 } else { edges_moved(world, pair, &samples) };
+    let moved = if edges_stay { [0.0; 2] } else { edges_moved(world, pair, &samples) };
     let mut first = f64::INFINITY;
     for contact in contacts {
         let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
@@ -49,15 +49,18 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
 }
 
 /// Bound on the displacement, from where they were placed, of points of the edges of a pair's bodies relative to each other
-/// until the last sample time \[m\].
-fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> f64 {
+/// until the last sample time \[m\], and on that of unit vectors \[–\].
+fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> [f64; 2] {
     let PairTrack { slots, contacts, .. } = &world.pairs[pair];
     let lever = |c: usize| world.contacts[c].geometry.arm.max(world.contacts[c].geometry.apart);
     let arm = contacts.clone().filter(|&c| is_edge(world, c)).map(lever).fold(0.0, f64::max);
     let bodies = || slots.iter().flatten().copied();
     let moved: f64 = bodies().map(|slot| samples.side(Some(slot), 0).moved(arm)).sum();
+    let turned: f64 = bodies().map(|slot| samples.side(Some(slot), 0).chord()).sum();
     let [t, until] = [samples.times[0], samples.times[STEP_SAMPLES - 1]];
-    moved + bodies().map(|slot| excursion(world, slot, arm + moved, t, until)).sum::<f64>()
+    let on: f64 = bodies().map(|slot| excursion(world, slot, arm + moved, t, until)).sum();
+    // The excursion at a lever is at least the rotation times the lever.
+    [moved + on, turned + on / arm]
 }
 
 fn is_edge(world: &World, contact: usize) -> bool {
@@ -96,7 +99,8 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
         return Some(true);
     }
     let [gap, rate] = if let Some(edge) = &world.model.contacts[world.contacts[contact].site].edge {
-        edge.gap(&edge.ends(&world.side(contact, 0, t), &world.side(contact, 1, t)))
+        let ends = edge.ends(&world.side(contact, 0, t), &world.side(contact, 1, t));
+        edge.gap(&ends, ends.sense())
     } else {
         let here = local_at(world, contact, t);
         [here.gap, here.gap_rate]

@@ -126,7 +126,7 @@ impl AtInstant<'_> {
     /// Position and velocity of a node relative to its face, poses relative to the placed poses.
     pub(in crate::dynamics) fn local(&self, contact: usize) -> Local {
         let track = &self.world.contacts[contact];
-        let home = self.world.model.contacts[track.site].home_at(track.shift);
+        let home = self.world.model.contacts[track.site].home_at(&track.place);
         let [node, face] = self.sides(contact);
         locate(&home, &node, &face)
     }
@@ -136,7 +136,7 @@ impl AtInstant<'_> {
     pub(in crate::dynamics) fn since(&self, contact: usize, frames: &[Frame]) -> (Home, [Frame; 2], Local) {
         let track = &self.world.contacts[contact];
         let bases = track.slots.map(|slot| self.now.base(slot));
-        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], track.shift, bases);
+        let home = reference_pose::seen_from(&self.world.model.contacts[track.site], &track.place, bases);
         let sides = [0, 1].map(|which| self.side(contact, which, frames));
         (home, sides, locate(&home, &sides[0], &sides[1]))
     }
@@ -162,8 +162,9 @@ impl AtInstant<'_> {
 
     /// Outward unit normal of a contact's face.
     pub(in crate::dynamics) fn normal(&self, contact: usize) -> DVec3 {
-        let site = &self.world.model.contacts[self.world.contacts[contact].site];
-        self.side(contact, 1, &self.now.frames).turn(site.home.axes.z_axis)
+        let track = &self.world.contacts[contact];
+        let home = self.world.model.contacts[track.site].home_at(&track.place);
+        self.side(contact, 1, &self.now.frames).turn(home.axes.z_axis)
     }
 
     /// Whether the node is in contact with another of its faces; a node touches one face at a time.

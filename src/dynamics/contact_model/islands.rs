@@ -89,7 +89,7 @@ pub(in crate::dynamics) fn assemble(
             let closed = *track.state.closed()?;
             let [node, face] = track.slots.map(index);
             let sides = [node, face].map(|i| bases.get(i?));
-            let home = reference_pose::seen_from(&world.model.contacts[track.site], closed.shift, sides);
+            let home = reference_pose::seen_from(&world.model.contacts[track.site], &closed.place, sides);
             Some((
                 contact,
                 ActiveContact { site: track.site, node, face, sections: [0; 2], closed, home, angle: None, depth: 0.0 },

@@ -6,6 +6,7 @@
 
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::at_instant::AtInstant;
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::scene::facing::{Side, SolidId};
 
 /// Depths are alike up to this ratio. Chosen: of ends that stand flush they differ by the angle between them alone.
@@ -98,7 +99,7 @@ impl AtInstant<'_> {
             return None;
         }
         let inside = |other: &&LeastOverlap| {
-            let is_before = self.site(other.contact).beyond(&self.local(other.contact)) < 0.0;
+            let is_before = self.site(other.contact).beyond(&NodePlace::default(), &self.local(other.contact)) < 0.0;
             other.contact != contact && other.depth <= ALIKE * least.depth && is_before
         };
         Some(overlaps.iter().find(inside).copied().unwrap_or(least))

@@ -1,12 +1,13 @@
 //! Transitions between the states open, stick and slip of a contact at an event (`docs/physics.md#contact-events`).
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::contact::{FrictionLaw, Mode};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::model::reference_pose;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::penalty3d::due::Reason;
@@ -50,13 +51,13 @@ impl Transitions<'_> {
         let track = &mut self.world.contacts[contact];
         let way = match state {
             // The origin is kept as long as the node is the same.
-            Contact::Closed(now) if track.state.closed().is_some_and(|before| before.shift == now.shift) => {
+            Contact::Closed(now) if track.state.closed().is_some_and(|before| before.place == now.place) => {
                 track.log.way()
             }
             // Without friction there is no tangential spring and no anchor.
             Contact::Closed(now) if now.law.has_friction() => {
                 let bases = track.slots.map(|slot| self.now.base(slot));
-                reference_pose::way_to(&self.world.model.contacts[track.site], track.shift, bases)
+                reference_pose::way_to(&self.world.model.contacts[track.site], &track.place, bases)
             }
             _ => DVec2::ZERO,
         };
@@ -105,17 +106,19 @@ impl Transitions<'_> {
         false
     }
 
-    /// Places an edge node at the present crossing.
-    pub(super) fn place(&mut self, contact: usize) {
-        self.world.contacts[contact].shift = self.crossing(contact).unwrap_or(DVec3::ZERO);
+    /// Places an edge node at the present crossing, up to `beyond` beyond the ends of the edges, where it may go on as far
+    /// again \[m\].
+    pub(super) fn place(&mut self, contact: usize, beyond: f64) {
+        let place = self.crossing(contact, beyond).unwrap_or_default();
+        self.world.contacts[contact].place = NodePlace { overhang: place.overhang + beyond, ..place };
     }
 
-    /// Place of an edge node at the present crossing, from the middle of its edge as placed \[m\]; `None` for a corner
-    /// and where the edges do not cross.
-    pub(super) fn crossing(&self, contact: usize) -> Option<DVec3> {
+    /// Place of an edge node at the present crossing; `None` for a corner and where the edges cross more than `beyond` beyond
+    /// their ends \[m\].
+    pub(super) fn crossing(&self, contact: usize, beyond: f64) -> Option<NodePlace> {
         let edge = self.at().edge(contact)?;
         let [node, face] = self.at().sides(contact);
-        Some(edge.shift(&edge.crossing(&edge.ends(&node, &face), edge.tolerance())?))
+        Some(edge.place(&edge.crossing([&node, &face], edge.tolerance() + beyond)?))
     }
 
     /// Closing of a contact in stick or slip (`docs/physics.md#closing`); of bodies that have met, by the face of their least
@@ -138,7 +141,7 @@ impl Transitions<'_> {
 
     /// Closing of a contact whose node is at its face.
     fn close_at_face(&mut self, contact: usize) {
-        self.place(contact);
+        self.place(contact, 0.0);
         let (.., here) = self.at().since(contact, &self.now.since);
         let law = contact_law::of(self.world, contact, self.now);
         let (mut tangential, mut normal) = here.relative_velocity(DVec2::ZERO);
@@ -147,8 +150,8 @@ impl Transitions<'_> {
         }
         let mode = law.on_closing(&here, tangential, normal);
         let regularisation = self.at().regularisation_length(contact, &law, &here);
-        let shift = self.world.contacts[contact].shift;
-        let closed = ClosedContact { shift, ..ClosedContact::new(law, mode, regularisation) };
+        let place = self.world.contacts[contact].place;
+        let closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
         let kind = match mode {
             Mode::Stick { .. } => EventKind::OpenToStick,
             Mode::Slip { .. } => EventKind::OpenToSlip,
@@ -186,8 +189,8 @@ impl Transitions<'_> {
             let (sliding, _) = here.relative_velocity(DVec2::ZERO);
             Mode::Slip { direction: sliding.try_normalize().unwrap_or(DVec2::X) }
         };
-        let shift = self.world.contacts[contact].shift;
-        let mut closed = ClosedContact { shift, ..ClosedContact::new(law, mode, regularisation) };
+        let place = self.world.contacts[contact].place;
+        let mut closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
         closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
         closed
     }
@@ -209,7 +212,7 @@ impl Transitions<'_> {
                 if !self.at().is_over(contact) {
                     continue;
                 }
-                self.place(contact);
+                self.place(contact, 0.0);
             }
             let here = self.at().local(contact);
             let site = &self.world.model.contacts[self.world.contacts[contact].site];
@@ -217,7 +220,7 @@ impl Transitions<'_> {
                 continue;
             }
             // An edge node is at its crossing.
-            let inside = site.beyond(&here) < 0.0;
+            let inside = site.beyond(&self.world.contacts[contact].place, &here) < 0.0;
             let inside = inside && self.at().is_opposed_most(contact) && !self.at().touches_elsewhere(contact);
             let state = if inside && self.at().begins_inside_by(contact) {
                 Contact::Closed(self.closed_inside(contact))
@@ -251,7 +254,7 @@ impl Transitions<'_> {
         };
         if least.contact == contact {
             let site = &self.world.model.contacts[self.world.contacts[contact].site];
-            closed.solver.kept = 2.0 * site.beyond(&self.at().local(contact)).max(least.depth);
+            closed.solver.kept = 2.0 * site.beyond(&closed.place, &self.at().local(contact)).max(least.depth);
             self.enter_without_event(contact, closed);
             return;
         }
@@ -265,7 +268,7 @@ impl Transitions<'_> {
     }
 
     fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
-        self.world.contacts[contact].shift = closed.shift;
+        self.world.contacts[contact].place = closed.place;
         let (.., here) = self.at().since(contact, &self.now.since);
         let released = closed.law.strain(&here, &closed.forces(&here));
         self.log(contact, Contact::Open { armed: kind == EventKind::Opened }, kind, released);

@@ -2,11 +2,13 @@
 //! crossing, a corner that slides out over a side leaves a crossing behind, a crossing that passes a corner leaves the
 //! corner. Nodes keep the penetration and the stretch of those before them, so that no energy appears.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::contact::{Local, Mode};
+use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::transitions::Transitions;
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
@@ -25,12 +27,13 @@ impl Transitions<'_> {
     /// Moves an edge node that the slide has parted from the crossing to the present one; whether there is a crossing.
     pub(super) fn follow(&mut self, contact: usize, closed: ClosedContact) -> bool {
         let here = self.here(contact);
-        let track = &self.world.contacts[contact];
-        let depth = self.world.model.contacts[track.site].face.depth;
+        let depth = self.site(contact).face.depth;
         let slid = self.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
-        let Some(shift) = self.crossing(contact).filter(|_| slid) else { return false };
+        let kept = closed.place.overhang;
+        let Some(place) = self.crossing(contact, kept).filter(|_| slid) else { return false };
+        let place = NodePlace { overhang: place.overhang.max(kept), ..place };
         let before = closed.law.strain(&here, &closed.forces(&here));
-        self.enter(contact, (closed, EventKind::Moved), (shift, here.penetration(), stretch(&closed, &here)), before);
+        self.enter(contact, (closed, EventKind::Moved), (place, here.penetration(), stretch(&closed, &here)), before);
         true
     }
 
@@ -41,11 +44,14 @@ impl Transitions<'_> {
         if pair.edges.is_empty() {
             return;
         }
-        let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, &|c| self.at().sides(c));
-        nodes.retain(|&node| self.world.contacts[node].state.closed().is_some() || self.can_enter(node));
-        if nodes.is_empty() {
+        // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
+        let apart = self.here(contact).penetration().max(0.0) * self.tilt(contact);
+        let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
+        let Some([nodes, gone]) =
+            reaches.map(|reach| self.at_vertex_of(contact, reach)).find(|[nodes, _]| !nodes.is_empty())
+        else {
             return;
-        }
+        };
         let sharers = self.world.contacts[contact].sharers;
         let kept = nodes.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
         let left = gone.iter().filter_map(|&node| Some((node, *self.world.contacts[node].state.closed()?)));
@@ -56,6 +62,10 @@ impl Transitions<'_> {
             Sharing::PerNode => sharers,
         };
         let carried = self.carried(&before, nodes.len() as f64 / divisor as f64);
+        // Deeper than the body is there is no contact.
+        if nodes.iter().any(|&node| self.site(node).face.depth <= carried.depth) {
+            return;
+        }
         for gone in gone {
             let Some(state) = self.world.contacts[gone].state.closed().copied() else { continue };
             let released = self.strain(gone, &state);
@@ -65,6 +75,25 @@ impl Transitions<'_> {
             self.world.contacts[node].sharers = divisor;
             self.carry(node, (contact, closed), &carried);
         }
+    }
+
+    /// The nodes that are at the vertex that a node has left, closed or about to be, and closed ones that are there no more;
+    /// see [`contact_points::at_vertex_of`].
+    fn at_vertex_of(&mut self, contact: usize, [extra, beyond]: [f64; 2]) -> [Vec<usize>; 2] {
+        let poses = |c: usize| self.at().sides(c);
+        let [mut nodes, gone] = contact_points::at_vertex_of(self.world, contact, [extra, beyond], &poses);
+        nodes.retain(|&node| self.world.contacts[node].state.closed().is_some() || self.can_enter(node, beyond));
+        [nodes, gone]
+    }
+
+    /// Sine of the angle between the two faces of a contact's pair \[–\]; 0 without edges.
+    fn tilt(&self, contact: usize) -> f64 {
+        let contacts = self.world.pairs[self.world.contacts[contact].pair].contacts.clone();
+        let tilt = |c: usize| {
+            let [node, face] = self.at().sides(c);
+            Some(self.at().edge(c)?.tilt([&node, &face]))
+        };
+        contacts.rev().find_map(tilt).unwrap_or(0.0)
     }
 
     /// Penetration and stretch at which nodes of `parts` in K together have the strain energy of those in `before`, of
@@ -85,10 +114,10 @@ impl Transitions<'_> {
         let law = contact_law::of(self.world, node, self.now);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
         if let Some(own) = self.world.contacts[node].state.closed().copied() {
-            let (shift, stretch) = (self.world.contacts[node].shift, stretch(&own, &self.here(node)));
+            let (place, stretch) = (self.world.contacts[node].place, stretch(&own, &self.here(node)));
             let energy = self.strain(node, &own);
             let closed = ClosedContact { law, ..own };
-            self.enter(node, (closed, EventKind::Moved), (shift, carried.depth, at(stretch)), energy);
+            self.enter(node, (closed, EventKind::Moved), (place, carried.depth, at(stretch)), energy);
             return;
         }
         let along = match before.mode {
@@ -102,37 +131,40 @@ impl Transitions<'_> {
                 (Mode::Slip { direction: along.try_normalize().unwrap_or(DVec2::X) }, EventKind::OpenToSlip)
             }
         };
-        self.place(node);
         let regularisation = self.at().regularisation_length(node, &law, &self.here(node));
         let closed = ClosedContact::new(law, mode, regularisation);
         self.world.contacts[node].closing = None;
-        let shift = self.world.contacts[node].shift;
-        self.enter(node, (closed, kind), (shift, carried.depth, at(along)), 0.0);
+        let place = self.world.contacts[node].place;
+        self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);
     }
 
-    /// Enters a closed state of a node at `shift`, displaced along the normal to a penetration \[m\], in stick with a
+    /// Enters a closed state of a node at a place, displaced along the normal to a penetration \[m\], in stick with a
     /// stretch \[m\]; its springs had the energy `before` \[J\].
     fn enter(
         &mut self,
         contact: usize,
         (closed, kind): (ClosedContact, EventKind),
-        (shift, depth, stretch): (DVec3, f64, DVec2),
+        (place, depth, stretch): (NodePlace, f64, DVec2),
         before: f64,
     ) {
-        self.world.contacts[contact].shift = shift;
-        let [node, face] = self.at().sides(contact);
-        let axes = self.world.model.contacts[self.world.contacts[contact].site].home.axes;
-        let outwards = face.turn(axes.z_axis) * (self.here(contact).penetration() - depth);
-        let shift = shift + outwards + node.turned.transpose() * outwards;
-        self.world.contacts[contact].shift = shift;
+        self.world.contacts[contact].place = place;
+        let [node, _] = self.at().sides(contact);
+        let outwards = self.at().normal(contact) * (self.here(contact).penetration() - depth);
+        let shift = place.shift + outwards + node.turned.transpose() * outwards;
+        let place = NodePlace { shift, ..place };
+        self.world.contacts[contact].place = place;
         let here = self.here(contact);
         let mode = match closed.mode {
             Mode::Stick { .. } => Mode::Stick { anchor: here.way - stretch },
             slip @ Mode::Slip { .. } => slip,
         };
-        let closed = ClosedContact { mode, shift, ..closed };
+        let closed = ClosedContact { mode, place, ..closed };
         let released = before - self.strain(contact, &closed);
         self.log(contact, Contact::Closed(closed), kind, released);
+    }
+
+    fn site(&self, contact: usize) -> &ContactSite {
+        &self.world.model.contacts[self.world.contacts[contact].site]
     }
 
     /// Node relative to face, from the reference poses.
@@ -140,10 +172,10 @@ impl Transitions<'_> {
         self.at().since(contact, &self.now.since).2
     }
 
-    /// Whether an open node, an edge node at the present crossing, is behind its face and not behind the body.
-    fn can_enter(&mut self, contact: usize) -> bool {
-        self.place(contact);
-        let depth = self.world.model.contacts[self.world.contacts[contact].site].face.depth;
+    /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its face and not behind the body.
+    fn can_enter(&mut self, contact: usize, beyond: f64) -> bool {
+        self.place(contact, beyond);
+        let depth = self.site(contact).face.depth;
         (0.0..depth).contains(&self.here(contact).penetration())
     }
 

@@ -16,7 +16,7 @@ use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 /// What a planar girder's nodes are called after it.
 const CORNERS: [&str; 4] = [".corner0", ".corner1", ".corner2", ".corner3"];
 /// A backwall's corners are declared when they are less than this part of the girder's end beside that end.
-pub(super) const OVERHANG: f64 = 0.75;
+const OVERHANG: f64 = 0.75;
 
 /// A node of a side.
 struct Node {

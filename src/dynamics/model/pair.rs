@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::{edge_slack, outside};
 use crate::contact::{Frame, Home, Law, Local};
-use crate::dynamics::model::edge_node::Edge;
+use crate::dynamics::model::edge_node::{Edge, NodePlace};
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
 
@@ -102,10 +102,22 @@ impl CornerFaces {
 }
 
 impl ContactSite {
-    /// Node and face as placed, the node at `shift` from the site's \[m\], world axes as placed.
+    /// Node and face as placed, the node at a place of its own.
     #[inline]
-    pub fn home_at(&self, shift: DVec3) -> Home {
-        if shift == DVec3::ZERO { self.home } else { self.home.shifted(shift) }
+    pub fn home_at(&self, place: &NodePlace) -> Home {
+        match &self.edge {
+            Some(edge) => edge.home(&self.home, place),
+            None if place.shift == DVec3::ZERO => self.home,
+            None => self.home.shifted(place.shift),
+        }
+    }
+
+    /// Projection of a node at its place in the coordinates of the face \[m\].
+    pub fn on_face(&self, place: &NodePlace, here: &Local) -> DVec2 {
+        match &self.edge {
+            Some(edge) if place.normal != DVec3::ZERO => edge.to_face(here.at),
+            _ => here.at,
+        }
     }
 
     /// Half the length of the edge that the node is on; 0 for a corner \[m\].
@@ -113,14 +125,14 @@ impl ContactSite {
         self.edge.as_ref().map_or(0.0, |edge| 0.5 * edge.length())
     }
 
-    /// How far a node is beyond the edges of its face, or beyond the face's body behind; negative within \[m\]; of
+    /// How far a node at its place is beyond the edges of its face, or beyond the face's body behind; negative within \[m\]; of
     /// an edge node, how far it is from the crossing beyond the distance at which it is moved.
     ///
     /// Without [`around`](Self::around) the polygon's edges count, for the projection; with it the planes of the neighbouring
     /// faces, for the node itself: at the end of a skewed girder a node that is over the edge may still be in the girder.
-    pub fn beyond(&self, here: &Local) -> f64 {
+    pub fn beyond(&self, place: &NodePlace, here: &Local) -> f64 {
         if let Some(edge) = &self.edge {
-            return edge.left(here.at).max(here.penetration() - self.face.depth);
+            return edge.left(place, here.at).max(here.penetration() - self.face.depth);
         }
         let Some(normals) = &self.around else {
             return outside(&self.face, here.at).max(here.penetration() - self.face.depth);

@@ -8,6 +8,7 @@
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::contact::{Frame, Home, locate, turned_by};
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::model::pair::ContactSite;
 
 /// A place and attitude, and what is counted from it.
@@ -88,19 +89,19 @@ impl ReferencePose {
     }
 }
 
-/// Node, at `shift` from its site's, and face of a contact as if they had been placed where the bases of their bodies
+/// Node, at its place, and face of a contact as if they had been placed where the bases of their bodies
 /// are; an abutment stands.
-pub(crate) fn seen_from(site: &ContactSite, shift: DVec3, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
-    site.home_at(shift).seen_from(&pose(site, node), &pose(site, face))
+pub(crate) fn seen_from(site: &ContactSite, place: &NodePlace, [node, face]: [Option<&ReferencePose>; 2]) -> Home {
+    site.home_at(place).seen_from(&pose(site, node), &pose(site, face))
 }
 
-/// Displacement of the node, at `shift` from its site's, along the face at the reference poses, since placed \[m\].
+/// Displacement of the node, at its place, along the face at the reference poses, since placed \[m\].
 pub(in crate::dynamics) fn way_to(
     site: &ContactSite,
-    shift: DVec3,
+    place: &NodePlace,
     [node, face]: [Option<&ReferencePose>; 2],
 ) -> DVec2 {
-    locate(&site.home_at(shift), &pose(site, node), &pose(site, face)).way
+    locate(&site.home_at(place), &pose(site, node), &pose(site, face)).way
 }
 
 fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
@@ -111,6 +112,7 @@ fn pose(site: &ContactSite, base: Option<&ReferencePose>) -> Frame {
 mod tests {
     use super::*;
     use crate::dynamics::Model;
+    use crate::dynamics::model::edge_node::NodePlace;
     use crate::scene::{Kind, presets};
 
     fn model(name: &str) -> Model {
@@ -168,7 +170,7 @@ mod tests {
             let mut since = away(model.kind);
             let base = body.rebase(&mut since);
             let bases = [site.node_body, site.face_body].map(|owner| owner.map(|_| &base));
-            let home = seen_from(site, DVec3::ZERO, bases);
+            let home = seen_from(site, &NodePlace::default(), bases);
             let look = |state: &[f64]| {
                 let own = body.frame_since(0, state);
                 let whole = base.whole(&own);
@@ -183,7 +185,7 @@ mod tests {
             assert!((end.at - far_end.at).length() < 1e-13, "{name}: {end:?} against {far_end:?}");
             assert!((end.gap_rate - far_end.gap_rate).abs() < 1e-15, "{name}: {end:?} against {far_end:?}");
             assert!((end.rate - far_end.rate).length() < 1e-15, "{name}: {end:?} against {far_end:?}");
-            let way = way_to(site, DVec3::ZERO, bases);
+            let way = way_to(site, &NodePlace::default(), bases);
             assert!((start.way + way - far_start.way).length() < 1e-15, "{name}: ways add up");
             // A thousandth of the last digit of where the body is.
             let least = 1e-3 * f64::EPSILON * 0.43;

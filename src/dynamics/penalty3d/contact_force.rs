@@ -27,7 +27,7 @@ pub struct Action {
 /// Forces of a closed contact, poses relative to the placed poses.
 #[inline]
 pub fn act(site: &ContactSite, closed: &ClosedContact, node: &Frame, face: &Frame) -> Action {
-    act_in(&site.home_at(closed.shift), closed, &closed.mode, node, face)
+    act_in(&site.home_at(&closed.place), closed, &closed.mode, node, face)
 }
 
 /// Forces of a closed contact in the mode `mode`, poses relative to those of `home`.

@@ -50,7 +50,7 @@ pub(in crate::dynamics) fn decay(
 ) -> f64 {
     let mut sums = vec![0.0; bodies.len()];
     for a in active {
-        let home = model.contacts[a.site].home_at(a.closed.shift);
+        let home = model.contacts[a.site].home_at(&a.closed.place);
         let [node, face] = model.sections(a.site);
         for (side, point) in [(a.node, (node, home.arm)), (a.face, (face, home.lever))] {
             if let Some(i) = side {

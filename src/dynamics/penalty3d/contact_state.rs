@@ -1,8 +1,7 @@
 //! State of a contact (`docs/physics.md#contact-events`), and the forces of a closed one.
 
-use glam::DVec3;
-
 use crate::contact::{Forces, FrictionLaw, Law, Local, Mode};
+use crate::dynamics::model::edge_node::NodePlace;
 
 /// State of a contact with all quantities that its forces depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +25,8 @@ pub struct ClosedContact {
     pub mode: Mode,
     /// Law with `clamp` while the damping force exceeds the elastic one: the normal force is held at 0.
     pub held_at_zero: bool,
-    /// Place of an edge node from the middle of its edge as placed, world axes \[m\]; 0 for a corner.
-    pub shift: DVec3,
+    /// Where the node is and how the contact is directed.
+    pub place: NodePlace,
     /// State of the numerical method.
     pub solver: SolverState,
 }
@@ -52,7 +51,7 @@ impl ClosedContact {
     /// State of a contact at its closing.
     pub fn new(law: Law, mode: Mode, regularisation: f64) -> Self {
         let solver = SolverState { regularisation, ..SolverState::default() };
-        Self { law, mode, held_at_zero: false, shift: DVec3::ZERO, solver }
+        Self { law, mode, held_at_zero: false, place: NodePlace::default(), solver }
     }
 
     /// Forces on the node in the face's axes \[N\].

@@ -38,7 +38,7 @@ pub(in crate::dynamics) fn function(
     let active = &island.system.active[number];
     match reason {
         Reason::Opening => here.gap,
-        Reason::Edge => model.contacts[active.site].beyond(here) - active.closed.solver.kept,
+        Reason::Edge => model.contacts[active.site].beyond(&active.closed.place, here) - active.closed.solver.kept,
         Reason::Switching | Reason::Kink => {
             // A slip direction that turns is taken at `t`.
             let turned = active.angle.map(|_| island.closed_at(number, t));

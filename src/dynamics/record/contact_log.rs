@@ -1,10 +1,11 @@
 //! States of one contact over time as stored in a history: the law once per touch, vectors and origins once where
 //! they repeat.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::contact::{Law, Mode};
 use crate::dynamics::integrator::dense_output::DenseOutput;
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact, SolverState};
 
 /// A state, stored in twelve bytes.
@@ -28,8 +29,8 @@ struct Touch {
     law: u32,
     /// Origin of anchors: displacement of the node along the face from the placed to the reference poses \[m\].
     way: DVec2,
-    /// Place of an edge node from the middle of its edge as placed, world axes \[m\]; 0 for a corner.
-    shift: DVec3,
+    /// Where the node is and how the contact is directed.
+    place: NodePlace,
 }
 
 /// States of a contact in order of time, and the angle of its slip direction where that is a state of the integrator.
@@ -53,14 +54,14 @@ impl ContactLog {
     pub fn push(&mut self, from: f64, state: Contact, way: DVec2) {
         let kept = match state {
             Contact::Open { armed } => Kept::Open { armed },
-            Contact::Closed(ClosedContact { law, mode, held_at_zero, shift, solver }) => {
+            Contact::Closed(ClosedContact { law, mode, held_at_zero, place, solver }) => {
                 let SolverState { regularisation, passing_stop, .. } = solver;
                 if self.laws.last() != Some(&(law, regularisation)) {
                     self.laws.push((law, regularisation));
                 }
                 // Memory ends before a u32 overflows: four billion touches of one contact.
                 let last = |n: usize| u32::try_from(n - 1).unwrap_or(u32::MAX);
-                let touch = Touch { law: last(self.laws.len()), way, shift };
+                let touch = Touch { law: last(self.laws.len()), way, place };
                 if self.touches.last() != Some(&touch) {
                     self.touches.push(touch);
                 }
@@ -133,14 +134,14 @@ impl ContactLog {
         match kept {
             Kept::Open { armed } => Contact::Open { armed },
             Kept::Closed { touch, hold, passing_stop, held_at_zero } => {
-                let Touch { law, shift, .. } = self.touches[touch as usize];
+                let Touch { law, place, .. } = self.touches[touch as usize];
                 let (law, regularisation) = self.laws[law as usize];
                 let mode = match hold {
                     Hold::Stick(anchor) => Mode::Stick { anchor: self.vectors[anchor as usize] },
                     Hold::Slip(direction) => Mode::Slip { direction: self.vectors[direction as usize] },
                 };
                 let solver = SolverState { regularisation, passing_stop, retries: 0, kept: 0.0 };
-                Contact::Closed(ClosedContact { law, mode, held_at_zero, shift, solver })
+                Contact::Closed(ClosedContact { law, mode, held_at_zero, place, solver })
             }
         }
     }

@@ -269,7 +269,7 @@ fn active(
     let [node, face] = [site.node_body, site.face_body].map(index);
     let sides = [node, face].map(|i| bases.get(i?));
     let closed = past.logs[logged.site as usize].closed(logged.entry)?;
-    let home = reference_pose::seen_from(site, closed.shift, sides);
+    let home = reference_pose::seen_from(site, &closed.place, sides);
     let mut active = ActiveContact {
         site: logged.site as usize,
         node,

@@ -17,44 +17,54 @@ pub(in crate::dynamics) type Poses<'a> = &'a dyn Fn(usize) -> [Frame; 2];
 
 /// The crossing of an edge node, unless it is beside the edges or at a corner that is over the facing polygon.
 pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<'_>) -> Option<Crossing> {
-    let (crossing, at) = edge_vertex(world, contact, poses, 1.0)?;
+    let (crossing, at) = edge_vertex(world, contact, poses, slack(world, contact))?;
     is_free(world, contact, at, poses, 1.0).then_some(crossing)
 }
 
 /// Number of vertices of the polygon at which a pair touches, and for each of its contacts the number of nodes at its
-/// vertex. A node that is at no vertex counts alone, an edge node as one of two.
+/// vertex. A node that is at no vertex counts alone, one of two edge nodes as that.
 pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> (usize, Vec<usize>) {
     let contacts = world.pairs[pair].contacts.clone();
     let near = one_vertex(world, pair);
     let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, 1.0)?)));
     let mut vertices = gathered(corners, near);
-    let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, 1.0)?.1)));
+    let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, slack(world, c))?.1)));
     let free = crossings.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
     let crossings = gathered(free.collect::<Vec<_>>().into_iter(), near);
     vertices.extend(crossings);
     let nodes = |contact: usize| {
         let own = vertices.iter().find(|vertex| vertex.nodes.contains(&contact));
-        own.map_or(if is_edge(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
+        own.map_or(if is_shared(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
     };
     (vertices.len().max(1), contacts.map(nodes).collect())
 }
 
-/// The nodes at the vertex that the node of `contact` has left: those that are there, corners inside the facing polygon
+/// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
+/// crossing that is `beyond` beyond the ends of the edges \[m\]: those that are there, corners inside the facing polygon
 /// or crossings without one, and those in contact that are there no more.
-pub(in crate::dynamics) fn at_vertex_of(world: &World, contact: usize, poses: Poses<'_>) -> [Vec<usize>; 2] {
+pub(in crate::dynamics) fn at_vertex_of(
+    world: &World,
+    contact: usize,
+    [extra, beyond]: [f64; 2],
+    poses: Poses<'_>,
+) -> [Vec<usize>; 2] {
     let pair = world.contacts[contact].pair;
     let left = place(world, contact, poses);
-    let near = one_vertex(world, pair) + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
-    let here = |&c: &usize| {
+    let near = one_vertex(world, pair) + extra + if is_edge(world, contact) { slide(world, contact) } else { 0.0 };
+    let here = |c: usize| {
         let at = if is_edge(world, c) {
-            edge_vertex(world, c, poses, 0.0).map(|(_, at)| at).filter(|&at| is_free(world, c, at, poses, 0.0))
+            edge_vertex(world, c, poses, beyond).map(|(_, at)| at).filter(|&at| is_free(world, c, at, poses, 0.0))
         } else {
             corner_vertex(world, c, poses, 0.0)
         };
-        c != contact && at.is_some_and(|at| (at - left).length() <= near)
+        let distance = (at? - left).length();
+        (c != contact && distance <= near).then_some((c, distance))
     };
     let contacts = world.pairs[pair].contacts.clone();
-    let nodes: Vec<usize> = contacts.clone().filter(here).collect();
+    let all: Vec<(usize, f64)> = contacts.clone().filter_map(here).collect();
+    let nearest = all.iter().map(|(_, distance)| *distance).fold(f64::INFINITY, f64::min);
+    let counts = |&(c, distance): &(usize, f64)| (extra == 0.0 || distance == nearest).then_some(c);
+    let nodes: Vec<usize> = all.iter().filter_map(counts).collect();
     let gone = |&c: &usize| {
         let near = near + if is_edge(world, c) { slide(world, c) } else { 0.0 };
         let is_closed = world.contacts[c].state.closed().is_some();
@@ -77,11 +87,12 @@ fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance
 fn place(world: &World, contact: usize, poses: Poses<'_>) -> DVec2 {
     let track = &world.contacts[contact];
     let site = &world.model.contacts[track.site];
-    if is_of_first(world, contact) {
-        let [node, face] = poses(contact);
-        return locate(&site.home_at(track.shift), &node, &face).at;
+    if !is_of_first(world, contact) {
+        let corner = || on_second_face(world, contact, site.point);
+        return site.edge.as_ref().map_or_else(corner, |edge| edge.own_place(&track.place));
     }
-    site.edge.as_ref().map_or_else(|| on_second_face(world, contact, site.point), |edge| edge.own_place(track.shift))
+    let [node, face] = poses(contact);
+    site.on_face(&track.place, &locate(&site.home_at(&track.place), &node, &face))
 }
 
 /// Coordinates on the second side's face of a point of its body \[m\].
@@ -120,8 +131,18 @@ fn one_vertex(world: &World, pair: usize) -> f64 {
     ONE_VERTEX * sites.iter().map(|site| site.face.size()).fold(f64::INFINITY, f64::min)
 }
 
+/// Distance beyond the ends of edges and beside faces that is round-off \[m\].
+fn slack(world: &World, contact: usize) -> f64 {
+    edge_slack(&world.model.contacts[world.contacts[contact].site].face)
+}
+
 fn is_edge(world: &World, contact: usize) -> bool {
     world.model.contacts[world.contacts[contact].site].edge.is_some()
+}
+
+/// Whether an edge node is one of two at its crossing.
+fn is_shared(world: &World, contact: usize) -> bool {
+    world.model.contacts[world.contacts[contact].site].edge.as_ref().is_some_and(|edge| edge.is_shared())
 }
 
 /// Whether a node is of the pair's first side, against the face of the second.
@@ -145,14 +166,14 @@ fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, tolerance: f64
     Some(if is_of_first(world, contact) { at } else { on_second_face(world, contact, site.point) })
 }
 
-/// The crossing of an edge node to `tolerance` edge tolerances, and its place on the second side's face \[m\]; `None`
+/// The crossing of an edge node up to `beyond` beyond the ends of the edges \[m\], and its place on the second side's face \[m\]; `None`
 /// for a corner and for a crossing beside the edges.
-fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, tolerance: f64) -> Option<(Crossing, DVec2)> {
+fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> Option<(Crossing, DVec2)> {
     let site = &world.model.contacts[world.contacts[contact].site];
     let edge = site.edge.as_deref()?;
     let [node, face] = poses(contact);
-    let crossing = edge.crossing(&edge.ends(&node, &face), tolerance * edge_slack(&site.face))?;
-    Some((crossing, edge.place(&crossing, !is_of_first(world, contact))))
+    let crossing = edge.crossing([&node, &face], beyond)?;
+    Some((crossing, edge.on_face(&crossing, !is_of_first(world, contact))))
 }
 
 /// Poses of both bodies of a contact at `t` on the present trajectories.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::DVec3;
+use crate::dynamics::model::edge_node::NodePlace;
 
 use crate::contact::NormalLaw;
 use crate::dynamics::Model;
@@ -101,7 +101,7 @@ impl World {
             rivals: Vec::new(),
             state: Contact::Open { armed: true },
             sharers: 1,
-            shift: DVec3::ZERO,
+            place: NodePlace::default(),
             closing: None,
             rearmed_at: None,
             log: ContactLog::default(),

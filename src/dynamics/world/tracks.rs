@@ -1,7 +1,7 @@
 //! Bodies, facing pairs, links and contacts of one group during a run: present states, trajectories, and times found
 //! by searches.
 
-use glam::DVec3;
+use crate::dynamics::model::edge_node::NodePlace;
 
 use crate::dynamics::connection::Phase;
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
@@ -105,9 +105,8 @@ pub(in crate::dynamics) struct ContactTrack {
     pub state: Contact,
     /// Number by which the pair's K and C are divided for this node in the present touch \[–\].
     pub sharers: usize,
-    /// Place of an edge node at its last closing, from the middle of its edge as placed, world axes \[m\]; 0 for a
-    /// corner.
-    pub shift: DVec3,
+    /// Where the node is and how its contact is directed since its last closing.
+    pub place: NodePlace,
     /// Other contacts of the node, which touches one face at a time.
     pub rivals: Vec<usize>,
     /// Geometry of its site as placed.

@@ -187,8 +187,8 @@ impl Meeting<'_> {
             let [node, face] = self.history.sides(contact, t);
             // An edge node carries what overlaps at its crossing.
             let edge = self.history.model().contacts[contact].edge.as_ref();
-            let crossing = edge.map_or(f64::NEG_INFINITY, |edge| -edge.gap_at(&node, &face));
-            crossing.max(-before_face(self.history, contact, t)[0])
+            let crossing = edge.and_then(|edge| edge.distance(&node, &face));
+            crossing.map_or(f64::NEG_INFINITY, |distance| -distance).max(-before_face(self.history, contact, t)[0])
         };
         self.contacts.iter().copied().filter(closed).map(depth).reduce(f64::max)
     }
