@@ -120,14 +120,17 @@ fn a_spatial_scene_turned_by_any_angle_differs_by_no_more_than_its_tolerance_lea
         ("straight-straight", FrictionLaw::ReturnMapping),
     ] {
         for turn in [37.0, 90.0] {
+            let mut gyration = f64::INFINITY;
             let [[coarse, by_tolerance], [fine, _]] = [1e-10, 1e-12].map(|tolerance| {
                 let scene = in_space(name, law, tolerance);
                 let history = run(&scene);
                 let finer = run(&in_space(name, law, 1e-13));
+                gyration = history.model().bodies[0].gyration2.sqrt();
                 [apart_in_space(&history, &run(&turned_by(&scene, turn)), turn), apart_in_space(&history, &finer, 0.0)]
             });
-            for (what, k) in [("place", 0), ("theta", 1)] {
-                within(&format!("{name}, {law:?}, {turn}°: {what}"), coarse[k], 3.0 * by_tolerance[k] + 1e-13);
+            // An angle rounds as a place does, over the radius of gyration.
+            for (what, k, rounding) in [("place", 0, 1e-13), ("theta", 1, 1e-13 / gyration)] {
+                within(&format!("{name}, {law:?}, {turn}°: {what}"), coarse[k], 3.0 * by_tolerance[k] + rounding);
                 within(&format!("{name}, {law:?}, {turn}°: {what}, finer"), fine[k], 0.1 * coarse[k] + 1e-12);
             }
         }
