@@ -21,6 +21,8 @@ struct Carried {
     depth: f64,
     /// Length of the tangential stretch in stick \[m\].
     stretch: f64,
+    /// Distance beside its face up to which a corner is kept \[m\].
+    kept: f64,
 }
 
 impl Transitions<'_> {
@@ -47,8 +49,9 @@ impl Transitions<'_> {
         // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
         let apart = self.here(contact).penetration().max(0.0) * self.tilt(contact);
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
-        let Some([nodes, gone]) =
-            reaches.map(|reach| self.at_vertex_of(contact, reach)).find(|[nodes, _]| !nodes.is_empty())
+        let Some(([nodes, gone], beside)) = reaches
+            .map(|reach| (self.at_vertex_of(contact, reach), reach[1]))
+            .find(|([nodes, _], _)| !nodes.is_empty())
         else {
             return;
         };
@@ -61,7 +64,8 @@ impl Transitions<'_> {
             Sharing::Tributary => pair.sharers * nodes.len(),
             Sharing::PerNode => sharers,
         };
-        let carried = self.carried(&before, nodes.len() as f64 / divisor as f64);
+        // Where a node is beside its face, it may go on as far again.
+        let carried = Carried { kept: 2.0 * beside, ..self.carried(&before, nodes.len() as f64 / divisor as f64) };
         // Deeper than the body is there is no contact.
         if nodes.iter().any(|&node| self.site(node).face.depth <= carried.depth) {
             return;
@@ -105,7 +109,7 @@ impl Transitions<'_> {
             depth += part * here.penetration() * here.penetration();
             length += part * stretch(closed, &here).length_squared();
         }
-        Carried { depth: (depth / parts).sqrt(), stretch: (length / parts).sqrt() }
+        Carried { depth: (depth / parts).sqrt(), stretch: (length / parts).sqrt(), kept: 0.0 }
     }
 
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
@@ -132,7 +136,8 @@ impl Transitions<'_> {
             }
         };
         let regularisation = self.at().regularisation_length(node, &law, &self.here(node));
-        let closed = ClosedContact::new(law, mode, regularisation);
+        let mut closed = ClosedContact::new(law, mode, regularisation);
+        closed.solver.kept = if self.at().edge(node).is_some() { 0.0 } else { carried.kept };
         self.world.contacts[node].closing = None;
         let place = self.world.contacts[node].place;
         self.enter(node, (closed, kind), (place, carried.depth, at(along)), 0.0);

@@ -26,7 +26,7 @@ pub(in crate::dynamics) fn crossing(world: &World, contact: usize, poses: Poses<
 pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>) -> (usize, Vec<usize>) {
     let contacts = world.pairs[pair].contacts.clone();
     let near = one_vertex(world, pair);
-    let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, 1.0)?)));
+    let corners = contacts.clone().filter_map(|c| Some((c, corner_vertex(world, c, poses, slack(world, c))?)));
     let mut vertices = gathered(corners, near);
     let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, slack(world, c))?.1)));
     let free = crossings.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
@@ -40,7 +40,7 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
 }
 
 /// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
-/// crossing that is `beyond` beyond the ends of the edges \[m\]: those that are there, corners inside the facing polygon
+/// node that is `beyond` beyond the ends of its edges or beside its face \[m\]: those that are there, corners inside the facing polygon
 /// or crossings without one, and those in contact that are there no more.
 pub(in crate::dynamics) fn at_vertex_of(
     world: &World,
@@ -55,7 +55,7 @@ pub(in crate::dynamics) fn at_vertex_of(
         let at = if is_edge(world, c) {
             edge_vertex(world, c, poses, beyond).map(|(_, at)| at).filter(|&at| is_free(world, c, at, poses, 0.0))
         } else {
-            corner_vertex(world, c, poses, 0.0)
+            corner_vertex(world, c, poses, beyond)
         };
         let distance = (at? - left).length();
         (c != contact && distance <= near).then_some((c, distance))
@@ -78,8 +78,9 @@ pub(in crate::dynamics) fn at_vertex_of(
 fn is_free(world: &World, contact: usize, at: DVec2, poses: Poses<'_>, tolerance: f64) -> bool {
     let pair = world.contacts[contact].pair;
     let near = one_vertex(world, pair);
-    let is_at =
-        |c: usize| corner_vertex(world, c, poses, tolerance).is_some_and(|corner| (corner - at).length() <= near);
+    let is_at = |c: usize| {
+        corner_vertex(world, c, poses, tolerance * slack(world, c)).is_some_and(|corner| (corner - at).length() <= near)
+    };
     !world.pairs[pair].contacts.clone().any(is_at)
 }
 
@@ -151,16 +152,16 @@ fn is_of_first(world: &World, contact: usize) -> bool {
     track.slots[0] == world.pairs[track.pair].slots[0]
 }
 
-/// Place on the second side's face of a corner that is inside the facing polygon to `tolerance` edge tolerances \[m\];
-/// `None` for an edge node and for a corner beside it.
-fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, tolerance: f64) -> Option<DVec2> {
+/// Place on the second side's face of a corner that is inside the facing polygon or up to `beyond` beside it \[m\];
+/// `None` for an edge node and for a corner farther beside it.
+fn corner_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> Option<DVec2> {
     let site = &world.model.contacts[world.contacts[contact].site];
     if site.edge.is_some() {
         return None;
     }
     let [node, face] = poses(contact);
     let at = locate(&site.home, &node, &face).at;
-    if site.face.inset_at(at) < -tolerance * edge_slack(&site.face) {
+    if site.face.inset_at(at) < -beyond {
         return None;
     }
     Some(if is_of_first(world, contact) { at } else { on_second_face(world, contact, site.point) })
