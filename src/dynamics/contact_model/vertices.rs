@@ -177,7 +177,8 @@ impl Transitions<'_> {
         self.at().since(contact, &self.now.since).2
     }
 
-    /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its face and not behind the body.
+    /// Whether an open node, an edge node at the crossing up to `beyond` beyond the ends of the edges \[m\], is behind its
+    /// face and not behind the body.
     fn can_enter(&mut self, contact: usize, beyond: f64) -> bool {
         self.place(contact, beyond);
         let depth = self.site(contact).face.depth;

@@ -105,8 +105,8 @@ pub(in crate::dynamics) struct Crossing {
 }
 
 impl Edge {
-    /// The edge between `ends`, with their coordinates in the face that it bounds and the outward normal of that as placed, and the side of `face` from corner
-    /// `side` on.
+    /// The edge between `ends`, with their coordinates in the face that it bounds and the outward normal of that face as
+    /// placed, and the side of `face` from corner `side` on.
     pub(in crate::dynamics) fn of(
         ends: &[(Home, DVec2); 2],
         outward: DVec3,
