@@ -17,6 +17,7 @@ mod forces;
 mod friction_circle;
 mod friction_cone;
 pub mod gap;
+mod ground_caption;
 mod hiding;
 mod input;
 mod labels;

@@ -5,12 +5,12 @@ use glam::{DVec3, Vec2};
 use super::area::Area;
 use super::block::{Block, abutment_block};
 use super::gap::{Dimension, girder_block_at};
+use super::ground_caption::ground_caption;
 use super::labels::{BESIDE, Label, ON, Placer, text_size};
 use super::list::{ArrowKind, Mark};
 use super::moment::{Moment, period};
 use super::palette::Palette;
 use super::{ViewInput, forces::Forces, scale};
-use crate::scene::Motion as GroundMotion;
 
 /// Height of ordinary text \[points\].
 pub(super) const TEXT: f32 = 13.0;
@@ -51,7 +51,7 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
     let rows = [
         (title, TITLE, palette.ink, 0.0),
         (time_stamp(input, moment), 15.0, palette.ink, 29.0),
-        (shaking(input), TEXT, palette.faint_ink, 51.0),
+        (ground_caption(&input.scene.motion), TEXT, palette.faint_ink, 51.0),
         (factor, TEXT, palette.ink, 70.0),
     ];
     rows.into_iter()
@@ -76,29 +76,6 @@ fn time_stamp(input: &ViewInput<'_>, moment: &Moment) -> String {
     match period(input.scene) {
         Some(period) => format!("t = {t:.4} s  ·  {:.3} periods", t / period),
         None => format!("t = {t:.4} s"),
-    }
-}
-
-/// How the ground moves, in a line.
-fn shaking(input: &ViewInput<'_>) -> String {
-    let g = crate::scene::STANDARD_GRAVITY;
-    match &input.scene.motion {
-        GroundMotion::None => "no ground motion".to_owned(),
-        GroundMotion::Sine(s) => {
-            let amplitude = s.amplitude_g.or(s.amplitude.map(|a| a / g)).unwrap_or(0.0);
-            let (f, angle) = (scale::plain(s.frequency_hz), scale::plain(s.angle_deg));
-            let amplitude = if amplitude < 1e4 { format!("{amplitude:.2}") } else { scale::plain(amplitude) };
-            format!("ground: sine {amplitude} g, {f} Hz at {angle}°")
-        }
-        GroundMotion::Synthetic(s) => {
-            format!("ground: synthetic, {} g at {}°", scale::plain(s.peak_g), scale::plain(s.angle_deg))
-        }
-        GroundMotion::Record(r) if !r.components.is_empty() => {
-            format!("ground: record of {} components × {}", r.components.len(), scale::plain(r.scale))
-        }
-        GroundMotion::Record(r) => {
-            format!("ground: record × {} at {}°", scale::plain(r.scale), scale::plain(r.angle_deg))
-        }
     }
 }
 
