@@ -53,7 +53,7 @@
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
-//! | [`study`] | many runs: work against error, cost against size, random scenes |
+//! | [`study`] | many runs: work against error, cost against size, random scenes, sweeps over keys |
 //! | [`tables`] | an answer as CSV and JSON |
 //! | [`view`] | an answer as a list of things to draw |
 //! | `render` | draw lists as pixels, on or off screen (feature `render`) |

@@ -23,6 +23,7 @@ mod render;
 mod run;
 mod study;
 mod summary;
+mod sweep;
 
 use console::Console;
 use failure::Failure;
@@ -54,6 +55,7 @@ enum Command {
     Compare(compare::CompareArgs),
     Motion(motion::MotionArgs),
     Study(study::StudyArgs),
+    Sweep(sweep::SweepArgs),
     /// List the scenes that come with the program
     Presets,
     #[cfg(feature = "render")]
@@ -110,6 +112,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Compare(args)) => compare::run(&args, console),
         Some(Command::Motion(args)) => motion::run(&args, console),
         Some(Command::Study(args)) => study::run(&args, console),
+        Some(Command::Sweep(args)) => sweep::run(&args, console),
         Some(Command::Presets) => {
             presets::run(console);
             Ok(())

@@ -1,7 +1,7 @@
 //! Reads a scene by the name of a preset or by path, with everything it needs from the disk.
 
-use std::path::Path;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::read::{LARGEST_INPUT, ReadError, read_regular};
 use crate::motion::format::{Record, Supplement, read as read_bytes};
@@ -43,18 +43,60 @@ pub fn load_unsaved(path: &Path) -> Result<Scene, SceneErrors> {
 
 /// Reads the records that `motion.file` and those of its components name.
 fn load_record(scene: &mut Scene, folder: &Path, scene_file: &str) -> Result<(), SceneErrors> {
+    load_missing(scene, &mut |file, beside, place| load_one(&folder.join(file), beside, (scene_file, place)))
+}
+
+/// Reads a file of a record, with what is stated beside it, for a place in the scene's file.
+type ReadOne<'a> = dyn FnMut(&str, &Supplement, &str) -> Result<Arc<Record>, SceneErrors> + 'a;
+
+/// Has the records read that a scene names and that are not loaded.
+fn load_missing(scene: &mut Scene, read: &mut ReadOne<'_>) -> Result<(), SceneErrors> {
     let Motion::Record(record) = &mut scene.motion else { return Ok(()) };
-    let read = |file: &Option<String>, beside: Supplement, place: &str| {
-        let file = file.as_ref().map(|file| load_one(&folder.join(file), &beside, (scene_file, place)));
-        file.transpose()
-    };
-    record.loaded = read(&record.file, Supplement { dt: record.dt, unit: record.unit }, "motion.file")?;
-    let components = record.components.iter().enumerate().map(|(n, component)| {
-        let beside = Supplement { dt: component.dt, unit: component.unit };
-        read(&component.file, beside, &format!("motion.component[{n}].file"))
-    });
-    record.loaded_components = components.collect::<Result<_, _>>()?;
+    if let (None, Some(file)) = (&record.loaded, &record.file) {
+        let beside = Supplement { dt: record.dt, unit: record.unit };
+        record.loaded = Some(read(file, &beside, "motion.file")?);
+    }
+    record.loaded_components.resize(record.components.len(), None);
+    for (n, (component, loaded)) in record.components.iter().zip(&mut record.loaded_components).enumerate() {
+        if let (None, Some(file)) = (&loaded, &component.file) {
+            let beside = Supplement { dt: component.dt, unit: component.unit };
+            *loaded = Some(read(file, &beside, &format!("motion.component[{n}].file"))?);
+        }
+    }
     Ok(())
+}
+
+/// Records that scenes made from one name, each read once.
+#[derive(Debug)]
+pub struct Records {
+    /// Where their names are seen from.
+    folder: PathBuf,
+    read: Mutex<Vec<(String, Supplement, Arc<Record>)>>,
+}
+
+impl Records {
+    /// Of scenes made from the one called `name_or_path`.
+    pub fn beside(name_or_path: &Path) -> Self {
+        let preset = name_or_path.to_str().and_then(presets::get).is_some();
+        let folder = name_or_path.parent().filter(|_| !preset).unwrap_or(Path::new(""));
+        Self { folder: folder.to_owned(), read: Mutex::default() }
+    }
+
+    /// Reads the records that a scene names and that are not loaded.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or that is no record.
+    pub fn complete(&self, scene: &mut Scene) -> Result<(), SceneErrors> {
+        load_missing(scene, &mut |file, beside, place| {
+            let mut all = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some((_, _, known)) = all.iter().find(|(name, with, _)| name == file && with == beside) {
+                return Ok(Arc::clone(known));
+            }
+            let new = load_one(&self.folder.join(file), beside, ("scene", place))?;
+            all.push((file.to_owned(), *beside, Arc::clone(&new)));
+            Ok(new)
+        })
+    }
 }
 
 /// Reads one record of a scene, for the place in the scene's file that names it.

@@ -4,6 +4,7 @@
 //! see plain data and never a path. Writing is atomic: a reader sees the old file or the new one, never half of one.
 
 mod earlier;
+mod journal;
 mod load;
 mod read;
 mod recent;
@@ -16,7 +17,8 @@ mod write_error;
 
 pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Supplement, formats_in_words, is_record};
 pub use earlier::{earlier_files, remove_files};
-pub use load::{load_scene, load_unsaved, read_record};
+pub use journal::Journal;
+pub use load::{Records, load_scene, load_unsaved, read_record};
 pub use read::{ReadError, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};

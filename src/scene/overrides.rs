@@ -44,18 +44,55 @@ pub fn apply(scene: &Scene, setting: &str) -> Result<Scene, SceneErrors> {
 /// # Errors
 /// As [`apply`]; the complaint names the setting.
 pub fn apply_all<S: AsRef<str>>(scene: &Scene, settings: &[S]) -> Result<Scene, SceneErrors> {
-    if settings.is_empty() {
-        return Ok(scene.clone());
+    if settings.is_empty() { Ok(scene.clone()) } else { Laid::out(scene)?.with(settings) }
+}
+
+/// A scene laid out as the table of its file, to have values set in it again and again.
+#[derive(Clone, Debug)]
+pub struct Laid {
+    scene: Scene,
+    table: Table,
+}
+
+impl Laid {
+    /// Lays a scene out.
+    ///
+    /// # Errors
+    /// A scene that cannot be written.
+    pub fn out(scene: &Scene) -> Result<Self, SceneErrors> {
+        let table = Table::try_from(scene);
+        let table = table.map_err(|error| complaint("", error.to_string(), "this scene cannot be written"))?;
+        Ok(Self { scene: scene.clone(), table })
     }
-    let mut table =
-        Table::try_from(scene).map_err(|error| complaint("", error.to_string(), "this scene cannot be written"))?;
-    let settings: Vec<Setting<'_>> = settings.iter().map(|s| Setting::parse(s.as_ref())).collect::<Result<_, _>>()?;
-    for setting in &settings {
-        setting.set_in(&mut table)?;
+
+    /// The scene with several values set: [`apply_all`].
+    ///
+    /// # Errors
+    /// Those of [`apply_all`].
+    pub fn with<S: AsRef<str>>(&self, settings: &[S]) -> Result<Scene, SceneErrors> {
+        let settings: Vec<Setting<'_>> =
+            settings.iter().map(|s| Setting::parse(s.as_ref())).collect::<Result<_, _>>()?;
+        let mut table = self.table.clone();
+        for setting in &settings {
+            setting.set_in(&mut table)?;
+        }
+        let mut changed = format::from_table(table, "scene").map_err(|errors| blame(errors, &settings))?;
+        keep_loaded(&self.scene, &mut changed);
+        Ok(changed)
     }
-    let mut changed = format::from_table(table, "scene").map_err(|errors| blame(errors, &settings))?;
-    keep_loaded(scene, &mut changed);
-    Ok(changed)
+
+    /// What stands at a path, where something does.
+    pub fn value(&self, path: &str) -> Option<&Value> {
+        let mut steps = path.split('.').map(str::trim);
+        let mut here = self.table.get(steps.next()?)?;
+        for step in steps {
+            here = match here {
+                Value::Array(list) => list.get(index_of(list, step)?)?,
+                other => other.get(step)?,
+            };
+        }
+        Some(here)
+    }
 }
 
 /// What a record's file held is no part of the written scene; it stays while the file is the same.
@@ -169,9 +206,14 @@ fn items(list: &[Value]) -> Vec<String> {
 }
 
 fn item_of<'l>(list: &'l mut [Value], item: &str) -> Option<&'l mut Value> {
-    let named = list.iter().position(|value| value.get("name").and_then(Value::as_str) == Some(item));
-    let index = named.or_else(|| item.parse().ok())?;
+    let index = index_of(list, item)?;
     list.get_mut(index)
+}
+
+/// Number of the item of this name or number.
+fn index_of(list: &[Value], item: &str) -> Option<usize> {
+    let named = list.iter().position(|value| value.get("name").and_then(Value::as_str) == Some(item));
+    named.or_else(|| item.parse().ok())
 }
 
 fn set(table: &mut Table, key: &str, value: Value) {

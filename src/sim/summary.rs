@@ -31,10 +31,9 @@ impl History {
     pub fn summary(&self) -> Summary {
         let touches = self.touches();
         let hardest = self.hardest();
-        let (displacement, rotation) = self.extremes();
         Summary {
-            max_displacement: displacement,
-            max_rotation: rotation,
+            max_displacement: self.largest_displacement(),
+            max_rotation: self.largest_rotation(),
             peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
             peak_impulse: self.impact().is_some().then(|| hardest.map_or(0.0, |touch| touch.impulse)),
             peak_time: hardest.map(|touch| touch.peak_time),
@@ -45,14 +44,19 @@ impl History {
         }
     }
 
-    /// Largest displacement and |θ| of any girder, looked for at a rate that the fastest bearing cannot outrun.
-    fn extremes(&self) -> (f64, f64) {
-        let (mut displacement, mut rotation) = (0.0f64, 0.0f64);
-        for body in 0..self.model().bodies.len() {
-            let times = touches::looks(self, body);
-            displacement = displacement.max(touches::largest(&times, |t| self.motion(body, t).displacement.length()));
-            rotation = rotation.max(touches::largest(&times, |t| self.motion(body, t).theta.abs()));
-        }
-        (displacement, rotation)
+    /// Largest displacement of any girder's G from where it was placed \[m\].
+    pub fn largest_displacement(&self) -> f64 {
+        self.largest(|body, t| self.motion(body, t).displacement.length())
+    }
+
+    /// Largest |θ| of any girder \[rad\].
+    pub fn largest_rotation(&self) -> f64 {
+        self.largest(|body, t| self.motion(body, t).theta.abs())
+    }
+
+    /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
+    fn largest(&self, value: impl Fn(usize, f64) -> f64) -> f64 {
+        let of = |body| touches::largest(&touches::looks(self, body), |t| value(body, t));
+        (0..self.model().bodies.len()).map(of).fold(0.0, f64::max)
     }
 }

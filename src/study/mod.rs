@@ -1,4 +1,5 @@
-//! Many runs, to see what an answer is worth: work against error, cost against size, random scenes.
+//! Many runs, to see what an answer is worth: work against error, cost against size, random scenes,
+//! one scene at many values of its keys.
 //!
 //! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
 //! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
@@ -9,6 +10,7 @@ pub mod ground;
 pub mod plot;
 pub mod size;
 pub mod stability;
+pub mod sweep;
 
 /// What a page says of the occasion: when, where, how.
 #[derive(Clone, Debug, Default)]

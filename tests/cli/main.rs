@@ -16,3 +16,4 @@ mod program;
 mod render;
 mod run;
 mod study;
+mod sweep;

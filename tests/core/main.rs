@@ -62,6 +62,7 @@ mod scene {
 mod study {
     mod accuracy;
     mod stability;
+    mod sweep;
 }
 
 mod tables {

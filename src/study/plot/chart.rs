@@ -48,7 +48,7 @@ pub struct Chart {
 }
 
 /// Lowest and highest of finite values, never empty.
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(super) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let finite = values.filter(|v| v.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
     match (low <= high, low == high) {
@@ -59,7 +59,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// About `wanted` round values in a range.
-fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
+pub(super) fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
     let raw = (high - low) / wanted;
     let power = 10f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * power).find(|s| *s >= raw * (1.0 - 1e-9)).unwrap_or(raw);
@@ -68,7 +68,7 @@ fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
 }
 
 /// Short, with no needless zeros.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

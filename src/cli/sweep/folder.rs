@@ -1,0 +1,122 @@
+//! The folder of a sweep: what it is, and the journals of its runs.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::cli::console::Console;
+use crate::cli::failure::Failure;
+use crate::files::{Journal, WriteError, read_table, write_atomic};
+use crate::study::sweep::journal::{Contents, Identity, read};
+use crate::study::sweep::{Plan, Row};
+
+/// What the sweep of a folder is.
+const ABOUT: &str = "sweep.json";
+/// The journal of a sweep that is not divided.
+pub(super) const JOURNAL: &str = "runs.journal";
+
+/// The folder of a sweep, with its rows so far.
+#[derive(Debug)]
+pub(super) struct Folder {
+    path: PathBuf,
+    identity: Identity,
+    journals: Vec<Journal>,
+    /// What has come out, by the number of the run.
+    pub(super) rows: BTreeMap<usize, Row>,
+}
+
+impl Folder {
+    /// Opens a folder for a sweep, made where it is missing.
+    ///
+    /// # Errors
+    /// It holds another sweep; it cannot be read or written.
+    pub(super) fn open(path: &Path, about: &Value, identity: Identity) -> Result<Self, Failure> {
+        let file = path.join(ABOUT);
+        let mut text = serde_json::to_vec_pretty(about).unwrap_or_default();
+        text.push(b'\n');
+        if file.exists() {
+            let there = read_table(&file)?;
+            if there != text {
+                return Err(differs(&file, &there, about));
+            }
+        } else {
+            std::fs::create_dir_all(path).map_err(|cause| WriteError::new(path, cause))?;
+            write_atomic(&file, &text)?;
+        }
+        Ok(Self { path: path.to_owned(), identity, journals: Vec::new(), rows: BTreeMap::new() })
+    }
+
+    /// Reads a journal, which [`append`](Self::append) goes on with if it is the first; made where it is missing.
+    ///
+    /// # Errors
+    /// Another process writes it; it is of another sweep; it cannot be read or written.
+    pub(super) fn read(&mut self, name: &str, plan: &Plan, console: &mut Console) -> Result<(), Failure> {
+        let path = self.path.join(name);
+        let Some((mut journal, bytes)) = Journal::open(&path)? else {
+            let said = "another process is at work on it: wait for its end, or give another --out";
+            return Err(Failure::Input(format!("{}: {said}", path.display())));
+        };
+        let Ok(Contents { rows, whole, damaged }) = read(&bytes, self.identity, plan) else {
+            let said = "it is the journal of another sweep: give another --out, or remove it";
+            return Err(Failure::Input(format!("{}: {said}", path.display())));
+        };
+        if damaged > 0 {
+            let said = "damaged lines are left out, and their runs computed again";
+            console.note(&format!("warning: {}: {damaged} {said}", path.display()));
+        }
+        if whole < bytes.len() {
+            journal.cut(whole as u64)?;
+        }
+        if whole == 0 {
+            journal.append(&self.identity.heading())?;
+        }
+        self.journals.push(journal);
+        self.rows.extend(rows);
+        Ok(())
+    }
+
+    /// Reads every journal that there is besides the first.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read).
+    pub(super) fn read_others(&mut self, first: &str, plan: &Plan, console: &mut Console) -> Result<(), Failure> {
+        let entries = std::fs::read_dir(&self.path).map_err(|cause| WriteError::new(&self.path, cause))?;
+        let mut names: Vec<String> =
+            entries.flatten().filter_map(|entry| entry.file_name().into_string().ok()).collect();
+        names.retain(|name| name.ends_with(".journal") && name != first);
+        names.sort();
+        names.iter().try_for_each(|name| self.read(name, plan, console))
+    }
+
+    /// Writes a row into the journal that was read first.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(super) fn append(&mut self, row: Row) -> Result<(), Failure> {
+        if let Some(journal) = self.journals.first_mut() {
+            journal.append(&self.identity.line(&row))?;
+        }
+        self.rows.insert(row.run, row);
+        Ok(())
+    }
+}
+
+/// What differs between the sweep of a folder and the one that is wanted.
+fn differs(file: &Path, there: &[u8], about: &Value) -> Failure {
+    let there: Value = serde_json::from_slice(there).unwrap_or_default();
+    let parts = [
+        ("girderbench", "the version of the program"),
+        ("scene", "the scene"),
+        ("records", "the records of ground motion"),
+        ("vary", "--vary"),
+        ("measures", "--measure"),
+    ];
+    let other: Vec<&str> = parts.iter().filter(|(key, _)| there[key] != about[key]).map(|(_, words)| *words).collect();
+    let found =
+        if other.is_empty() { "it was changed".to_owned() } else { format!("another sweep by {}", other.join(", ")) };
+    Failure::Input(format!(
+        "{}: found {found}; give another --out, or the scene, --vary and --measure that the folder was begun with",
+        file.display()
+    ))
+}

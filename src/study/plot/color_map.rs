@@ -1,0 +1,78 @@
+//! Numbers as colours: viridis (S. van der Walt and N. Smith, 2015, CC0), whose lightness grows evenly and which every kind of
+//! colour vision tells apart.
+
+/// Ten samples of the map, evenly spaced from the lowest value to the highest; between them sRGB is linear.
+const VIRIDIS: [[u8; 3]; 10] = [
+    [0x44, 0x01, 0x54],
+    [0x48, 0x28, 0x78],
+    [0x3e, 0x4a, 0x89],
+    [0x31, 0x68, 0x8e],
+    [0x26, 0x82, 0x8e],
+    [0x1f, 0x9e, 0x89],
+    [0x35, 0xb7, 0x79],
+    [0x6d, 0xcd, 0x59],
+    [0xb4, 0xde, 0x2c],
+    [0xfd, 0xe7, 0x25],
+];
+
+/// Levels that a map is drawn in: two neighbours look alike.
+pub(super) const LEVELS: u8 = 255;
+
+/// The level of a value in a range, from 0 to [`LEVELS`].
+pub(super) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
+    let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 255; NaN is 0")]
+    let level = (part * f64::from(LEVELS)).round() as u8;
+    level
+}
+
+/// The colour of a level, red, green and blue.
+fn rgb(level: u8) -> [u8; 3] {
+    let at = usize::from(level) * (VIRIDIS.len() - 1);
+    let (sample, over) = (at / usize::from(LEVELS), at % usize::from(LEVELS));
+    let (from, to) = (VIRIDIS[sample], VIRIDIS[(sample + 1).min(VIRIDIS.len() - 1)]);
+    [0, 1, 2].map(|i| {
+        let part = over as f64 / f64::from(LEVELS);
+        let mixed = f64::from(from[i]) + part * (f64::from(to[i]) - f64::from(from[i]));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two bytes")]
+        let byte = mixed.round() as u8;
+        byte
+    })
+}
+
+/// The colour of a level, `#rrggbb`.
+pub(super) fn hex(level: u8) -> String {
+    let [r, g, b] = rgb(level);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance (IEC 61966-2-1).
+    fn luminance(level: u8) -> f64 {
+        let linear = |byte: u8| {
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        let [r, g, b] = rgb(level).map(linear);
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    #[test]
+    fn lightness_grows_evenly() {
+        // CIE 1976 lightness.
+        let lightness = |level| 116.0 * luminance(level).cbrt() - 16.0;
+        let steps: Vec<f64> = (0..=240).step_by(15).map(|i| lightness(i + 15) - lightness(i)).collect();
+        let even = (lightness(255) - lightness(0)) / 17.0;
+        assert!(steps.iter().all(|step| (step - even).abs() < 0.35 * even), "about {even} each: {steps:?}");
+    }
+
+    #[test]
+    fn ends_and_middle_are_those_of_the_range() {
+        assert_eq!([level(1.0, [1.0, 3.0]), level(2.0, [1.0, 3.0]), level(3.0, [1.0, 3.0])], [0, 128, 255], "in it");
+        assert_eq!([level(-9.0, [1.0, 3.0]), level(9.0, [1.0, 3.0])], [0, 255], "beyond it");
+        assert_eq!([hex(0), hex(255)], ["#440154", "#fde725"], "the ends of the map");
+    }
+}

@@ -1,0 +1,176 @@
+//! What a sweep keeps of each run: numbers with names and units.
+
+use crate::scene::shown::shown;
+use crate::scene::{SceneError, SceneErrors, format};
+use crate::sim::{History, readings};
+
+/// A number of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    /// Its name: that of its column.
+    pub name: &'static str,
+    /// Unit of its values.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Unit on a picture, and how many of it are one of [`unit`](Self::unit).
+    pub drawn: (&'static str, f64),
+    /// Its value; none where the run has no such thing.
+    of: fn(&History) -> Option<f64>,
+}
+
+const MILLIMETRES: (&str, f64) = ("mm", 1e3);
+const DEGREES: (&str, f64) = ("°", 180.0 / std::f64::consts::PI);
+const NEWTONS: (&str, f64) = ("N", 1.0);
+const NEWTON_SECONDS: (&str, f64) = ("N s", 1.0);
+const SECONDS: (&str, f64) = ("s", 1.0);
+const NUMBER: (&str, f64) = ("", 1.0);
+
+/// Every measure.
+pub const MEASURES: &[Measure] = &[
+    Measure {
+        name: "max_rotation",
+        unit: "rad",
+        meaning: "largest |θ| of any girder",
+        drawn: DEGREES,
+        of: |run| Some(run.largest_rotation()),
+    },
+    Measure {
+        name: "max_displacement",
+        unit: "m",
+        meaning: "largest displacement of any girder's G",
+        drawn: MILLIMETRES,
+        of: |run| Some(run.largest_displacement()),
+    },
+    Measure {
+        name: "max_drift",
+        unit: "m",
+        meaning: "largest displacement in plan of any girder's corner",
+        drawn: MILLIMETRES,
+        of: |run| girders(run).flat_map(|reading| reading.drift).map(|drift| drift.value).reduce(f64::max),
+    },
+    Measure {
+        name: "max_force",
+        unit: "N",
+        meaning: "largest |R_k| of any contact",
+        drawn: NEWTONS,
+        of: |run| Some(run.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max)),
+    },
+    Measure {
+        name: "max_impulse",
+        unit: "N s",
+        meaning: "largest impulse of a hit; of the impact model",
+        drawn: NEWTON_SECONDS,
+        of: |run| run.summary().peak_impulse,
+    },
+    Measure {
+        name: "hits",
+        unit: "1",
+        meaning: "hits: touches of a pair, from its first contact closing to its last opening",
+        drawn: NUMBER,
+        of: |run| Some(run.summary().hits as f64),
+    },
+    Measure {
+        name: "first_hit",
+        unit: "s",
+        meaning: "time of the first touch; none without one",
+        drawn: SECONDS,
+        of: |run| run.touches().first().map(|touch| touch.start),
+    },
+    Measure {
+        name: "stick_time",
+        unit: "s",
+        meaning: "contact time in stick, summed over contacts",
+        drawn: SECONDS,
+        of: |run| Some(run.summary().stick_time),
+    },
+    Measure {
+        name: "slip_time",
+        unit: "s",
+        meaning: "contact time in slip, summed over contacts",
+        drawn: SECONDS,
+        of: |run| Some(run.summary().slip_time),
+    },
+    Measure {
+        name: "least_gap",
+        unit: "m",
+        meaning: "least gap of any facing pair, negative in contact; none without pairs",
+        drawn: MILLIMETRES,
+        of: |run| girders(run).filter_map(|reading| reading.gap).map(|gap| gap.value).reduce(f64::min),
+    },
+    Measure {
+        name: "least_seat",
+        unit: "m",
+        meaning: "least that remains of any seat, negative off it; none without seats",
+        drawn: MILLIMETRES,
+        of: |run| girders(run).flat_map(|reading| reading.seats).map(|seat| seat.least.value).reduce(f64::min),
+    },
+    Measure {
+        name: "unseated",
+        unit: "s",
+        meaning: "time when an end first came off its seat; none where all stay",
+        drawn: SECONDS,
+        of: |run| girders(run).flat_map(|reading| reading.seats).filter_map(|seat| seat.left_at).reduce(f64::min),
+    },
+    Measure {
+        name: "max_overlap",
+        unit: "m",
+        meaning: "largest overlap of bodies that no contact carries",
+        drawn: MILLIMETRES,
+        of: |run| Some(run.overlaps().iter().map(|overlap| overlap.depth.value).fold(0.0, f64::max)),
+    },
+    Measure {
+        name: "estimated_error",
+        unit: "m",
+        meaning: "largest difference in displacement from a run at a hundredth of the tolerance, which is computed for it",
+        drawn: MILLIMETRES,
+        of: |run| Some(run.estimate_error()),
+    },
+    Measure {
+        name: "energy_residual",
+        unit: "1",
+        meaning: "|residual| of the energy ledger in parts of the largest energy in play",
+        drawn: NUMBER,
+        of: |run| Some(run.balance().residual),
+    },
+];
+
+/// The numbers of every girder.
+fn girders(run: &History) -> impl Iterator<Item = readings::Reading> {
+    (0..run.model().bodies.len()).map(|girder| readings::reading(run, girder))
+}
+
+impl Measure {
+    /// The measure of this name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn named(name: &str) -> Result<&'static Self, SceneErrors> {
+        MEASURES.iter().find(|measure| measure.name == name).ok_or_else(|| unknown(name).into())
+    }
+
+    /// Its value of a run, in [`unit`](Self::unit); none where the run has no such thing, or no number for it.
+    pub fn of(&self, run: &History) -> Option<f64> {
+        (self.of)(run).filter(|value| value.is_finite()).map(|value| value + 0.0)
+    }
+
+    /// Its name on a picture, with its unit.
+    pub fn title(&self) -> String {
+        let name = self.name.replace('_', " ");
+        if self.drawn.0.is_empty() { name } else { format!("{name} [{}]", self.drawn.0) }
+    }
+}
+
+fn unknown(name: &str) -> SceneError {
+    let names: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
+    SceneError {
+        file: "sweep".to_owned(),
+        place: "--measure".to_owned(),
+        value: format!("\"{}\"", shown(name, 80)),
+        remedy: format!(
+            "no measure has this name{}; measures: {}",
+            format::did_you_mean(name, &names),
+            names.join(", ")
+        ),
+    }
+}

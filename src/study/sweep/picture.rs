@@ -1,0 +1,169 @@
+//! Pictures of a sweep: a heat map over two keys of numbers, a line over one; other keys make panels or lines of their own.
+
+use super::axis::Axis;
+use super::dataset::Dataset;
+use super::measure::Measure;
+use crate::study::plot::COLORS;
+use crate::study::plot::chart::{Chart, Curve, Panel};
+use crate::study::plot::heat_map::{HeatMap, Map, Steps};
+
+/// Most panels of a heat map, and most lines of a chart: as many as there are colours.
+const MOST: usize = COLORS.len();
+
+/// An axis of a picture.
+struct Drawn<'a> {
+    /// Its place among the keys.
+    place: usize,
+    axis: &'a Axis,
+    /// Its values, growing, each with its number on the axis.
+    values: Vec<(f64, usize)>,
+}
+
+impl Drawn<'_> {
+    /// A value as it is drawn on an axis that is even: equal ratios by their logarithm.
+    fn scaled(&self, value: f64) -> f64 {
+        if self.axis.is_log { value.abs().log10() } else { value }
+    }
+
+    /// Where a value is, in steps from the first; none outside.
+    fn step_of(&self, value: f64) -> Option<f64> {
+        let at = |i: usize| self.scaled(self.values[i].0);
+        let value = self.scaled(value);
+        let before = (0..self.values.len()).rfind(|&i| at(i) <= value)?;
+        if before + 1 == self.values.len() {
+            return (at(before) == value).then_some(before as f64);
+        }
+        Some(before as f64 + (value - at(before)) / (at(before + 1) - at(before)))
+    }
+}
+
+impl Dataset<'_> {
+    /// Names and SVG documents of its pictures, one a measure; none where no key is a number.
+    ///
+    /// # Errors
+    /// Why there are none, in words.
+    pub fn pictures(&self) -> Result<Vec<(String, String)>, String> {
+        let drawn: Vec<Drawn<'_>> = self.plan.axes.iter().enumerate().filter_map(drawn).take(2).collect();
+        if drawn.is_empty() {
+            return Err("no picture: no key has two numbers".to_owned());
+        }
+        let others = self.others(&drawn);
+        if others.len() > MOST {
+            return Err(format!("no picture: {} panels, {MOST} at most", others.len()));
+        }
+        let measures = self.plan.measures.iter().enumerate();
+        let svg = |(place, measure): (usize, &&'static Measure)| {
+            let svg = match drawn.as_slice() {
+                [x, y] => self.heat_map([x, y], &others, (place, measure)).to_svg(),
+                _ => self.chart(&drawn[0], &others, (place, measure)).to_svg(),
+            };
+            (measure.name.to_owned(), svg)
+        };
+        Ok(measures.map(svg).collect())
+    }
+
+    /// Every choice of values of the keys that are no axis of the picture; 0 of those that are.
+    fn others(&self, drawn: &[Drawn<'_>]) -> Vec<Vec<usize>> {
+        let is_drawn = |place| drawn.iter().any(|axis| axis.place == place);
+        let mut choices = vec![Vec::new()];
+        for (place, axis) in self.plan.axes.iter().enumerate() {
+            let count = if is_drawn(place) { 1 } else { axis.values.len() };
+            // Of more than can be drawn it is enough to see that there are more.
+            let more = |choice: Vec<usize>| (0..count).map(move |value| [choice.as_slice(), &[value]].concat());
+            choices = choices.into_iter().flat_map(more).take(MOST + 1).collect();
+        }
+        choices
+    }
+
+    /// `key = value` of the keys that are no axis of the picture.
+    fn label(&self, choice: &[usize], drawn: &[&Drawn<'_>]) -> String {
+        let is_drawn = |place| drawn.iter().any(|axis| axis.place == place);
+        let axes = self.plan.axes.iter().enumerate().filter(|(place, _)| !is_drawn(*place));
+        let words: Vec<String> =
+            axes.map(|(place, axis)| format!("{} = {}", axis.key, axis.values[choice[place]])).collect();
+        words.join(", ")
+    }
+
+    /// The value of a measure in the unit of pictures.
+    fn value(&self, choice: &[usize], (place, measure): (usize, &Measure)) -> Option<f64> {
+        Some(self.rows.get(&self.plan.run_of(choice))?.values[place]? * measure.drawn.1)
+    }
+
+    fn heat_map(&self, axes: [&Drawn<'_>; 2], others: &[Vec<usize>], measure: (usize, &Measure)) -> HeatMap {
+        let [x, y] = axes;
+        let steps = |axis: &Drawn<'_>| Steps {
+            name: axis.axis.key.clone(),
+            values: axis.values.iter().map(|(value, _)| *value).collect(),
+            mark: self.plan.own(axis.axis).and_then(|own| axis.step_of(own)),
+        };
+        let map = |other: &Vec<usize>| {
+            let cells = y.values.iter().flat_map(|row| x.values.iter().map(move |column| (column.1, row.1)));
+            let value = |(column, row)| {
+                let mut choice = other.clone();
+                (choice[x.place], choice[y.place]) = (column, row);
+                self.value(&choice, measure)
+            };
+            Map { name: self.label(other, &axes), values: cells.map(value).collect() }
+        };
+        HeatMap {
+            title: title(measure.1),
+            subtitle: self.subtitle(),
+            x: steps(x),
+            y: steps(y),
+            bar: measure.1.title(),
+            maps: others.iter().map(map).collect(),
+        }
+    }
+
+    fn chart(&self, x: &Drawn<'_>, others: &[Vec<usize>], measure: (usize, &Measure)) -> Chart {
+        let curve = |(number, other): (usize, &Vec<usize>)| {
+            let point = |&(value, number): &(f64, usize)| {
+                let mut choice = other.clone();
+                choice[x.place] = number;
+                [x.scaled(value), self.value(&choice, measure).unwrap_or(f64::NAN)]
+            };
+            let label = self.label(other, &[x]);
+            let name = if label.is_empty() { self.plan.scene.name.clone() } else { label };
+            Curve {
+                name,
+                color: COLORS[number % COLORS.len()].to_owned(),
+                dashes: "none",
+                points: x.values.iter().map(point).collect(),
+            }
+        };
+        let mut curves: Vec<Curve> = others.iter().enumerate().map(curve).collect();
+        curves.extend(self.own_line(x, &curves));
+        let subtitle = self.subtitle();
+        Chart {
+            title: format!("{}: {subtitle}", title(measure.1)),
+            x: if x.axis.is_log { format!("log10 of {}", x.axis.key) } else { x.axis.key.clone() },
+            panels: vec![Panel { name: measure.1.title(), curves }],
+        }
+    }
+
+    /// A line where the scene itself is, from the lowest to the highest point.
+    fn own_line(&self, x: &Drawn<'_>, curves: &[Curve]) -> Option<Curve> {
+        let own = self.plan.own(x.axis).filter(|own| x.step_of(*own).is_some())?;
+        let heights = || curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]).filter(|y| y.is_finite());
+        let (low, high) = (heights().reduce(f64::min)?, heights().reduce(f64::max)?);
+        let points = vec![[x.scaled(own), low], [x.scaled(own), high]];
+        Some(Curve { name: "the scene".to_owned(), color: "#6b6b6b".to_owned(), dashes: "5 4", points })
+    }
+
+    fn subtitle(&self) -> String {
+        format!("{}, {} s", self.plan.scene.name, self.plan.scene.duration)
+    }
+}
+
+/// What a measure is, without what it is of none.
+fn title(measure: &Measure) -> String {
+    measure.meaning.split([';', ',']).next().unwrap_or_default().to_owned()
+}
+
+/// A key as an axis, where it has two numbers at least.
+fn drawn((place, axis): (usize, &Axis)) -> Option<Drawn<'_>> {
+    let numbers = axis.numbers().filter(|numbers| numbers.len() > 1)?;
+    let mut values: Vec<(f64, usize)> = numbers.into_iter().zip(0..).collect();
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Some(Drawn { place, axis, values })
+}
