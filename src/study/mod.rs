@@ -1,11 +1,12 @@
 //! Many runs, to see what an answer is worth: work against error, cost against size, random scenes,
-//! one scene at many values of its keys.
+//! one scene at many values of its keys, the paper's experiment.
 //!
 //! A study measures the program, so it may read clocks; it opens no file and prints nothing. Its tables and pages come
 //! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
 
 pub mod accuracy;
 pub mod clock;
+pub mod experiment;
 pub mod ground;
 pub mod plot;
 pub mod size;

@@ -5,7 +5,7 @@
 
 pub mod chart;
 mod color_map;
-mod draw;
+pub(super) mod draw;
 pub mod heat_map;
 #[cfg(feature = "study")]
 mod raster;

@@ -16,4 +16,5 @@ mod program;
 mod render;
 mod run;
 mod study;
+mod study_experiment;
 mod sweep;

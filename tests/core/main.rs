@@ -61,6 +61,7 @@ mod scene {
 
 mod study {
     mod accuracy;
+    mod experiment;
     mod stability;
     mod sweep;
 }

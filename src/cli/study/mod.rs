@@ -1,6 +1,7 @@
 //! `girderbench study`: many runs, and what they show.
 
 mod accuracy;
+mod experiment;
 mod page;
 mod size;
 mod stability;
@@ -8,7 +9,7 @@ mod stability;
 use super::console::Console;
 use super::failure::Failure;
 
-/// Measure the program: work against error, cost against size, random scenes
+/// Measure the program: work against error, cost against size, random scenes, the paper's experiment
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct StudyArgs {
     #[command(subcommand)]
@@ -18,6 +19,7 @@ pub(super) struct StudyArgs {
 #[derive(Clone, Debug, clap::Subcommand)]
 enum Study {
     Accuracy(accuracy::AccuracyArgs),
+    Experiment(experiment::ExperimentArgs),
     Size(size::SizeArgs),
     Stability(stability::StabilityArgs),
 }
@@ -29,6 +31,7 @@ enum Study {
 pub(super) fn run(args: &StudyArgs, console: &mut Console) -> Result<(), Failure> {
     match &args.study {
         Study::Accuracy(args) => accuracy::run(args, console),
+        Study::Experiment(args) => experiment::run(args, console),
         Study::Size(args) => size::run(args, console),
         Study::Stability(args) => stability::run(args, console),
     }

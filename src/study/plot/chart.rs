@@ -8,6 +8,8 @@ const WIDTH: f64 = 900.0;
 /// Height of a panel with the room below it.
 const PANEL: f64 = 190.0;
 const TOP: f64 = 64.0;
+/// The same of a chart without a title.
+const UNTITLED: f64 = 26.0;
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 690.0;
 const INK: &str = "#222222";
@@ -82,7 +84,18 @@ pub(super) fn number(value: f64) -> String {
 impl Chart {
     /// The document.
     pub fn to_svg(&self) -> String {
-        let height = TOP + PANEL * self.panels.len().max(1) as f64 + 30.0;
+        self.document(None)
+    }
+
+    /// The document with all panels on one scale, for comparison.
+    pub fn to_svg_on_one_scale(&self) -> String {
+        self.document(Some(range(self.panels.iter().flat_map(Panel::values))))
+    }
+
+    /// The document; upright axes over this range, or each over that of its curves.
+    fn document(&self, upright: Option<[f64; 2]>) -> String {
+        let first = if self.title.is_empty() { UNTITLED } else { TOP };
+        let height = first + PANEL * self.panels.len().max(1) as f64 + 30.0;
         let mut svg = String::new();
         let _ = writeln!(
             svg,
@@ -92,7 +105,8 @@ impl Chart {
         text(&mut svg, (LEFT, 30.0), 17.0, "start", INK, &escape(&self.title));
         let x = range(self.panels.iter().flat_map(|p| &p.curves).flat_map(|c| &c.points).map(|p| p[0]));
         for (number, panel) in self.panels.iter().enumerate() {
-            panel.draw(&mut svg, x, TOP + PANEL * number as f64, number + 1 == self.panels.len());
+            let y = upright.unwrap_or_else(|| range(panel.values()));
+            panel.draw(&mut svg, [x, y], first + PANEL * number as f64, number + 1 == self.panels.len());
         }
         text(&mut svg, (f64::midpoint(LEFT, RIGHT), height - 10.0), 13.0, "middle", INK, &escape(&self.x));
         svg.push_str("</svg>\n");
@@ -101,9 +115,13 @@ impl Chart {
 }
 
 impl Panel {
-    fn draw(&self, svg: &mut String, x: [f64; 2], top: f64, last: bool) {
+    /// Upright values of all curves.
+    fn values(&self) -> impl Iterator<Item = f64> {
+        self.curves.iter().flat_map(|curve| &curve.points).map(|point| point[1])
+    }
+
+    fn draw(&self, svg: &mut String, [x, [low, high]]: [[f64; 2]; 2], top: f64, last: bool) {
         let bottom = top + PANEL - 34.0;
-        let [low, high] = range(self.curves.iter().flat_map(|c| &c.points).map(|p| p[1]));
         let margin = 0.06 * (high - low);
         let y = [low - margin, high + margin];
         let at = |p: [f64; 2]| {

@@ -1,0 +1,113 @@
+//! The findings with their checks, and the scans beside them.
+
+use std::fmt::Write as _;
+
+use crate::study::experiment::findings::{Finding, Outcome, Verdict};
+use crate::study::experiment::results::{MODELS, Results};
+use crate::study::experiment::scan::{Knob, Scan, steps};
+use crate::study::plot::draw::escape;
+use crate::study::plot::heat_map::{HeatMap, Map, Steps};
+
+/// A sign that needs no colour, in the colour of the outcome.
+pub(super) fn badge(outcome: Outcome) -> String {
+    let (class, sign) = match outcome {
+        Outcome::ComesOut => ("yes", "●"),
+        Outcome::InPart => ("part", "◐"),
+        Outcome::DoesNot => ("no", "○"),
+        Outcome::Open => ("open", "–"),
+    };
+    format!(r#"<span class="{class}">{sign} {}</span>"#, outcome.label())
+}
+
+/// Name of a verdict's model; of a finding that has one verdict it is no model's.
+pub(super) fn model_of(finding: &Finding, number: usize) -> String {
+    match finding.verdicts.len() {
+        1 => "both models".to_owned(),
+        _ => MODELS.get(number).map_or(String::new(), |model| format!("{} model", model.label())),
+    }
+}
+
+/// All findings in one table, a row each.
+pub(super) fn overview(findings: &[Finding]) -> String {
+    let mut html = String::from(
+        "<table><thead><tr><th>Finding</th><th>The paper saw</th><th>contact model</th><th>impact model</th></tr></thead><tbody>\n",
+    );
+    for finding in findings {
+        let outcome = |model: usize| finding.verdicts.get(model).or(finding.verdicts.first()).map(Verdict::outcome);
+        let cells = [0, 1].map(|model| outcome(model).map_or(String::new(), badge));
+        let _ = writeln!(
+            html,
+            "<tr><td><a href=\"#finding-{0}\">{0}. {1}</a></td><td>{2}</td><td class=\"word\">{3}</td><td class=\"word\">{4}</td></tr>",
+            finding.number,
+            escape(finding.title),
+            escape(finding.paper),
+            cells[0],
+            cells[1]
+        );
+    }
+    html.push_str("</tbody></table>\n");
+    html
+}
+
+/// A finding: what the paper saw, checks with their numbers, maps.
+pub(super) fn section(finding: &Finding, results: &Results) -> String {
+    let mut html = format!(
+        "<section id=\"finding-{0}\"><h3>{0}. {1}</h3><p>The paper: {2}</p>\n",
+        finding.number,
+        escape(finding.title),
+        escape(finding.paper)
+    );
+    html.push_str("<table><thead><tr><th>Model</th><th>Check</th><th>Found</th><th>Holds</th></tr></thead><tbody>\n");
+    for (number, verdict) in finding.verdicts.iter().enumerate() {
+        let model = format!("{}<br>{}", model_of(finding, number), badge(verdict.outcome()));
+        let rows = verdict.checks.len().max(1);
+        let _ = write!(html, "<tr><td rowspan=\"{rows}\" class=\"word\">{model}</td>");
+        if verdict.checks.is_empty() {
+            html.push_str("<td colspan=\"3\">runs that it needs were not made</td></tr>\n");
+        }
+        for (place, check) in verdict.checks.iter().enumerate() {
+            let begin = if place > 0 { "<tr>" } else { "" };
+            let holds = if check.holds { "yes" } else { "no" };
+            let _ = writeln!(
+                html,
+                "{begin}<td>{}</td><td class=\"number\">{}</td><td>{holds}</td></tr>",
+                escape(&check.claim),
+                escape(&check.found)
+            );
+        }
+    }
+    html.push_str("</tbody></table>\n");
+    let scans = Scan::all().filter(|scan| finding.scans.contains(&scan.name));
+    scans.filter_map(|scan| map(&scan, results)).for_each(|svg| {
+        let _ = writeln!(html, "<div class=\"picture\">{svg}</div>");
+    });
+    html.push_str("</section>\n");
+    html
+}
+
+/// The maps of a scan side by side.
+fn map(scan: &Scan, results: &Results) -> Option<String> {
+    let values = &results.scans.get(scan.name)?.maps;
+    let axis = |axis: (Knob, [f64; 2], usize)| {
+        let (knob, [from, to], count) = axis;
+        let place = (knob.preset() - from) / (to - from);
+        Steps {
+            name: knob.label().to_owned(),
+            values: steps(axis),
+            mark: (0.0..=1.0).contains(&place).then_some(place * (count.saturating_sub(1)) as f64),
+        }
+    };
+    let maps = scan.variants.iter().zip(values);
+    let maps = maps.map(|(variant, values)| Map { name: variant.name.to_owned(), values: values.clone() });
+    Some(
+        HeatMap {
+            title: scan.title.to_owned(),
+            subtitle: "The ring is the preset.".to_owned(),
+            x: axis(scan.x),
+            y: axis(scan.y),
+            bar: scan.measure.label().to_owned(),
+            maps: maps.collect(),
+        }
+        .to_svg(),
+    )
+}
