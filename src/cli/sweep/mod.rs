@@ -73,6 +73,20 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
     write(args, &Dataset { plan: &plan, rows: &folder.rows }, console)
 }
 
+/// Name and bytes of the dataset as Parquet, where this build writes it.
+#[cfg(feature = "parquet")]
+fn parquet(dataset: &Dataset<'_>) -> Result<Option<(String, Vec<u8>)>, Failure> {
+    let bytes = dataset.parquet().map_err(|error| Failure::Output(format!("sweep.parquet: {error}: try again")))?;
+    Ok(Some(("sweep.parquet".to_owned(), bytes)))
+}
+
+/// No Parquet: this build writes none.
+#[cfg(not(feature = "parquet"))]
+#[expect(clippy::unnecessary_wraps, reason = "the same call as in a build with Parquet")]
+fn parquet(_: &Dataset<'_>) -> Result<Option<(String, Vec<u8>)>, Failure> {
+    Ok(None)
+}
+
 /// The measures, a line each.
 fn measures() -> String {
     let line = |measure: &Measure| format!("  {:<17} {:<4} {}\n", measure.name, measure.unit, measure.meaning);
@@ -96,6 +110,7 @@ fn write(args: &SweepArgs, dataset: &Dataset<'_>, console: &mut Console) -> Resu
     let of_csv = |error: csv::Error| Failure::Output(format!("sweep.csv: {error}: try again"));
     let mut files = vec![("sweep.csv".to_owned(), dataset.csv().map_err(of_csv)?)];
     let digest = xxhash_rust::xxh3::xxh3_64(&files[0].1);
+    files.extend(parquet(dataset)?);
     match dataset.pictures() {
         Ok(pictures) => {
             for (name, svg) in pictures {

@@ -121,7 +121,7 @@ impl Dataset<'_> {
     }
 }
 
-/// A cell; a number with the fewest digits that read back as the same double, nothing where there is no value.
+/// A cell of CSV; a number with the fewest digits that read back as the same double, nothing where there is no value.
 fn cell(column: &Column<'_>, row: &Row, choice: &[usize]) -> String {
     match column {
         Column::Run => row.run.to_string(),

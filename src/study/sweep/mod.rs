@@ -7,6 +7,8 @@ mod axis;
 mod dataset;
 pub mod journal;
 mod measure;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod picture;
 mod plan;
 mod row;

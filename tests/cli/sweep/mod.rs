@@ -1,5 +1,7 @@
 //! `sweep`: the dataset is the same however it was computed, and mistakes are told before anything runs.
 
+mod scripts;
+
 use std::fs;
 use std::path::Path;
 use std::process::Stdio;
