@@ -17,11 +17,13 @@ use crate::study::experiment::{Earthquake, Results, Unit, findings, report};
 
 /// Where results are kept, inside of the folder.
 const KEPT: &str = "results";
+/// Where the maps are written, inside of the folder.
+const MAPS: &str = "maps";
 
 /// Run the paper's experiment: all cases of its Table 2 under both models, its figures and findings, as one page
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ExperimentArgs {
-    /// Write report.html and results/ into this folder; results that are there already are not computed again
+    /// Write report.html, findings.md, maps/ and results/ into this folder; results that are there already are not computed again
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Only these, separated by commas: cases (`skew60_-15_0.40g`), all of straight, skew60, skew45 or pair, or the maps
@@ -71,7 +73,11 @@ pub(super) fn run(args: &ExperimentArgs, console: &mut Console) -> Result<(), Fa
     compute(&due, &earthquake, &kept)?;
     let results = results(&earthquake, &kept)?;
     let page = report::html(&results, &earthquake, &args.occasion.with(command(args)));
-    write_files(&args.out, &[("report.html".to_owned(), page.into_bytes())])?;
+    let table = report::markdown(&results);
+    let files = [("report.html".to_owned(), page.into_bytes()), ("findings.md".to_owned(), table.into_bytes())];
+    write_files(&args.out, &files)?;
+    let maps = report::maps(&results).into_iter().map(|(name, svg)| (format!("{name}.svg"), svg.into_bytes()));
+    write_files(&args.out.join(MAPS), &maps.collect::<Vec<_>>())?;
     say(&results, console);
     let (run, there) = (due.len(), asked.len() - due.len());
     console.print(&format!("{run} computed, {there} there before; {}\n", args.out.join("report.html").display()));

@@ -2,7 +2,7 @@
 
 use girderbench::study::experiment::findings::{Check, Outcome, Verdict, findings, rules};
 use girderbench::study::experiment::{
-    Case, Earthquake, GirderSeen, HitSeen, Observed, Results, Shaking, Specimen, Stretch, Unit,
+    Case, Earthquake, GirderSeen, HitSeen, Observed, Results, Shaking, Specimen, Stretch, Unit, report,
 };
 
 /// Period of the sine of a history made by hand \[s\].
@@ -178,6 +178,29 @@ fn head_on_hits_come_out_under_both_models_and_the_rest_is_open() {
     assert_eq!(outcomes(1), [Outcome::ComesOut; 2], "one hit, then two");
     assert_eq!(outcomes(3), [Outcome::Open; 2], "the skewed girders were not run");
     assert_eq!(outcomes(10), [Outcome::ComesOut], "(6) needs no run");
+}
+
+#[test]
+fn the_page_of_the_experiment_states_what_is_found() {
+    let (mut results, earthquake) = (Results::default(), Earthquake::synthetic(1.0));
+    for unit in Unit::all().iter().filter(|unit| !matches!(unit, Unit::Scan(_))) {
+        let needed = match unit {
+            Unit::Case(case) if case.specimen == Specimen::Straight => true,
+            Unit::Case(case) => case.shaking == Shaking::Large,
+            _ => true,
+        };
+        if needed {
+            let text = unit.run(&earthquake).expect("valid");
+            assert!(unit.take(&text, &unit.fingerprint(&earthquake).expect("valid"), &mut results), "its own");
+        }
+    }
+    let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/experiment.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let table = report::markdown(&results);
+    assert_eq!(table.lines().count(), 2 + 2 * (2 + 4 + 4 + 2 + 3 + 3 + 1 + 1 + 2) + 2, "every check: {table}");
+    for line in table.lines() {
+        assert!(page.contains(line), "docs/experiment.md: {line}");
+    }
 }
 
 #[test]

@@ -28,6 +28,22 @@ pub struct Finding {
     pub scans: &'static [&'static str],
 }
 
+impl Finding {
+    /// Whether it is of the earthquake, El Centro or what stands for it.
+    pub fn of_earthquake(&self) -> bool {
+        self.number == EARTHQUAKE
+    }
+
+    /// Name of the model of a verdict; a finding of one verdict is no model's.
+    pub fn model(&self, verdict: usize) -> &'static str {
+        let names = ["contact model", "impact model"];
+        if self.verdicts.len() == 1 { "both models" } else { names.get(verdict).copied().unwrap_or_default() }
+    }
+}
+
+/// Number of the finding of the earthquake.
+const EARTHQUAKE: usize = 6;
+
 /// Period of the straight girder's sine \[s\].
 fn period() -> f64 {
     1.0 / Specimen::Straight.sine_hz()

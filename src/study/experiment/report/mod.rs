@@ -1,4 +1,4 @@
-//! The report: one HTML page with every picture inside and no link to anything outside.
+//! The report: one HTML page with every picture inside and no link to anything outside; its checks as Markdown too.
 
 mod case_list;
 mod figures;
@@ -12,6 +12,7 @@ use super::cases::Case;
 use super::earthquake::Earthquake;
 use super::findings::findings;
 use super::results::Results;
+use super::scan::Scan;
 use crate::study::Occasion;
 use crate::study::plot::draw::escape;
 
@@ -41,7 +42,7 @@ pub fn html(results: &Results, earthquake: &Earthquake, occasion: &Occasion) -> 
     page.push_str("<h2>Findings</h2>\n");
     page.push_str(&verdicts::overview(&findings));
     for finding in &findings {
-        page.push_str(&verdicts::section(finding, results));
+        page.push_str(&verdicts::section(finding, results, earthquake));
     }
     page.push_str("<h2>Figures of the paper</h2>\n<p>Quantities and axes as in the captions of the paper, ranges those of our runs. It \
                    does not state the amplitude of the sine in its figures; 0.40 g is taken, at which hits come in succession as in its \
@@ -61,6 +62,16 @@ pub fn html(results: &Results, earthquake: &Earthquake, occasion: &Occasion) -> 
     Case::all().iter().filter_map(|case| case_list::details(case, results)).for_each(|html| page.push_str(&html));
     page.push_str("</body></html>\n");
     page
+}
+
+/// The checks of all findings as a table in Markdown.
+pub fn markdown(results: &Results) -> String {
+    verdicts::markdown(&findings(results))
+}
+
+/// The maps by themselves: name of the scan and SVG document.
+pub fn maps(results: &Results) -> Vec<(&'static str, String)> {
+    Scan::all().filter_map(|scan| Some((scan.name, verdicts::map(&scan, results)?))).collect()
 }
 
 fn introduction(results: &Results, earthquake: &Earthquake, occasion: &Occasion) -> String {

@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
+use crate::study::experiment::earthquake::Earthquake;
 use crate::study::experiment::findings::{Finding, Outcome, Verdict};
-use crate::study::experiment::results::{MODELS, Results};
+use crate::study::experiment::results::Results;
 use crate::study::experiment::scan::{Knob, Scan, steps};
 use crate::study::plot::draw::escape;
 use crate::study::plot::heat_map::{HeatMap, Map, Steps};
@@ -17,14 +18,6 @@ pub(super) fn badge(outcome: Outcome) -> String {
         Outcome::Open => ("open", "–"),
     };
     format!(r#"<span class="{class}">{sign} {}</span>"#, outcome.label())
-}
-
-/// Name of a verdict's model; of a finding that has one verdict it is no model's.
-pub(super) fn model_of(finding: &Finding, number: usize) -> String {
-    match finding.verdicts.len() {
-        1 => "both models".to_owned(),
-        _ => MODELS.get(number).map_or(String::new(), |model| format!("{} model", model.label())),
-    }
 }
 
 /// All findings in one table, a row each.
@@ -50,16 +43,19 @@ pub(super) fn overview(findings: &[Finding]) -> String {
 }
 
 /// A finding: what the paper saw, checks with their numbers, maps.
-pub(super) fn section(finding: &Finding, results: &Results) -> String {
+pub(super) fn section(finding: &Finding, results: &Results, earthquake: &Earthquake) -> String {
     let mut html = format!(
         "<section id=\"finding-{0}\"><h3>{0}. {1}</h3><p>The paper: {2}</p>\n",
         finding.number,
         escape(finding.title),
         escape(finding.paper)
     );
+    if finding.of_earthquake() && earthquake.synthetic {
+        html.push_str("<p>Here the earthquake is the built-in synthetic one.</p>\n");
+    }
     html.push_str("<table><thead><tr><th>Model</th><th>Check</th><th>Found</th><th>Holds</th></tr></thead><tbody>\n");
     for (number, verdict) in finding.verdicts.iter().enumerate() {
-        let model = format!("{}<br>{}", model_of(finding, number), badge(verdict.outcome()));
+        let model = format!("{}<br>{}", finding.model(number), badge(verdict.outcome()));
         let rows = verdict.checks.len().max(1);
         let _ = write!(html, "<tr><td rowspan=\"{rows}\" class=\"word\">{model}</td>");
         if verdict.checks.is_empty() {
@@ -85,8 +81,28 @@ pub(super) fn section(finding: &Finding, results: &Results) -> String {
     html
 }
 
+/// The checks of all findings as a table in Markdown, for a page of its own.
+pub(super) fn markdown(findings: &[Finding]) -> String {
+    let mut table = String::from("| finding | model | outcome | check | found | holds |\n|---|---|---|---|---|---|\n");
+    for finding in findings {
+        for (number, verdict) in finding.verdicts.iter().enumerate() {
+            let (model, outcome) = (finding.model(number), verdict.outcome().label());
+            for check in &verdict.checks {
+                let (holds, claim) = (if check.holds { "yes" } else { "no" }, check.claim.replace('|', "\\|"));
+                let (title, found) = (finding.title, &check.found);
+                let _ = writeln!(
+                    table,
+                    "| {} {title} | {model} | {outcome} | {claim} | {found} | {holds} |",
+                    finding.number
+                );
+            }
+        }
+    }
+    table
+}
+
 /// The maps of a scan side by side.
-fn map(scan: &Scan, results: &Results) -> Option<String> {
+pub(super) fn map(scan: &Scan, results: &Results) -> Option<String> {
     let values = &results.scans.get(scan.name)?.maps;
     let axis = |axis: (Knob, [f64; 2], usize)| {
         let (knob, [from, to], count) = axis;
