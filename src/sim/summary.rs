@@ -34,14 +34,34 @@ impl History {
         Summary {
             max_displacement: self.largest_displacement(),
             max_rotation: self.largest_rotation(),
-            peak_force: touches.iter().map(|touch| touch.peak_force).fold(0.0, f64::max),
-            peak_impulse: self.impact().is_some().then(|| hardest.map_or(0.0, |touch| touch.impulse)),
+            peak_force: self.largest_force(),
+            peak_impulse: self.largest_impulse(),
             peak_time: hardest.map(|touch| touch.peak_time),
             touches: touches.len(),
-            hits: touches::hits(touches),
-            stick_time: touches.iter().fold(0.0, |sum, touch| sum + touch.stick),
-            slip_time: touches.iter().fold(0.0, |sum, touch| sum + touch.slip),
+            hits: self.hits(),
+            stick_time: self.contact_times()[0],
+            slip_time: self.contact_times()[1],
         }
+    }
+
+    /// Largest |`R_k`| of any contact \[N\].
+    pub fn largest_force(&self) -> f64 {
+        self.touches().iter().map(|touch| touch.peak_force).fold(0.0, f64::max)
+    }
+
+    /// Largest impulse of a hit; none under the contact model \[N·s\].
+    pub fn largest_impulse(&self) -> Option<f64> {
+        self.impact().map(|_| self.touches().iter().map(|touch| touch.impulse).fold(0.0, f64::max))
+    }
+
+    /// Hits: touches of a pair, from its first contact closing to its last opening.
+    pub fn hits(&self) -> usize {
+        touches::hits(self.touches())
+    }
+
+    /// Contact time in stick and in slip, summed over contacts \[s\].
+    pub fn contact_times(&self) -> [f64; 2] {
+        self.touches().iter().fold([0.0; 2], |[stick, slip], touch| [stick + touch.stick, slip + touch.slip])
     }
 
     /// Largest displacement of any girder's G from where it was placed \[m\].

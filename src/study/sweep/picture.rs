@@ -38,7 +38,7 @@ impl Drawn<'_> {
 }
 
 impl Dataset<'_> {
-    /// Names and SVG documents of its pictures, one a measure; none where no key is a number.
+    /// Names and SVG documents of its pictures, one a measure that any run has; none where no key is a number.
     ///
     /// # Errors
     /// Why there are none, in words.
@@ -51,7 +51,8 @@ impl Dataset<'_> {
         if others.len() > MOST {
             return Err(format!("no picture: {} panels, {MOST} at most", others.len()));
         }
-        let measures = self.plan.measures.iter().enumerate();
+        let any = |place: usize| self.rows.values().any(|row| row.values[place].is_some());
+        let measures = self.plan.measures.iter().enumerate().filter(|(place, _)| any(*place));
         let svg = |(place, measure): (usize, &&'static Measure)| {
             let svg = match drawn.as_slice() {
                 [x, y] => self.heat_map([x, y], &others, (place, measure)).to_svg(),

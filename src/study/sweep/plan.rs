@@ -116,8 +116,9 @@ impl Plan {
             return self.with(&[]).map(|_| ());
         }
         for (number, axis) in self.axes.iter().enumerate() {
-            for value in 0..axis.values.len() {
-                self.first_with(number, value)?;
+            let values = (0..axis.values.len()).into_par_iter();
+            if let Some(error) = values.find_map_first(|value| self.first_with(number, value).err()) {
+                return Err(error);
             }
         }
         Ok(())
