@@ -43,7 +43,7 @@ fn keys(set: &Try) -> Vec<&str> {
 
 #[test]
 fn every_lesson_can_be_read_and_tried_in_any_order() {
-    assert_eq!(lessons().len(), 5, "all of them are read");
+    assert_eq!(lessons().len(), 6, "all of them are read");
     for lesson in lessons() {
         let scene = lesson.scene().expect("a good scene");
         assert_eq!(scene.name, lesson.name, "called like its file");
@@ -153,6 +153,25 @@ fn which_way_to_shake() {
     says(lesson, Some(0), &format!("{} hits", run(lesson, Some(0)).summary().hits));
     let turned = |number| run(lesson, number).summary().max_rotation;
     assert!(turned(Some(2)) < turned(None) && turned(None) < turned(Some(3)), "less one way, more the other");
+}
+
+#[test]
+fn what_the_paper_saw() {
+    // Beside the preset of its straight girder.
+    let lesson = lesson("straight-abutment");
+    let own = run(lesson, None);
+    says(lesson, None, &format!("{} hits in 24 cycles", own.summary().hits));
+    assert_eq!(own.scene().duration * 2.4, 24.0, "cycles");
+    for number in 0..lesson.tries.len() {
+        says(lesson, Some(number), &turn(&run(lesson, Some(number))));
+    }
+    let history = run(lesson, Some(0));
+    let sideways =
+        (0..=20_000).map(|i| history.motion(0, history.end() * f64::from(i) / 20_000.0).displacement.y.abs());
+    says(lesson, Some(0), &format!("{:.1} mm", 1e3 * sideways.fold(0.0, f64::max)));
+    let turned = |number| run(lesson, Some(number)).summary().max_rotation;
+    assert!(turned(4) < turned(3) && turned(4) > 0.5 * turned(3), "less than the 45° deck, not much less");
+    assert!(run(lesson, Some(2)).impact().is_some(), "the other model");
 }
 
 /// Whether a corner begins its touch in stick.

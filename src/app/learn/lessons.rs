@@ -46,24 +46,29 @@ pub struct Try {
 }
 
 macro_rules! file {
-    ($name:literal, $end:literal) => {
-        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/", $name, $end))
+    ($path:expr) => {
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $path))
     };
 }
 
+/// Words beside a scene of the same name, or beside a preset.
 macro_rules! lesson {
     ($name:literal) => {
-        ($name, file!($name, ".lesson.toml"), file!($name, ".toml"))
+        ($name, file!(concat!("lessons/", $name, ".lesson.toml")), file!(concat!("lessons/", $name, ".toml")))
+    };
+    ($words:literal of $preset:literal) => {
+        ($preset, file!(concat!("lessons/", $words, ".lesson.toml")), file!(concat!("presets/", $preset, ".toml")))
     };
 }
 
 /// Name, words, scene; in the order of the menu.
-const FILES: [(&str, &str, &str); 5] = [
+const FILES: [(&str, &str, &str); 6] = [
     lesson!("one-hit-or-two"),
     lesson!("skewed-deck"),
     lesson!("which-way-to-shake"),
     lesson!("stick-and-slip"),
     lesson!("friction-cone"),
+    lesson!("what-the-paper-saw" of "straight-abutment"),
 ];
 
 static LESSONS: LazyLock<Vec<Lesson>> = LazyLock::new(|| {
