@@ -22,11 +22,14 @@ struct Drawn<'a> {
 impl Drawn<'_> {
     /// A value as it is drawn on an axis that is even: equal ratios by their logarithm.
     fn scaled(&self, value: f64) -> f64 {
-        if self.axis.is_log { value.abs().log10() } else { value }
+        if self.axis.is_log { value.signum() * value.abs().log10() } else { value }
     }
 
     /// Where a value is, in steps from the first; none outside.
     fn step_of(&self, value: f64) -> Option<f64> {
+        if self.axis.is_log && value * self.values[0].0 <= 0.0 {
+            return None;
+        }
         let at = |i: usize| self.scaled(self.values[i].0);
         let value = self.scaled(value);
         let before = (0..self.values.len()).rfind(|&i| at(i) <= value)?;
@@ -167,4 +170,74 @@ fn drawn((place, axis): (usize, &Axis)) -> Option<Drawn<'_>> {
     let mut values: Vec<(f64, usize)> = numbers.into_iter().zip(0..).collect();
     values.sort_by(|a, b| a.0.total_cmp(&b.0));
     Some(Drawn { place, axis, values })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::scene::presets;
+    use crate::study::sweep::{Plan, Row, Status};
+
+    /// Runs whose first measure is their own number.
+    fn pictures(vary: &[&str]) -> Result<Vec<(String, String)>, String> {
+        let texts = |texts: &[&str]| texts.iter().map(|text| (*text).to_owned()).collect::<Vec<_>>();
+        let scene = presets::load("skew45-abutment").expect("ships");
+        let measures = texts(&["max_force", "max_impulse"]);
+        let plan = Plan::new(scene, &texts(vary), &measures, Box::new(|_| Ok(()))).expect("a plan");
+        let row = |run: usize| {
+            let values = vec![Some(run as f64), None];
+            (run, Row { run, status: Status::Complete, values, reason: String::new() })
+        };
+        let rows: BTreeMap<usize, Row> = (0..plan.runs()).map(row).collect();
+        Dataset { plan: &plan, rows: &rows }.pictures()
+    }
+
+    /// The one picture that there is.
+    fn picture(vary: &[&str]) -> String {
+        let all = pictures(vary).expect("drawn");
+        assert_eq!(
+            all.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(),
+            ["max_force"],
+            "no run has the other"
+        );
+        all.into_iter().next().expect("one").1
+    }
+
+    #[test]
+    fn two_keys_of_numbers_are_a_map_and_others_its_panels() {
+        let svg = picture(&["contact.law=paper,return-mapping", "girder.deck.skew_deg=30,60", "motion.angle_deg=0,90"]);
+        assert!(svg.contains("contact.law = paper") && svg.contains("contact.law = return-mapping"), "a panel each");
+        // Run 0 is the lowest value: 30° and 0°, in the lower left corner; run 7 the highest: 60° and 90° of the second panel.
+        let [first, second] = svg.split("</g>").collect::<Vec<_>>()[..2] else { panic!("two panels") };
+        assert!(first.contains(r##"fill="#440154" d="M0 0h1v1h-1z""##), "{first}");
+        assert!(second.contains(r##"fill="#fde725" d="M1 1h1v1h-1z""##), "{second}");
+        assert!(svg.contains("the scene"), "45° and 0° are inside");
+    }
+
+    #[test]
+    fn one_key_of_numbers_is_a_line_and_others_more_of_them() {
+        let svg = picture(&["contact.law=paper,return-mapping", "motion.frequency_hz=1..100:3:log"]);
+        assert_eq!(svg.matches("<polyline").count(), 3, "a line a law, and where the scene is");
+        assert!(svg.contains("log10 of motion.frequency_hz") && svg.contains("contact.law = paper"), "{svg}");
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_told() {
+        let none = pictures(&["contact.law=paper,return-mapping"]).expect_err("words alone");
+        assert!(none.contains("no key has two numbers"), "{none}");
+        let many = ["girder.deck.skew_deg=30,60", "motion.angle_deg=0,90", "motion.phase_deg=0..90:7"];
+        let many = pictures(&many).expect_err("seven panels");
+        assert!(many.contains("7 panels, 6 at most"), "{many}");
+    }
+
+    #[test]
+    fn the_scene_is_between_its_neighbours() {
+        let axis = Axis::parse("a=10..1000:3:log").expect("an axis");
+        let drawn = drawn((0, &axis)).expect("numbers");
+        assert_eq!([10.0, 100.0, 1000.0].map(|own| drawn.step_of(own)), [Some(0.0), Some(1.0), Some(2.0)], "on them");
+        assert!(drawn.step_of(31.6).is_some_and(|step| (step - 0.5).abs() < 1e-3), "between");
+        assert_eq!([9.0, 1001.0, -100.0, 0.0].map(|own| drawn.step_of(own)), [None; 4], "outside");
+    }
 }

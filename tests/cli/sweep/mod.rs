@@ -111,6 +111,30 @@ fn killed_again_and_again_it_ends_with_the_same_dataset() {
 }
 
 #[test]
+fn two_processes_do_not_write_one_journal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let sweep = ["sweep", "deck-30m", "--until", "600", "--vary", "motion.angle_deg=0,1", "--measure", "hits"];
+    let mut command = program();
+    let mut child = command
+        .args(sweep)
+        .args(["--out", out])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    while lines(folder.path()) == 0 {
+        assert!(child.try_wait().expect("its state").is_none(), "it computes for minutes");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let said = call(&[&sweep[..], &["--out", out]].concat());
+    child.kill().expect("killed");
+    child.wait().expect("ended");
+    assert_eq!(said.status, Some(2), "{}", said.err);
+    assert!(said.err.contains("runs.journal: another process is at work on it: wait"), "{}", said.err);
+}
+
+#[test]
 fn parts_of_it_make_the_same_dataset() {
     let folder = tempfile::tempdir().expect("a folder");
     let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
