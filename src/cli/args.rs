@@ -35,7 +35,7 @@ pub(super) struct Changes {
 /// How many threads runs share.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct Threads {
-    /// Compute bodies that no pair joins on so many threads; `RAYON_NUM_THREADS` when left out, else one a processor
+    /// Compute on so many threads (runs of a sweep, bodies that no pair joins); `RAYON_NUM_THREADS` when left out, else one a processor
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }

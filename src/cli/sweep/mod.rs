@@ -5,6 +5,8 @@ mod shard;
 
 use std::path::PathBuf;
 
+use serde_json::Value;
+
 use super::args::{SceneArgs, Threads};
 use super::console::Console;
 use super::domain;
@@ -70,20 +72,21 @@ pub(super) fn run(args: &SweepArgs, console: &mut Console) -> Result<(), Failure
         console.print("this part is complete; when all are, the same command without --shard writes the dataset\n");
         return Ok(());
     }
-    write(args, &Dataset { plan: &plan, rows: &folder.rows }, console)
+    write(args, &Dataset { plan: &plan, rows: &folder.rows }, &about, console)
 }
 
 /// Name and bytes of the dataset as Parquet, where this build writes it.
 #[cfg(feature = "parquet")]
-fn parquet(dataset: &Dataset<'_>) -> Result<Option<(String, Vec<u8>)>, Failure> {
-    let bytes = dataset.parquet().map_err(|error| Failure::Output(format!("sweep.parquet: {error}: try again")))?;
+fn parquet(dataset: &Dataset<'_>, about: &Value) -> Result<Option<(String, Vec<u8>)>, Failure> {
+    let bytes =
+        dataset.parquet(about).map_err(|error| Failure::Output(format!("sweep.parquet: {error}: try again")))?;
     Ok(Some(("sweep.parquet".to_owned(), bytes)))
 }
 
 /// No Parquet: this build writes none.
 #[cfg(not(feature = "parquet"))]
 #[expect(clippy::unnecessary_wraps, reason = "the same call as in a build with Parquet")]
-fn parquet(_: &Dataset<'_>) -> Result<Option<(String, Vec<u8>)>, Failure> {
+fn parquet(_: &Dataset<'_>, _: &Value) -> Result<Option<(String, Vec<u8>)>, Failure> {
     Ok(None)
 }
 
@@ -106,11 +109,11 @@ fn compute_missing(plan: &Plan, missing: &[usize], folder: &mut Folder) -> Resul
 }
 
 /// Writes the dataset and its pictures, and says how the runs ended.
-fn write(args: &SweepArgs, dataset: &Dataset<'_>, console: &mut Console) -> Result<(), Failure> {
+fn write(args: &SweepArgs, dataset: &Dataset<'_>, about: &Value, console: &mut Console) -> Result<(), Failure> {
     let of_csv = |error: csv::Error| Failure::Output(format!("sweep.csv: {error}: try again"));
     let mut files = vec![("sweep.csv".to_owned(), dataset.csv().map_err(of_csv)?)];
     let digest = xxhash_rust::xxh3::xxh3_64(&files[0].1);
-    files.extend(parquet(dataset)?);
+    files.extend(parquet(dataset, about)?);
     match dataset.pictures() {
         Ok(pictures) => {
             for (name, svg) in pictures {

@@ -11,25 +11,25 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 use serde_json::Value;
 
-use super::dataset::{Column, Dataset, about, columns};
+use super::dataset::{Column, Dataset, columns};
 use super::row::Row;
 
 /// Rows of a row group: what readers hold at once, 2²⁰ as is usual.
 const GROUP: usize = 1 << 20;
 
 impl Dataset<'_> {
-    /// As Parquet, uncompressed but for dictionaries. The metadata has the parts of `sweep.json` by their names: `scene`,
+    /// As Parquet, uncompressed but for dictionaries. The metadata has the parts of `about` by their names: `scene`,
     /// `girderbench`, `columns` with their units, and so on.
     ///
     /// # Errors
     /// What the writer answers.
-    pub fn parquet(&self) -> Result<Vec<u8>, ParquetError> {
+    pub fn parquet(&self, about: &Value) -> Result<Vec<u8>, ParquetError> {
         let columns = columns(self.plan);
         let fields = columns.iter().map(field).collect::<Result<_, _>>()?;
         let schema = Type::group_type_builder("sweep").with_fields(fields).build()?;
         let properties = WriterProperties::builder()
             .set_created_by(concat!("girderbench ", env!("CARGO_PKG_VERSION")).to_owned())
-            .set_key_value_metadata(Some(self.metadata()))
+            .set_key_value_metadata(Some(metadata(about)))
             .build();
         let mut writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
         let rows: Vec<&Row> = self.rows.values().collect();
@@ -43,14 +43,6 @@ impl Dataset<'_> {
             group.close()?;
         }
         writer.into_inner()
-    }
-
-    /// The parts of `sweep.json`, text as it is and everything else as JSON.
-    fn metadata(&self) -> Vec<KeyValue> {
-        let about = about(self.plan);
-        let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let parts = about.as_object().into_iter().flatten();
-        parts.map(|(name, value)| KeyValue::new(name.clone(), text(value))).collect()
     }
 
     fn write(
@@ -95,6 +87,13 @@ impl Dataset<'_> {
     }
 }
 
+/// The parts of `sweep.json`, text as it is and everything else as JSON.
+fn metadata(about: &Value) -> Vec<KeyValue> {
+    let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let parts = about.as_object().into_iter().flatten();
+    parts.map(|(name, value)| KeyValue::new(name.clone(), text(value))).collect()
+}
+
 /// Name and type of a column.
 fn field(column: &Column<'_>) -> Result<TypePtr, ParquetError> {
     let number = if column.is_number() { Physical::DOUBLE } else { Physical::BYTE_ARRAY };
@@ -118,7 +117,7 @@ mod tests {
 
     use super::*;
     use crate::scene::presets;
-    use crate::study::sweep::{Plan, Status};
+    use crate::study::sweep::{Plan, Status, about};
 
     #[test]
     fn every_cell_and_the_scene_come_back() {
@@ -132,7 +131,7 @@ mod tests {
         };
         let rows = [row(0, Some(0.1 + 0.2), ""), row(1, None, "at 1 s"), row(2, None, ""), row(3, Some(0.0), "")];
         let rows = BTreeMap::from(rows);
-        let bytes = Dataset { plan: &plan, rows: &rows }.parquet().expect("written");
+        let bytes = Dataset { plan: &plan, rows: &rows }.parquet(&about(&plan)).expect("written");
         let mut file = tempfile::tempfile().expect("a file");
         std::io::Write::write_all(&mut file, &bytes).expect("written");
         let reader = SerializedFileReader::new(file).expect("Parquet");

@@ -150,16 +150,13 @@ impl Plan {
     }
 
     /// Hash of the samples of every record that the runs are shaken by.
-    ///
-    /// # Errors
-    /// Those of [`scene_of`](Self::scene_of), where a value is refused with others than the first.
     pub fn records_hash(&self) -> u64 {
-        let mut hashes = BTreeSet::new();
-        hashes.insert(hash_records(&self.scene));
+        let mut hashes = BTreeSet::from([hash_records(&self.scene)]);
         let moving = self.axes.iter().enumerate().filter(|(_, axis)| axis.key.starts_with("motion"));
         for (number, axis) in moving {
-            let runs = (0..axis.values.len()).filter_map(|value| self.first_with(number, value).ok());
-            hashes.extend(runs.filter_map(|run| self.scene_of(run).ok()).map(|scene| hash_records(&scene)));
+            let values = (0..axis.values.len()).into_par_iter();
+            let runs = values.filter_map(|value| self.first_with(number, value).ok());
+            hashes.par_extend(runs.filter_map(|run| self.scene_of(run).ok()).map(|scene| hash_records(&scene)));
         }
         let mut hash = Xxh3::new();
         for record in hashes {

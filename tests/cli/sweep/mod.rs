@@ -175,6 +175,39 @@ fn a_run_that_gives_up_is_a_row_with_its_reason() {
 }
 
 #[test]
+fn records_are_found_beside_the_scene_and_a_changed_one_is_another_sweep() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let record = |name: &str, peak: f64| {
+        let sample = |i: u32| format!("{},{}\n", f64::from(i) / 100.0, peak * (f64::from(i) / 7.0).sin());
+        let rows: String = (0..200).map(sample).collect();
+        fs::write(path(name), format!("t [s],a [m/s2]\n{rows}")).expect("written");
+    };
+    record("a.csv", 4.0);
+    record("b.csv", 6.0);
+    let preset = girderbench::scene::presets::get("skew45-abutment").expect("ships");
+    fs::write(path("scene.toml"), preset.text).expect("written");
+    let files = ["--vary", "motion.kind=record", "--vary", "motion.file=a.csv,b.csv", "--measure", "max_displacement"];
+    let sweep = || call(&[&["sweep", &path("scene.toml"), "--until", "2", "--out", &path("out")], &files[..]].concat());
+    let said = sweep();
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    let table = fs::read_to_string(folder.path().join("out/sweep.csv")).expect("the dataset");
+    for file in ["a.csv", "b.csv"] {
+        let sets = ["--set", "motion.kind=record", "--set", &format!("motion.file={file}")];
+        let run = call(&[&["run", &path("scene.toml"), "--until", "2", "--out", &path("run")], &sets[..]].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let summary = fs::read(folder.path().join("run/summary.json")).expect("its summary");
+        let summary: serde_json::Value = serde_json::from_slice(&summary).expect("JSON");
+        let row = format!(",record,{file},{:?},complete,", summary["max_displacement"].as_f64().expect("a number"));
+        assert!(table.contains(&row), "{row} in {table}");
+    }
+    record("b.csv", 7.0);
+    let said = sweep();
+    assert_eq!(said.status, Some(2), "{}", said.err);
+    assert!(said.err.contains("another sweep by the records of ground motion;"), "{}", said.err);
+}
+
+#[test]
 fn another_sweep_in_the_folder_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
