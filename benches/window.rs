@@ -7,7 +7,7 @@ mod row;
 
 use divan::Bencher;
 use egui::{Context, Rect, pos2, vec2};
-use girderbench::app::{SelectCommand, TimeCommand, Workbench};
+use girderbench::app::{SelectCommand, TimeCommand, Workbench, show};
 use girderbench::files::SceneSource;
 use girderbench::scene::{Scene, presets};
 use girderbench::view::Target;
@@ -19,9 +19,9 @@ fn main() {
 /// A window that has come to rest on a scene, with a girder selected.
 fn window(scene: Scene) -> (Workbench, Context) {
     let mut bench = Workbench::new(scene, SceneSource::New);
-    bench.set_estimates(false);
-    bench.set_silent();
-    bench.wait();
+    bench.replay.runner.set_estimates(false);
+    bench.tasks.set_silent();
+    bench.replay.runner.wait();
     bench.apply(SelectCommand::Only(Some(Target::Girder(0))));
     let context = Context::default();
     for _ in 0..8 {
@@ -33,7 +33,7 @@ fn window(scene: Scene) -> (Workbench, Context) {
 fn frame(bench: &mut Workbench, context: &Context) -> usize {
     let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 720.0));
     let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
-    let mut output = context.run_ui(input, |ui| bench.ui(ui));
+    let mut output = context.run_ui(input, |ui| show(bench, ui));
     let shapes = std::mem::take(&mut output.shapes);
     output.textures_delta.clear();
     context.tessellate(shapes, output.pixels_per_point).len()

@@ -59,7 +59,7 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
             "bench",
         ],
     ),
-    ("shell", &["host", "command", "text", "disk", "bench"]),
+    ("shell", &["host", "command", "text", "disk", "bench", "panel"]),
 ];
 
 /// Every room inside of `dynamics` and the rooms of `dynamics` that it may use, without exception.
@@ -82,6 +82,9 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
     ("impact2d", &["integrator", "locate", "model", "free_flight", "trajectory", "event_loop", "world"]),
     ("run", &["model", "free_flight", "trajectory", "record", "event_loop", "contact_model", "impact2d"]),
 ];
+
+/// Files and rooms of the window that take the workbench whole; every other takes the parts that it needs.
+const TAKE_THE_WORKBENCH: &[&str] = &["src/app/mod.rs", "src/app/bench/", "src/app/panel/layout.rs", "src/app/shell/"];
 
 /// Rooms whose answer depends on their input alone, to the last bit.
 const PHYSICS: &[&str] = &["geometry", "contact", "motion", "scene", "dynamics", "sim"];
@@ -216,6 +219,14 @@ fn imports_inside_the_window_run_one_way() {
 fn imports_inside_of_dynamics_run_one_way() {
     let complaints = climbs("src/dynamics/", DYNAMICS_ROOMS);
     expect_none(&complaints, "a room of dynamics uses only rooms below it (DYNAMICS_ROOMS)");
+}
+
+#[test]
+fn panels_take_the_parts_that_they_need() {
+    let sources = sources("src/app", "rs");
+    let others = sources.iter().filter(|source| !TAKE_THE_WORKBENCH.iter().any(|path| source.path.starts_with(path)));
+    let whole = others.filter(|source| has_word(&source.code, "Workbench"));
+    expect_none(&whole.map(|source| source.path.clone()).collect::<Vec<_>>(), "panels take parts (TAKE_THE_WORKBENCH)");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The workbench window: winit brings events and a surface, egui the panels, the renderer the 3D view.
 //!
-//! Everything but the thin `shell` is one function, [`Workbench::ui`], that a test can call without a window. Panels
-//! read the workbench and return [`Command`]s; [`Workbench::apply`] is where they are done. Changes of the scene go
+//! Everything but the thin `shell` is one function, [`show`], that a test can call without a window. Panels read the
+//! parts of the workbench and return [`Command`]s; [`Workbench::apply`] takes each to its part. Changes of the scene go
 //! through [`scene::edit`](crate::scene::edit), so that every one of them can be undone.
 //!
 //! # Rooms
@@ -15,14 +15,14 @@
 //! | `command` | what can be asked for, as plain data |
 //! | `text` | every word that the window shows |
 //! | `field` | one number of a scene: label, unit, range, reset |
-//! | `edits` | the scene with its past, what is selected, edits of both |
+//! | `edits` | the scene with its past and what is selected in it; edits |
 //! | `learn` | lessons |
 //! | `run` | runs of the scene, their answers, runs kept to compare with |
-//! | `time` | playing clock, window of time, timeline |
+//! | `time` | the answer played back: clock, window of time, timeline |
 //! | `plot` | curves: sampled, drawn, written |
-//! | `disk` | scene files, autosave, exports, films, the system's dialogs |
+//! | `disk` | scene files, autosave; exports, films and the system's dialogs on threads |
 //! | `viewport` | the 3D view: camera, picture, mouse, handles |
-//! | `bench` | the parts put together, and what concerns several of them |
+//! | `bench` | the parts put together, and commands that concern several of them |
 //! | `panel` | panels, dialogs, keys, and where they stand |
 //! | `shell` | the system's window |
 
@@ -51,6 +51,7 @@ pub use command::{
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};
+pub use panel::layout::show;
 pub use run::answer::{Answer, Span};
 pub use shell::window::{AppError, run};
 pub use time::clock::{Clock, HIT_SPEED, SPEEDS};

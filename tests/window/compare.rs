@@ -9,25 +9,25 @@ use girderbench::scene::presets;
 #[test]
 fn a_pinned_run_stays_as_a_ghost_and_in_the_table_while_the_scene_changes() {
     let mut harness = open(presets::OPENING);
-    let plain = harness.state().picture().expect("shown").to_string();
+    let plain = harness.state().view.viewport.list().expect("shown").to_string();
     harness.key_press(Key::P);
     settle(&mut harness);
-    assert_eq!(harness.state().pinned(), 1, "kept");
-    let before = harness.state().answer().expect("run").clone();
+    assert_eq!(harness.state().comparison.pins().len(), 1, "kept");
+    let before = harness.state().replay.runner.answer().expect("run").clone();
     slide(&mut harness, "Skew β", 60.0);
-    let now = harness.state().answer().expect("run").clone();
+    let now = harness.state().replay.runner.answer().expect("run").clone();
     let time = now.summary.peak_time.expect("a hit");
     harness.state_mut().apply(TimeCommand::Seek(time));
     settle(&mut harness);
-    let list = harness.state().picture().expect("shown").to_string();
+    let list = harness.state().view.viewport.list().expect("shown").to_string();
     assert!(list.contains("ghost") && !plain.contains("ghost"), "seen in the picture");
     let [place, turn] = now.apart_from(&before);
     assert!(place > 1e-4 && turn > 1e-3, "the skew matters: {place} m, {turn} rad");
     assert!(harness.query_by_label_contains("from 1: at the most").is_some(), "and is read out");
     reach(&mut harness, "unpin 1");
     press(&mut harness, "unpin 1");
-    assert_eq!(harness.state().pinned(), 0, "let go");
-    assert!(!harness.state().picture().expect("shown").to_string().contains("ghost"), "the ghost is gone");
+    assert_eq!(harness.state().comparison.pins().len(), 0, "let go");
+    assert!(!harness.state().view.viewport.list().expect("shown").to_string().contains("ghost"), "the ghost is gone");
 }
 
 #[test]
@@ -36,16 +36,16 @@ fn four_runs_are_kept_and_a_fifth_is_refused_in_words() {
     harness.state_mut().apply(CompareCommand::Pin);
     harness.state_mut().apply(CompareCommand::Pin);
     settle(&mut harness);
-    assert_eq!(harness.state().pinned(), 1, "the same run once");
-    assert!(harness.state().notice().is_some_and(|n| n.contains("already")), "and says so");
+    assert_eq!(harness.state().comparison.pins().len(), 1, "the same run once");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("already")), "and says so");
     for skew in [50.0, 55.0, 60.0, 65.0] {
         slide(&mut harness, "Skew β", skew);
         harness.state_mut().apply(CompareCommand::Pin);
     }
     settle(&mut harness);
-    assert_eq!(harness.state().pinned(), 4, "four");
-    assert!(harness.state().notice().is_some_and(|n| n.contains("unpin")), "the fifth is refused in words");
+    assert_eq!(harness.state().comparison.pins().len(), 4, "four");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("unpin")), "the fifth is refused in words");
     reach(&mut harness, "Unpin all");
     press(&mut harness, "Unpin all");
-    assert_eq!(harness.state().pinned(), 0, "none");
+    assert_eq!(harness.state().comparison.pins().len(), 0, "none");
 }

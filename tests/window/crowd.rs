@@ -13,14 +13,14 @@ use girderbench::scene::Scene;
 /// Vertices of a frame of a row's window, once it has come to rest.
 fn vertices(girders: usize) -> usize {
     let mut bench = Workbench::new(Scene { duration: 1.0, ..row::of(girders) }, SceneSource::New);
-    bench.set_estimates(false);
-    bench.wait();
+    bench.replay.runner.set_estimates(false);
+    bench.replay.runner.wait();
     let context = Context::default();
     let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 720.0));
     let mut last = 0;
     for _ in 0..4 {
         let input = RawInput { screen_rect: Some(screen), ..RawInput::default() };
-        let mut output = context.run_ui(input, |ui| bench.ui(ui));
+        let mut output = context.run_ui(input, |ui| girderbench::app::show(&mut bench, ui));
         output.textures_delta.clear();
         let of = |job: &ClippedPrimitive| match &job.primitive {
             Primitive::Mesh(mesh) => mesh.vertices.len(),

@@ -162,7 +162,7 @@ fn deck() -> Window {
 
 #[test]
 fn what_is_not_the_default_can_be_taken_back_by_sign_by_menu_and_by_emptying_it() {
-    let skew = |h: &Window| h.state().scene().girders[0].skew_deg;
+    let skew = |h: &Window| h.state().files.document.scene().girders[0].skew_deg;
     let mut harness = deck();
     assert_eq!(skew(&harness), 45.0, "not straight, to begin with");
     // Sign: it is in both panels, at the number and at the slider.
@@ -192,38 +192,43 @@ fn what_is_not_the_default_can_be_taken_back_by_sign_by_menu_and_by_emptying_it(
     harness.key_press(Key::Enter);
     settle(&mut harness);
     assert_eq!(skew(&harness), 90.0, "emptied");
-    assert_eq!(harness.state().selection().len(), 1, "the key was the field's");
-    assert_eq!(harness.state().scene().girders.len(), 1, "nothing was removed");
+    assert_eq!(harness.state().files.document.selection().all().len(), 1, "the key was the field's");
+    assert_eq!(harness.state().files.document.scene().girders.len(), 1, "nothing was removed");
 }
 
 #[test]
 fn a_number_out_of_its_range_is_marked_with_the_reason_and_undone() {
     let mut harness = deck();
-    let before = harness.state().scene().clone();
+    let before = harness.state().files.document.scene().clone();
     type_in(&mut harness, "Mass m", "-2");
-    assert_eq!(harness.state().scene().girders[0].mass, -2.0, "as typed: invalid while editing is allowed");
-    let problems = harness.state().problems().expect("no mass is negative").clone();
+    assert_eq!(
+        harness.state().files.document.scene().girders[0].mass,
+        -2.0,
+        "as typed: invalid while editing is allowed"
+    );
+    let problems = harness.state().replay.runner.problems().expect("no mass is negative").clone();
     let remedy = keys::find(keys::GIRDER, "mass_kg").and_then(|key| key.range.fault(-2.0)).expect("a reason");
     assert_eq!(problems.0[0].remedy, remedy, "the range's own words");
     assert!(harness.query_all_by_label_contains(&remedy).count() >= 2, "at the field too");
     undo(&mut harness);
-    assert_eq!(*harness.state().scene(), before, "one step");
+    assert_eq!(*harness.state().files.document.scene(), before, "one step");
     type_in(&mut harness, "Mass m", "12 mm");
-    assert_eq!(*harness.state().scene(), before, "no mass: refused");
+    assert_eq!(*harness.state().files.document.scene(), before, "no mass: refused");
     assert!(harness.query_by_label_contains("\u{201c}12 mm\u{201d} is no number here").is_some(), "with the reason");
     type_in(&mut harness, "Amplitude", "0.4 kg");
-    assert_eq!(*harness.state().scene(), before, "the number behind a slider refuses too");
+    assert_eq!(*harness.state().files.document.scene(), before, "the number behind a slider refuses too");
     assert!(harness.query_by_label_contains("\u{201c}0.4 kg\u{201d} is no number here").is_some(), "with the reason");
     type_in(&mut harness, "Amplitude", "1.5 g");
-    let beyond = matches!(&harness.state().scene().motion, Motion::Sine(s) if s.amplitude_g == Some(1.5));
+    let beyond =
+        matches!(&harness.state().files.document.scene().motion, Motion::Sine(s) if s.amplitude_g == Some(1.5));
     assert!(beyond, "and takes what lies beyond the slider");
     undo(&mut harness);
     type_in(&mut harness, "Mass m", "");
-    assert_eq!(*harness.state().scene(), before, "it has no default");
+    assert_eq!(*harness.state().files.document.scene(), before, "it has no default");
     assert!(harness.query_by_label_contains("It must be given").is_some(), "with the reason");
     type_in(&mut harness, "Mass m", "3");
     assert!(harness.query_by_label_contains("It must be given").is_none(), "a number ends the complaint");
-    assert_eq!(harness.state().scene().girders[0].mass, 3.0, "taken");
+    assert_eq!(harness.state().files.document.scene().girders[0].mass, 3.0, "taken");
 }
 
 #[test]
@@ -231,7 +236,7 @@ fn a_reckoned_number_is_given_and_reckoned_again() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
-    let width = |h: &Window| h.state().scene().abutments[0].width;
+    let width = |h: &Window| h.state().files.document.scene().abutments[0].width;
     let before = width(&harness);
     type_in(&mut harness, "Face width", "0.5 m");
     assert_eq!(width(&harness), Some(0.5), "given");
@@ -248,20 +253,24 @@ fn the_face_of_a_wall_is_given_by_its_corners_and_back() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
-    let digest = |h: &Window| h.state().answer().expect("run").history.digest();
-    let gap = harness.state().scene().abutments[0].gap.expect("given");
+    let digest = |h: &Window| h.state().replay.runner.answer().expect("run").history.digest();
+    let gap = harness.state().files.document.scene().abutments[0].gap.expect("given");
     super::harness::reach(&mut harness, "Give the face by its corners");
     press(&mut harness, "Give the face by its corners");
-    let corners = harness.state().scene().abutments[0].polygon.clone().expect("four corners");
+    let corners = harness.state().files.document.scene().abutments[0].polygon.clone().expect("four corners");
     assert_eq!(corners.len(), 4, "four");
-    assert_eq!(harness.state().problems(), None, "and it runs");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
     type_in(&mut harness, "Corner 1 z", "-25 mm");
-    assert_eq!(harness.state().scene().abutments[0].polygon.as_ref().expect("still")[0][2], -0.025, "as typed");
+    assert_eq!(
+        harness.state().files.document.scene().abutments[0].polygon.as_ref().expect("still")[0][2],
+        -0.025,
+        "as typed"
+    );
     undo(&mut harness);
     let by_corners = digest(&harness);
     super::harness::reach(&mut harness, "Give the face by its gap");
     press(&mut harness, "Give the face by its gap");
-    let again = harness.state().scene().abutments[0].gap.expect("given");
+    let again = harness.state().files.document.scene().abutments[0].gap.expect("given");
     assert!((again - gap).abs() < 2e-6, "where it was, to the micrometre: {again}");
     assert_ne!(by_corners, 0, "it ran");
 }
@@ -285,38 +294,48 @@ fn the_ground_stands_still_is_a_sine_or_a_record_and_keeps_its_angle() {
     let mut harness = open(presets::OPENING);
     super::harness::slide(&mut harness, "Angle α", 30.0);
     super::harness::slide(&mut harness, "Phase φ0", 90.0);
-    assert!(matches!(&harness.state().scene().motion, Motion::Sine(s) if s.phase_deg == 90.0), "the phase");
+    assert!(
+        matches!(&harness.state().files.document.scene().motion, Motion::Sine(s) if s.phase_deg == 90.0),
+        "the phase"
+    );
     choose(&mut harness, "Given in", "m/s²");
-    let Motion::Sine(sine) = harness.state().scene().motion.clone() else { panic!("a sine") };
+    let Motion::Sine(sine) = harness.state().files.document.scene().motion.clone() else { panic!("a sine") };
     assert!(sine.amplitude_g.is_none() && (sine.amplitude.expect("given") - 3.92266).abs() < 1e-9, "the same in m/s²");
     choose(&mut harness, "Ground", "record");
-    assert!(matches!(&harness.state().scene().motion, Motion::Record(r) if r.angle_deg == 30.0), "the angle stays");
-    assert_eq!(harness.state().problems(), None, "silence runs");
+    assert!(
+        matches!(&harness.state().files.document.scene().motion, Motion::Record(r) if r.angle_deg == 30.0),
+        "the angle stays"
+    );
+    assert_eq!(harness.state().replay.runner.problems(), None, "silence runs");
     harness.state_mut().apply(FileCommand::Record(file.clone()));
     settle(&mut harness);
-    let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
+    let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
     let (dt, samples) = record.series().expect("read");
     assert!((dt - 0.1).abs() < 1e-12, "every 0.1 s, got {dt}");
     assert_eq!(samples, [0.0, 2.0, -1.0, 0.0], "as written");
     assert_eq!((record.angle_deg, record.samples), (30.0, None), "from the file");
-    assert_eq!(harness.state().problems(), None, "and run");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and run");
     assert!(harness.query_by_label_contains("4 samples, 0.1 s apart").is_some(), "said in the panel");
     super::harness::slide(&mut harness, "Record scale", 2.0);
     super::harness::reach(&mut harness, "Keep its samples in the scene");
     press(&mut harness, "Keep its samples in the scene");
-    let Motion::Record(record) = harness.state().scene().motion.clone() else { panic!("a record") };
+    let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
     assert_eq!((record.scale, record.file.clone(), record.dt), (2.0, None, Some(dt)), "without the file");
-    let kept = harness.state().scene().clone();
+    let kept = harness.state().files.document.scene().clone();
     harness.state_mut().apply(FileCommand::Record(folder.path().join("nothing.csv")));
     settle(&mut harness);
-    assert!(harness.state().notice().is_some_and(|n| n.contains("nothing.csv")), "a missing file is named");
-    assert_eq!(*harness.state().scene(), kept, "and changes nothing");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("nothing.csv")), "a missing file is named");
+    assert_eq!(*harness.state().files.document.scene(), kept, "and changes nothing");
     choose(&mut harness, "Ground", "still");
-    assert_eq!(harness.state().scene().motion, Motion::None, "still");
-    while harness.state().undo_label().is_some() {
+    assert_eq!(harness.state().files.document.scene().motion, Motion::None, "still");
+    while harness.state().files.document.undo_label().is_some() {
         undo(&mut harness);
     }
-    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("ships"), "every step undone");
+    assert_eq!(
+        *harness.state().files.document.scene(),
+        presets::load(presets::OPENING).expect("ships"),
+        "every step undone"
+    );
 }
 
 #[test]
@@ -329,16 +348,16 @@ fn a_record_that_was_chosen_is_saved_with_the_scene_and_opened_again() {
     harness.state_mut().apply(FileCommand::Record(quake));
     settle(&mut harness);
     assert!(
-        matches!(&harness.state().scene().motion, Motion::Record(r) if r.file.as_deref() == Some("quake.csv")),
+        matches!(&harness.state().files.document.scene().motion, Motion::Record(r) if r.file.as_deref() == Some("quake.csv")),
         "named from the scene's folder on"
     );
     harness.state_mut().apply(FileCommand::SaveTo(scene.clone()));
-    let saved = harness.state().scene().clone();
+    let saved = harness.state().files.document.scene().clone();
     harness.state_mut().apply(FileCommand::New);
     harness.state_mut().apply(FileCommand::Open(scene));
     settle(&mut harness);
-    assert_eq!(harness.state().scene().motion, saved.motion, "the record with it");
-    assert_eq!(harness.state().problems(), None, "and it runs");
+    assert_eq!(harness.state().files.document.scene().motion, saved.motion, "the record with it");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
 }
 
 #[test]
@@ -363,9 +382,9 @@ fn samples_are_typed_and_nonsense_among_them_is_said() {
     harness.key_press(Key::Tab);
     settle(&mut harness);
     assert!(
-        matches!(&harness.state().scene().motion, Motion::Record(r) if r.samples == Some(vec![0.0, 1.5, -2.0, 0.0])),
+        matches!(&harness.state().files.document.scene().motion, Motion::Record(r) if r.samples == Some(vec![0.0, 1.5, -2.0, 0.0])),
         "{:?}",
-        harness.state().scene().motion
+        harness.state().files.document.scene().motion
     );
 }
 
@@ -378,7 +397,7 @@ fn a_pair_that_is_not_found_by_itself_is_declared() {
     harness.run_steps(40);
     super::harness::reach(&mut harness, "Name a pair");
     press(&mut harness, "Name a pair");
-    let pairs = |h: &Window| h.state().scene().contact.pairs.clone();
+    let pairs = |h: &Window| h.state().files.document.scene().contact.pairs.clone();
     assert_eq!(pairs(&harness).len(), 1, "an entry");
     reach_as(&mut harness, Role::CheckBox, "Entry 1: these ends only");
     harness.get_by_role_and_label(Role::CheckBox, "Entry 1: these ends only").click();
@@ -396,16 +415,18 @@ fn stiffness_is_given_one_way_at_a_time() {
     unfold.scroll_to_me();
     unfold.click_accesskit();
     harness.run_steps(40);
-    let given = |h: &Window| (h.state().scene().contact.stiffness, h.state().scene().contact.young_modulus);
+    let given = |h: &Window| {
+        (h.state().files.document.scene().contact.stiffness, h.state().files.document.scene().contact.young_modulus)
+    };
     assert_eq!(given(&harness), (Some(1.55e5), None), "the preset gives K");
     type_in(&mut harness, "E of all", "20 GPa");
     assert_eq!(given(&harness), (None, Some(2e10)), "E takes its place");
-    assert_eq!(harness.state().problems(), None, "and it runs");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
     choose(&mut harness, "Sharing of all", "per-node");
     choose(&mut harness, "Tension of all", "clamp");
-    let contact = harness.state().scene().contact.clone();
+    let contact = harness.state().files.document.scene().contact.clone();
     assert_eq!(format!("{:?} {:?}", contact.sharing, contact.tension), "PerNode Clamp", "chosen");
     reach_as(&mut harness, Role::Button, "Reset Tension of all");
     press(&mut harness, "Reset Tension of all");
-    assert_eq!(format!("{:?}", harness.state().scene().contact.tension), "Keep", "taken back");
+    assert_eq!(format!("{:?}", harness.state().files.document.scene().contact.tension), "Keep", "taken back");
 }

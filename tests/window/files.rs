@@ -16,7 +16,7 @@ use girderbench::scene::{Scene, presets};
 fn kept(folder: &Path) -> Harness<'static, Workbench> {
     let mut harness = open(presets::OPENING);
     harness.state_mut().keep_in(&folder.join("state"));
-    harness.state_mut().set_autosave_delay(Duration::ZERO);
+    harness.state_mut().files.session.set_autosave_delay(Duration::ZERO);
     settle(&mut harness);
     harness
 }
@@ -42,25 +42,25 @@ fn names(folder: &Path) -> Vec<String> {
 
 /// Ends a window as a crash would: nobody is asked, nothing is cleaned up.
 fn crash(harness: Harness<'_, Workbench>) {
-    harness.state().wait_for_disk();
+    harness.state().files.session.wait();
     drop(harness);
 }
 
 #[test]
 fn new_is_empty_and_undo_brings_the_old_scene_back() {
     let mut harness = open(presets::OPENING);
-    let before = harness.state().scene().clone();
+    let before = harness.state().files.document.scene().clone();
     harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
     settle(&mut harness);
-    let scene = harness.state().scene();
+    let scene = harness.state().files.document.scene();
     assert!(scene.girders.is_empty() && scene.abutments.is_empty(), "nothing is placed");
     assert!(harness.query_by_label_contains("Nothing is placed").is_some(), "and what to do is said");
-    assert!(!harness.state().is_dirty(), "nothing would be lost");
+    assert!(!harness.state().files.document.is_dirty(), "nothing would be lost");
     press(&mut harness, "Add girder");
-    assert_eq!(harness.state().scene().girders.len(), 1, "a beginning");
+    assert_eq!(harness.state().files.document.scene().girders.len(), 1, "a beginning");
     press(&mut harness, "Undo");
     press(&mut harness, "Undo");
-    assert_eq!(*harness.state().scene(), before, "the old one, exactly");
+    assert_eq!(*harness.state().files.document.scene(), before, "the old one, exactly");
 }
 
 /// Opens the list of recent files in the file menu.
@@ -80,15 +80,15 @@ fn recent_files_are_listed_opened_and_forgotten() {
     drop(harness);
     std::fs::remove_file(&other).expect("gone");
     let mut harness = kept(folder.path());
-    assert_eq!(harness.state().recent(), [other, one.clone()], "the next window knows them");
+    assert_eq!(harness.state().files.session.recent(), [other, one.clone()], "the next window knows them");
     open_recent(&mut harness);
     assert!(harness.query_by_label_contains("other.toml (missing)").is_some(), "what has gone is said to be missing");
     press(&mut harness, "Forget");
-    assert_eq!(harness.state().recent(), [one], "forgotten");
+    assert_eq!(harness.state().files.session.recent(), [one], "forgotten");
     open_recent(&mut harness);
     harness.get_by_label_contains("/one.toml").click();
     settle(&mut harness);
-    assert_eq!(harness.state().file_name(), "one.toml", "opened");
+    assert_eq!(harness.state().files.name(), "one.toml", "opened");
 }
 
 #[test]
@@ -96,10 +96,10 @@ fn a_recent_list_of_nonsense_does_not_keep_the_window_from_opening() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::create_dir_all(folder.path().join("state/recent.toml")).expect("a folder where a file should be");
     let mut harness = kept(folder.path());
-    assert!(harness.state().recent().is_empty(), "nothing to list");
+    assert!(harness.state().files.session.recent().is_empty(), "nothing to list");
     let mine = file(folder.path(), "mine.toml");
     open_file(&mut harness, &mine);
-    assert_eq!(harness.state().file_name(), "mine.toml", "and everything else goes on");
+    assert_eq!(harness.state().files.name(), "mine.toml", "and everything else goes on");
 }
 
 #[test]
@@ -109,27 +109,27 @@ fn unsaved_work_outlives_its_window() {
     let mut harness = kept(folder.path());
     open_file(&mut harness, &mine);
     slide(&mut harness, "Skew β", 75.0);
-    let edited = harness.state().scene().clone();
+    let edited = harness.state().files.document.scene().clone();
     crash(harness);
     let left = ["mine.toml", "mine.toml.unsaved", "state"];
     assert_eq!(names(folder.path()), left, "the scene and the unsaved work beside it");
 
     let mut harness = kept(folder.path());
     open_file(&mut harness, &mine);
-    assert_ne!(*harness.state().scene(), edited, "the file, to begin with");
+    assert_ne!(*harness.state().files.document.scene(), edited, "the file, to begin with");
     assert!(harness.query_by_label_contains("mine.toml, from less than a minute ago").is_some(), "asked, in words");
     press(&mut harness, "Keep for later");
-    assert!(harness.state().found_work().is_none(), "asked once");
+    assert!(harness.state().files.session.found_work().is_none(), "asked once");
     open_file(&mut harness, &mine);
     press(&mut harness, "Recover");
-    assert_eq!(*harness.state().scene(), edited, "all of it is back");
-    assert!(harness.state().is_dirty(), "and still to be saved");
+    assert_eq!(*harness.state().files.document.scene(), edited, "all of it is back");
+    assert!(harness.state().files.document.is_dirty(), "and still to be saved");
     press(&mut harness, "Undo");
-    assert_eq!(harness.state().scene().girders[0].skew_deg, 60.0, "the file's scene is one step back");
+    assert_eq!(harness.state().files.document.scene().girders[0].skew_deg, 60.0, "the file's scene is one step back");
     press(&mut harness, "Redo");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     settle(&mut harness);
-    harness.state().wait_for_disk();
+    harness.state().files.session.wait();
     assert_eq!(load_scene(&mine, &[]).expect("good"), edited, "saved");
     assert_eq!(names(folder.path()), ["mine.toml", "state"], "nothing unsaved is left");
 }
@@ -140,18 +140,18 @@ fn work_without_a_file_is_asked_about_at_the_next_start() {
     let state = folder.path().join("state");
     let mut harness = kept(folder.path());
     slide(&mut harness, "Skew β", 75.0);
-    let edited = harness.state().scene().clone();
-    harness.state().wait_for_disk();
+    let edited = harness.state().files.document.scene().clone();
+    harness.state().files.session.wait();
     assert!(find_in(&state.join("unsaved")).is_empty(), "another window does not take it from a living one");
     crash(harness);
     let mut harness = kept(folder.path());
     press(&mut harness, "Recover");
-    assert_eq!(*harness.state().scene(), edited, "back");
-    assert!(harness.state().is_dirty(), "to be saved somewhere");
+    assert_eq!(*harness.state().files.document.scene(), edited, "back");
+    assert!(harness.state().files.document.is_dirty(), "to be saved somewhere");
     crash(harness);
     let mut harness = kept(folder.path());
     press(&mut harness, "Discard");
-    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("ships"), "not wanted");
+    assert_eq!(*harness.state().files.document.scene(), presets::load(presets::OPENING).expect("ships"), "not wanted");
     assert!(names(&state.join("unsaved")).is_empty(), "and gone");
 }
 
@@ -161,10 +161,10 @@ fn closing_and_undoing_leave_no_unsaved_work() {
     let unsaved = folder.path().join("state/unsaved");
     let mut harness = kept(folder.path());
     slide(&mut harness, "Skew β", 75.0);
-    harness.state().wait_for_disk();
+    harness.state().files.session.wait();
     assert_eq!(names(&unsaved).len(), 1, "kept");
     press(&mut harness, "Undo");
-    harness.state().wait_for_disk();
+    harness.state().files.session.wait();
     assert!(names(&unsaved).is_empty(), "nothing to lose any more");
     slide(&mut harness, "Skew β", 75.0);
     harness.state_mut().apply(WindowCommand::Close);
@@ -180,18 +180,18 @@ fn work_left_behind_by_opening_another_scene_is_not_lost() {
     let mine = file(folder.path(), "mine.toml");
     let mut harness = kept(folder.path());
     open_file(&mut harness, &mine);
-    harness.state_mut().set_autosave_delay(Duration::from_hours(1));
+    harness.state_mut().files.session.set_autosave_delay(Duration::from_hours(1));
     slide(&mut harness, "Skew β", 75.0);
-    let edited = harness.state().scene().clone();
+    let edited = harness.state().files.document.scene().clone();
     harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
     settle(&mut harness);
     harness.state_mut().apply(WindowCommand::Close);
-    assert!(harness.state().wants_to_close(), "what is shown is saved");
+    assert!(harness.state().window.closes(), "what is shown is saved");
     crash(harness);
     let mut harness = kept(folder.path());
     open_file(&mut harness, &mine);
     press(&mut harness, "Recover");
-    assert_eq!(*harness.state().scene(), edited, "what was left behind");
+    assert_eq!(*harness.state().files.document.scene(), edited, "what was left behind");
 }
 
 /// Changes the file as an editor would.
@@ -214,17 +214,17 @@ fn a_file_changed_by_another_program_is_read_again_or_not() {
     settle(&mut harness);
     assert!(harness.query_by_label_contains("mine.toml was changed by another program").is_some(), "asked");
     press(&mut harness, "Reload");
-    assert_eq!(*harness.state().scene(), theirs, "read again");
-    assert!(!harness.state().is_dirty(), "as it is on the disk");
+    assert_eq!(*harness.state().files.document.scene(), theirs, "read again");
+    assert!(!harness.state().files.document.is_dirty(), "as it is on the disk");
     press(&mut harness, "Undo");
-    assert_eq!(harness.state().scene().girders[0].skew_deg, 60.0, "and what was here is one step back");
-    assert!(harness.state().is_dirty(), "which is not what is on the disk");
+    assert_eq!(harness.state().files.document.scene().girders[0].skew_deg, 60.0, "and what was here is one step back");
+    assert!(harness.state().files.document.is_dirty(), "which is not what is on the disk");
 
     slide(&mut harness, "Skew β", 75.0);
     std::fs::write(&mine, "half a sce").expect("written");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     settle(&mut harness);
-    assert!(harness.state().file_has_changed(), "nobody's work is written over without a question");
+    assert!(harness.state().files.session.file_has_changed(), "nobody's work is written over without a question");
     press(&mut harness, "Keep mine");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     settle(&mut harness);
@@ -243,25 +243,28 @@ fn a_file_that_is_only_touched_or_gone_raises_no_question() {
     std::fs::write(&mine, &text).expect("written again, the same");
     harness.event(Event::WindowFocused(true));
     settle(&mut harness);
-    assert!(!harness.state().file_has_changed() && !harness.state().is_dirty(), "nothing is different");
+    assert!(
+        !harness.state().files.session.file_has_changed() && !harness.state().files.document.is_dirty(),
+        "nothing is different"
+    );
     std::fs::remove_file(&mine).expect("gone");
     harness.event(Event::WindowFocused(true));
     settle(&mut harness);
-    assert!(harness.state().notice().is_some_and(|n| n.contains("no longer there")), "said");
-    assert!(harness.state().is_dirty(), "what is here is nowhere else");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("no longer there")), "said");
+    assert!(harness.state().files.document.is_dirty(), "what is here is nowhere else");
 }
 
 #[test]
 fn an_idle_window_with_unsaved_work_falls_asleep() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut harness = kept(folder.path());
-    harness.state_mut().set_autosave_delay(Duration::from_millis(50));
+    harness.state_mut().files.session.set_autosave_delay(Duration::from_millis(50));
     harness.get_by_role_and_label(Role::Slider, "Skew β").set_value_accesskit(75.0);
     settle(&mut harness);
     std::thread::sleep(Duration::from_millis(60));
     harness.run_steps(5);
     let delay = harness.output().viewport_output.values().next().expect("one window").repaint_delay;
     assert_eq!(delay, Duration::MAX, "written once, then nothing is to come");
-    harness.state().wait_for_disk();
+    harness.state().files.session.wait();
     assert_eq!(names(&folder.path().join("state/unsaved")).len(), 1, "and written it is");
 }

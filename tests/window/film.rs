@@ -18,14 +18,14 @@ fn ask(harness: &mut Harness<'_, Workbench>) -> FilmPlan {
     press(harness, "File");
     harness.get_by_label_contains("Export film…").click();
     settle(harness);
-    *harness.state().film_plan().expect("the dialog is open")
+    harness.state().tasks.films.plan.expect("the dialog is open")
 }
 
 /// Goes on until nothing is being filmed.
 fn finish(harness: &mut Harness<'_, Workbench>) {
     for _ in 0..6000 {
         harness.step();
-        if harness.state().filming().is_none() {
+        if harness.state().tasks.films.progress().is_none() {
             return;
         }
         std::thread::sleep(Duration::from_millis(10));
@@ -59,13 +59,13 @@ fn the_dialog_says_how_long_the_film_will_be() {
     harness.event(egui::Event::Text("0.5".into()));
     harness.key_press(Key::Enter);
     settle(&mut harness);
-    let plan = *harness.state().film_plan().expect("open");
+    let plan = harness.state().tasks.films.plan.expect("open");
     assert_eq!(plan.format, FilmFormat::Png, "chosen");
     assert_eq!(plan.frames(), None, "it would end before it begins: {plan:?}");
     assert!(harness.get_by_role_and_label(Role::Button, "Choose where…").accesskit_node().is_disabled(), "not so");
     harness.key_press(Key::Escape);
     settle(&mut harness);
-    assert!(harness.state().film_plan().is_none(), "closed");
+    assert!(harness.state().tasks.films.plan.is_none(), "closed");
 }
 
 #[test]
@@ -79,7 +79,11 @@ fn a_film_is_written_while_the_window_goes_on() {
         let path = folder.path().join(wanted);
         harness.state_mut().apply(Command::Film(Filming::Shoot(path.clone())));
         finish(&mut harness);
-        assert!(harness.state().notice().is_some_and(|n| n.contains(wanted)), "{:?}", harness.state().notice());
+        assert!(
+            harness.state().window.notice().is_some_and(|n| n.contains(wanted)),
+            "{:?}",
+            harness.state().window.notice()
+        );
         match format {
             FilmFormat::Gif => is_a_film(&path),
             FilmFormat::Png => are_pictures(&path),
@@ -119,16 +123,16 @@ fn a_cancelled_film_leaves_nothing_behind() {
         let long = FilmPlan { to: 5.0, fps: 50.0, ..short(ask(&mut harness), format) };
         harness.state_mut().apply(Command::Film(Filming::Plan(long)));
         harness.state_mut().apply(Command::Film(Filming::Shoot(folder.path().join(inner))));
-        while harness.state().filming().is_some_and(|(done, _)| done < 3) {
+        while harness.state().tasks.films.progress().is_some_and(|(done, _)| done < 3) {
             harness.step();
             std::thread::sleep(Duration::from_millis(5));
         }
-        assert!(harness.state().filming().is_some(), "thousands of frames are not done yet");
+        assert!(harness.state().tasks.films.progress().is_some(), "thousands of frames are not done yet");
         assert!(!files(folder.path()).is_empty(), "something lies there while it is made");
         assert!(harness.query_by_label_contains("/2201").is_some(), "how far it is: 4.4 s at a tenth, 50 a second");
         press(&mut harness, "Cancel film");
-        assert!(harness.state().filming().is_none(), "stopped");
-        assert!(harness.state().notice().is_some_and(|n| n.contains("cancelled")), "said");
+        assert!(harness.state().tasks.films.progress().is_none(), "stopped");
+        assert!(harness.state().window.notice().is_some_and(|n| n.contains("cancelled")), "said");
         assert!(files(folder.path()).is_empty(), "nothing is left of {inner}");
     }
 }

@@ -22,8 +22,8 @@ pub(crate) fn open(preset: &str) -> Harness<'static, Workbench> {
 /// A workbench on a preset that leaves the machine alone while idle, so that tests do not depend on time.
 pub(crate) fn bench(preset: &str) -> Workbench {
     let mut bench = Workbench::new(presets::load(preset).expect("the preset ships"), SceneSource::New);
-    bench.set_estimates(false);
-    bench.wait();
+    bench.replay.runner.set_estimates(false);
+    bench.replay.runner.wait();
     bench
 }
 
@@ -34,13 +34,13 @@ pub(crate) fn builder(size: [f32; 2]) -> egui_kittest::HarnessBuilder<Workbench>
 
 /// The whole window.
 pub(crate) fn show(ui: &mut egui::Ui, bench: &mut Workbench) {
-    bench.ui(ui);
+    girderbench::app::show(bench, ui);
 }
 
 /// Lets the window come to rest. A run that a busy machine did not finish within a frame is waited for.
 pub(crate) fn settle(harness: &mut Harness<'_, Workbench>) {
     harness.step();
-    harness.state_mut().wait();
+    harness.state_mut().replay.runner.wait();
     harness.run();
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn view(harness: &Harness<'_, Workbench>) -> Rect {
 pub(crate) fn on_screen(harness: &Harness<'_, Workbench>, world: DVec3) -> Pos2 {
     let rect = view(harness);
     let size = [f64::from(rect.width()), f64::from(rect.height())];
-    let camera = harness.state().camera().expect("the view has been shown");
+    let camera = harness.state().view.viewport.camera().expect("the view has been shown");
     let [x, y] = camera.project(world, size).expect("before the eye");
     #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
     let aside = egui::vec2(x as f32, y as f32);

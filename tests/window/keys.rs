@@ -67,7 +67,7 @@ fn a_control_that_has_the_focus_is_pressed_by_enter_and_by_space() {
         harness.step();
         harness.key_press(key);
         settle(&mut harness);
-        assert_eq!(harness.state().scene().girders.len(), 2, "{key:?} presses it");
-        assert!(!harness.state().clock().playing, "and nothing else");
+        assert_eq!(harness.state().files.document.scene().girders.len(), 2, "{key:?} presses it");
+        assert!(!harness.state().replay.playback.clock.playing, "and nothing else");
     }
 }

@@ -52,11 +52,11 @@ fn the_help_names_every_key_and_closes() {
     let mut harness = open(presets::OPENING);
     harness.key_press(Key::F1);
     settle(&mut harness);
-    assert!(harness.state().help_is_open(), "F1");
+    assert!(harness.state().window.help, "F1");
     assert!(harness.query_by_label("play, pause").is_some(), "the keys are listed");
     harness.key_press(Key::Escape);
     settle(&mut harness);
-    assert!(!harness.state().help_is_open(), "Esc");
+    assert!(!harness.state().window.help, "Esc");
 }
 
 #[test]
@@ -71,11 +71,11 @@ fn both_themes_can_be_had() {
 #[test]
 fn what_is_selected_can_be_framed() {
     let mut harness = open("row-of-5");
-    let far = harness.state().camera().expect("shown").distance;
+    let far = harness.state().view.viewport.camera().expect("shown").distance;
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(2))));
     harness.key_press(Key::F);
     settle(&mut harness);
-    let near = harness.state().camera().expect("shown").distance;
+    let near = harness.state().view.viewport.camera().expect("shown").distance;
     assert!(near < 0.5 * far, "one of five fills the view: from {far} to {near}");
 }
 
@@ -86,7 +86,7 @@ fn a_window_without_room_for_a_view_does_not_mind() {
         harness.set_size(size.into());
         harness.run_steps(3);
     }
-    assert!(harness.state().picture().is_some(), "and the view is back");
+    assert!(harness.state().view.viewport.list().is_some(), "and the view is back");
 }
 
 /// The opening scene half way through its first hit, near in time.
@@ -94,7 +94,7 @@ fn at_a_hit(harness: &mut Harness<'_, Workbench>) {
     for _ in 0..2 {
         harness.state_mut().apply(TimeCommand::StepEvent(Way::Forward));
     }
-    let t = harness.state().clock().t;
+    let t = harness.state().replay.playback.clock.t;
     harness.state_mut().apply(TimeCommand::Window(Some([t - 0.02, t + 0.05])));
     settle(harness);
     harness.remove_cursor();
@@ -117,7 +117,7 @@ fn the_whole_window_looks_as_blessed() {
     took.max.x = harness.get_by_label("Timeline").rect().right();
     harness.mask(took);
     let image = picture(&mut harness);
-    let texts = studio.texts(harness.state().scene(), harness.state().clock().t);
+    let texts = studio.texts(harness.state().files.document.scene(), harness.state().replay.playback.clock.t);
     golden::check("window", &image, &texts).unwrap_or_else(|problem| panic!("{problem}"));
 }
 
@@ -150,12 +150,12 @@ fn the_picture_is_exported_while_the_window_goes_on() {
     harness.state_mut().apply(FileCommand::Export(Export::Picture, path.clone()));
     for _ in 0..3000 {
         harness.run();
-        if harness.state().notice().is_some() {
+        if harness.state().window.notice().is_some() {
             break;
         }
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
-    let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{e}: {:?}", harness.state().notice()));
+    let bytes = std::fs::read(&path).unwrap_or_else(|e| panic!("{e}: {:?}", harness.state().window.notice()));
     let image = Image::from_png(&bytes).expect("a PNG");
     let rect = view(&harness);
     assert_eq!((image.width as f32, image.height as f32), (rect.width(), rect.height()), "as large as the view");

@@ -24,7 +24,7 @@ fn press_there(harness: &mut Harness<'_, Workbench>, label: &str) {
 
 /// The whole deck is in the view, unless the view looks at one contact.
 fn sees_the_deck(harness: &Harness<'_, Workbench>) {
-    let scene = harness.state().scene();
+    let scene = harness.state().files.document.scene();
     if scene.view.camera != ViewPreset::Contact {
         let half = scene.girders[0].length / 2.0;
         for end in [-half, half] {
@@ -40,26 +40,30 @@ fn every_thing_to_try_is_a_press_away_and_reset_brings_the_scene_back() {
         let mut harness = open(presets::OPENING);
         learn(&mut harness, &lesson.title);
         let scene = lesson.scene().expect("good");
-        assert_eq!(*harness.state().scene(), scene, "the lesson's own scene");
+        assert_eq!(*harness.state().files.document.scene(), scene, "the lesson's own scene");
         assert!(harness.query_by_label(&lesson.text[0]).is_some(), "its words stand beside it");
         assert!(view(&harness).width() > 400.0, "and leave the view its room");
         sees_the_deck(&harness);
-        let first = harness.state().answer().expect("run").history.digest();
+        let first = harness.state().replay.runner.answer().expect("run").history.digest();
         for (number, set) in lesson.tries.iter().enumerate() {
             press_there(&mut harness, &format!("{}  {}", number + 1, set.words));
             let mut tried = scene.clone();
             set.edit().apply(&mut tried).expect("it fits");
-            assert_eq!(*harness.state().scene(), tried, "{}: {}", lesson.name, set.words);
-            assert!(!harness.state().is_stale(), "and run");
+            assert_eq!(*harness.state().files.document.scene(), tried, "{}: {}", lesson.name, set.words);
+            assert!(!harness.state().replay.runner.is_stale(), "and run");
         }
         press_there(&mut harness, "Reset");
-        assert_eq!(*harness.state().scene(), scene, "{}: exactly as it was", lesson.name);
-        assert_eq!(harness.state().answer().expect("run").history.digest(), first, "and so is the answer");
-        assert!(!harness.state().is_dirty(), "nothing of it is unsaved");
+        assert_eq!(*harness.state().files.document.scene(), scene, "{}: exactly as it was", lesson.name);
+        assert_eq!(
+            harness.state().replay.runner.answer().expect("run").history.digest(),
+            first,
+            "and so is the answer"
+        );
+        assert!(!harness.state().files.document.is_dirty(), "nothing of it is unsaved");
         for _ in 0..lesson.tries.len() + 2 {
             press(&mut harness, "Undo");
         }
-        assert_eq!(harness.state().scene().name, presets::OPENING, "every press was a step of undo");
+        assert_eq!(harness.state().files.document.scene().name, presets::OPENING, "every press was a step of undo");
     }
 }
 
@@ -69,12 +73,12 @@ fn the_words_close_and_go_with_their_scene() {
     let title = &lessons()[0].title;
     learn(&mut harness, title);
     press(&mut harness, "Close the lesson");
-    assert!(harness.state().lesson().is_none() && harness.query_by_label(title).is_none(), "closed");
-    assert_eq!(harness.state().scene().name, lessons()[0].name, "the scene stays");
+    assert!(harness.state().learning.lesson().is_none() && harness.query_by_label(title).is_none(), "closed");
+    assert_eq!(harness.state().files.document.scene().name, lessons()[0].name, "the scene stays");
     harness.state_mut().apply(Command::Learn(Learn::Open(1)));
     harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
     settle(&mut harness);
-    assert!(harness.state().lesson().is_none(), "another scene has other words");
+    assert!(harness.state().learning.lesson().is_none(), "another scene has other words");
 }
 
 #[test]
@@ -83,10 +87,10 @@ fn a_thing_to_try_finds_its_scene_again() {
     harness.state_mut().apply(Command::Learn(Learn::Open(0)));
     harness.state_mut().apply(EditCommand::Undo);
     settle(&mut harness);
-    assert_eq!(harness.state().scene().name, presets::OPENING, "another scene under the lesson's words");
+    assert_eq!(harness.state().files.document.scene().name, presets::OPENING, "another scene under the lesson's words");
     harness.state_mut().apply(Command::Learn(Learn::Try(0)));
     settle(&mut harness);
     let mut tried = lessons()[0].scene().expect("good");
     lessons()[0].tries[0].edit().apply(&mut tried).expect("it fits");
-    assert_eq!(*harness.state().scene(), tried, "the lesson's scene first, then what is tried");
+    assert_eq!(*harness.state().files.document.scene(), tried, "the lesson's scene first, then what is tried");
 }

@@ -113,8 +113,8 @@ fn monkey(seed: u64, preset: &str) {
     // Every input may run the scene anew.
     first.duration = 2.0;
     let mut workbench = Workbench::new(first.clone(), SceneSource::New);
-    workbench.set_estimates(false);
-    workbench.set_silent();
+    workbench.replay.runner.set_estimates(false);
+    workbench.tasks.set_silent();
     let mut harness = builder([1280.0, 720.0]).build_ui_state(show, workbench);
     settle(&mut harness);
     let mut dice = Dice(seed);
@@ -127,17 +127,17 @@ fn monkey(seed: u64, preset: &str) {
         }
         done += together;
         harness.step();
-        if harness.state().asks_before_closing() {
+        if harness.state().window.asks() {
             harness.state_mut().apply(WindowCommand::KeepOpen);
         }
     }
     let mut steps = 0;
-    while harness.state().undo_label().is_some() {
+    while harness.state().files.document.undo_label().is_some() {
         harness.state_mut().apply(EditCommand::Undo);
         steps += 1;
         assert!(steps < 100_000, "seed {seed}: undo comes to an end");
     }
-    assert_eq!(*harness.state().scene(), first, "seed {seed}: {steps} steps back is the first scene");
+    assert_eq!(*harness.state().files.document.scene(), first, "seed {seed}: {steps} steps back is the first scene");
     assert!(steps > 5, "seed {seed}: the monkey did something, {steps} steps");
     harness.state_mut().apply(WindowCommand::CancelRun);
     harness.step();

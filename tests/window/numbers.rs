@@ -36,20 +36,20 @@ fn unfold(harness: &mut Window, label: &str) {
 #[test]
 fn bearings_are_edited_one_by_one() {
     let mut harness = with(presets::OPENING, &[Target::Girder(0)]);
-    let digest = harness.state().answer().expect("run").history.digest();
+    let digest = harness.state().replay.runner.answer().expect("run").history.digest();
     button(&mut harness, "Edit one by one");
-    let each = |h: &Window| match &h.state().scene().girders[0].bearings {
+    let each = |h: &Window| match &h.state().files.document.scene().girders[0].bearings {
         Some(Bearings::Each(each)) => each.clone(),
         other => panic!("one by one, got {other:?}"),
     };
     let before = each(&harness);
-    let same = harness.state().answer().expect("run").history.summary().max_displacement;
+    let same = harness.state().replay.runner.answer().expect("run").history.summary().max_displacement;
     assert!(same > 0.0, "it still runs");
     type_in(&mut harness, "k x", "1.5 kN/m");
     let after = each(&harness);
     assert_eq!(after[0].stiffness[0], 1500.0, "as typed");
     assert_eq!(after[1..], before[1..], "the others as they were");
-    assert_ne!(harness.state().answer().expect("run").history.digest(), digest, "and it matters");
+    assert_ne!(harness.state().replay.runner.answer().expect("run").history.digest(), digest, "and it matters");
     button(&mut harness, "Add a bearing");
     assert_eq!(each(&harness).len(), before.len() + 1, "one more");
     button(&mut harness, "Remove no. 1");
@@ -60,10 +60,13 @@ fn bearings_are_edited_one_by_one() {
 fn a_girder_is_put_on_bearings_and_taken_off() {
     let mut harness = with("flush-free-hit", &[Target::Girder(0)]);
     button(&mut harness, "Put it on four bearings");
-    assert!(matches!(harness.state().scene().girders[0].bearings, Some(Bearings::Shared(_))), "four equal ones");
-    assert_eq!(harness.state().problems(), None, "and it runs");
+    assert!(
+        matches!(harness.state().files.document.scene().girders[0].bearings, Some(Bearings::Shared(_))),
+        "four equal ones"
+    );
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
     button(&mut harness, "Take the bearings away");
-    assert_eq!(harness.state().scene().girders[0].bearings, None, "none");
+    assert_eq!(harness.state().files.document.scene().girders[0].bearings, None, "none");
 }
 
 #[test]
@@ -71,44 +74,44 @@ fn a_pair_says_where_its_numbers_come_from_and_takes_its_own() {
     let mut harness = with(presets::OPENING, &[Target::Abutment(0)]);
     assert!(harness.query_by_label("of this pair").is_none(), "all are the scene's");
     type_in(&mut harness, "μ static of pair", "0.5");
-    let pair = &harness.state().answer().expect("run").history.model().pairs[0];
+    let pair = &harness.state().replay.runner.answer().expect("run").history.model().pairs[0];
     assert_eq!(pair.contact.mu_static, 0.5, "in force");
-    assert_eq!(harness.state().scene().contact.pairs.len(), 1, "as an entry of its own");
+    assert_eq!(harness.state().files.document.scene().contact.pairs.len(), 1, "as an entry of its own");
     harness.run_steps(10);
     assert!(harness.query_by_label("of this pair").is_some(), "said");
     button(&mut harness, "Use the scene's numbers");
-    assert!(harness.state().scene().contact.pairs.is_empty(), "gone again");
+    assert!(harness.state().files.document.scene().contact.pairs.is_empty(), "gone again");
 }
 
 #[test]
 fn what_is_typed_goes_to_all_that_are_selected() {
     let all: Vec<Target> = (0..5).map(Target::Girder).collect();
     let mut harness = with("row-of-5", &all);
-    let before = harness.state().scene().clone();
+    let before = harness.state().files.document.scene().clone();
     type_in(&mut harness, "Mass m", "500 t");
-    assert!(harness.state().scene().girders.iter().all(|g| g.mass == 5e5), "every one");
+    assert!(harness.state().files.document.scene().girders.iter().all(|g| g.mass == 5e5), "every one");
     let places = |s: &girderbench::scene::Scene| s.girders.iter().map(|g| g.position).collect::<Vec<_>>();
-    assert_eq!(places(harness.state().scene()), places(&before), "and nothing else of them");
+    assert_eq!(places(harness.state().files.document.scene()), places(&before), "and nothing else of them");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(&mut harness);
-    assert_eq!(*harness.state().scene(), before, "one step of undo");
+    assert_eq!(*harness.state().files.document.scene(), before, "one step of undo");
 }
 
 #[test]
 fn the_scenes_own_numbers_are_there_when_nothing_is_selected() {
     let mut harness = with(presets::OPENING, &[]);
     type_in(&mut harness, "Tolerance", "1e-8");
-    assert!((harness.state().scene().solver.tolerance - 1e-8).abs() < 1e-20, "10⁻⁸");
+    assert!((harness.state().files.document.scene().solver.tolerance - 1e-8).abs() < 1e-20, "10⁻⁸");
     reach_as(&mut harness, Role::ComboBox, "Motion in");
     harness.get_by_role_and_label(Role::ComboBox, "Motion in").click();
     harness.run_steps(20);
     press(&mut harness, "space");
-    assert_eq!(harness.state().scene().kind, Kind::Spatial, "in space");
-    assert!(harness.state().problems().is_some(), "its bearings have no vertical springs yet");
+    assert_eq!(harness.state().files.document.scene().kind, Kind::Spatial, "in space");
+    assert!(harness.state().replay.runner.problems().is_some(), "its bearings have no vertical springs yet");
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     settle(&mut harness);
     type_in(&mut harness, "Bearings f z", "20 Hz");
-    assert_eq!(harness.state().problems(), None, "now it runs");
+    assert_eq!(harness.state().replay.runner.problems(), None, "now it runs");
 }
 
 #[test]
@@ -116,16 +119,16 @@ fn starts_pushes_and_seats_have_their_fields() {
     let mut harness = with(presets::OPENING, &[Target::Girder(0)]);
     unfold(&mut harness, "Start, push, held");
     type_in(&mut harness, "Push moment", "0.2 N m");
-    assert_eq!(harness.state().scene().girders[0].push.moment, 0.2, "as typed");
+    assert_eq!(harness.state().files.document.scene().girders[0].push.moment, 0.2, "as typed");
     reach_as(&mut harness, Role::CheckBox, "held in yaw");
     harness.get_by_role_and_label(Role::CheckBox, "held in yaw").click();
     settle(&mut harness);
-    let turned = harness.state().answer().expect("run").summary.max_rotation;
+    let turned = harness.state().replay.runner.answer().expect("run").summary.max_rotation;
     assert_eq!(turned, 0.0, "held, it does not turn");
     unfold(&mut harness, "Seats");
     reach_as(&mut harness, Role::CheckBox, "Seat at +x");
     harness.get_by_role_and_label(Role::CheckBox, "Seat at +x").click();
     settle(&mut harness);
     type_in(&mut harness, "Seat at +x", "8 mm");
-    assert_eq!(harness.state().scene().girders[0].seat.plus, Some(0.008), "as typed");
+    assert_eq!(harness.state().files.document.scene().girders[0].seat.plus, Some(0.008), "as typed");
 }

@@ -24,11 +24,11 @@ fn offer(harness: &mut Window, words: &str) {
 #[test]
 fn panels_of_any_quantity_are_added_changed_and_taken_away() {
     let mut harness = open(presets::OPENING);
-    let before = harness.state().scene().clone();
+    let before = harness.state().files.document.scene().clone();
     for words in ["Energy ledger, stacked", "Orbit of a corner", "Use of the friction cone"] {
         offer(&mut harness, words);
     }
-    let plots = harness.state().scene().view.plots.clone();
+    let plots = harness.state().files.document.scene().view.plots.clone();
     assert_eq!(plots.len(), 3, "three panels");
     assert!(plots[0].y.len() >= 6 && plots[0].x.is_none(), "the ledger: {:?}", plots[0]);
     assert_eq!(plots[1].x.as_deref(), Some("deck.corner2.x"), "the orbit has an axis of its own");
@@ -36,19 +36,19 @@ fn panels_of_any_quantity_are_added_changed_and_taken_away() {
     reach(&mut harness, "remove plot 2");
     harness.get_by_label("remove plot 2").click();
     settle(&mut harness);
-    assert_eq!(harness.state().scene().view.plots.len(), 2, "one less");
+    assert_eq!(harness.state().files.document.scene().view.plots.len(), 2, "one less");
     for _ in 0..4 {
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
         settle(&mut harness);
     }
-    assert_eq!(*harness.state().scene(), before, "each was a step of undo");
+    assert_eq!(*harness.state().files.document.scene(), before, "each was a step of undo");
 }
 
 #[test]
 fn plots_are_written_as_svg_png_and_csv() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut harness = open(presets::OPENING);
-    let mut view = harness.state().scene().view.clone();
+    let mut view = harness.state().files.document.scene().view.clone();
     view.plots = vec![PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] }];
     harness.state_mut().apply(EditCommand::Change { edit: Edit::View(view), gesture: None });
     settle(&mut harness);
@@ -57,12 +57,16 @@ fn plots_are_written_as_svg_png_and_csv() {
         harness.state_mut().apply(FileCommand::Plots(folder.path().join(name)));
         for _ in 0..1000 {
             harness.run();
-            if harness.state().notice().is_some() {
+            if harness.state().window.notice().is_some() {
                 break;
             }
             std::thread::sleep(std::time::Duration::from_millis(10));
         }
-        assert!(harness.state().notice().is_some_and(|n| n.contains(name)), "{:?}", harness.state().notice());
+        assert!(
+            harness.state().window.notice().is_some_and(|n| n.contains(name)),
+            "{:?}",
+            harness.state().window.notice()
+        );
     }
     let read = |name: &str| std::fs::read(folder.path().join(name)).expect(name);
     let svg = String::from_utf8(read("run.svg")).expect("text");
@@ -72,7 +76,7 @@ fn plots_are_written_as_svg_png_and_csv() {
     let table = String::from_utf8(read("run.csv")).expect("text");
     let mut rows = table.lines();
     assert_eq!(rows.next(), Some("t [s],deck.x [mm],deck.y [mm]"), "heads with units");
-    let history = &harness.state().answer().expect("run").history;
+    let history = &harness.state().replay.runner.answer().expect("run").history;
     for row in rows.step_by(97) {
         let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();
         let way = history.motion(0, values[0]).displacement * 1e3;
@@ -94,20 +98,20 @@ fn a_limit_is_switched_on_and_flagged() {
     harness.run_steps(40);
     harness.get_by_role_and_label(Role::CheckBox, "Rotation limit").click();
     settle(&mut harness);
-    assert!(harness.state().scene().limits.rotation_deg.is_some(), "set");
+    assert!(harness.state().files.document.scene().limits.rotation_deg.is_some(), "set");
     let limits = Limits { rotation_deg: Some(1.0), ..Limits::default() };
     harness.state_mut().apply(EditCommand::Change { edit: Edit::Limits(limits), gesture: None });
     settle(&mut harness);
-    let passed = harness.state().answer().expect("run").passed().to_vec();
+    let passed = harness.state().replay.runner.answer().expect("run").passed().to_vec();
     assert_eq!(passed.len(), 1, "one girder turns by more than a degree");
     // The status line says it too; the flag in the panel is the button.
     let flag = flag_words(&harness);
     reach(&mut harness, &flag);
     harness.get_by_role_and_label(Role::Button, &flag).click();
     settle(&mut harness);
-    let t = harness.state().clock().t;
+    let t = harness.state().replay.playback.clock.t;
     assert_eq!(t, passed[0].t, "goes there");
-    let turned = harness.state().answer().expect("run").history.motion(0, t).theta.to_degrees().abs();
+    let turned = harness.state().replay.runner.answer().expect("run").history.motion(0, t).theta.to_degrees().abs();
     assert!((turned - 1.0).abs() < 1e-6, "where it turns by the limit: {turned}");
 }
 
@@ -118,7 +122,8 @@ fn a_girder_says_what_was_read_off_the_run() {
     settle(&mut harness);
     harness.run_steps(5);
     assert!(harness.query_by_label("Readings of the run").is_some(), "there");
-    let peak = harness.state().answer().expect("run").reading(0).expect("a girder").force.expect("it hits");
-    assert_eq!(peak.value, harness.state().answer().expect("run").summary.peak_force, "the one pair's");
+    let peak =
+        harness.state().replay.runner.answer().expect("run").reading(0).expect("a girder").force.expect("it hits");
+    assert_eq!(peak.value, harness.state().replay.runner.answer().expect("run").summary.peak_force, "the one pair's");
     assert!(harness.query_by_label("peak force").is_some() && harness.query_by_label("drift 3").is_some(), "named");
 }

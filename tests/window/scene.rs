@@ -10,7 +10,7 @@ use girderbench::view::Target;
 use glam::DVec3;
 
 fn digest(harness: &egui_kittest::Harness<'_, girderbench::app::Workbench>) -> u64 {
-    harness.state().answer().expect("an answer").history.digest()
+    harness.state().replay.runner.answer().expect("an answer").history.digest()
 }
 
 #[test]
@@ -28,11 +28,11 @@ fn every_slider_changes_the_answer_at_once() {
     ];
     for (label, value) in sliders {
         let mut harness = open(presets::OPENING);
-        let (before, picture) = (digest(&harness), harness.state().pictures());
+        let (before, picture) = (digest(&harness), harness.state().view.viewport.pictures());
         slide(&mut harness, label, value);
         assert_ne!(digest(&harness), before, "{label} is part of the physics");
-        assert!(!harness.state().is_stale(), "{label}: the answer is the new scene's");
-        assert!(harness.state().pictures() > picture, "{label}: the picture followed");
+        assert!(!harness.state().replay.runner.is_stale(), "{label}: the answer is the new scene's");
+        assert!(harness.state().view.viewport.pictures() > picture, "{label}: the picture followed");
     }
 }
 
@@ -53,7 +53,7 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     let mut harness = open(presets::OPENING);
     let first = digest(&harness);
     choose(&mut harness, "Model", "both");
-    let answer = harness.state().answer().expect("an answer").history.clone();
+    let answer = harness.state().replay.runner.answer().expect("an answer").history.clone();
     let beside = answer.beside().expect("the impact model beside").digest();
     assert_eq!(answer.digest(), first, "the contact model still leads");
     assert!(harness.query_by_label_contains("Models apart now").is_some(), "the difference is read out");
@@ -61,9 +61,19 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     harness.run_steps(2);
     assert!(harness.query_by_label_contains("deck: b free 並進").is_some(), "the state at the start, by its names");
     for (label, value) in [("Impact e n", 0.8), ("Impact e t", -0.5), ("Corner μ k", 0.05)] {
-        let before = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
+        let before = harness
+            .state()
+            .replay
+            .runner
+            .answer()
+            .and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         slide(&mut harness, label, value);
-        let after = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
+        let after = harness
+            .state()
+            .replay
+            .runner
+            .answer()
+            .and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
         assert_ne!(after, before, "{label} is part of the impact model");
         assert_eq!(digest(&harness), first, "and of no other");
     }
@@ -72,7 +82,8 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
         settle(&mut harness);
     }
-    let again = harness.state().answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
+    let again =
+        harness.state().replay.runner.answer().and_then(|a| a.history.beside().map(girderbench::sim::History::digest));
     assert_eq!(again, Some(beside), "every number is taken back");
     choose(&mut harness, "Model", "impact");
     assert_eq!(digest(&harness), beside, "alone it is the same run");
@@ -80,7 +91,11 @@ fn the_other_model_is_a_switch_away_and_comes_with_its_numbers() {
     settle(&mut harness);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(&mut harness);
-    assert_eq!(*harness.state().scene(), presets::load(presets::OPENING).expect("the preset ships"), "as it was");
+    assert_eq!(
+        *harness.state().files.document.scene(),
+        presets::load(presets::OPENING).expect("the preset ships"),
+        "as it was"
+    );
 }
 
 #[test]
@@ -93,7 +108,7 @@ fn the_switch_says_why_a_spatial_scene_has_one_model() {
 fn the_answer_shown_is_the_one_without_a_window() {
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 60.0);
-    let scene = harness.state().scene().clone();
+    let scene = harness.state().files.document.scene().clone();
     assert_eq!(scene.girders[0].skew_deg, 60.0, "the slider's number");
     let headless = girderbench::sim::History::of(&scene).expect("a good scene");
     assert_eq!(digest(&harness), headless.digest(), "bit for bit");
@@ -108,7 +123,7 @@ fn undo_and_redo_bring_answers_back() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(&mut harness);
     assert_eq!(digest(&harness), first, "taken back");
-    assert!(!harness.state().is_dirty(), "as it was opened");
+    assert!(!harness.state().files.document.is_dirty(), "as it was opened");
     harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     settle(&mut harness);
     assert_eq!(digest(&harness), second, "made again");
@@ -129,7 +144,7 @@ fn one_drag_of_a_slider_is_one_step_of_undo() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(&mut harness);
     assert_eq!(digest(&harness), first, "one step back is before the drag");
-    assert_eq!(harness.state().undo_label(), None, "and there is no other");
+    assert_eq!(harness.state().files.document.undo_label(), None, "and there is no other");
 }
 
 #[test]
@@ -137,14 +152,17 @@ fn a_bad_scene_says_what_is_wrong_and_keeps_the_last_answer() {
     let mut harness = open(presets::OPENING);
     let good = digest(&harness);
     slide(&mut harness, "μ kinetic", 0.9);
-    let problems = harness.state().problems().expect("kinetic friction above static");
+    let problems = harness.state().replay.runner.problems().expect("kinetic friction above static");
     assert!(problems.0[0].place.contains("mu_kinetic"), "names the field: {problems}");
     assert_eq!(digest(&harness), good, "the last good answer is still there");
-    assert!(harness.state().is_stale(), "and is marked as old");
+    assert!(harness.state().replay.runner.is_stale(), "and is marked as old");
     let remedy = problems.0[0].remedy.clone();
     assert!(harness.query_all_by_label_contains(&remedy).count() >= 2, "over the view and at the field: {remedy}");
     slide(&mut harness, "μ kinetic", 0.1);
-    assert!(harness.state().problems().is_none() && !harness.state().is_stale(), "put right");
+    assert!(
+        harness.state().replay.runner.problems().is_none() && !harness.state().replay.runner.is_stale(),
+        "put right"
+    );
 }
 
 #[test]
@@ -155,31 +173,31 @@ fn a_click_selects_and_a_drag_moves_over_the_ground() {
     let top = DVec3::new(-0.02, 0.0, 0.01);
     let place = on_screen(&harness, top);
     click(&mut harness, place);
-    assert_eq!(harness.state().selected(), Some(Target::Girder(0)), "the girder");
-    let before = harness.state().scene().girders[0].position;
+    assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Girder(0)), "the girder");
+    let before = harness.state().files.document.scene().girders[0].position;
     let to = on_screen(&harness, top + DVec3::new(-0.05, 0.02, 0.0));
     drag(&mut harness, place, to);
-    let after = harness.state().scene().girders[0].position;
+    let after = harness.state().files.document.scene().girders[0].position;
     // A pixel of the view from above is half a millimetre here; the plane of dragging is the girder's mid-depth.
     let way = [after[0] - before[0], after[1] - before[1]];
     assert!((way[0] + 0.05).abs() < 2e-3 && (way[1] - 0.02).abs() < 2e-3, "follows the mouse, went {way:?}");
     assert_eq!(after[2], before[2], "on its level");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     settle(&mut harness);
-    assert_eq!(harness.state().scene().girders[0].position, before, "one drag is one step");
+    assert_eq!(harness.state().files.document.scene().girders[0].position, before, "one drag is one step");
 }
 
 #[test]
 fn a_drag_beside_the_selection_turns_the_view() {
     let mut harness = open(presets::OPENING);
-    let scene = harness.state().scene().clone();
-    let before = *harness.state().camera().expect("shown");
+    let scene = harness.state().files.document.scene().clone();
+    let before = *harness.state().view.viewport.camera().expect("shown");
     let rect = super::harness::view(&harness);
     let from = rect.right_bottom() - egui::vec2(40.0, 20.0);
     drag(&mut harness, from, from - egui::vec2(80.0, 10.0));
-    let after = *harness.state().camera().expect("shown");
+    let after = *harness.state().view.viewport.camera().expect("shown");
     assert_ne!((before.yaw, before.pitch), (after.yaw, after.pitch), "turned");
-    assert_eq!(*harness.state().scene(), scene, "nothing was moved");
+    assert_eq!(*harness.state().files.document.scene(), scene, "nothing was moved");
 }
 
 #[test]
@@ -187,15 +205,15 @@ fn girders_and_abutments_are_added_and_removed() {
     let mut harness = open(presets::OPENING);
     let first = digest(&harness);
     press(&mut harness, "Add girder");
-    assert_eq!(harness.state().scene().girders.len(), 2, "one more");
-    assert_eq!(harness.state().problems(), None, "placed where it overlaps nobody");
-    assert_eq!(harness.state().selected(), Some(Target::Girder(1)), "and selected");
+    assert_eq!(harness.state().files.document.scene().girders.len(), 2, "one more");
+    assert_eq!(harness.state().replay.runner.problems(), None, "placed where it overlaps nobody");
+    assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Girder(1)), "and selected");
     press(&mut harness, "Add abutment");
-    assert_eq!(harness.state().scene().abutments.len(), 2, "a wall before a free end");
-    assert_eq!(harness.state().problems(), None, "that stands free");
+    assert_eq!(harness.state().files.document.scene().abutments.len(), 2, "a wall before a free end");
+    assert_eq!(harness.state().replay.runner.problems(), None, "that stands free");
     harness.key_press(Key::Delete);
     settle(&mut harness);
-    assert_eq!(harness.state().scene().abutments.len(), 1, "removed");
+    assert_eq!(harness.state().files.document.scene().abutments.len(), 1, "removed");
     press(&mut harness, "Undo");
     press(&mut harness, "Undo");
     press(&mut harness, "Undo");
@@ -208,7 +226,7 @@ fn a_duplicate_has_a_name_of_its_own() {
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.key_press_modifiers(Modifiers::COMMAND, Key::D);
     settle(&mut harness);
-    let girders = &harness.state().scene().girders;
+    let girders = &harness.state().files.document.scene().girders;
     assert_eq!(girders.len(), 2, "a copy");
     assert_ne!(girders[0].name, girders[1].name, "called otherwise");
     assert_eq!(girders[0].mass, girders[1].mass, "and as heavy");
@@ -226,7 +244,7 @@ fn a_number_is_typed_in_the_inspector() {
     settle(&mut harness);
     harness.key_press(Key::Enter);
     settle(&mut harness);
-    assert_eq!(harness.state().scene().girders[0].mass, 2.5, "as typed");
+    assert_eq!(harness.state().files.document.scene().girders[0].mass, 2.5, "as typed");
     assert_ne!(digest(&harness), before, "and run");
 }
 
@@ -235,28 +253,28 @@ fn a_name_typed_is_a_name_everywhere() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(EditCommand::Rename(Target::Girder(0), "span".into()));
     settle(&mut harness);
-    let scene = harness.state().scene();
+    let scene = harness.state().files.document.scene();
     assert_eq!((scene.girders[0].name.as_str(), scene.abutments[0].faces.as_str()), ("span", "span"), "both");
     harness.state_mut().apply(EditCommand::Rename(Target::Girder(0), "wall".into()));
     settle(&mut harness);
-    assert!(harness.state().notice().is_some_and(|n| n.contains("wall")), "a taken name is refused in words");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("wall")), "a taken name is refused in words");
 }
 
 #[test]
 fn overlays_change_the_picture_and_nothing_else() {
     let mut harness = open(presets::OPENING);
-    let hit = harness.state().answer().and_then(|a| a.summary.peak_time).expect("a hit");
+    let hit = harness.state().replay.runner.answer().and_then(|a| a.summary.peak_time).expect("a hit");
     harness.state_mut().apply(TimeCommand::Seek(hit));
     settle(&mut harness);
     let answer = digest(&harness);
     for label in ["Grid", "Bearings", "Gap", "Contact points", "Normal force", "Resultant", "Friction cones", "Names"] {
-        let before = harness.state().picture().expect("shown").to_string();
+        let before = harness.state().view.viewport.list().expect("shown").to_string();
         harness.get_by_role_and_label(Role::CheckBox, label).click_accesskit();
         settle(&mut harness);
-        assert_ne!(harness.state().picture().expect("shown").to_string(), before, "{label}");
+        assert_ne!(harness.state().view.viewport.list().expect("shown").to_string(), before, "{label}");
     }
     assert_eq!(digest(&harness), answer, "the run is the same");
-    assert!(!harness.state().is_dirty(), "and so is the scene");
+    assert!(!harness.state().files.document.is_dirty(), "and so is the scene");
 }
 
 #[test]
@@ -266,11 +284,11 @@ fn a_preset_opens_and_undo_brings_the_old_scene_back() {
     settle(&mut harness);
     harness.get_by_label("straight-straight").click();
     settle(&mut harness);
-    harness.state_mut().wait();
-    assert_eq!(harness.state().scene().name, "straight-straight", "opened");
-    assert!(!harness.state().is_dirty(), "nothing of it is unsaved");
+    harness.state_mut().replay.runner.wait();
+    assert_eq!(harness.state().files.document.scene().name, "straight-straight", "opened");
+    assert!(!harness.state().files.document.is_dirty(), "nothing of it is unsaved");
     press(&mut harness, "Undo");
-    assert_eq!(harness.state().scene().name, presets::OPENING, "back");
+    assert_eq!(harness.state().files.document.scene().name, presets::OPENING, "back");
 }
 
 #[test]
@@ -281,11 +299,18 @@ fn a_big_scene_is_run_on_a_thread_and_can_be_stopped() {
     let edit = girderbench::scene::edit::Edit::Scene(Box::new(long));
     harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
     harness.run_steps(2);
-    assert!(harness.state().progress().is_some(), "it goes on while the window is drawn");
-    assert_eq!(harness.state().answer().expect("old").history.scene().name, "flush-free-hit", "the old one is shown");
+    assert!(harness.state().replay.runner.progress().is_some(), "it goes on while the window is drawn");
+    assert_eq!(
+        harness.state().replay.runner.answer().expect("old").history.scene().name,
+        "flush-free-hit",
+        "the old one is shown"
+    );
     harness.get_by_label("Cancel").click();
     harness.run();
-    assert!(harness.state().progress().is_none() && harness.state().is_stale(), "stopped, and said to be old");
+    assert!(
+        harness.state().replay.runner.progress().is_none() && harness.state().replay.runner.is_stale(),
+        "stopped, and said to be old"
+    );
 }
 
 #[test]
@@ -294,10 +319,10 @@ fn a_scene_is_saved_and_opened_again() {
     let path = folder.path().join("mine.toml");
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 70.0);
-    assert!(harness.state().is_dirty() && harness.state().title().starts_with('●'), "marked");
+    assert!(harness.state().files.document.is_dirty() && harness.state().title().starts_with('●'), "marked");
     harness.state_mut().apply(FileCommand::SaveTo(path.clone()));
     settle(&mut harness);
-    assert!(!harness.state().is_dirty() && harness.state().title().starts_with("mine.toml"), "saved");
+    assert!(!harness.state().files.document.is_dirty() && harness.state().title().starts_with("mine.toml"), "saved");
     let saved = digest(&harness);
     slide(&mut harness, "Skew β", 45.0);
     harness.state_mut().apply(FileCommand::Open(path));
@@ -311,11 +336,11 @@ fn a_file_that_is_no_scene_is_refused_in_words() {
     let path = folder.path().join("bad.toml");
     std::fs::write(&path, "name = 3").expect("written");
     let mut harness = open(presets::OPENING);
-    let before = harness.state().scene().clone();
+    let before = harness.state().files.document.scene().clone();
     harness.state_mut().apply(FileCommand::Open(path));
     settle(&mut harness);
-    assert!(harness.state().notice().is_some_and(|n| n.contains("bad.toml")), "names the file");
-    assert_eq!(*harness.state().scene(), before, "and nothing is lost");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("bad.toml")), "names the file");
+    assert_eq!(*harness.state().files.document.scene(), before, "and nothing is lost");
 }
 
 #[test]
@@ -325,12 +350,12 @@ fn tables_are_exported_while_the_window_goes_on() {
     harness.state_mut().apply(FileCommand::Export(Export::Tables, folder.path().to_owned()));
     for _ in 0..500 {
         harness.run();
-        if harness.state().notice().is_some() {
+        if harness.state().window.notice().is_some() {
             break;
         }
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
-    assert!(harness.state().notice().is_some_and(|n| n.contains("summary.json")), "said");
+    assert!(harness.state().window.notice().is_some_and(|n| n.contains("summary.json")), "said");
     assert!(folder.path().join("trajectory.csv").is_file(), "written");
 }
 
@@ -338,23 +363,23 @@ fn tables_are_exported_while_the_window_goes_on() {
 fn closing_asks_when_something_is_not_saved() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(WindowCommand::Close);
-    assert!(harness.state().wants_to_close(), "nothing to lose");
+    assert!(harness.state().window.closes(), "nothing to lose");
     let mut harness = open(presets::OPENING);
     slide(&mut harness, "Skew β", 70.0);
     harness.state_mut().apply(WindowCommand::Close);
     settle(&mut harness);
-    assert!(!harness.state().wants_to_close(), "first the question");
+    assert!(!harness.state().window.closes(), "first the question");
     press(&mut harness, "Keep working");
-    assert!(!harness.state().asks_before_closing() && !harness.state().wants_to_close(), "stays");
+    assert!(!harness.state().window.asks() && !harness.state().window.closes(), "stays");
     harness.state_mut().apply(WindowCommand::Close);
     settle(&mut harness);
     press(&mut harness, "Close without saving");
-    assert!(harness.state().wants_to_close(), "goes");
+    assert!(harness.state().window.closes(), "goes");
 }
 
 #[test]
 fn a_still_ground_can_be_shaken() {
     let mut harness = open("flush-free-hit");
     press(&mut harness, "Shake it");
-    assert!(matches!(harness.state().scene().motion, Motion::Sine(_)), "a sine to begin with");
+    assert!(matches!(harness.state().files.document.scene().motion, Motion::Sine(_)), "a sine to begin with");
 }

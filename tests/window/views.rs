@@ -19,7 +19,7 @@ fn with(sight: Sight) -> Harness<'static, Workbench> {
 fn motion_is_shown_larger_and_says_so_while_numbers_stay() {
     let plain = with(Sight::default());
     let large = with(Sight { exaggeration: 5.0, ..Sight::default() });
-    let list = |h: &Harness<'_, Workbench>| h.state().picture().expect("shown").to_string();
+    let list = |h: &Harness<'_, Workbench>| h.state().view.viewport.list().expect("shown").to_string();
     assert!(list(&large).contains("motion shown × 5"), "the factor is in the picture");
     assert!(!list(&plain).contains("motion shown"), "and is not where there is none");
     let gap = |h: &Harness<'_, Workbench>| {
@@ -29,11 +29,11 @@ fn motion_is_shown_larger_and_says_so_while_numbers_stay() {
     };
     assert_eq!(gap(&plain), gap(&large), "the gap's number is the true one");
     let place = |h: &Harness<'_, Workbench>| {
-        let solids = &h.state().picture().expect("shown").solids;
+        let solids = &h.state().view.viewport.list().expect("shown").solids;
         let deck = solids.iter().find(|s| s.name == "deck").expect("drawn");
         deck.face.iter().map(|c| c.as_dvec3()).sum::<glam::DVec3>() / 4.0 + deck.sweep.as_dvec3() / 2.0
     };
-    let way = plain.state().answer().expect("run").history.motion(0, 0.42).displacement;
+    let way = plain.state().replay.runner.answer().expect("run").history.motion(0, 0.42).displacement;
     let shift = place(&large) - place(&plain);
     assert!((shift - 4.0 * way).length() < 1e-6, "four ways farther: {shift} for {way}");
 }
@@ -42,15 +42,15 @@ fn motion_is_shown_larger_and_says_so_while_numbers_stay() {
 fn the_camera_goes_with_a_corner() {
     let mut harness = with(Sight { follow: Some(Follow::Corner(0, 1)), ..Sight::default() });
     let place = |h: &Harness<'_, Workbench>, t| {
-        let history = &h.state().answer().expect("run").history;
+        let history = &h.state().replay.runner.answer().expect("run").history;
         let corner = history.model().bodies[0].prism.plan_corners()[1].extend(0.0);
         let motion = history.motion(0, t);
         motion.place + motion.attitude * corner
     };
-    let before = harness.state().camera().expect("shown").target;
+    let before = harness.state().view.viewport.camera().expect("shown").target;
     harness.state_mut().apply(TimeCommand::Seek(0.7));
     settle(&mut harness);
-    let after = harness.state().camera().expect("shown").target;
+    let after = harness.state().view.viewport.camera().expect("shown").target;
     let way = place(&harness, 0.7) - place(&harness, 0.42);
     assert!((after - before - way).length() < 1e-12, "by the corner's way {way}, got {}", after - before);
 }
@@ -65,7 +65,11 @@ fn the_plan_stands_beside_the_view_and_takes_clicks() {
     settle(&mut harness);
     harness.drop_at(plan.center());
     settle(&mut harness);
-    assert_eq!(harness.state().selected(), Some(Target::Girder(0)), "what is in the middle of the plan");
+    assert_eq!(
+        harness.state().files.document.selection().lead(),
+        Some(Target::Girder(0)),
+        "what is in the middle of the plan"
+    );
 }
 
 #[test]
@@ -84,7 +88,7 @@ fn everything_can_be_larger_and_the_panels_step_back_in_a_lecture() {
     harness.get_by_label_contains("Lecture hall").click();
     harness.run_steps(10);
     settle(&mut harness);
-    assert!(harness.state().sight().lecture, "on");
+    assert!(harness.state().view.display.sight.lecture, "on");
     assert!(harness.query_by_label("What if").is_none(), "the panels are gone");
     assert!(view(&harness).area() * 2.25 > before.area(), "the view has the room");
     harness.get_by_label("View").click();
@@ -102,19 +106,19 @@ fn a_stretch_is_set_by_keys_and_played_again_and_again() {
         harness.key_press(key);
         settle(&mut harness);
     }
-    assert_eq!(harness.state().clock().span, Some([1.0, 1.2]), "from here to there");
+    assert_eq!(harness.state().replay.playback.clock.span, Some([1.0, 1.2]), "from here to there");
     harness.state_mut().apply(TimeCommand::Seek(1.1));
     harness.state_mut().apply(TimeCommand::Speed(1.0));
     harness.state_mut().apply(TimeCommand::TogglePlay);
     for _ in 0..40 {
         harness.step();
-        let t = harness.state().clock().t;
+        let t = harness.state().replay.playback.clock.t;
         assert!((1.0..=1.2).contains(&t), "inside the stretch, at {t}");
     }
     harness.state_mut().apply(TimeCommand::TogglePlay);
     harness.key_press(egui::Key::X);
     settle(&mut harness);
-    assert_eq!(harness.state().clock().span, None, "everything again");
+    assert_eq!(harness.state().replay.playback.clock.span, None, "everything again");
 }
 
 #[test]
@@ -122,16 +126,17 @@ fn a_contact_is_selected_by_its_name_and_tells_its_history() {
     let mut harness = open(presets::OPENING);
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Abutment(0))));
     settle(&mut harness);
-    let contact = harness.state().answer().expect("run").history.hardest().expect("a hit").contact;
-    let site = harness.state().answer().expect("run").history.model().contacts[contact].clone();
+    let contact = harness.state().replay.runner.answer().expect("run").history.hardest().expect("a hit").contact;
+    let site = harness.state().replay.runner.answer().expect("run").history.model().contacts[contact].clone();
     let name = format!("{} | {}", site.node, site.face_name);
     reach(&mut harness, &name);
     harness.get_by_label(&name).click();
     settle(&mut harness);
-    assert_eq!(harness.state().selected(), Some(Target::Contact(contact)), "the contact");
+    assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Contact(contact)), "the contact");
     harness.run_steps(5);
     assert!(harness.query_by_label_contains("touches").is_some(), "how often it touches");
-    let peak = harness.state().answer().expect("run").history.touches().iter().find(|t| t.contact == contact);
+    let peak =
+        harness.state().replay.runner.answer().expect("run").history.touches().iter().find(|t| t.contact == contact);
     let peak = peak.expect("a touch").peak_time;
     harness.state_mut().apply(TimeCommand::Seek(peak));
     settle(&mut harness);

@@ -1,10 +1,9 @@
-//! The workbench: the parts of the window's state put together, and what commands do to them.
+//! The workbench: the parts of the window's state put together, and commands that concern several of them.
 
 mod apply;
-mod files;
-mod queries;
+mod opening;
 mod window_state;
 mod workbench;
 
-pub(in crate::app) use window_state::Closing;
+pub(in crate::app) use window_state::WindowState;
 pub use workbench::Workbench;

@@ -4,7 +4,7 @@ use crate::app::command::{RowDraft, WindowCommand};
 
 /// Whether the window is about to close.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::app) enum Closing {
+enum Closing {
     /// No.
     #[default]
     Open,
@@ -18,20 +18,29 @@ pub(in crate::app) enum Closing {
 
 /// Dialogs, notice, closing.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::app) struct WindowState {
+pub struct WindowState {
     /// Whether the help is open.
-    pub(in crate::app) help: bool,
+    pub help: bool,
     /// The row that is asked for, while its dialog is open.
     pub(in crate::app) row: Option<RowDraft>,
-    /// What has happened, until it has been read.
-    pub(in crate::app) notice: Option<String>,
+    notice: Option<String>,
     closing: Closing,
 }
 
 impl WindowState {
-    /// Whether the window is about to close.
-    pub(in crate::app) fn closing(&self) -> Closing {
-        self.closing
+    /// Whether the window is to close now.
+    pub fn closes(&self) -> bool {
+        self.closing == Closing::Now
+    }
+
+    /// Whether the question about unsaved changes is open.
+    pub fn asks(&self) -> bool {
+        self.closing == Closing::Asking
+    }
+
+    /// What has happened, until it has been read.
+    pub fn notice(&self) -> Option<&str> {
+        self.notice.as_deref()
     }
 
     /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
@@ -46,7 +55,7 @@ impl WindowState {
             WindowCommand::CloseAnyway => self.closing = Closing::Now,
             WindowCommand::KeepOpen => self.closing = Closing::Open,
         }
-        self.closing == Closing::Now
+        self.closes()
     }
 
     /// Shows a notice.
@@ -55,7 +64,7 @@ impl WindowState {
     }
 
     /// Shows why something failed.
-    pub(in crate::app) fn say_failure<E: std::fmt::Display>(&mut self, done: Result<(), E>) {
+    pub(in crate::app) fn say_failure<T, E: std::fmt::Display>(&mut self, done: Result<T, E>) {
         if let Err(problem) = done {
             self.say(problem.to_string());
         }
@@ -91,7 +100,7 @@ mod tests {
         assert!(!window.apply(WindowCommand::Close, true), "asked first");
         window.begin_saving();
         window.saved();
-        assert_eq!(window.closing(), Closing::Now, "saved, then closed");
+        assert!(window.closes(), "saved, then closed");
     }
 
     #[test]
@@ -99,11 +108,11 @@ mod tests {
         let mut window = WindowState::default();
         window.begin_saving();
         window.saved();
-        assert_eq!(window.closing(), Closing::Open, "only saved");
+        assert!(!window.closes() && !window.asks(), "only saved");
         window.apply(WindowCommand::Close, true);
         window.apply(WindowCommand::KeepOpen, true);
         window.saved();
-        assert_eq!(window.closing(), Closing::Open, "kept open");
+        assert!(!window.closes() && !window.asks(), "kept open");
         assert!(window.apply(WindowCommand::Close, false), "nothing to lose");
     }
 }

@@ -16,8 +16,8 @@ pub(in crate::app) struct Dialogs {
     send: Sender<Command>,
     chosen: Receiver<Command>,
     wake: Wake,
-    /// Nobody is there to answer: no dialog is opened.
-    pub(in crate::app) silent: bool,
+    /// There is no user to answer: no dialog is opened.
+    pub(super) silent: bool,
 }
 
 impl Dialogs {

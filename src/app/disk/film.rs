@@ -64,9 +64,9 @@ impl Drop for Job {
 
 /// The dialog's plan, and the film that is being written.
 #[derive(Default)]
-pub(in crate::app) struct Films {
+pub struct Films {
     /// What the dialog shows, while it is open.
-    pub(in crate::app) plan: Option<FilmPlan>,
+    pub plan: Option<FilmPlan>,
     job: Option<Job>,
 }
 
@@ -106,7 +106,7 @@ impl Films {
     }
 
     /// Frames written and frames in all, while a film is being written.
-    pub(in crate::app) fn progress(&self) -> Option<(usize, u32)> {
+    pub fn progress(&self) -> Option<(usize, u32)> {
         self.job.as_ref().map(|job| (job.done.load(Ordering::Relaxed), job.count))
     }
 

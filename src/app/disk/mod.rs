@@ -10,3 +10,4 @@ pub(in crate::app) mod recent;
 pub(in crate::app) mod record;
 pub(in crate::app) mod scene_files;
 pub(in crate::app) mod session_files;
+pub(in crate::app) mod tasks;

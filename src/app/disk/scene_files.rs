@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::app::command::Keep;
+use crate::app::command::{Keep, SelectCommand};
 use crate::app::disk::session_files::{Compared, SessionFiles};
 use crate::app::edits::Document;
+use crate::app::host::Wake;
 use crate::app::text;
 use crate::files::{Found, SceneSource, save_scene};
 use crate::scene::Scene;
@@ -34,11 +35,11 @@ pub(in crate::app) enum Left {
 }
 
 /// The document, and what is kept beside it.
-pub(in crate::app) struct SceneFiles {
+pub struct SceneFiles {
     /// The scene with its past.
-    pub(in crate::app) document: Document,
+    pub document: Document,
     /// Recent files, unsaved work, the file's state on the disk.
-    pub(in crate::app) session: SessionFiles,
+    pub session: SessionFiles,
 }
 
 impl SceneFiles {
@@ -47,8 +48,16 @@ impl SceneFiles {
         Self { document: Document::new(scene, source), session: SessionFiles::default() }
     }
 
+    /// Keeps recent files and unsaved work in a folder from now on, and looks for work that was left there.
+    pub(in crate::app) fn keep_in(&mut self, folder: &Path, wake: Wake) {
+        self.session.keep_in(folder, wake);
+        if let Some(file) = self.document.file() {
+            self.session.opened(file, self.document.scene());
+        }
+    }
+
     /// The name of the file, or of a scene without one.
-    pub(in crate::app) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         let file = self.document.file().and_then(Path::file_name).map(|f| f.to_string_lossy().into_owned());
         file.unwrap_or_else(|| self.document.scene().name.clone())
     }
@@ -120,6 +129,7 @@ impl SceneFiles {
         scene: Scene,
         as_seen: impl FnOnce(&Scene) -> Scene,
     ) -> Result<bool, EditError> {
+        self.document.select(SelectCommand::Only(None));
         let done = if found.file.is_some() && found.file.as_deref() == self.document.file() {
             self.document.edit(Edit::Scene(Box::new(scene)), None)
         } else {

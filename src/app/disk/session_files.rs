@@ -19,7 +19,7 @@ const LOOK: Duration = Duration::from_secs(1);
 
 /// What is kept, once it is known where.
 #[derive(Default)]
-pub(in crate::app) struct SessionFiles {
+pub struct SessionFiles {
     folder: Option<PathBuf>,
     recent: Recent,
     autosave: Option<Autosave>,
@@ -56,12 +56,12 @@ impl SessionFiles {
     }
 
     /// How long after an edit unsaved work is kept (3 s unless told otherwise).
-    pub(in crate::app) fn set_autosave_delay(&mut self, delay: Duration) {
+    pub fn set_autosave_delay(&mut self, delay: Duration) {
         self.autosave.iter_mut().for_each(|autosave| autosave.delay = delay);
     }
 
     /// Waits until what is to be kept is on the disk.
-    pub(in crate::app) fn wait(&self) {
+    pub fn wait(&self) {
         self.autosave.iter().for_each(Autosave::wait);
     }
 
@@ -81,17 +81,17 @@ impl SessionFiles {
     }
 
     /// Files that were used last.
-    pub(in crate::app) fn recent(&self) -> &[PathBuf] {
+    pub fn recent(&self) -> &[PathBuf] {
         self.recent.files()
     }
 
     /// Unsaved work that is asked about.
-    pub(in crate::app) fn found_work(&self) -> Option<&Found> {
+    pub fn found_work(&self) -> Option<&Found> {
         self.found.front()
     }
 
     /// Whether another program has changed the file, and nothing was chosen about it yet.
-    pub(in crate::app) fn file_has_changed(&self) -> bool {
+    pub fn file_has_changed(&self) -> bool {
         self.changed
     }
 

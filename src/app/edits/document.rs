@@ -1,9 +1,11 @@
-//! The scene that is worked on: edits, undo and redo, the file it came from.
+//! The scene that is worked on: edits, undo and redo, what is selected in it, the file it came from.
 
 use std::path::{Path, PathBuf};
 
 use super::change::rename;
-use crate::app::command::EditCommand;
+use super::placing::placed;
+use super::selection::Selection;
+use crate::app::command::{EditCommand, PlaceCommand, SelectCommand};
 use crate::app::text;
 use crate::files::SceneSource;
 use crate::scene::Scene;
@@ -20,9 +22,10 @@ struct Origin {
     saved: Option<Scene>,
 }
 
-/// A scene with its past.
-pub(in crate::app) struct Document {
+/// A scene with its past, and what is selected in it: nothing that the scene does not have.
+pub struct Document {
     scene: Scene,
+    selection: Selection,
     steps: UndoStack,
     origins: Vec<Origin>,
     /// How many origins there have been.
@@ -34,11 +37,22 @@ impl Document {
     /// A scene as it was read.
     pub(in crate::app) fn new(scene: Scene, source: SceneSource) -> Self {
         let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()) }];
-        Self { scene, steps: UndoStack::default(), origins, begun: 1, revision: 0 }
+        Self { scene, selection: Selection::default(), steps: UndoStack::default(), origins, begun: 1, revision: 0 }
     }
 
-    pub(in crate::app) fn scene(&self) -> &Scene {
+    /// The scene as it is now.
+    pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// What is selected in it.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// The girder whose curves stand out.
+    pub(in crate::app) fn girder_shown(&self) -> usize {
+        self.selection.girder_shown(&self.scene)
     }
 
     /// Counts the changes: the same number is the same scene.
@@ -60,7 +74,7 @@ impl Document {
     }
 
     /// Whether something would be lost by closing.
-    pub(in crate::app) fn is_dirty(&self) -> bool {
+    pub fn is_dirty(&self) -> bool {
         self.origin().is_none_or(|o| o.saved.as_ref() != Some(&self.scene))
     }
 
@@ -83,12 +97,12 @@ impl Document {
     }
 
     /// What undo would take back.
-    pub(in crate::app) fn undo_label(&self) -> Option<&str> {
+    pub fn undo_label(&self) -> Option<&str> {
         self.steps.undo_label()
     }
 
     /// What redo would make again.
-    pub(in crate::app) fn redo_label(&self) -> Option<&str> {
+    pub fn redo_label(&self) -> Option<&str> {
         self.steps.redo_label()
     }
 
@@ -105,6 +119,24 @@ impl Document {
                 rename(&self.scene, target, name).map_or(Ok(false), |edit| self.edit(edit, None))
             }
         }
+    }
+
+    /// Selects something else.
+    pub(in crate::app) fn select(&mut self, command: SelectCommand) {
+        self.selection.apply(command, &self.scene);
+    }
+
+    /// Adds, copies, moves or removes bodies, and selects the new ones; `false` when nothing is different after it.
+    ///
+    /// # Errors
+    /// An edit that does not fit the scene; nothing is changed then.
+    pub(in crate::app) fn place(&mut self, command: PlaceCommand) -> Result<bool, EditError> {
+        let Some(placed) = placed(command, &self.scene, &self.selection) else { return Ok(false) };
+        let done = self.edit(placed.edit, None)?;
+        if let Some(then) = placed.then {
+            self.selection.these(then);
+        }
+        Ok(done)
     }
 
     /// Changes the scene; edits of one gesture become one step of undo. `false` when nothing is different after it.
@@ -124,8 +156,7 @@ impl Document {
             Some(hand) => self.steps.drag(&mut self.scene, edit, &label, &hand.to_string())?,
             None => self.steps.perform(&mut self.scene, edit, &label)?,
         }
-        self.revision += 1;
-        Ok(true)
+        Ok(self.counted(true))
     }
 
     /// Takes back what a gesture has done, as if it had never begun; `false` when it has done nothing.
@@ -134,8 +165,16 @@ impl Document {
     /// As [`UndoStack::abandon`].
     pub(in crate::app) fn abandon(&mut self, gesture: u64) -> Result<bool, EditError> {
         let done = self.steps.abandon(&mut self.scene, &gesture.to_string())?;
-        self.revision += u64::from(done);
-        Ok(done)
+        Ok(self.counted(done))
+    }
+
+    /// Counts a change that was `done`, and lets go of what is no longer there.
+    fn counted(&mut self, done: bool) -> bool {
+        if done {
+            self.revision += 1;
+            self.selection.keep_in(&self.scene);
+        }
+        done
     }
 
     /// Takes the last change back; `false` when there is none.
@@ -144,8 +183,7 @@ impl Document {
     /// As [`UndoStack::undo`].
     fn undo(&mut self) -> Result<bool, EditError> {
         let done = self.steps.undo(&mut self.scene)?;
-        self.revision += u64::from(done);
-        Ok(done)
+        Ok(self.counted(done))
     }
 
     /// Makes it again; `false` when there is none.
@@ -154,16 +192,16 @@ impl Document {
     /// As [`UndoStack::redo`].
     fn redo(&mut self) -> Result<bool, EditError> {
         let done = self.steps.redo(&mut self.scene)?;
-        self.revision += u64::from(done);
-        Ok(done)
+        Ok(self.counted(done))
     }
 
-    /// Another scene; the one before can be had back by undo.
+    /// Another scene, nothing selected in it; the one before can be had back by undo.
     ///
     /// # Errors
     /// None that is known: any scene can be put in another's place.
     pub(in crate::app) fn open(&mut self, scene: Scene, source: SceneSource) -> Result<(), EditError> {
         self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
+        self.selection.only(None);
         self.begin(source, scene);
         Ok(())
     }
@@ -202,6 +240,20 @@ mod tests {
         assert_eq!(document.scene(), &scene, "to the last number");
         assert!(document.apply(EditCommand::Redo).expect("there is a step") && document.is_dirty(), "again");
         assert_eq!(document.revision(), 3, "three changes");
+    }
+
+    #[test]
+    fn what_is_placed_is_selected_and_let_go_of_when_it_is_gone() {
+        let mut document = Document::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
+        let before = document.scene().girders.len();
+        assert!(document.place(PlaceCommand::AddGirder).expect("fits"), "one more");
+        assert_eq!(document.selection().all(), [Target::Girder(before)], "the new one");
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert!(document.selection().all().is_empty(), "there is no such girder");
+        assert!(!document.place(PlaceCommand::Remove).expect("nothing to do"), "nothing is selected");
+        document.select(SelectCommand::All);
+        document.open(document.scene().clone(), SceneSource::New).expect("fits");
+        assert!(document.selection().all().is_empty(), "nothing of another scene");
     }
 
     #[test]

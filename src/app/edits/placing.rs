@@ -12,11 +12,11 @@ pub(in crate::app) const MOST_SPANS: usize = 1000;
 
 /// What a placing command comes to.
 #[derive(Clone, Debug)]
-pub(in crate::app) struct Placed {
+pub(super) struct Placed {
     /// What is changed.
-    pub(in crate::app) edit: Edit,
+    pub(super) edit: Edit,
     /// What is selected after it; none leaves the selection as it is.
-    pub(in crate::app) then: Option<Vec<Target>>,
+    pub(super) then: Option<Vec<Target>>,
 }
 
 /// The row that is offered at first: five spans with the gap that the scene has.
@@ -25,7 +25,7 @@ pub(in crate::app) fn offered_row(scene: &Scene) -> RowDraft {
 }
 
 /// What a placing command comes to; `None` when the scene or the selection gives it nothing to do.
-pub(in crate::app) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection) -> Option<Placed> {
+pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection) -> Option<Placed> {
     let girder = selection.girders().last();
     let (edit, then) = match command {
         PlaceCommand::Put(edit) => {

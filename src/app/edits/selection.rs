@@ -6,11 +6,11 @@ use crate::view::Target;
 
 /// What is selected.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::app) struct Selection(Vec<Target>);
+pub struct Selection(Vec<Target>);
 
 impl Selection {
     /// Does a command.
-    pub(in crate::app) fn apply(&mut self, command: SelectCommand, scene: &Scene) {
+    pub(super) fn apply(&mut self, command: SelectCommand, scene: &Scene) {
         match command {
             SelectCommand::Only(target) => self.only(target),
             SelectCommand::Also(target) => self.toggle(target),
@@ -19,12 +19,12 @@ impl Selection {
     }
 
     /// The one whose numbers are shown.
-    pub(in crate::app) fn lead(&self) -> Option<Target> {
+    pub fn lead(&self) -> Option<Target> {
         self.0.last().copied()
     }
 
     /// All of it.
-    pub(in crate::app) fn all(&self) -> &[Target] {
+    pub fn all(&self) -> &[Target] {
         &self.0
     }
 
@@ -51,7 +51,7 @@ impl Selection {
     }
 
     /// Selects these.
-    pub(in crate::app) fn these(&mut self, targets: impl IntoIterator<Item = Target>) {
+    pub(super) fn these(&mut self, targets: impl IntoIterator<Item = Target>) {
         self.0 = targets.into_iter().collect();
     }
 
@@ -77,7 +77,7 @@ impl Selection {
     }
 
     /// The girder whose curves stand out: the one that leads, or the one that its abutment faces; else the first.
-    pub(in crate::app) fn girder_shown(&self, scene: &Scene) -> usize {
+    pub(super) fn girder_shown(&self, scene: &Scene) -> usize {
         match self.lead() {
             Some(Target::Girder(i)) => i,
             Some(Target::Abutment(i)) => {
@@ -89,7 +89,7 @@ impl Selection {
     }
 
     /// Lets go of what is not there any more; contacts belong to an answer that is gone.
-    pub(in crate::app) fn keep_in(&mut self, scene: &Scene) {
+    pub(super) fn keep_in(&mut self, scene: &Scene) {
         self.0.retain(|t| match t {
             Target::Girder(i) => *i < scene.girders.len(),
             Target::Abutment(i) => *i < scene.abutments.len(),

@@ -7,6 +7,7 @@
 
 mod choice;
 mod entry;
+mod form;
 mod frame;
 mod number;
 pub(in crate::app) mod parse;
@@ -15,6 +16,7 @@ mod slider;
 mod table;
 
 pub(in crate::app) use choice::{choice, choice_line};
+pub(in crate::app) use form::Form;
 pub(in crate::app) use frame::{act, complain, mark, tag};
 pub(in crate::app) use number::{number, optional};
 pub(in crate::app) use place::{CLICK, Change, Place};

@@ -105,7 +105,7 @@ impl Try {
 
 /// Which lesson is open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::app) struct Learning {
+pub struct Learning {
     open: Option<usize>,
 }
 
@@ -128,7 +128,7 @@ impl Learning {
     }
 
     /// The lesson that is open.
-    pub(in crate::app) fn lesson(self) -> Option<&'static Lesson> {
+    pub fn lesson(self) -> Option<&'static Lesson> {
         self.open.and_then(|number| lessons().get(number))
     }
 

@@ -5,22 +5,19 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Id, Modal, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, Keep};
+use crate::app::disk::scene_files::SceneFiles;
 use crate::app::text;
 use crate::files::Found;
 
 /// Shows the question there is, one at a time.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.asks_before_closing() {
-        return;
-    }
-    if let Some(found) = bench.found_work() {
+pub(in crate::app) fn show(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
+    if let Some(found) = files.session.found_work() {
         let answers = [(text::RECOVER, Keep::Recover), (text::DISCARD, Keep::Discard), (text::LATER, Keep::Later)];
         ask(ui, &found_words(found, SystemTime::now()), answers, out);
-    } else if bench.file_has_changed() {
-        let mut words = format!("{} {}", bench.file_name(), text::FILE_CHANGED);
-        if bench.is_dirty() {
+    } else if files.session.file_has_changed() {
+        let mut words = format!("{} {}", files.name(), text::FILE_CHANGED);
+        if files.document.is_dirty() {
             words.push_str(text::RELOAD_REPLACES);
         }
         ask(ui, &words, [(text::RELOAD, Keep::Reload), (text::KEEP_MINE, Keep::KeepMine)], out);

@@ -3,10 +3,8 @@
 use egui::{RichText, TextEdit, Ui};
 
 use super::record_of;
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, FileCommand};
-use crate::app::field::{CLICK, Change, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
-use crate::app::unit::Size;
+use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
@@ -39,11 +37,10 @@ const VERTICAL: [&str; 3] = ["vertical_amplitude_g", "vertical_amplitude_m_s2", 
 const MOST_SAMPLES: usize = 2000;
 
 /// Shows the kind and what belongs to it.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut new = bench.scene().motion.clone();
-    let place = Place { problems: bench.problems(), table: "motion" };
-    let look = Look::new(place, bench.scene().kind, Size::of_scene(bench.scene()));
-    let kind = kind(ui, place, &mut new);
+pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new = form.scene.motion.clone();
+    let look = form.look("motion");
+    let kind = kind(ui, look.place, &mut new);
     let change = match &mut new {
         Motion::None => still(ui, &mut new),
         Motion::Sine(sine) => sine_rows(ui, &look, sine),

@@ -2,9 +2,9 @@
 
 use egui::{Button, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, TimeCommand};
-use crate::app::field::{Look, Place, Without, rows};
+use crate::app::field::{Form, Look, Without, rows};
+use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::Size;
@@ -14,19 +14,17 @@ use crate::scene::{Limits, Scene};
 use crate::sim::Summary;
 
 /// Shows the limits and the flags.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
+pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, runner: &Runner, out: &mut Vec<Command>) {
+    let scene = form.scene;
     let mut new = scene.limits;
-    let place = Place { problems: bench.problems(), table: "limits" };
-    let summary = bench.answer().map(|a| &a.summary);
+    let summary = runner.answer().map(|a| &a.summary);
     let first = |key: &Key| first_limit(key.name, scene, summary);
-    let look = Look::new(place, scene.kind, Size::of_scene(scene));
-    let look = Look { without: Without::Off(&first), ..look };
+    let look = Look { without: Without::Off(&first), ..form.look("limits") };
     let change = egui::Grid::new("limits").num_columns(2).show(ui, |ui| rows(ui, &look, &mut new, &[])).inner;
     if let Some(change) = change {
         out.push(EditCommand::Change { edit: Edit::Limits(new), gesture: change.gesture }.into());
     }
-    flags(ui, bench, out);
+    flags(ui, scene.limits, runner, out);
 }
 
 /// What a limit begins with: a little below what the run reaches, or a part of a girder's length.
@@ -48,10 +46,8 @@ fn two_digits(value: f64) -> f64 {
 }
 
 /// Every limit that was passed, with a button that goes there.
-fn flags(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let watched = bench.scene().limits != Limits::default();
-    let Some(answer) = bench.answer().filter(|_| watched && !bench.is_stale()) else { return };
-    let passed = answer.passed();
+fn flags(ui: &mut Ui, limits: Limits, runner: &Runner, out: &mut Vec<Command>) {
+    let Some(passed) = runner.passed(limits) else { return };
     if passed.is_empty() {
         ui.label(RichText::new(text::LIMITS_KEPT).weak());
     }

@@ -1,35 +1,45 @@
 //! The bar at the top: files, presets, undo, placing, views.
 
+use std::path::PathBuf;
+
 use egui::{Button, MenuBar, Theme, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{
-    Command, EditCommand, Export, FileCommand, Filming, PlaceCommand, SelectCommand, Tool, ViewCommand, WindowCommand,
+    Command, EditCommand, Export, FileCommand, Filming, PlaceCommand, SelectCommand, Sight, Tool, ViewCommand,
+    WindowCommand,
 };
 use crate::app::disk::recent;
+use crate::app::disk::scene_files::SceneFiles;
 use crate::app::learn::lesson_panel;
+use crate::app::learn::lessons::Learning;
 use crate::app::panel::view_menu;
 use crate::app::{edits, text};
-use crate::scene::{ViewPreset, presets};
+use crate::scene::{Scene, ViewPreset, presets};
 
-/// Shows the bar.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+/// Shows the bar for a scene and its files.
+pub(in crate::app) fn show(
+    ui: &mut Ui,
+    files: &SceneFiles,
+    (learning, sight): (Learning, Sight),
+    out: &mut Vec<Command>,
+) {
+    let document = &files.document;
+    let some = document.selection().lead_body().is_some();
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button(text::FILE, |ui| file(ui, bench, out));
-        ui.menu_button(text::EDIT, |ui| edit(ui, bench, out));
-        ui.menu_button(text::PRESETS, |ui| preset_list(ui, bench, out));
-        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, bench.learning, out));
+        ui.menu_button(text::FILE, |ui| file(ui, files.session.recent(), out));
+        ui.menu_button(text::EDIT, |ui| edit(ui, document.scene(), some, out));
+        ui.menu_button(text::PRESETS, |ui| preset_list(ui, document.scene(), out));
+        ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, learning, out));
         ui.separator();
-        let (undo, redo) = (bench.undo_label(), bench.redo_label());
+        let (undo, redo) = (document.undo_label(), document.redo_label());
         button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Edit(EditCommand::Undo), out);
         button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Edit(EditCommand::Redo), out);
         ui.separator();
-        let some = bench.selection.lead_body().is_some();
         button(ui, some, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
         button(ui, some, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove), out);
         ui.separator();
         views(ui, out);
-        ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench, out));
+        ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, sight, document, out));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             button(ui, true, text::HELP, "F1", Command::Window(WindowCommand::Help(true)), out);
             theme(ui, out);
@@ -43,10 +53,10 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
     }
 }
 
-fn file(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+fn file(ui: &mut Ui, used: &[PathBuf], out: &mut Vec<Command>) {
     item(ui, text::NEW, "Ctrl N", Command::File(FileCommand::New), out);
     item(ui, text::OPEN, "Ctrl O", Command::File(FileCommand::AskOpen), out);
-    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, bench.recent(), out));
+    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, used, out));
     let items = [
         (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
         (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::SaveAs)),
@@ -67,12 +77,12 @@ fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Co
     }
 }
 
-fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let (bodies, any) = (bench.selection.lead_body().is_some(), !bench.scene().girders.is_empty());
+fn edit(ui: &mut Ui, scene: &Scene, bodies: bool, out: &mut Vec<Command>) {
+    let any = !scene.girders.is_empty();
     let items = [
         (true, text::PLACE_GIRDER, "Shift G", Command::View(ViewCommand::Tool(Tool::Girder))),
         (any, text::PLACE_ABUTMENT, "Shift B", Command::View(ViewCommand::Tool(Tool::Abutment))),
-        (any, text::ROW_ASK, "Ctrl R", Command::Window(WindowCommand::AskRow(Some(edits::offered_row(bench.scene()))))),
+        (any, text::ROW_ASK, "Ctrl R", Command::Window(WindowCommand::AskRow(Some(edits::offered_row(scene))))),
         (any, text::SELECT_ALL, "Ctrl A", Command::Select(SelectCommand::All)),
         (bodies, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate)),
         (bodies, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove)),
@@ -85,9 +95,9 @@ fn edit(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     }
 }
 
-fn preset_list(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+fn preset_list(ui: &mut Ui, scene: &Scene, out: &mut Vec<Command>) {
     for preset in presets::all() {
-        let chosen = bench.scene().name == preset.name;
+        let chosen = scene.name == preset.name;
         if ui.add(Button::selectable(chosen, preset.name)).on_hover_text(preset.summary).clicked() {
             out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
             ui.close();

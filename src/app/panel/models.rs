@@ -2,25 +2,23 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Look, Place, Without, sliders};
+use crate::app::field::{Form, Look, Without, sliders};
 use crate::app::run::answer::Apart;
 use crate::app::text;
-use crate::app::unit::Size;
+use crate::app::time::replay::Replay;
 use crate::scene::edit::Edit;
 use crate::scene::keys::Key;
 use crate::scene::{ImpactSettings, Kind, ModelKind};
 use crate::sim::State;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
+pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, replay: &Replay, out: &mut Vec<Command>) {
+    let scene = form.scene;
     let mut model = scene.model;
     let spatial = scene.kind == Kind::Spatial;
     ui.add_enabled_ui(!spatial || model.kind != ModelKind::Contact, |ui| {
-        let place = Place { problems: bench.problems(), table: "model" };
-        sliders(ui, &Look::new(place, scene.kind, Size::of_scene(scene)), &mut model, &[]);
+        sliders(ui, &form.look("model"), &mut model, &[]);
     });
     if spatial {
         ui.add(egui::Label::new(RichText::new(text::MODEL_SPATIAL).weak().small()).wrap());
@@ -29,29 +27,28 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
         out.push(EditCommand::Change { edit: Edit::Model(model), gesture: None }.into());
     }
     if scene.model.kind != ModelKind::Contact {
-        numbers(ui, bench, out);
-        states(ui, bench);
+        numbers(ui, form, out);
+        states(ui, replay);
     }
 }
 
-fn numbers(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut new: ImpactSettings = bench.scene().impact;
-    let place = Place { problems: bench.problems(), table: "impact" };
+fn numbers(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new: ImpactSettings = form.scene.impact;
     // A corner's numbers where it has none of its own.
     let [own_s, _] = ImpactSettings { corner_mu_static: None, ..new }.corner_friction();
     let [_, own_k] = ImpactSettings { corner_mu_kinetic: None, ..new }.corner_friction();
     let of_face = |key: &Key| if key.name == "corner_mu_static" { own_s } else { own_k };
-    let look = Look::new(place, bench.scene().kind, Size::of_scene(bench.scene()));
-    let change = sliders(ui, &Look { without: Without::Reckoned(&of_face), ..look }, &mut new, &[]);
+    let look = Look { without: Without::Reckoned(&of_face), ..form.look("impact") };
+    let change = sliders(ui, &look, &mut new, &[]);
     if let Some(change) = change {
         out.push(EditCommand::Change { edit: Edit::Impact(new), gesture: change.gesture }.into());
     }
 }
 
 /// The girders' states now, and how far the models are apart.
-fn states(ui: &mut Ui, bench: &Workbench) {
-    let Some(answer) = bench.answer().filter(|_| !bench.is_stale()) else { return };
-    let t = bench.clock().t;
+fn states(ui: &mut Ui, replay: &Replay) {
+    let Some(answer) = replay.runner.fresh_answer() else { return };
+    let t = replay.t();
     let by_impulses = answer.history.beside().unwrap_or(&answer.history);
     let Some(record) = by_impulses.impact() else { return };
     for (number, body) in answer.history.model().bodies.iter().enumerate() {

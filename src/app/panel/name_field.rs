@@ -7,9 +7,8 @@ use crate::app::field::{Place, tag};
 use crate::app::text;
 use crate::view::Target;
 
-/// A grid row with the name.
-pub(in crate::app) fn show(ui: &mut Ui, place: Place<'_>, target: Option<Target>, name: &str, out: &mut Vec<Command>) {
-    let Some(target) = target else { return };
+/// A grid row with the name of a body.
+pub(in crate::app) fn show(ui: &mut Ui, place: Place<'_>, target: Target, name: &str, out: &mut Vec<Command>) {
     let label = ui.label(text::NAME);
     let draft_id = Id::unique(("name draft", target));
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| name.to_owned());

@@ -2,39 +2,40 @@
 
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
 
-use crate::app::bench::Workbench;
-use crate::app::command::{Command, FileCommand, WindowCommand};
+use crate::app::bench::WindowState;
+use crate::app::command::{Command, FileCommand, Tool, WindowCommand};
+use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 
 /// Greys an old answer and says why it is old.
-pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, bench: &Workbench, out: &mut Vec<Command>) {
-    if bench.is_stale() && bench.answer().is_some() {
+pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runner, Tool), out: &mut Vec<Command>) {
+    if runner.is_stale() && runner.answer().is_some() {
         let veil: Color32 = Palette::of(ui).view.gamma_multiply(0.55);
         ui.painter().rect_filled(rect, 0.0, veil);
     }
-    if bench.tool() != crate::app::command::Tool::Select {
+    if tool != Tool::Select {
         let at = rect.center_bottom() - vec2(0.0, 10.0);
         let font = egui::FontId::proportional(12.0);
         ui.painter().text(at, Align2::CENTER_BOTTOM, text::TOOL_ENDS, font, Palette::of(ui).weak);
     }
-    if let Some(problems) = bench.problems() {
+    if let Some(problems) = runner.problems() {
         let lines: Vec<String> =
             problems.0.iter().map(|e| format!("{}: {} — {}", e.place, e.value, e.remedy)).collect();
-        let headline = if bench.answer().is_some() { text::PROBLEM } else { text::PROBLEM_AT_ONCE };
+        let headline = if runner.answer().is_some() { text::PROBLEM } else { text::PROBLEM_AT_ONCE };
         plate(ui, rect, "problem", |ui| {
             ui.label(RichText::new(headline).color(Palette::of(ui).problem).strong());
             for line in &lines {
                 ui.add(egui::Label::new(line).wrap());
             }
         });
-    } else if let Some(progress) = bench.progress() {
+    } else if let Some(progress) = runner.progress() {
         plate(ui, rect, "progress", |ui| computing(ui, progress, out));
-    } else if bench.is_stale() {
+    } else if runner.is_stale() {
         plate(ui, rect, "cancelled", |ui| {
             ui.add(egui::Label::new(text::CANCELLED).wrap());
         });
-    } else if let Some(stop) = bench.answer().and_then(|a| a.history.stop()) {
+    } else if let Some(stop) = runner.answer().and_then(|a| a.history.stop()) {
         let words = format!("{} ({} s): {} — {}", text::STOPPED_EARLY, text::short(stop.t), stop.place, stop.reason);
         plate(ui, rect, "stopped", |ui| {
             ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).wrap());
@@ -62,8 +63,8 @@ fn plate(ui: &mut Ui, rect: Rect, id: &str, body: impl FnOnce(&mut Ui)) {
 }
 
 /// The question before closing, and the notice of what has happened to a file.
-pub(in crate::app) fn over_all(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    if let Some(notice) = bench.notice() {
+pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<Command>) {
+    if let Some(notice) = window.notice() {
         let area =
             Area::new(Id::unique("notice")).order(Order::Foreground).anchor(Align2::CENTER_BOTTOM, vec2(0.0, -40.0));
         area.show(ui, |ui| {
@@ -77,7 +78,7 @@ pub(in crate::app) fn over_all(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Com
             });
         });
     }
-    if bench.asks_before_closing() {
+    if window.asks() {
         egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
             ui.label(text::UNSAVED_QUESTION);
             ui.horizontal(|ui| {

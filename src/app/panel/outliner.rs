@@ -3,14 +3,14 @@
 use egui::{Button, RichText, Ui};
 
 use crate::app::command::{Command, PlaceCommand, SelectCommand, ViewCommand};
-use crate::app::edits::Selection;
+use crate::app::edits::{Document, Selection};
 use crate::app::field::{Place, mark};
 use crate::app::{text, unit};
-use crate::scene::Scene;
 use crate::view::Target;
 
 /// Shows the list of a scene with what is selected, and the buttons that add to it.
-pub(in crate::app) fn show(ui: &mut Ui, (scene, selection): (&Scene, &Selection), out: &mut Vec<Command>) {
+pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Command>) {
+    let (scene, selection) = (document.scene(), document.selection());
     ui.horizontal(|ui| {
         ui.label(RichText::new(text::OUTLINER).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {

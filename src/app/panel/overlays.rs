@@ -2,18 +2,18 @@
 
 use egui::{Slider, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, ViewCommand};
-use crate::app::field::{Place, choice_line, slider_row, tag};
+use crate::app::field::{Form, choice_line, slider_row, tag};
 use crate::app::panel::view_menu;
 use crate::app::text;
+use crate::app::viewport::display::Display;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset, ViewSettings};
 
 /// Shows the toggles in two columns, then the force scale.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut overlays = bench.display.overlays;
-    let layers = Place { problems: bench.problems(), table: "view.overlays" };
+pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, display: &Display, out: &mut Vec<Command>) {
+    let mut overlays = display.overlays;
+    let layers = form.place("view.overlays");
     let mut changed = false;
     egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
         for (i, layer) in Overlays::ALL.iter().enumerate() {
@@ -27,9 +27,9 @@ pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command
     if changed {
         out.push(ViewCommand::Overlays(overlays).into());
     }
-    force_scale(ui, bench, out);
-    view_menu::exaggeration(ui, bench.display.sight, out);
-    first_view(ui, bench, out);
+    force_scale(ui, form, display, out);
+    view_menu::exaggeration(ui, display.sight, out);
+    first_view(ui, form, out);
 }
 
 const VIEWS: [(ViewPreset, &str); 4] = [
@@ -40,27 +40,27 @@ const VIEWS: [(ViewPreset, &str); 4] = [
 ];
 
 /// Where the camera stands when the scene is opened.
-fn first_view(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let place = Place { problems: bench.problems(), table: "view" };
-    let mut view = ViewSettings { ..bench.scene().view.clone() };
+fn first_view(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let place = form.place("view");
+    let mut view = ViewSettings { ..form.scene.view.clone() };
     if choice_line(ui, place, ("camera", text::FIRST_VIEW), &mut view.camera, &VIEWS).is_some() {
         out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
     }
 }
 
-fn force_scale(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let automatic = bench.display.automatic_force_scale();
-    let mut auto = bench.display.force_scale().is_none();
+fn force_scale(ui: &mut Ui, form: Form<'_>, display: &Display, out: &mut Vec<Command>) {
+    let automatic = display.automatic_force_scale();
+    let mut auto = display.force_scale().is_none();
     if ui.checkbox(&mut auto, text::AUTO_SCALE).changed() {
         out.push(ViewCommand::ForceScale((!auto).then_some(automatic)).into());
     }
-    let mut scale = bench.display.force_scale().unwrap_or(automatic);
+    let mut scale = display.force_scale().unwrap_or(automatic);
     let words = format!("{}/m", text::force(scale));
     let slider = Slider::new(&mut scale, automatic / 50.0..=automatic * 50.0)
         .logarithmic(true)
         .clamping(egui::SliderClamping::Edits)
         .show_value(false);
-    let place = Place { problems: bench.problems(), table: "view" };
+    let place = form.place("view");
     let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
     if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE)).changed() {
         out.push(ViewCommand::ForceScale(Some(scale)).into());

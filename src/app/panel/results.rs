@@ -2,9 +2,9 @@
 
 use egui::{Grid, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
+use crate::app::time::replay::Replay;
 use crate::app::{text, unit};
 use crate::dynamics::model::bearing::BearingQuantities;
 use crate::scene::Girder;
@@ -24,20 +24,19 @@ fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, 
     });
 }
 
-/// What (3), (4) and (6) say of a girder.
-pub(in crate::app) fn show_girder(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder) {
+/// What (3), (4) and (6) say of a girder, from its scene's answer where there is one.
+pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, i: usize, girder: &Girder) {
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
     let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
     let mut rows = vec![(text::US_SKEW, format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
-    let body = bench.answer().and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
-    if let Some(body) = body.filter(|_| !bench.is_stale()) {
+    let body = answer.and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
+    if let Some(body) = body {
         rows.extend(quantities(&body.quantities()));
     }
     rows.push((text::CONDITION, format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
-    let answer = bench.answer().filter(|_| !bench.is_stale());
     if let Some(reading) = answer.and_then(|a| a.reading(i)) {
         show_reading(ui, reading);
     }
@@ -80,18 +79,19 @@ fn quantities(q: &BearingQuantities) -> [(&'static str, String); 6] {
 }
 
 /// A contact at the time shown, and its touches.
-pub(in crate::app) fn show_contact(ui: &mut Ui, bench: &Workbench, contact: usize, out: &mut Vec<Command>) {
-    let Some(answer) = bench.answer() else { return };
+pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize, out: &mut Vec<Command>) {
+    let Some(answer) = replay.runner.answer() else { return };
+    let t = replay.t();
     let Some(site) = answer.history.model().contacts.get(contact) else { return };
     ui.label(format!("{} | {}", site.node, site.face_name));
-    if let Some(now) = answer.history.contact_at(contact, bench.clock().t) {
+    if let Some(now) = answer.history.contact_at(contact, t) {
         table(ui, "contact", rows(&now));
     } else {
         ui.label(RichText::new(text::CONTACT_OPEN).weak());
-        let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, bench.clock().t);
+        let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, t);
         table(ui, "contact", [(text::GAP_OF_PAIR, text::length(gap))]);
     }
-    touches(ui, answer, contact, bench.clock().t, out);
+    touches(ui, answer, contact, t, out);
 }
 
 fn rows(c: &ContactNow) -> [(&'static str, String); 11] {

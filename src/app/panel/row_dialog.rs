@@ -2,17 +2,15 @@
 
 use egui::{Id, Modal, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, PlaceCommand, RowDraft, WindowCommand};
 use crate::app::edits::MOST_SPANS;
 use crate::app::field::{Place, number};
 use crate::app::text;
 use crate::app::unit::{PURE, Unit, length_unit};
+use crate::scene::Girder;
 
-/// Shows the question while it is open.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let Some(draft) = bench.window.row else { return };
-    let Some(girder) = bench.scene().girders.get(bench.selection.girder_shown(bench.scene())) else { return };
+/// Shows the question, with the numbers as they are so far, for a row of spans like this girder.
+pub(in crate::app) fn show(ui: &mut Ui, draft: RowDraft, girder: &Girder, out: &mut Vec<Command>) {
     let modal = Modal::new(Id::unique("row")).show(ui, |ui| {
         ui.heading(text::ROW);
         ui.label(RichText::new(format!("{} {}", text::ROW_OF, girder.name)).weak());

@@ -4,21 +4,33 @@
 
 use egui::{Event, Key, Modifiers};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{
     Command, CompareCommand, EditCommand, FileCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand, Tool,
     ViewCommand, Way, WindowCommand,
 };
 use crate::app::edits;
-use crate::scene::ViewPreset;
+use crate::app::time::clock::Clock;
+use crate::app::viewport::hand::Hand;
+use crate::scene::{Scene, ViewPreset};
+
+/// What keys act on.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Keyboard<'a> {
+    /// Whether the help is open: keys close it then, and do nothing else.
+    pub(in crate::app) help: bool,
+    /// What is held in the view: a number that is typed is its own.
+    pub(in crate::app) hand: &'a Hand,
+    /// What a click in the view does.
+    pub(in crate::app) tool: Tool,
+    /// The playing clock.
+    pub(in crate::app) clock: &'a Clock,
+    /// The scene, which says how far a step moves and which row is offered.
+    pub(in crate::app) scene: &'a Scene,
+}
 
 /// Commands for the keys pressed in this frame.
-pub(in crate::app) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let asked = bench.asks_before_closing() || bench.files.session.asks();
-    if asked || bench.films.plan.is_some() || bench.window.row.is_some() {
-        return;
-    }
-    if !bench.help_is_open() && bench.viewport.hand.keys(ui, out) {
+pub(in crate::app) fn keys(ui: &egui::Ui, on: Keyboard<'_>, out: &mut Vec<Command>) {
+    if !on.help && on.hand.keys(ui, out) {
         return;
     }
     let typing = ui.text_edit_focused();
@@ -26,15 +38,15 @@ pub(in crate::app) fn keys(ui: &egui::Ui, bench: &Workbench, out: &mut Vec<Comma
     let events = ui.input(|i| i.events.clone());
     for event in events {
         let Event::Key { key, pressed: true, modifiers, .. } = event else { continue };
-        if bench.help_is_open() {
+        if on.help {
             out.extend(matches!(key, Key::Escape | Key::F1).then_some(Command::Window(WindowCommand::Help(false))));
             continue;
         }
-        if bench.viewport.hand.takes_number(key) && !modifiers.command && !modifiers.alt {
+        if on.hand.takes_number(key) && !modifiers.command && !modifiers.alt {
             continue;
         }
         let command = with_command(key, modifiers)
-            .or_else(|| if typing || (focused && is_widget_key(key)) { None } else { plain(key, modifiers, bench) });
+            .or_else(|| if typing || (focused && is_widget_key(key)) { None } else { plain(key, modifiers, on) });
         out.extend(command);
     }
 }
@@ -72,19 +84,19 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
     }
 }
 
-fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
+fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
     if modifiers.command {
-        return with_control(key, modifiers.shift, bench);
+        return with_control(key, modifiers.shift, on.scene);
     }
     if modifiers.alt {
-        return nudge(key, modifiers.shift, bench);
+        return nudge(key, modifiers.shift, on.scene);
     }
     match key {
         Key::G if modifiers.shift => Some(Command::View(ViewCommand::Tool(Tool::Girder))),
         Key::B if modifiers.shift => Some(Command::View(ViewCommand::Tool(Tool::Abutment))),
         Key::OpenBracket => Some(turn(1.0, modifiers)),
         Key::CloseBracket => Some(turn(-1.0, modifiers)),
-        Key::Escape if bench.tool() != Tool::Select => Some(Command::View(ViewCommand::Tool(Tool::Select))),
+        Key::Escape if on.tool != Tool::Select => Some(Command::View(ViewCommand::Tool(Tool::Select))),
         Key::Space => Some(Command::Time(TimeCommand::TogglePlay)),
         Key::ArrowRight => Some(Command::Time(TimeCommand::Step(steps(modifiers)))),
         Key::ArrowLeft => Some(Command::Time(TimeCommand::Step(-steps(modifiers)))),
@@ -92,8 +104,8 @@ fn plain(key: Key, modifiers: Modifiers, bench: &Workbench) -> Option<Command> {
         Key::End => Some(Command::Time(TimeCommand::Seek(f64::INFINITY))),
         Key::Comma => Some(Command::Time(TimeCommand::StepSpeed(-1))),
         Key::Period => Some(Command::Time(TimeCommand::StepSpeed(1))),
-        Key::L => Some(Command::Time(TimeCommand::Loop(!bench.clock().looping))),
-        Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!bench.clock().slow_at_hits))),
+        Key::L => Some(Command::Time(TimeCommand::Loop(!on.clock.looping))),
+        Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!on.clock.slow_at_hits))),
         Key::P => Some(Command::Compare(CompareCommand::Pin)),
         Key::I => Some(Command::Time(TimeCommand::SpanFrom)),
         Key::O => Some(Command::Time(TimeCommand::SpanTo)),
@@ -117,8 +129,8 @@ fn turn(sign: f64, modifiers: Modifiers) -> Command {
 }
 
 /// A step of about a thousandth of the largest girder, a round number.
-fn nudge(key: Key, far: bool, bench: &Workbench) -> Option<Command> {
-    let largest = bench.scene().girders.iter().map(|g| g.length).fold(1e-3, f64::max);
+fn nudge(key: Key, far: bool, scene: &Scene) -> Option<Command> {
+    let largest = scene.girders.iter().map(|g| g.length).fold(1e-3, f64::max);
     let step = 10f64.powf((largest / 100.0).log10().floor()) * if far { 10.0 } else { 1.0 };
     let way = match key {
         Key::ArrowRight => [step, 0.0],
@@ -130,13 +142,13 @@ fn nudge(key: Key, far: bool, bench: &Workbench) -> Option<Command> {
     Some(Command::Place(PlaceCommand::Nudge(Nudge { way, turn_deg: 0.0 })))
 }
 
-fn with_control(key: Key, shift: bool, bench: &Workbench) -> Option<Command> {
+fn with_control(key: Key, shift: bool, scene: &Scene) -> Option<Command> {
     match (key, shift) {
         (Key::Z, false) => Some(Command::Edit(EditCommand::Undo)),
         (Key::Z, true) | (Key::Y, _) => Some(Command::Edit(EditCommand::Redo)),
         (Key::D, _) => Some(Command::Place(PlaceCommand::Duplicate)),
         (Key::A, false) => Some(Command::Select(SelectCommand::All)),
-        (Key::R, false) => Some(Command::Window(WindowCommand::AskRow(Some(edits::offered_row(bench.scene()))))),
+        (Key::R, false) => Some(Command::Window(WindowCommand::AskRow(Some(edits::offered_row(scene))))),
         (Key::ArrowRight, _) => Some(Command::Time(TimeCommand::StepEvent(Way::Forward))),
         (Key::ArrowLeft, _) => Some(Command::Time(TimeCommand::StepEvent(Way::Back))),
         _ => None,

@@ -2,36 +2,40 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
+use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::scene::Limits;
+use crate::sim::readings::Passed;
 
-/// Shows the line.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+/// Shows the line: what became of the scene's run, limits that it passes, what draws.
+pub(in crate::app) fn show(ui: &mut Ui, runner: &Runner, (limits, adapter): (Limits, &str), out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
-        if let Some(problems) = bench.problems() {
+        if let Some(problems) = runner.problems() {
             let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
-        } else if let Some(answer) = bench.answer() {
+        } else if let Some(answer) = runner.answer() {
             numbers(ui, answer);
-            balance(ui, bench, answer);
-            outside(ui, bench, answer);
-            overlaps(ui, bench, answer, out);
-            law_sense(ui, bench, answer);
-            flag(ui, bench, answer);
+        }
+        if let Some(answer) = runner.fresh_answer() {
+            balance(ui, answer);
+            outside(ui, answer);
+            overlaps(ui, answer, out);
+            law_sense(ui, answer);
+            flag(ui, runner.passed(limits).unwrap_or_default());
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.add(egui::Label::new(RichText::new(bench.target.1.as_str()).weak().small()).truncate());
+            ui.add(egui::Label::new(RichText::new(adapter).weak().small()).truncate());
         });
     });
 }
 
 /// That the scene lies outside the domain, and in what.
-fn outside(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
-    if bench.is_stale() || answer.outside.is_empty() {
+fn outside(ui: &mut Ui, answer: &Answer) {
+    if answer.outside.is_empty() {
         return;
     }
     let words: Vec<String> = answer.outside.iter().map(ToString::to_string).collect();
@@ -39,18 +43,15 @@ fn outside(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
 }
 
 /// The energy ledger, where it does not balance.
-fn balance(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
-    if !bench.is_stale() && !answer.balance.holds() {
+fn balance(ui: &mut Ui, answer: &Answer) {
+    if !answer.balance.holds() {
         let words = RichText::new(text::UNBALANCED).color(Palette::of(ui).problem);
         ui.label(words).on_hover_text(answer.balance.to_string());
     }
 }
 
 /// The first overlap that no contact carries, and how many more; a click goes there.
-fn overlaps(ui: &mut Ui, bench: &Workbench, answer: &Answer, out: &mut Vec<Command>) {
-    if bench.is_stale() {
-        return;
-    }
+fn overlaps(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     if let [first, more @ ..] = answer.history.overlaps() {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
         let words = format!("{}{more}", text::overlap(&answer.history, first));
@@ -62,10 +63,7 @@ fn overlaps(ui: &mut Ui, bench: &Workbench, answer: &Answer, out: &mut Vec<Comma
 }
 
 /// That contacts were pressed too deep for their law, or left a face with energy in their springs.
-fn law_sense(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
-    if bench.is_stale() {
-        return;
-    }
+fn law_sense(ui: &mut Ui, answer: &Answer) {
     let words = text::law_sense(&answer.history, &answer.too_deep, answer.dropped.as_ref());
     if !words.is_empty() {
         let label = RichText::new(text::BEYOND_LAW).color(Palette::of(ui).problem);
@@ -74,11 +72,8 @@ fn law_sense(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
 }
 
 /// The first limit that is passed, and how many more.
-fn flag(ui: &mut Ui, bench: &Workbench, answer: &Answer) {
-    if bench.scene().limits == crate::scene::Limits::default() || bench.is_stale() {
-        return;
-    }
-    if let [first, more @ ..] = answer.passed() {
+fn flag(ui: &mut Ui, passed: &[Passed]) {
+    if let [first, more @ ..] = passed {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
         let words = format!("{}{more}", text::passed(first));
         ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).truncate());

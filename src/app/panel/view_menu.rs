@@ -2,23 +2,22 @@
 
 use egui::{Button, Slider, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, Follow, Sight, ViewCommand, WindowCommand};
+use crate::app::edits::Document;
 use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
 use crate::app::text;
 
 /// The menu of views beyond the standing ones.
-pub(in crate::app) fn menu(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let sight = bench.sight();
+pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: &mut Vec<Command>) {
     let mut new = sight;
     ui.checkbox(&mut new.plan, text::PLAN_BESIDE);
     ui.checkbox(&mut new.section, text::GAP_SECTION);
     ui.checkbox(&mut new.lecture, text::LECTURE);
     ui.separator();
     ui.label(text::FOLLOW);
-    let girder = bench.selection.girder_shown(bench.scene());
-    let name = bench.scene().girders.get(girder).map_or("", |g| g.name.as_str());
+    let girder = document.girder_shown();
+    let name = document.scene().girders.get(girder).map_or("", |g| g.name.as_str());
     ui.radio_value(&mut new.follow, None, text::FOLLOW_NOTHING);
     ui.radio_value(&mut new.follow, Some(Follow::Middle(girder)), text::follow(name, None));
     for corner in 0..4 {

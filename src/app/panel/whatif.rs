@@ -2,29 +2,47 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Change, Look, Place, slider_at, slider_between, sliders};
+use crate::app::edits::Document;
+use crate::app::field::{Change, Form, slider_at, slider_between, sliders};
 use crate::app::panel::{comparison, ground_motion, limits, models, overlays};
+use crate::app::plot::source::Source;
 use crate::app::plot::user_plots;
+use crate::app::time::replay::Replay;
 use crate::app::unit::Size;
+use crate::app::viewport::display::Display;
 use crate::app::{edits, text};
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
+/// What the sliders and the results beside them are of.
+#[derive(Clone, Copy)]
+pub(in crate::app) struct Shown<'a> {
+    /// The scene, and what is selected in it.
+    pub(in crate::app) document: &'a Document,
+    /// Its answer, and the time of it that is shown.
+    pub(in crate::app) replay: &'a Replay,
+    /// Layers and force scale of the view.
+    pub(in crate::app) display: &'a Display,
+    /// What the plots are drawn from.
+    pub(in crate::app) plots: Source<'a>,
+}
+
 /// Shows the sliders, then the overlays.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>) {
+    let Shown { document, replay, display, plots } = shown;
+    let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     ui.label(RichText::new(text::WHAT_IF).strong());
-    geometry(ui, bench, out);
-    section(ui, text::MOTION_SECTION, |ui| motion(ui, bench, out));
-    section(ui, text::CONTACT_SECTION, |ui| contact(ui, bench, out));
-    section(ui, text::MODEL_SECTION, |ui| models::show(ui, bench, out));
-    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, bench, out));
-    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &bench.plot_source(), out));
+    geometry(ui, form, chosen(document), out);
+    section(ui, text::MOTION_SECTION, |ui| motion(ui, form, out));
+    section(ui, text::CONTACT_SECTION, |ui| contact(ui, form, out));
+    section(ui, text::MODEL_SECTION, |ui| models::show(ui, form, replay, out));
+    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, form, &replay.runner, out));
+    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &plots, out));
     section(ui, text::PINS_SECTION, |ui| {
-        comparison::show(ui, bench.comparison.pins(), bench.runner.fresh_answer().map(|a| &**a), out);
+        comparison::show(ui, plots.pins, replay.runner.fresh_answer().map(|a| &**a), out);
     });
-    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, bench, out));
+    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, form, display, out));
 }
 
 fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
@@ -38,50 +56,41 @@ fn push(out: &mut Vec<Command>, change: Option<Change>, edit: impl FnOnce() -> E
 }
 
 /// The girder whose skew the slider turns, or none: all of them.
-fn chosen(bench: &Workbench) -> Option<usize> {
-    match bench.selected() {
-        Some(Target::Girder(i)) if i < bench.scene().girders.len() => Some(i),
+fn chosen(document: &Document) -> Option<usize> {
+    match document.selection().lead() {
+        Some(Target::Girder(i)) if i < document.scene().girders.len() => Some(i),
         _ => None,
     }
 }
 
-fn geometry(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
-    let one = chosen(bench);
+fn geometry(ui: &mut Ui, form: Form<'_>, one: Option<usize>, out: &mut Vec<Command>) {
+    let scene = form.scene;
     let Some(girder) = scene.girders.get(one.unwrap_or(0)) else { return };
-    let table = format!("girder.{}", girder.name);
-    let place = Place { problems: bench.problems(), table: &table };
+    let (table, size) = (format!("girder.{}", girder.name), Size::of(girder));
     let mut skew = girder.skew_deg;
     let whose = if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS };
     ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
-    let change = slider_at(ui, &Look::new(place, scene.kind, Size::of(girder)), "skew_deg", &mut skew);
+    let change = slider_at(ui, &form.look_of(&table, size), "skew_deg", &mut skew);
     push(out, change, || edits::skew(scene, one, skew));
     if let Some(mut gap) = edits::gap_of(scene) {
         // Between girders alone the file has no such place: the key is that of a wall all the same.
         let wall = scene.abutments.first().map_or("-", |a| a.name.as_str());
         let table = format!("abutment.{wall}");
-        let place = Place { problems: bench.problems(), table: &table };
-        let look = Look::new(place, scene.kind, Size::of(girder));
-        let change = slider_between(ui, &look, "gap_m", &mut gap, 0.0..=girder.length * 0.05);
+        let change = slider_between(ui, &form.look_of(&table, size), "gap_m", &mut gap, 0.0..=girder.length * 0.05);
         push(out, change, || edits::gap(scene, gap));
     }
 }
 
-fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
-    let mut new = scene.contact.clone();
-    let place = Place { problems: bench.problems(), table: "contact" };
-    let look = Look::new(place, scene.kind, Size::of_scene(scene));
+fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new = form.scene.contact.clone();
     // The rules that are rarely changed stand in the inspector alone.
-    let change = sliders(ui, &look, &mut new, &["sharing", "tension", "between"]);
+    let change = sliders(ui, &form.look("contact"), &mut new, &["sharing", "tension", "between"]);
     push(out, change, || edits::contact(new));
 }
 
-fn motion(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
-    ground_motion::show(ui, bench, out);
-    let mut duration = scene.duration;
-    let place = Place { problems: bench.problems(), table: "" };
-    let change = slider_at(ui, &Look::new(place, scene.kind, Size::of_scene(scene)), "duration_s", &mut duration);
-    push(out, change, || edits::duration(scene, duration));
+fn motion(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    ground_motion::show(ui, form, out);
+    let mut duration = form.scene.duration;
+    let change = slider_at(ui, &form.look(""), "duration_s", &mut duration);
+    push(out, change, || edits::duration(form.scene, duration));
 }

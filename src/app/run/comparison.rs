@@ -12,7 +12,7 @@ const MOST: usize = PINS.len();
 
 /// A run that is kept.
 #[derive(Clone)]
-pub(in crate::app) struct Pin {
+pub struct Pin {
     /// What it is called: what was different, as far as undo knows it.
     pub(in crate::app) name: String,
     /// The run.
@@ -23,7 +23,7 @@ pub(in crate::app) struct Pin {
 
 /// The runs that are kept, in the order in which they were.
 #[derive(Default)]
-pub(in crate::app) struct Comparison {
+pub struct Comparison {
     pins: Vec<Pin>,
     /// How many have been kept since the window was opened.
     count: usize,
@@ -31,7 +31,7 @@ pub(in crate::app) struct Comparison {
 
 impl Comparison {
     /// All of them.
-    pub(in crate::app) fn pins(&self) -> &[Pin] {
+    pub fn pins(&self) -> &[Pin] {
         &self.pins
     }
 

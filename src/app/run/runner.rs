@@ -42,7 +42,7 @@ struct Estimate {
 }
 
 /// What the scene's answer is, or what became of it.
-pub(in crate::app) struct Runner {
+pub struct Runner {
     answer: Option<Arc<Answer>>,
     problems: Option<SceneErrors>,
     job: Option<Job>,
@@ -52,6 +52,8 @@ pub(in crate::app) struct Runner {
     slow: bool,
     given_up: bool,
     count: u64,
+    /// What the scene that was started last asks for \[s\].
+    wanted: f64,
     wake: Wake,
 }
 
@@ -67,6 +69,7 @@ impl Default for Runner {
             slow: false,
             given_up: false,
             count: 0,
+            wanted: 0.0,
             wake: Arc::new(|| ()),
         }
     }
@@ -79,12 +82,12 @@ impl Runner {
     }
 
     /// Whether the error is estimated when the window is idle (it is unless told otherwise).
-    pub(in crate::app) fn set_estimates(&mut self, wanted: bool) {
+    pub fn set_estimates(&mut self, wanted: bool) {
         self.estimates_wanted = wanted;
     }
 
     /// The last good answer.
-    pub(in crate::app) fn answer(&self) -> Option<&Arc<Answer>> {
+    pub fn answer(&self) -> Option<&Arc<Answer>> {
         self.answer.as_ref()
     }
 
@@ -94,24 +97,24 @@ impl Runner {
     }
 
     /// Complaints about the scene as it is now; the answer is an older one then.
-    pub(in crate::app) fn problems(&self) -> Option<&SceneErrors> {
+    pub fn problems(&self) -> Option<&SceneErrors> {
         self.problems.as_ref()
     }
 
     /// Whether the answer shown belongs to an older scene.
-    pub(in crate::app) fn is_stale(&self) -> bool {
+    pub fn is_stale(&self) -> bool {
         self.problems.is_some() || self.job.is_some() || self.given_up
     }
 
-    /// End of what is shown of a scene: of its answer, or what it asks for \[s\].
-    pub(in crate::app) fn end(&self, scene: &Scene) -> f64 {
-        self.answer().map_or(scene.duration, |a| a.history.end())
+    /// End of what is shown: of the answer, or what the scene asks for \[s\].
+    pub fn end(&self) -> f64 {
+        self.answer().map_or(self.wanted, |a| a.history.end())
     }
 
-    /// Limits of a scene that its answer passes, the earliest first; none where the scene has no limits.
-    pub(in crate::app) fn passed(&self, scene: &Scene) -> &[Passed] {
-        let watched = scene.limits != Limits::default();
-        self.fresh_answer().filter(|_| watched).map_or(&[], |answer| answer.passed())
+    /// Which of a scene's limits its answer passes, the earliest first; `None` without limits, and while the answer is an
+    /// older scene's.
+    pub(in crate::app) fn passed(&self, limits: Limits) -> Option<&[Passed]> {
+        self.fresh_answer().filter(|_| limits != Limits::default()).map(|answer| answer.passed())
     }
 
     /// What is to be shown of a scene: an old answer is shown with its own scene, so that the two belong together.
@@ -124,7 +127,7 @@ impl Runner {
     }
 
     /// How far the run on a thread has come, 0 to 1.
-    pub(in crate::app) fn progress(&self) -> Option<f64> {
+    pub fn progress(&self) -> Option<f64> {
         let job = self.job.as_ref()?;
         let reached = f64::from_bits(job.reached.load(Ordering::Relaxed));
         Some(if job.duration > 0.0 { (reached / job.duration).clamp(0.0, 1.0) } else { 0.0 })
@@ -135,6 +138,7 @@ impl Runner {
         self.job = None;
         self.given_up = false;
         self.changed = now();
+        self.wanted = scene.duration;
         match Session::new(scene) {
             Ok(session) => {
                 self.problems = None;
@@ -242,7 +246,7 @@ impl Runner {
     }
 
     /// Waits for the run on a thread (tests, export).
-    pub(in crate::app) fn wait(&mut self) {
+    pub fn wait(&mut self) {
         while self.job.is_some() {
             if !self.poll() {
                 std::thread::sleep(Duration::from_millis(1));

@@ -176,6 +176,7 @@ mod tests {
 
     use crate::app::bench::Workbench;
     use crate::app::command::{EditCommand, PlaceCommand};
+    use crate::app::panel::layout;
     use crate::scene::presets;
     use egui::{Context, FullOutput, RawInput, Rect, pos2, vec2};
 
@@ -205,7 +206,7 @@ mod tests {
         fn frame(&mut self) -> FullOutput {
             let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(SIZE[0] as f32, SIZE[1] as f32));
             let input = RawInput { screen_rect: Some(screen), ..RawInput::default() };
-            let output = self.context.run_ui(input, |ui| self.bench.ui(ui));
+            let output = self.context.run_ui(input, |ui| layout::show(&mut self.bench, ui));
             self.textures.take_in(&output.textures_delta);
             output
         }
@@ -256,9 +257,9 @@ mod tests {
     /// A window that has come to rest after an edit.
     fn shown() -> Shown {
         let mut bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), crate::files::SceneSource::New);
-        bench.set_estimates(false);
+        bench.replay.runner.set_estimates(false);
         bench.apply(PlaceCommand::AddGirder);
-        bench.wait();
+        bench.replay.runner.wait();
         let mut shown = Shown { bench, context: Context::default(), textures: Textures::default() };
         // Panels grow and things fade in for some frames.
         (0..40).for_each(|_| shown.frame().textures_delta.clear());
@@ -269,7 +270,7 @@ mod tests {
     fn a_lost_device_costs_a_frame_and_nothing_else() {
         let mut shown = shown();
         let Some(first) = painter(&shown.textures) else { return };
-        shown.bench.set_target(first.format(), first.name());
+        shown.bench.view.set_target(first.format(), first.name());
         let before = shown.paint(&first).expect("it draws");
         assert!(shown.paint(&first).expect("it draws") == before, "at rest");
         let colors: std::collections::BTreeSet<&[u8]> = before.chunks_exact(4).collect();
@@ -279,9 +280,13 @@ mod tests {
         assert!(matches!(shown.paint(&first), Err(Fault::Lost(_))), "as long as nothing is done about it");
         let second = painter(&shown.textures).expect("there was one before");
         assert!(shown.paint(&second).expect("it draws") == before, "the same picture to the last bit");
-        let girders = shown.bench.scene().girders.len();
+        let girders = shown.bench.files.document.scene().girders.len();
         shown.bench.apply(EditCommand::Undo);
-        assert_eq!(shown.bench.scene().girders.len() + 1, girders, "the work and its past are where they were");
+        assert_eq!(
+            shown.bench.files.document.scene().girders.len() + 1,
+            girders,
+            "the work and its past are where they were"
+        );
     }
 
     #[test]

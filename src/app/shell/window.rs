@@ -18,6 +18,7 @@ use crate::app::bench::Workbench;
 use crate::app::command::WindowCommand;
 use crate::app::disk::session_files;
 use crate::app::host::now;
+use crate::app::panel::layout;
 use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
@@ -109,7 +110,7 @@ impl Open {
         let (context, largest) = (egui::Context::default(), Some(surface.largest()));
         let mut egui = egui_winit::State::new(context, ViewportId::ROOT, event_loop, scale, theme, largest);
         egui.init_accesskit(event_loop, &window, proxy.clone());
-        bench.set_target(surface.format(), surface.adapter().to_owned());
+        bench.view.set_target(surface.format(), surface.adapter().to_owned());
         let wake = proxy.clone();
         bench.set_wake(Arc::new(move || {
             // The event loop has ended: nobody to wake.
@@ -138,13 +139,13 @@ impl Open {
         // Panels squeezed into next to nothing would not come back to their sizes; egui keeps to the last that it had.
         input.screen_rect = input.screen_rect.filter(|rect| rect.size().min_elem() >= LEAST);
         let context = self.egui.egui_ctx().clone();
-        let output = context.run_ui(input, |ui| bench.ui(ui));
+        let output = context.run_ui(input, |ui| layout::show(bench, ui));
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let jobs = context.tessellate(output.shapes, output.pixels_per_point);
         let shapes = Shapes { jobs: &jobs, pixels_per_point: output.pixels_per_point };
         let painted = self.surface.paint(shapes, output.textures_delta)?;
         if painted == Painted::Anew {
-            bench.set_target(self.surface.format(), self.surface.adapter().to_owned());
+            bench.view.set_target(self.surface.format(), self.surface.adapter().to_owned());
             bench.window.say(text::DRAWN_ANEW);
         }
         let title = bench.title();
@@ -170,7 +171,7 @@ impl Shell {
             return Err(AppError::NoWindow(why));
         }
         // The workbench keeps what is unsaved as it goes.
-        let kept = self.bench.files.session.is_kept() && self.bench.is_dirty();
+        let kept = self.bench.files.session.is_kept() && self.bench.files.document.is_dirty();
         Err(AppError::Ended { why, kept })
     }
 }
@@ -238,7 +239,7 @@ impl ApplicationHandler<News> for Shell {
         if !matches!(event, WindowEvent::RedrawRequested) && open.egui.on_window_event(&open.window, &event).repaint {
             open.window.request_redraw();
         }
-        if self.bench.wants_to_close() {
+        if self.bench.window.closes() {
             event_loop.exit();
         }
     }
@@ -279,7 +280,7 @@ mod tests {
             self.shell.window_event(event_loop, id, event);
             let Some(open) = self.shell.open.as_ref().filter(|_| drawn) else { return };
             self.frames += 1;
-            self.seen.extend(self.shell.bench.window.notice.take());
+            self.seen.extend(self.shell.bench.window.notice().map(str::to_owned));
             match self.frames {
                 FRAMES => open.surface.lose(),
                 // Losing it, bringing up another and the pause between them take frames of their own.
@@ -295,7 +296,7 @@ mod tests {
     fn a_real_window_goes_on_when_its_device_is_lost() {
         let event_loop = on_any_thread().build().expect("a display");
         let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
-        let girders = bench.scene().girders.len();
+        let girders = bench.files.document.scene().girders.len();
         let shell = Shell { bench, proxy: event_loop.create_proxy(), open: None, failed: None };
         let mut losing = Losing { shell, frames: 0, seen: Vec::new() };
         event_loop.run_app(&mut losing).expect("it ends when it is told to");
@@ -303,9 +304,9 @@ mod tests {
         assert_eq!(shell.failed, None, "nothing to give up for");
         assert!(seen.iter().any(|words| words == text::DRAWN_ANEW), "it was lost, and that was said: {seen:?}");
         assert!(shell.open.as_ref().is_some_and(|open| open.surface.is_shown()), "and it is shown again");
-        assert_eq!(shell.bench.scene().girders.len(), girders + 1, "with the work");
+        assert_eq!(shell.bench.files.document.scene().girders.len(), girders + 1, "with the work");
         shell.bench.apply(EditCommand::Undo);
-        assert_eq!(shell.bench.scene().girders.len(), girders, "and its past");
+        assert_eq!(shell.bench.files.document.scene().girders.len(), girders, "and its past");
         // What is unsaved here is nobody's.
         shell.bench.files.forget_work();
     }

@@ -1,7 +1,7 @@
 //! Colours and spacing of the window, light and dark.
 
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
-use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Stroke, Theme, Visuals};
+use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Visuals};
 
 /// The glyphs of the paper's own names of the six states, which egui's font does not have.
 const PAPER_NAMES: &[u8] = include_bytes!("../../../assets/fonts/paper-names.otf");
@@ -88,8 +88,13 @@ impl Palette {
     }
 }
 
-/// Sets both themes' styles; called once per context.
+/// Sets both themes' styles, once for a context.
 pub(in crate::app) fn install(ctx: &Context) {
+    let there = Id::unique("theme");
+    if ctx.data(|data| data.get_temp::<bool>(there)).is_some() {
+        return;
+    }
+    ctx.data_mut(|data| data.insert_temp(there, true));
     let family = InsertFontFamily { family: FontFamily::Proportional, priority: FontPriority::Lowest };
     ctx.add_font(FontInsert::new("paper-names", FontData::from_static(PAPER_NAMES), vec![family]));
     ctx.set_visuals_of(Theme::Dark, dark());

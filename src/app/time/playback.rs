@@ -9,11 +9,11 @@ const STEP: f64 = 1.0 / 60.0;
 
 /// The playing clock, and the window of time.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::app) struct Playback {
+pub struct Playback {
     /// The time shown.
-    pub(in crate::app) clock: Clock,
+    pub clock: Clock,
     /// The stretch of time that timeline and plots show; all of it when none \[s\].
-    pub(in crate::app) window: Option<[f64; 2]>,
+    pub window: Option<[f64; 2]>,
 }
 
 impl Playback {

@@ -10,13 +10,13 @@ const LEAST_SCALE: f64 = 1e-6;
 
 /// Layers, force scale, sight and tool.
 #[derive(Clone, Debug)]
-pub(in crate::app) struct Display {
+pub struct Display {
     /// Which layers are shown.
     pub(in crate::app) overlays: Overlays,
     /// How the view is looked at.
-    pub(in crate::app) sight: Sight,
+    pub sight: Sight,
     /// What a click in the view does.
-    pub(in crate::app) tool: Tool,
+    pub tool: Tool,
     force_scale: Option<f64>,
     /// Number of the answer, and its force scale \[N per m\].
     automatic: (u64, f64),

@@ -21,14 +21,14 @@ pub(in crate::app) enum Keyed {
 
 /// What the mouse holds.
 #[derive(Clone, Debug, Default)]
-pub(in crate::app) struct Hand {
+pub struct Hand {
     pub(in crate::app) held: Option<Held>,
     /// What the pull has come to, to be read beside the mouse.
     pub(in crate::app) pulled: Option<Pulled>,
     /// What is typed instead.
     typing: Typing,
     /// What stands on the plate while something is typed.
-    pub(in crate::app) words: Option<Vec<String>>,
+    pub words: Option<Vec<String>>,
     /// The handle that has the focus, and its place \[m\].
     pub(in crate::app) focused: Option<(Grip, DVec3)>,
     /// Whether the mouse is still down on something that was let go by a key.

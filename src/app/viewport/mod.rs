@@ -7,6 +7,7 @@ pub(in crate::app) mod gizmo;
 pub(in crate::app) mod hand;
 pub(in crate::app) mod mouse;
 pub(in crate::app) mod picture;
+pub(in crate::app) mod scene_view;
 pub(in crate::app) mod screen;
 pub(in crate::app) mod section;
 pub(in crate::app) mod seen;

@@ -30,13 +30,14 @@ pub(super) struct Key {
 }
 
 /// The view's own state.
-pub(in crate::app) struct Viewport {
+pub struct Viewport {
     pub(super) camera: Option<Camera>,
     wanted: Option<ViewPreset>,
     pub(super) picture: Option<(Key, Arc<DrawList>)>,
     pub(super) number: u64,
     pub(super) size: [u32; 2],
-    pub(in crate::app) hand: Hand,
+    /// What the mouse or the keys hold.
+    pub hand: Hand,
     /// Where what is followed was at the last look \[m\].
     pub(in crate::app) followed: Option<DVec3>,
     /// The plan beside the view: its picture, and how many there have been.
@@ -59,12 +60,12 @@ impl Viewport {
     }
 
     /// How many different pictures have been made.
-    pub(in crate::app) fn pictures(&self) -> u64 {
+    pub fn pictures(&self) -> u64 {
         self.number
     }
 
     /// The picture last made.
-    pub(in crate::app) fn list(&self) -> Option<&Arc<DrawList>> {
+    pub fn list(&self) -> Option<&Arc<DrawList>> {
         self.picture.as_ref().map(|(_, list)| list)
     }
 
@@ -84,7 +85,7 @@ impl Viewport {
     }
 
     /// The camera, once the view has been seen.
-    pub(in crate::app) fn camera(&self) -> Option<&Camera> {
+    pub fn camera(&self) -> Option<&Camera> {
         self.camera.as_ref()
     }
 

@@ -3,34 +3,34 @@
 use egui::{ComboBox, Ui};
 
 use super::rows::{grid, push};
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, rows, tag};
+use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
 use crate::app::panel::name_field;
 use crate::app::unit::{Size, length_unit};
 use crate::app::{edits, text};
 use crate::geometry::End;
 use crate::scene::keys::Key;
 use crate::scene::overrides::replaced_by;
-use crate::scene::{Abutment, Girder, placed};
+use crate::scene::{Abutment, Girder, Scene, placed};
+use crate::view::Target;
 
 /// Shows an abutment.
-pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, abutment: &Abutment, out: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, out: &mut Vec<Command>) {
     let mut new = abutment.clone();
     let table = format!("abutment.{}", abutment.name);
-    let place = Place { problems: bench.problems(), table: &table };
-    let girder = bench.scene().girders.iter().find(|g| g.name == abutment.faces);
-    let size = girder.map_or(Size::of_scene(bench.scene()), Size::of);
+    let (scene, place) = (form.scene, form.place(&table));
+    let girder = scene.girders.iter().find(|g| g.name == abutment.faces);
+    let size = girder.map_or(Size::of_scene(scene), Size::of);
     let reckoned = |key: &Key| face_number(girder, key.name);
-    let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(place, bench.scene().kind, size) };
+    let look = Look { without: Without::Reckoned(&reckoned), ..form.look_of(&table, size) };
     let change = grid(ui, "abutment", |ui| {
-        name_field::show(ui, place, bench.selected(), &abutment.name, out);
-        let faces = faces_row(ui, place, bench, &mut new);
+        name_field::show(ui, place, Target::Abutment(i), &abutment.name, out);
+        let faces = faces_row(ui, place, scene, &mut new);
         let corners = new.polygon.as_mut().and_then(|corners| corner_rows(ui, place, girder, corners));
         let by_corners = if new.polygon.is_some() { replaced_by("polygon_m") } else { &[] };
         faces.or(corners).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
-    let change = change.or(way_of_face(ui, place, bench, &mut new));
+    let change = change.or(way_of_face(ui, place, scene, &mut new));
     push(change, out, || edits::abutment(i, new));
 }
 
@@ -59,8 +59,7 @@ fn corner_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, corners: 
 }
 
 /// The other way to say where the face is; the face stays where it is.
-fn way_of_face(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
-    let scene = bench.scene();
+fn way_of_face(ui: &mut Ui, place: Place<'_>, scene: &Scene, a: &mut Abutment) -> Option<Change> {
     if a.polygon.is_some() {
         if !act(ui, place, "gap_m", text::FACE_BY_GAP) {
             return None;
@@ -78,11 +77,11 @@ fn way_of_face(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutmen
 }
 
 /// Which girder's end it stands before.
-fn faces_row(ui: &mut Ui, place: Place<'_>, bench: &Workbench, a: &mut Abutment) -> Option<Change> {
+fn faces_row(ui: &mut Ui, place: Place<'_>, scene: &Scene, a: &mut Abutment) -> Option<Change> {
     let before = (a.faces.clone(), a.end);
     let label = ui.label(text::FACES);
     let combo = ComboBox::from_id_salt("faces").width(79.0).selected_text(a.faces.as_str()).show_ui(ui, |ui| {
-        for girder in &bench.scene().girders {
+        for girder in &scene.girders {
             if ui.selectable_label(a.faces == girder.name, &girder.name).clicked() {
                 a.faces.clone_from(&girder.name);
             }

@@ -5,21 +5,20 @@
 
 use egui::{ComboBox, RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand};
-use crate::app::field::{Place, act, complain, tag};
+use crate::app::field::{Form, Place, act, complain, tag};
 use crate::app::{edits, text};
 use crate::geometry::End;
 use crate::scene::{PairSettings, Scene};
 
 /// Shows every entry.
-pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
+pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let scene = form.scene;
     let mut new = scene.contact.clone();
     let mut gone = None;
     for (n, pair) in new.pairs.iter_mut().enumerate() {
         let table = format!("contact.pair[{n}]");
-        let place = Place { problems: bench.problems(), table: &table };
+        let place = form.place(&table);
         ui.horizontal(|ui| {
             ui.label(RichText::new(text::entry(n + 1)).strong());
             if ui.small_button(text::remove_entry(n + 1)).clicked() {
@@ -31,7 +30,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     if let Some(n) = gone {
         new.pairs.remove(n);
     }
-    let whole = Place { problems: bench.problems(), table: "contact" };
+    let whole = form.place("contact");
     ui.add_enabled_ui(names(scene).len() > 1, |ui| {
         if act(ui, whole, "pair", text::ADD_ENTRY) {
             new.pairs.extend(fresh(scene));

@@ -4,25 +4,31 @@ use egui::Ui;
 
 use super::bearings;
 use super::rows::{grid, push, section};
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{Change, Look, Place, Without, rows, tag};
-use crate::app::panel::{name_field, results};
+use crate::app::field::{Change, Form, Look, Place, Without, rows, tag};
+use crate::app::panel::name_field;
 use crate::app::unit::Size;
 use crate::app::{edits, text};
 use crate::scene::keys::Key;
 use crate::scene::{Direction, Girder, Kind};
+use crate::view::Target;
 
 /// Shows a girder; what is changed goes to every girder that is selected.
-pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, out: &mut Vec<Command>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    form: Form<'_>,
+    (i, girder): (usize, &Girder),
+    selected: &[Target],
+    out: &mut Vec<Command>,
+) {
     let mut new = girder.clone();
-    let kind = bench.scene().kind;
+    let kind = form.scene.kind;
     let table = format!("girder.{}", girder.name);
     let [starts, pushes, seats] = ["initial", "push", "seat_m"].map(|below| format!("{table}.{below}"));
-    let place = Place { problems: bench.problems(), table: &table };
+    let place = form.place(&table);
     let look = |place| Look { without: Without::Reckoned(&|_| 0.0), ..Look::new(place, kind, Size::of(girder)) };
     let first = grid(ui, "girder", |ui| {
-        name_field::show(ui, place, bench.selected(), &girder.name, out);
+        name_field::show(ui, place, Target::Girder(i), &girder.name, out);
         rows(ui, &look(place), &mut new, &["name"])
     });
     let stands = section(ui, text::BEARINGS, true, |ui| bearings::show(ui, place, kind, &mut new)).flatten();
@@ -39,8 +45,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, i: usize, girder: &Girder, ou
         grid(ui, "seat", |ui| rows(ui, &look, &mut new.seat, &[]))
     });
     let change = first.or(stands).or(more.flatten()).or(seat.flatten());
-    push(change, out, || edits::girders_alike(bench.scene(), i, &new, bench.selection()));
-    results::show_girder(ui, bench, i, girder);
+    push(change, out, || edits::girders_alike(form.scene, i, &new, selected));
 }
 
 /// Which ways it is held.

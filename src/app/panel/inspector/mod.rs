@@ -10,38 +10,42 @@ mod scene;
 
 use egui::{RichText, Ui};
 
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
+use crate::app::edits::Document;
+use crate::app::field::Form;
 use crate::app::panel::results;
 use crate::app::text;
+use crate::app::time::replay::Replay;
 use crate::view::Target;
 
-/// Shows the inspector.
-pub(in crate::app) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+/// Shows the inspector of a scene and its answer.
+pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::INSPECTOR).strong());
-    let several = bench.selection().len();
+    let several = document.selection().all().len();
     if several > 1 {
         ui.label(RichText::new(text::several(several)).weak());
     }
-    let scene = bench.scene();
-    match bench.selected() {
+    let form = Form { scene: document.scene(), problems: replay.runner.problems() };
+    let fresh = replay.runner.fresh_answer().map(|answer| &**answer);
+    match document.selection().lead() {
         Some(Target::Girder(i)) => {
-            if let Some(girder) = scene.girders.get(i) {
-                girder::show(ui, bench, i, girder, out);
-                pairs::show(ui, bench, Some(&girder.name), out);
+            if let Some(girder) = form.scene.girders.get(i) {
+                girder::show(ui, form, (i, girder), document.selection().all(), out);
+                results::show_girder(ui, fresh, i, girder);
+                pairs::show(ui, form, fresh, Some(&girder.name), out);
             }
         }
         Some(Target::Abutment(i)) => {
-            if let Some(abutment) = scene.abutments.get(i) {
-                abutment::show(ui, bench, i, abutment, out);
-                pairs::show(ui, bench, Some(&abutment.name), out);
+            if let Some(abutment) = form.scene.abutments.get(i) {
+                abutment::show(ui, form, i, abutment, out);
+                pairs::show(ui, form, fresh, Some(&abutment.name), out);
             }
         }
-        Some(Target::Contact(contact)) => results::show_contact(ui, bench, contact, out),
+        Some(Target::Contact(contact)) => results::show_contact(ui, replay, contact, out),
         None => {
             ui.add(egui::Label::new(RichText::new(text::NOTHING_SELECTED).weak()).wrap());
-            scene::show(ui, bench, out);
-            pairs::show(ui, bench, None, out);
+            scene::show(ui, form, out);
+            pairs::show(ui, form, fresh, None, out);
         }
     }
 }

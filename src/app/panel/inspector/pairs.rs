@@ -3,12 +3,11 @@
 use egui::{RichText, Ui};
 
 use super::rows::{grid, section};
-use crate::app::bench::Workbench;
 use crate::app::command::{Command, EditCommand, SelectCommand};
 use crate::app::edits;
-use crate::app::field::{Look, Place, Without, rows};
+use crate::app::field::{Form, Look, Without, rows};
+use crate::app::run::answer::Answer;
 use crate::app::text;
-use crate::app::unit::Size;
 use crate::scene::facing::{self, Facing};
 use crate::scene::keys::Key;
 use crate::scene::{ContactNumber, ContactSettings, PairSettings, Scene};
@@ -17,9 +16,9 @@ use crate::view::Target;
 /// Most pairs shown at once: beyond that one girder is selected to see its own.
 const MOST: usize = 40;
 
-/// Shows the pairs of one body, or all.
-pub(super) fn show(ui: &mut Ui, bench: &Workbench, of: Option<&str>, out: &mut Vec<Command>) {
-    let scene = bench.scene();
+/// Shows the pairs of one body, or all, with the scene's answer where there is one.
+pub(super) fn show(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, of: Option<&str>, out: &mut Vec<Command>) {
+    let scene = form.scene;
     let pairs = facing::find(scene).unwrap_or_default();
     let ours: Vec<&Facing> =
         pairs.iter().filter(|p| of.is_none_or(|name| edits::names_of(scene, p).contains(&name))).collect();
@@ -29,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, of: Option<&str>, out: &mut V
     section(ui, text::PAIRS_SECTION, true, |ui| {
         for pair in ours.iter().take(MOST) {
             let title = format!("{} {}", text::PAIR, pair.name);
-            section(ui, &title, ours.len() == 1, |ui| one(ui, bench, pair, out));
+            section(ui, &title, ours.len() == 1, |ui| one(ui, form, answer, pair, out));
         }
         if ours.len() > MOST {
             ui.label(RichText::new(text::more(ours.len() - MOST)).weak());
@@ -37,17 +36,15 @@ pub(super) fn show(ui: &mut Ui, bench: &Workbench, of: Option<&str>, out: &mut V
     });
 }
 
-fn one(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
-    let scene = bench.scene();
-    in_force(ui, bench, pair);
-    contacts(ui, bench, pair, out);
+fn one(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, pair: &Facing, out: &mut Vec<Command>) {
+    let scene = form.scene;
+    in_force(ui, scene, answer, pair);
+    contacts(ui, answer, pair, out);
     let entry = edits::pair_entry(scene, pair);
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
-    let place = Place { problems: bench.problems(), table: &table };
     let under = |key: &Key| number_under(scene, pair, key.name);
-    let look = Look::new(place, scene.kind, Size::of_scene(scene));
-    let look = Look { whose: text::OF_PAIR, without: Without::Under(&under), ..look };
+    let look = Look { whose: text::OF_PAIR, without: Without::Under(&under), ..form.look(&table) };
     // Pairs without an entry have no place of their own in the file that could tell their lists apart.
     let own_id = ("pair", &pair.name);
     let own_rows = |ui: &mut Ui| rows(ui, &look, &mut own, &["between", "ends"]);
@@ -75,8 +72,8 @@ fn number_under(scene: &Scene, pair: &Facing, key: &str) -> f64 {
 }
 
 /// The pair's contacts, to be selected without having to hit them in the view.
-fn contacts(ui: &mut Ui, bench: &Workbench, pair: &Facing, out: &mut Vec<Command>) {
-    let Some(answer) = bench.answer().filter(|_| !bench.is_stale()) else { return };
+fn contacts(ui: &mut Ui, answer: Option<&Answer>, pair: &Facing, out: &mut Vec<Command>) {
+    let Some(answer) = answer else { return };
     let model = answer.history.model();
     let Some(run) = model.pairs.iter().find(|p| p.name == pair.name) else { return };
     ui.horizontal_wrapped(|ui| {
@@ -99,8 +96,8 @@ fn with_pair(scene: &Scene, entry: Option<usize>, own: PairSettings) -> ContactS
 }
 
 /// Every number of the pair, with where it comes from.
-fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
-    let (scene, c) = (bench.scene(), &pair.contact);
+fn in_force(ui: &mut Ui, scene: &Scene, answer: Option<&Answer>, pair: &Facing) {
+    let c = &pair.contact;
     let mut own = edits::pair_entry(scene, pair).map(|n| scene.contact.pairs[n].clone());
     let stiffness_from = match (&own, scene.contact.stiffness) {
         (Some(p), _) if p.stiffness.is_some() => text::FROM_PAIR,
@@ -108,8 +105,7 @@ fn in_force(ui: &mut Ui, bench: &Workbench, pair: &Facing) {
         (_, Some(_)) => text::FROM_SCENE,
         _ => text::FROM_EA_L,
     };
-    let dashpots = bench.answer().filter(|_| !bench.is_stale());
-    let dashpots = dashpots.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
+    let dashpots = answer.and_then(|a| a.history.model().pairs.iter().find(|p| p.name == pair.name));
     let mut rows = vec![("K", text::stiffness(c.stiffness), stiffness_from)];
     if let Some(p) = dashpots {
         rows.push(("C n", text::damping(p.law.dashpots().normal), text::FROM_65));

@@ -4,35 +4,32 @@ use egui::{Id, TextEdit, Ui};
 
 use super::declared;
 use super::rows::{grid, push, section};
-use crate::app::bench::Workbench;
 use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Look, Place, Without, choice, number_at, rows, tag};
-use crate::app::unit::Size;
+use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice, number_at, rows, tag};
 use crate::app::{edits, text};
+use crate::scene::Kind;
 use crate::scene::edit::{Edit, General};
 use crate::scene::keys::Key;
-use crate::scene::{Kind, Scene};
 
 const KINDS: [(Kind, &str); 2] = [(Kind::Planar, text::PLANAR), (Kind::Spatial, text::SPATIAL)];
 
 /// Shows what belongs to no body.
-pub(super) fn show(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
+pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     section(ui, text::SCENE_SECTION, true, |ui| {
-        general(ui, bench, out);
-        solver(ui, bench, out);
+        general(ui, form, out);
+        solver(ui, form, out);
     });
-    section(ui, text::ALL_PAIRS_SECTION, false, |ui| contact(ui, bench, out));
-    section(ui, text::DECLARED_SECTION, false, |ui| declared::show(ui, bench, out));
+    section(ui, text::ALL_PAIRS_SECTION, false, |ui| contact(ui, form, out));
+    section(ui, text::DECLARED_SECTION, false, |ui| declared::show(ui, form, out));
 }
 
-fn general(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut new = General::of(bench.scene());
-    let place = Place { problems: bench.problems(), table: "" };
+fn general(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new = General::of(form.scene);
+    let look = form.look("");
     let change = grid(ui, "scene", |ui| {
-        let name = line(ui, place, ("name", text::NAME), &mut new.name);
-        let about = line(ui, place, ("description", text::DESCRIPTION), &mut new.description);
-        let kind = choice(ui, place, ("kind", text::KIND), &mut new.kind, &KINDS);
-        let look = look_of(bench.scene(), place);
+        let name = line(ui, look.place, ("name", text::NAME), &mut new.name);
+        let about = line(ui, look.place, ("description", text::DESCRIPTION), &mut new.description);
+        let kind = choice(ui, look.place, ("kind", text::KIND), &mut new.kind, &KINDS);
         let time = number_at(ui, &look, "duration_s", &mut new.duration);
         let gravity = number_at(ui, &look, "gravity_m_s2", &mut new.gravity);
         name.or(about).or(kind).or(time).or(gravity)
@@ -40,27 +37,20 @@ fn general(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
     push(change, out, || Edit::General(Box::new(new)));
 }
 
-fn solver(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let mut solver = bench.scene().solver;
-    let place = Place { problems: bench.problems(), table: "solver" };
-    let look = look_of(bench.scene(), place);
+fn solver(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut solver = form.scene.solver;
+    let look = form.look("solver");
     let change = grid(ui, "solver", |ui| rows(ui, &look, &mut solver, &[]));
     push(change, out, || Edit::Solver(solver));
 }
 
 /// Contact numbers of every pair that has none of its own.
-fn contact(ui: &mut Ui, bench: &Workbench, out: &mut Vec<Command>) {
-    let scene = bench.scene();
-    let mut new = scene.contact.clone();
-    let place = Place { problems: bench.problems(), table: "contact" };
-    let elastic = |key: &Key| edits::elastic(scene, key.name);
-    let look = Look { whose: text::OF_ALL, without: Without::Reckoned(&elastic), ..look_of(scene, place) };
+fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new = form.scene.contact.clone();
+    let elastic = |key: &Key| edits::elastic(form.scene, key.name);
+    let look = Look { whose: text::OF_ALL, without: Without::Reckoned(&elastic), ..form.look("contact") };
     let change = grid(ui, "all pairs", |ui| rows(ui, &look, &mut new, &[]));
     push(change, out, || edits::contact(new));
-}
-
-fn look_of<'a>(scene: &Scene, place: Place<'a>) -> Look<'a> {
-    Look::new(place, scene.kind, Size::of_scene(scene))
 }
 
 /// A line of text, given when the field is left.

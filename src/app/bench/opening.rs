@@ -1,0 +1,213 @@
+//! Scenes opened, saved and brought back, lessons, exports: what concerns files, view and replay together.
+
+use std::path::Path;
+
+use super::workbench::Workbench;
+use crate::app::command::{Export, FileCommand, Keep, Learn};
+use crate::app::disk::record;
+use crate::app::disk::scene_files::{Left, Saved};
+use crate::app::edits;
+use crate::app::plot::plot_files;
+use crate::files::{Found, SceneSource, load_scene, load_unsaved};
+use crate::scene::Scene;
+use crate::scene::edit::Edit;
+
+impl Workbench {
+    pub(super) fn apply_file(&mut self, command: FileCommand) {
+        match command {
+            FileCommand::OpenPreset(name) => self.open(&name),
+            FileCommand::Open(path) => self.open(&path.to_string_lossy()),
+            FileCommand::New => self.take_up(edits::empty(), SceneSource::New),
+            FileCommand::AskOpen => self.tasks.dialogs.open(),
+            FileCommand::AskRecord => self.tasks.dialogs.record(),
+            FileCommand::Record(path) => {
+                match record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion) {
+                    Ok(motion) => self.edit(edits::motion(motion)),
+                    Err(problem) => self.window.say(problem),
+                }
+            }
+            FileCommand::Save => match self.files.document.file().map(Path::to_owned) {
+                Some(file) => self.save(&file),
+                None => self.ask_where_to_save(),
+            },
+            FileCommand::SaveAs => self.ask_where_to_save(),
+            FileCommand::SaveTo(path) => self.save(&path),
+            FileCommand::AskExport(what) => self.tasks.dialogs.export(what, &self.files.document.scene().name),
+            FileCommand::Export(Export::Picture, path) => {
+                let Some(list) = self.view.viewport.list().cloned() else { return };
+                let title = self.files.document.scene().name.clone();
+                self.tasks.export_picture(list, self.view.viewport.size(), title, path);
+            }
+            FileCommand::Export(Export::Tables, path) => {
+                let Some(answer) = self.replay.runner.answer().cloned() else { return };
+                self.tasks.export_tables(answer, path);
+            }
+            FileCommand::AskPlots(format) => self.tasks.dialogs.plots(format, &self.files.document.scene().name),
+            FileCommand::Plots(path) => {
+                if let Some(work) = plot_files::writing(&self.plot_source(), path) {
+                    self.tasks.begin(work);
+                }
+            }
+        }
+    }
+
+    pub(super) fn apply_keep(&mut self, command: Keep) {
+        match self.files.apply(command) {
+            Ok(Left::Nothing) => {}
+            Ok(Left::Recover(found)) => self.recover(found),
+            Ok(Left::Reload(file)) => {
+                let mine = self.files.document.origin_id();
+                self.open(&file.to_string_lossy());
+                // Given up; undo brings it back, and then it is kept again.
+                self.files.session.forget_work(mine);
+            }
+            Err(problem) => self.window.say(problem),
+        }
+    }
+
+    pub(super) fn apply_learn(&mut self, command: Learn) {
+        match command {
+            Learn::Open(number) => self.open_lesson(number),
+            Learn::Reset => self.learning.number().into_iter().for_each(|number| self.open_lesson(number)),
+            Learn::Close => self.learning.close(),
+            Learn::Try(number) => {
+                let (Some(open), Some(lesson)) = (self.learning.number(), self.learning.lesson()) else { return };
+                if self.files.document.scene().name != lesson.name {
+                    self.open_lesson(open);
+                }
+                if let Some(edit) = self.learning.try_edit(number) {
+                    self.edit(edit);
+                }
+            }
+        }
+    }
+
+    /// Changes the scene in one step.
+    fn edit(&mut self, edit: Edit) {
+        let done = self.files.document.edit(edit, None);
+        self.after(done);
+    }
+
+    fn open_lesson(&mut self, number: usize) {
+        let mut learning = self.learning;
+        let Some(lesson) = learning.open(number) else { return };
+        match lesson.scene() {
+            Ok(scene) => {
+                self.view.aim_next(scene.view.camera);
+                self.take_up(scene, lesson.source());
+                self.learning = learning;
+                self.replay.playback.clock.t = lesson.at.min(self.replay.end());
+            }
+            Err(errors) => self.window.say(errors.to_string()),
+        }
+    }
+
+    /// Opens a preset or a file.
+    fn open(&mut self, name: &str) {
+        match load_scene(name, &[]) {
+            Ok(scene) => self.take_up(scene, SceneSource::of(name)),
+            Err(errors) => self.window.say(errors.to_string()),
+        }
+    }
+
+    /// Goes on with another scene; undo brings the one before back.
+    fn take_up(&mut self, scene: Scene, source: SceneSource) {
+        self.keep_work_now();
+        self.learning.close();
+        self.view.look_as(&scene);
+        self.replay.playback.rewind();
+        let taken = self.files.take_up(scene, source);
+        self.after(taken);
+    }
+
+    /// Brings found work back.
+    fn recover(&mut self, found: Found) {
+        match load_unsaved(&found.path) {
+            Ok(scene) => {
+                // What is about to be left is kept with the view that it has.
+                let display = self.view.display.clone();
+                self.view.look_as(&scene);
+                self.replay.playback.rewind();
+                let done = self.files.recover(found, scene, |scene| display.scene_as_seen(scene));
+                self.after(done);
+            }
+            Err(errors) => self.window.say(errors.to_string()),
+        }
+    }
+
+    fn ask_where_to_save(&mut self) {
+        self.window.begin_saving();
+        self.tasks.dialogs.save(&self.files.document.scene().name);
+    }
+
+    /// Saves the scene with the view as it is seen.
+    fn save(&mut self, path: &Path) {
+        let as_seen = self.view.display.scene_as_seen(self.files.document.scene());
+        match self.files.save(&as_seen, path) {
+            Saved::Done(words) => {
+                self.window.say(words);
+                self.window.saved();
+            }
+            Saved::Question => self.window.stay_open(),
+            Saved::Failed(words) => {
+                self.window.say(words);
+                self.window.stay_open();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::command::{Command, EditCommand, PlaceCommand};
+    use crate::app::learn::lessons::lessons;
+    use crate::scene::presets;
+
+    fn opened() -> Workbench {
+        let mut bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
+        bench.replay.runner.set_estimates(false);
+        bench.tasks.set_silent();
+        bench
+    }
+
+    #[test]
+    fn another_scene_is_run_looked_at_and_nothing_is_selected_in_it() {
+        let mut bench = opened();
+        bench.apply(PlaceCommand::AddGirder);
+        assert!(!bench.files.document.selection().all().is_empty(), "the new one");
+        let other = presets::all().iter().find(|p| p.name != presets::OPENING).expect("there are several");
+        bench.apply(FileCommand::OpenPreset(other.name.into()));
+        bench.replay.runner.wait();
+        assert_eq!(bench.files.document.scene().name, other.name, "opened");
+        assert!(bench.files.document.selection().all().is_empty(), "nothing of the scene before");
+        let run = bench.replay.runner.answer().expect("it runs");
+        assert_eq!(run.history.scene(), bench.files.document.scene(), "it is what is shown");
+        bench.apply(EditCommand::Undo);
+        assert_eq!(bench.files.document.scene().name, presets::load(presets::OPENING).expect("ships").name, "back");
+    }
+
+    #[test]
+    fn a_lesson_opens_at_its_time_and_its_tries_change_its_own_scene() {
+        let mut bench = opened();
+        bench.apply(Command::Learn(Learn::Open(0)));
+        let lesson = &lessons()[0];
+        bench.replay.runner.wait();
+        assert_eq!(bench.replay.t(), lesson.at.min(bench.replay.end()), "where there is something to see");
+        bench.apply(FileCommand::New);
+        assert!(bench.learning.lesson().is_none(), "another scene closes it");
+        bench.apply(Command::Learn(Learn::Open(0)));
+        let before = bench.files.document.revision();
+        bench.apply(Command::Learn(Learn::Try(0)));
+        assert!(bench.files.document.revision() > before && bench.window.notice().is_none(), "tried");
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_read_leaves_the_scene_and_is_told() {
+        let mut bench = opened();
+        let before = bench.files.document.revision();
+        bench.apply(FileCommand::Open("no/such/file.toml".into()));
+        assert_eq!(bench.files.document.revision(), before, "the scene that was there");
+        assert!(bench.window.notice().is_some_and(|words| words.contains("file.toml")), "why");
+    }
+}

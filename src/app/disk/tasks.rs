@@ -1,0 +1,121 @@
+//! What goes on beside the window on threads of its own: the system's dialogs, exports, films.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::app::command::{Command, Filming};
+use crate::app::disk::dialogs::Dialogs;
+use crate::app::disk::export;
+use crate::app::disk::film::{Films, Source};
+use crate::app::host::{Background, Wake};
+use crate::app::run::answer::Answer;
+use crate::snapshot::Shot;
+use crate::view::DrawList;
+
+/// Dialogs that are open, files that are written, and a film on its way.
+pub struct Tasks {
+    pub(in crate::app) dialogs: Dialogs,
+    /// The film dialog's plan, and the film that is being written.
+    pub films: Films,
+    background: Background,
+    wake: Wake,
+}
+
+impl Default for Tasks {
+    fn default() -> Self {
+        let wake: Wake = Arc::new(|| ());
+        Self {
+            dialogs: Dialogs::new(wake.clone()),
+            films: Films::default(),
+            background: Background::new(wake.clone()),
+            wake,
+        }
+    }
+}
+
+impl Tasks {
+    /// Tells who is woken when a thread has news.
+    pub(in crate::app) fn set_wake(&mut self, wake: Wake) {
+        self.dialogs.set_wake(wake.clone());
+        self.background.set_wake(wake.clone());
+        self.wake = wake;
+    }
+
+    pub(in crate::app) fn wake(&self) -> Wake {
+        self.wake.clone()
+    }
+
+    /// Opens no dialogs of the system's: there is no user to answer them.
+    pub fn set_silent(&mut self) {
+        self.dialogs.silent = true;
+    }
+
+    /// What was chosen in dialogs since the last time.
+    pub(in crate::app) fn chosen(&self) -> Vec<Command> {
+        self.dialogs.take()
+    }
+
+    /// What the user is told of work that has ended.
+    pub(in crate::app) fn ended(&mut self) -> Vec<String> {
+        [self.background.take(), self.films.poll()].into_iter().flatten().collect()
+    }
+
+    /// Begins work that ends with a sentence for the user.
+    pub(in crate::app) fn begin(&self, work: impl FnOnce() -> Result<String, String> + Send + 'static) {
+        self.background.run(work);
+    }
+
+    /// Begins to write a picture of a list, `size` in pixels.
+    pub(in crate::app) fn export_picture(&self, list: Arc<DrawList>, size: [u32; 2], title: String, path: PathBuf) {
+        self.begin(move || export::picture(&list, size, &title, &path));
+    }
+
+    /// Begins to write the tables of an answer into a folder.
+    pub(in crate::app) fn export_tables(&self, answer: Arc<Answer>, folder: PathBuf) {
+        self.begin(move || export::tables(&answer, &folder));
+    }
+
+    /// Does a command about a film of an answer, of a stretch of it \[s\], each picture taken as `shot`; answers with what
+    /// the user is told.
+    pub(in crate::app) fn apply(
+        &mut self,
+        command: Filming,
+        (answer, stretch): (Option<&Arc<Answer>>, [f64; 2]),
+        (shot, name): (Shot, &str),
+    ) -> Option<&'static str> {
+        let source = Source { answer, stretch, shot, name, dialogs: &self.dialogs, wake: self.wake.clone() };
+        self.films.apply(command, source)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc::channel;
+
+    use super::*;
+    use crate::app::text;
+
+    #[test]
+    fn work_that_has_ended_wakes_the_window_and_tells_how() {
+        let (send, woken) = channel();
+        let mut tasks = Tasks::default();
+        tasks.set_wake(Arc::new(move || send.send(()).expect("the test listens")));
+        tasks.begin(|| Ok("written".to_owned()));
+        woken.recv().expect("the window is woken");
+        assert_eq!(tasks.ended(), ["written"], "once it has ended");
+        assert!(tasks.ended().is_empty(), "once");
+    }
+
+    #[test]
+    fn a_film_is_planned_over_the_stretch_in_view_and_asks_for_no_path_in_silence() {
+        let mut tasks = Tasks::default();
+        tasks.set_silent();
+        let mut film = |command| tasks.apply(command, (None, [1.0, 3.0]), (Shot::default(), "deck"));
+        assert_eq!(film(Filming::Ask), None, "nothing to tell");
+        assert_eq!(film(Filming::Choose), None, "nothing to tell");
+        assert_eq!(film(Filming::Cancel), Some(text::FILM_CANCELLED), "it is said");
+        let plan = tasks.films.plan.expect("the dialog is open");
+        assert_eq!((plan.from, plan.to), (1.0, 3.0), "what is in view");
+        assert!(tasks.chosen().is_empty(), "no path was chosen");
+    }
+}

@@ -1,0 +1,91 @@
+//! The answer of the scene, and the time of it that is shown: the time never leaves the answer.
+
+use crate::app::command::TimeCommand;
+use crate::app::run::runner::Runner;
+use crate::app::time::playback::Playback;
+use crate::scene::Scene;
+
+/// The answer, or what became of it, and the time of it that is shown.
+#[derive(Default)]
+pub struct Replay {
+    /// The scene's answer, or what became of it.
+    pub runner: Runner,
+    /// The time shown, and the window of time.
+    pub playback: Playback,
+    /// Revision of the scene that was run last; none was.
+    run: Option<u64>,
+}
+
+impl Replay {
+    /// Runs a scene whose revision is another than the one that was run last, and keeps the time inside its answer.
+    pub(in crate::app) fn follow(&mut self, revision: u64, scene: &Scene) {
+        if self.run != Some(revision) {
+            self.run = Some(revision);
+            self.runner.start(scene);
+            self.playback.keep_inside(self.end());
+        }
+    }
+
+    /// Does a command.
+    pub(in crate::app) fn apply(&mut self, command: TimeCommand) {
+        self.playback.apply(command, self.runner.end(), self.runner.answer().map(|answer| &**answer));
+    }
+
+    /// Lets the clock run for `dt` \[s\], where there is an answer to be played.
+    pub(in crate::app) fn advance(&mut self, dt: f64) {
+        if let Some(answer) = self.runner.answer() {
+            self.playback.clock.advance(dt, answer.history.end(), &answer.touches);
+        }
+    }
+
+    /// End of what is shown \[s\].
+    pub fn end(&self) -> f64 {
+        self.runner.end()
+    }
+
+    /// Time shown \[s\].
+    pub(in crate::app) fn t(&self) -> f64 {
+        self.playback.clock.t
+    }
+
+    /// The stretch of the answer that timeline and plots show \[s\].
+    pub(in crate::app) fn stretch(&self) -> [f64; 2] {
+        self.playback.window.unwrap_or([0.0, self.end()])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn a_scene_is_run_once_for_a_revision_and_the_time_stays_in_its_answer() {
+        let scene = presets::load(presets::OPENING).expect("ships");
+        let mut replay = Replay::default();
+        replay.follow(0, &scene);
+        replay.runner.wait();
+        let first = replay.runner.answer().expect("it runs").number;
+        replay.follow(0, &scene);
+        assert_eq!(replay.runner.answer().map(|a| a.number), Some(first), "run already");
+        replay.apply(TimeCommand::Seek(f64::INFINITY));
+        assert_eq!(replay.t(), scene.duration, "no further than its end");
+        let shorter = Scene { duration: 0.5 * scene.duration, ..scene };
+        replay.follow(1, &shorter);
+        replay.runner.wait();
+        replay.follow(2, &shorter);
+        assert_eq!((replay.end(), replay.t()), (shorter.duration, shorter.duration), "inside the shorter run");
+        assert_eq!(replay.stretch(), [0.0, shorter.duration], "all of it");
+    }
+
+    #[test]
+    fn without_an_answer_the_scene_says_how_long_it_is() {
+        let scene = Scene { girders: Vec::new(), duration: 7.0, ..presets::load(presets::OPENING).expect("ships") };
+        let mut replay = Replay::default();
+        replay.follow(0, &scene);
+        assert!(replay.runner.answer().is_none() && replay.runner.problems().is_some(), "an abutment before nothing");
+        assert_eq!(replay.end(), 7.0, "what the scene asks for");
+        replay.advance(1.0);
+        assert_eq!(replay.t(), 0.0, "nothing to play");
+    }
+}
