@@ -3,6 +3,28 @@
 use super::earthquake::Earthquake;
 use crate::scene::{Motion, Scene, SceneErrors, SineMotion, presets};
 
+/// Numbers of the model girders that the study needs beside their scenes; a test holds them against the presets.
+pub(super) mod girder {
+    /// Half the length of every girder \[m\].
+    pub(in crate::study::experiment) const HALF_LENGTH: f64 = 0.095;
+    /// Half the width of every girder \[m\].
+    pub(in crate::study::experiment) const HALF_WIDTH: f64 = 0.035;
+    /// Gap, assumed \[m\].
+    pub(in crate::study::experiment) const GAP: f64 = 0.003;
+    /// Distance of the legs from the middle along and across, assumed \[m\].
+    pub(in crate::study::experiment) const LEGS: [f64; 2] = [0.07, 0.025];
+    /// \[kg\]
+    pub(in crate::study::experiment) const MASS: f64 = 2.0;
+    /// K (69a) \[N/m\].
+    pub(in crate::study::experiment) const STIFFNESS: f64 = 1.55e5;
+    /// `e_n`.
+    pub(in crate::study::experiment) const RESTITUTION: f64 = 0.4;
+    /// `e_t` of the impact model.
+    pub(in crate::study::experiment) const TANGENTIAL: f64 = -0.9;
+    /// `μ_s` and `μ_k`.
+    pub(in crate::study::experiment) const FRICTION: [f64; 2] = [0.2, 0.15];
+}
+
 /// A model girder of Table 3 with what it hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Specimen {
@@ -172,6 +194,7 @@ impl Case {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Bearings;
     use std::collections::BTreeSet;
 
     #[test]
@@ -181,6 +204,33 @@ mod tests {
         // 4 angles and 9 and 9, three motions each; the pair at one angle by two.
         assert_eq!([all.len(), names.len()], [3 * (4 + 9 + 9) + 2; 2], "all of them");
         assert!(names.contains("skew60_-15_0.40g") && names.contains("straight_22.5_record"), "as they are called");
+    }
+
+    #[test]
+    fn the_numbers_are_those_of_the_presets() {
+        for specimen in Specimen::ALL {
+            let scene = presets::load(specimen.preset()).expect("a preset");
+            for own in &scene.girders {
+                assert_eq!(
+                    [own.length, own.width, own.mass],
+                    [2.0 * girder::HALF_LENGTH, 2.0 * girder::HALF_WIDTH, girder::MASS]
+                );
+                let Some(Bearings::Shared(shared)) = &own.bearings else { panic!("{specimen:?}: equal legs") };
+                let places = shared.at_skewed.as_ref().expect("places before skewing");
+                assert!(places.iter().all(|place| place.map(f64::abs) == girder::LEGS), "{specimen:?}: {places:?}");
+            }
+            assert!(scene.abutments.iter().all(|abutment| abutment.gap == Some(girder::GAP)), "{specimen:?}");
+            let (contact, impact) = (&scene.contact, &scene.impact);
+            assert_eq!(contact.stiffness, Some(girder::STIFFNESS), "{specimen:?}");
+            assert_eq!(
+                [contact.restitution_normal, impact.restitution_normal],
+                [girder::RESTITUTION; 2],
+                "{specimen:?}"
+            );
+            assert_eq!(impact.restitution_tangential, girder::TANGENTIAL, "{specimen:?}");
+            assert_eq!([contact.mu_static, contact.mu_kinetic], girder::FRICTION, "{specimen:?}");
+            assert_eq!([impact.mu_static, impact.mu_kinetic], girder::FRICTION, "{specimen:?}");
+        }
     }
 
     #[test]

@@ -14,8 +14,8 @@ use crate::sim::History;
 
 /// `e_n` of the series over restitution.
 const RESTITUTION: [f64; 7] = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
-/// Form of the results: a file of another form is done again.
-const FORM: u64 = 2;
+/// Counts changes of the results that no scene shows: a file of another count is done again.
+const FORM: u64 = 3;
 
 /// Something to be done.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,9 +8,10 @@ mod verdict;
 
 pub use verdict::{Check, Outcome, Verdict};
 
+use super::cases::girder::{self, HALF_LENGTH};
 use super::cases::{Case, Shaking, Specimen};
 use super::results::{MODELS, Results};
-use super::scan::hit_time;
+use crate::contact::damping_ratio;
 use crate::scene::presets;
 
 /// A finding of the paper.
@@ -49,8 +50,11 @@ fn period() -> f64 {
     1.0 / Specimen::Straight.sine_hz()
 }
 
-/// Half the length of the model girders \[m\].
-const HALF_LENGTH: f64 = 0.095;
+/// Half a period of the model girder on the spring of the contact, with its dashpot: how long a head-on hit lasts \[s\].
+fn hit_time() -> f64 {
+    let damping = damping_ratio(girder::RESTITUTION);
+    std::f64::consts::PI / ((girder::STIFFNESS / girder::MASS).sqrt() * (1.0 - damping * damping).sqrt())
+}
 
 /// Checks of one finding under one model; none where a run is missing.
 type Judge = fn(&Results, usize) -> Option<Vec<Check>>;
@@ -71,7 +75,7 @@ const FINDINGS: [Entry; 9] = [
         "At small angles it is displaced across with almost no rotation (Fig. 9a); at large angles one corner hits first, then \
          the other (Fig. 9b).",
         oblique,
-        &["end-movement-friction", "end-movement-legs"],
+        &["end-movement-friction", "end-movement-legs", "end-movement-tangential"],
     ),
     (
         "45° against 60°",
@@ -105,7 +109,12 @@ const FINDINGS: [Entry; 9] = [
         &[],
     ),
     ("Transverse velocity", "The transverse velocity shows no visible jump at a hit (section 3(3)b).", jump, &[]),
-    ("Two girders", "The rotations of the two girders are tiny (Fig. 26).", pair, &["pair-rotation"]),
+    (
+        "Two girders",
+        "The rotations of the two girders are tiny (Fig. 26).",
+        pair,
+        &["pair-rotation", "pair-tangential"],
+    ),
 ];
 
 /// Every finding, as far as there are runs.

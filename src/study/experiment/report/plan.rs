@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use crate::study::experiment::cases::girder;
 use crate::study::experiment::observe::{DRAWN_HZ, Observed};
 use crate::study::plot::draw::{line, text};
 
@@ -15,8 +16,8 @@ const FRAME: [f64; 2] = [152.0, 190.0];
 /// Points a millimetre of the girder.
 const SCALE: f64 = 0.42;
 /// Half length, half width and gap of the straight girder \[mm\].
-const HALF: [f64; 2] = [95.0, 35.0];
-const GAP: f64 = 3.0;
+const HALF: [f64; 2] = [1e3 * girder::HALF_LENGTH, 1e3 * girder::HALF_WIDTH];
+const GAP: f64 = 1e3 * girder::GAP;
 
 /// Frames about the first hit in the second half of a run, when the beginning has died away; none where there is no hit.
 pub(super) fn frames(seen: &Observed) -> Option<String> {

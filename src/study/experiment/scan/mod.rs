@@ -1,0 +1,199 @@
+//! Scans: a finding's number over two of the values that the paper leaves open or that its models depend on.
+
+mod knob;
+mod measure;
+
+pub(super) use knob::Knob;
+pub(super) use measure::Measure;
+
+use super::cases::Shaking;
+use super::earthquake::Earthquake;
+use super::observe::Observed;
+use super::results::ScanResult;
+use crate::scene::{ModelKind, Scene, SceneErrors, Sharing};
+use crate::sim::History;
+
+/// Which model makes a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// Above the map.
+    pub name: &'static str,
+    kind: ModelKind,
+    sharing: Sharing,
+}
+
+const CONTACT: Variant = Variant { name: "contact model", kind: ModelKind::Contact, sharing: Sharing::Tributary };
+const IMPACT: Variant = Variant { name: "impact model", kind: ModelKind::Impact, sharing: Sharing::Tributary };
+const PER_NODE: Variant =
+    Variant { name: "contact model, K per node", kind: ModelKind::Contact, sharing: Sharing::PerNode };
+
+/// A measure over two knobs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scan {
+    /// Its name, of its file too.
+    pub name: &'static str,
+    /// What is seen, in a line.
+    pub title: &'static str,
+    /// The level axis: first and last value, number of steps.
+    pub x: (Knob, [f64; 2], usize),
+    /// The upright axis.
+    pub y: (Knob, [f64; 2], usize),
+    /// What is measured.
+    pub measure: Measure,
+    /// The maps, from left to right.
+    pub variants: &'static [Variant],
+}
+
+const BOTH: &[Variant] = &[CONTACT, IMPACT];
+const GAP: (Knob, [f64; 2], usize) = (Knob::Gap, [2.0, 5.0], 7);
+const ALONG: (Knob, [f64; 2], usize) = (Knob::LegsAlong, [40.0, 90.0], 6);
+const ACROSS: (Knob, [f64; 2], usize) = (Knob::LegsAcross, [10.0, 35.0], 6);
+const FRICTION: (Knob, [f64; 2], usize) = (Knob::Friction, [0.0, 0.5], 6);
+const RESTITUTION: (Knob, [f64; 2], usize) = (Knob::Restitution, [0.1, 0.8], 8);
+const TANGENTIAL: (Knob, [f64; 2], usize) = (Knob::Tangential, [-1.0, 0.0], 11);
+const STIFFNESS: (Knob, [f64; 2], usize) = (Knob::Stiffness, [4.0, 7.0], 7);
+const SCALE: (Knob, [f64; 2], usize) = (Knob::Scale, [0.5, 3.0], 6);
+
+/// Every scan.
+pub(super) const SCANS: [Scan; 15] = [
+    scan("hits-0.23g", "Hits a cycle, head-on at 0.23 g", GAP, RESTITUTION, Measure::Hits(Shaking::Small)),
+    scan("hits-0.40g", "Hits a cycle, head-on at 0.40 g", GAP, RESTITUTION, Measure::Hits(Shaking::Large)),
+    scan(
+        "end-movement-friction",
+        "Straight girder at 22.5°: how much of its transverse movement is rotation",
+        FRICTION,
+        RESTITUTION,
+        Measure::EndMovement,
+    ),
+    scan(
+        "end-movement-legs",
+        "Straight girder at 22.5°: how much of its transverse movement is rotation",
+        ALONG,
+        ACROSS,
+        Measure::EndMovement,
+    ),
+    scan("skew-friction", "Rotation of the 45° girder over that of the 60° one", FRICTION, RESTITUTION, Measure::Skews),
+    scan("skew-gap", "Rotation of the 45° girder over that of the 60° one", GAP, FRICTION, Measure::Skews),
+    scan("skew-legs", "Rotation of the 45° girder over that of the 60° one", ALONG, ACROSS, Measure::Skews),
+    Scan {
+        variants: &[CONTACT, PER_NODE],
+        ..scan(
+            "skew-stiffness",
+            "Rotation of the 45° girder over that of the 60° one",
+            STIFFNESS,
+            RESTITUTION,
+            Measure::Skews,
+        )
+    },
+    scan("axis-gap", "60° girder: rotation driven at −60° over that on the axis", GAP, FRICTION, Measure::OffAxis),
+    scan("axis-legs", "60° girder: rotation driven at −60° over that on the axis", ALONG, ACROSS, Measure::OffAxis),
+    scan(
+        "record-hits",
+        "Record, head-on: part of the successions with two hits or more",
+        GAP,
+        SCALE,
+        Measure::Successions,
+    ),
+    scan(
+        "record-rotation",
+        "Record at 45°: rotation over that under the sine of 0.40 g",
+        GAP,
+        SCALE,
+        Measure::RecordRotation,
+    ),
+    scan(
+        "pair-rotation",
+        "Two girders: how much of their transverse movement is rotation",
+        FRICTION,
+        ALONG,
+        Measure::PairMovement,
+    ),
+    Scan {
+        variants: &[IMPACT],
+        ..scan(
+            "end-movement-tangential",
+            "Straight girder at 22.5°: how much of its transverse movement is rotation",
+            TANGENTIAL,
+            RESTITUTION,
+            Measure::EndMovement,
+        )
+    },
+    Scan {
+        variants: &[IMPACT],
+        ..scan(
+            "pair-tangential",
+            "Two girders: how much of their transverse movement is rotation",
+            TANGENTIAL,
+            RESTITUTION,
+            Measure::PairMovement,
+        )
+    },
+];
+
+/// The paper's map: skew and excitation angle.
+pub(super) const SKEW_ANGLE: Scan = scan(
+    "skew-angle",
+    "Largest rotation over skew and excitation angle, 0.40 g at 2.6 Hz",
+    (Knob::Skew, [30.0, 90.0], 13),
+    (Knob::Angle, [-90.0, 90.0], 13),
+    Measure::Rotation,
+);
+
+const fn scan(
+    name: &'static str,
+    title: &'static str,
+    x: (Knob, [f64; 2], usize),
+    y: (Knob, [f64; 2], usize),
+    measure: Measure,
+) -> Scan {
+    Scan { name, title, x, y, measure, variants: BOTH }
+}
+
+/// Values of an axis, evenly spaced.
+pub(super) fn steps((_, [from, to], count): (Knob, [f64; 2], usize)) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    let value = |i: usize| from + (to - from) * (i as f64 / last);
+    // Steps are decimal numbers.
+    (0..count).map(value).map(|v| (v * 1e6).round() / 1e6).collect()
+}
+
+impl Scan {
+    /// Every scan, the paper's map last.
+    pub fn all() -> impl Iterator<Item = Self> {
+        SCANS.into_iter().chain([SKEW_ANGLE])
+    }
+
+    /// The scenes that it starts from.
+    ///
+    /// # Errors
+    /// None: the presets are part of the program.
+    pub(super) fn scenes(&self, earthquake: &Earthquake) -> Result<Vec<Scene>, SceneErrors> {
+        self.measure.cases().iter().map(|case| case.scene(earthquake)).collect()
+    }
+
+    /// Runs it, cell by cell.
+    ///
+    /// # Errors
+    /// A scene that does not validate.
+    pub(super) fn run(&self, earthquake: &Earthquake) -> Result<ScanResult, SceneErrors> {
+        let scenes = self.scenes(earthquake)?;
+        let map = |variant: &Variant| {
+            let cells = steps(self.y).into_iter().flat_map(|y| steps(self.x).into_iter().map(move |x| [x, y]));
+            cells.map(|cell| self.cell(&scenes, cell, variant)).collect::<Result<Vec<_>, SceneErrors>>()
+        };
+        Ok(ScanResult { maps: self.variants.iter().map(map).collect::<Result<_, _>>()? })
+    }
+
+    fn cell(&self, scenes: &[Scene], [x, y]: [f64; 2], variant: &Variant) -> Result<Option<f64>, SceneErrors> {
+        let run = |scene: &Scene| {
+            let mut scene = scene.clone();
+            self.x.0.set(&mut scene, x);
+            self.y.0.set(&mut scene, y);
+            (scene.model.kind, scene.contact.sharing) = (variant.kind, variant.sharing);
+            let history = History::of(&scene)?;
+            Ok(history.stop().is_none().then(|| Observed::without_histories(&history)))
+        };
+        let seen: Option<Vec<Observed>> = scenes.iter().map(run).collect::<Result<_, SceneErrors>>()?;
+        Ok(seen.and_then(|seen| self.measure.value(&seen)))
+    }
+}
