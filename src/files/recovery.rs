@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use super::save::{folder_of, stage_scene};
+use super::scene_source::{SceneSource, text_of};
 use super::staging::hold;
 use super::write_error::WriteError;
 use crate::scene::Scene;
@@ -38,16 +39,25 @@ pub struct Found {
     pub written: SystemTime,
 }
 
+impl Found {
+    /// What the work is saved into when it has been brought back: the scene's own file, or the side file's text.
+    pub fn source(&self) -> SceneSource {
+        let text = || text_of(&self.path).map_or(SceneSource::New, |text| SceneSource::Text(text.into()));
+        self.file.clone().map_or_else(text, SceneSource::File)
+    }
+}
+
 impl SideFile {
-    /// Writes a scene into a new side file of `file`, under the first name that is free.
+    /// Writes a scene into a new side file of `file`, under the first name that is free; of the text that it was read from
+    /// comments, order and spelling stay.
     ///
     /// # Errors
     /// When the folder cannot be written to.
-    pub fn create(scene: &Scene, file: &Path) -> Result<Self, WriteError> {
+    pub fn create(scene: &Scene, source: &SceneSource, file: &Path) -> Result<Self, WriteError> {
         let folder = folder_of(file);
         let fail = |cause| WriteError::new(numbered(file, 1), cause);
         std::fs::create_dir_all(folder).map_err(fail)?;
-        let mut staged = stage_scene(scene, None, &numbered(file, 1))?;
+        let mut staged = stage_scene(scene, source.text().as_deref(), &numbered(file, 1))?;
         hold(staged.as_file());
         for number in 1..=MOST {
             let path = numbered(file, number);
@@ -72,12 +82,12 @@ impl SideFile {
         &self.path
     }
 
-    /// Writes the scene as it is now in place of what stood there.
+    /// Writes the scene as it is now, in the text that it was read from, in place of what stood there.
     ///
     /// # Errors
     /// When it cannot be written; what stood there still does.
-    pub fn write(&mut self, scene: &Scene) -> Result<(), WriteError> {
-        let staged = stage_scene(scene, None, &self.path)?;
+    pub fn write(&mut self, scene: &Scene, source: &SceneSource) -> Result<(), WriteError> {
+        let staged = stage_scene(scene, source.text().as_deref(), &self.path)?;
         hold(staged.as_file());
         // Not every system puts a file in the place of one that is open.
         self.held = None;
@@ -150,9 +160,9 @@ mod tests {
     fn a_side_file_is_found_once_its_window_is_gone() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("mine.toml");
-        let mut side = SideFile::create(&scene(), &file).expect("written");
+        let mut side = SideFile::create(&scene(), &SceneSource::New, &file).expect("written");
         assert!(find_beside(&file).is_empty(), "held while its window lives");
-        side.write(&scene()).expect("written again");
+        side.write(&scene(), &SceneSource::New).expect("written again");
         assert!(find_beside(&file).is_empty(), "and after another writing");
         let path = side.path().to_owned();
         assert_eq!(path, folder.path().join("mine.toml.unsaved"), "beside its scene");
@@ -168,8 +178,8 @@ mod tests {
     fn nobody_writes_over_another_windows_work() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("mine.toml");
-        let one = SideFile::create(&scene(), &file).expect("written");
-        let other = SideFile::create(&Scene { duration: 3.0, ..scene() }, &file).expect("written");
+        let one = SideFile::create(&scene(), &SceneSource::New, &file).expect("written");
+        let other = SideFile::create(&Scene { duration: 3.0, ..scene() }, &SceneSource::New, &file).expect("written");
         assert_ne!(one.path(), other.path(), "two names");
         drop((one, other));
         assert_eq!(find_beside(&file).len(), 2, "both are found");
@@ -177,11 +187,29 @@ mod tests {
     }
 
     #[test]
+    fn a_side_file_keeps_the_comments_of_what_its_scene_was_read_from() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let source = SceneSource::of(presets::OPENING);
+        let text = source.text().expect("it ships").into_owned();
+        let mut side = SideFile::create(&scene(), &source, &folder.path().join("mine.toml")).expect("written");
+        let path = side.path().to_owned();
+        assert_eq!(text_of(&path).as_deref(), Some(text.as_str()), "as it was read");
+        side.write(&Scene { duration: 7.25, ..scene() }, &source).expect("written again");
+        drop(side);
+        let line = text.lines().find(|line| line.starts_with("duration_s = ")).expect("it has one");
+        let changed = text.replacen(line, "duration_s = 7.25", 1);
+        let found = find_in(folder.path()).pop().expect("it is held no more");
+        assert_eq!(found.source(), SceneSource::Text(changed.into()), "and saved into that text");
+        let file = folder.path().join("mine.toml");
+        assert_eq!(find_beside(&file).pop().map(|f| f.source()), Some(SceneSource::File(file)), "or into its file");
+    }
+
+    #[test]
     fn work_in_an_impossible_state_is_kept_too() {
         let folder = tempfile::tempdir().expect("a folder");
         let mut wrong = scene();
         wrong.girders[0].mass = -1.0;
-        let side = SideFile::create(&wrong, &folder.path().join("mine.toml")).expect("written");
+        let side = SideFile::create(&wrong, &SceneSource::New, &folder.path().join("mine.toml")).expect("written");
         assert_eq!(load_unsaved(side.path()).expect("read"), wrong, "as it was being edited");
     }
 }

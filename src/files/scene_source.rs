@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::read::{LARGEST_INPUT, read_regular};
 use crate::scene::presets;
@@ -16,6 +17,8 @@ pub enum SceneSource {
     Shipped(&'static str),
     /// A file.
     File(PathBuf),
+    /// A text of no file of its own: of unsaved work that was brought back.
+    Text(Arc<str>),
 }
 
 impl SceneSource {
@@ -32,14 +35,17 @@ impl SceneSource {
     }
 
     /// The text as it is now; nothing for a new scene, or where the file can no longer be read.
-    pub(super) fn text(&self) -> Option<Cow<'static, str>> {
+    pub(super) fn text(&self) -> Option<Cow<'_, str>> {
         match self {
             Self::New => None,
             Self::Shipped(text) => Some(Cow::Borrowed(text)),
-            Self::File(file) => {
-                let bytes = read_regular(file, LARGEST_INPUT).ok()?;
-                String::from_utf8(bytes).ok().map(Cow::Owned)
-            }
+            Self::File(file) => text_of(file).map(Cow::Owned),
+            Self::Text(text) => Some(Cow::Borrowed(text)),
         }
     }
+}
+
+/// The text of a file; nothing where it cannot be read.
+pub(super) fn text_of(file: &Path) -> Option<String> {
+    String::from_utf8(read_regular(file, LARGEST_INPUT).ok()?).ok()
 }

@@ -37,10 +37,10 @@ fn is_whole(scene: &Scene) -> bool {
 fn write_for_ever() {
     let Some(folder) = std::env::var_os(FOLDER).map(PathBuf::from) else { return };
     let file = folder.join("mine.toml");
-    let mut side = SideFile::create(&scene(0), &file).expect("written");
+    let mut side = SideFile::create(&scene(0), &SceneSource::New, &file).expect("written");
     for writing in 1.. {
         save_scene(&scene(writing), &SceneSource::New, &file).expect("written");
-        side.write(&scene(writing)).expect("written");
+        side.write(&scene(writing), &SceneSource::New).expect("written");
     }
 }
 

@@ -54,7 +54,7 @@ impl Workbench {
     pub(super) fn apply_keep(&mut self, command: Keep) {
         match self.files.apply(command) {
             Ok(Left::Nothing) => {}
-            Ok(Left::Recover(found)) => self.recover(found),
+            Ok(Left::Recover(found)) => self.recover(&found),
             Ok(Left::Reload(file)) => {
                 let mine = self.files.document.origin_id();
                 self.open(&file.to_string_lossy());
@@ -121,7 +121,7 @@ impl Workbench {
     }
 
     /// Brings found work back.
-    fn recover(&mut self, found: Found) {
+    fn recover(&mut self, found: &Found) {
         match load_unsaved(&found.path) {
             Ok(scene) => {
                 // What is about to be left is kept with the view that it has.

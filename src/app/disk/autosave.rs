@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use crate::app::disk::exit_hook::{self, Will};
 use crate::app::host::{Wake, now};
-use crate::files::{SideFile, WriteError};
+use crate::files::{SceneSource, SideFile, WriteError};
 use crate::scene::Scene;
 
 /// How long after an edit the work is written.
@@ -24,8 +24,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 /// What the thread is asked for.
 enum Job {
-    /// Hold an origin's scene, to be written into its side file, which is beside this file.
-    Hold(u64, PathBuf, Box<Scene>),
+    /// Hold an origin's scene, to be written into its side file.
+    Hold(Held),
     /// Write what is held.
     Write,
     /// An origin's side file is not needed any more.
@@ -34,6 +34,16 @@ enum Job {
     Adopt(u64, PathBuf),
     /// Answer when everything before is done: whether unsaved work is on the disk.
     Sync(Sender<bool>),
+}
+
+/// A scene that is held to be written.
+struct Held {
+    origin: u64,
+    /// The file that the side file is beside.
+    beside: PathBuf,
+    /// What the scene was read from: its comments are kept.
+    source: SceneSource,
+    scene: Box<Scene>,
 }
 
 /// What is to be kept.
@@ -46,6 +56,8 @@ pub(in crate::app) struct Work {
     pub(in crate::app) dirty: bool,
     /// The file it is kept beside.
     pub(in crate::app) beside: PathBuf,
+    /// What it was read from: its comments are kept.
+    pub(in crate::app) source: SceneSource,
 }
 
 /// The thread that writes, and what it has been given.
@@ -111,7 +123,8 @@ impl Autosave {
         let this = Some((work.origin, work.revision));
         if self.held != this {
             self.held = this;
-            self.ask(Job::Hold(work.origin, work.beside.clone(), Box::new(scene())));
+            let (beside, source) = (work.beside.clone(), work.source.clone());
+            self.ask(Job::Hold(Held { origin: work.origin, beside, source, scene: Box::new(scene()) }));
         }
     }
 
@@ -174,21 +187,21 @@ fn ask_whether_kept(jobs: &Sender<Job>, patience: Duration) -> bool {
 /// What the thread has in its hands.
 #[derive(Default)]
 struct Hands {
-    held: Option<(u64, PathBuf, Box<Scene>)>,
+    held: Option<Held>,
     sides: BTreeMap<u64, SideFile>,
 }
 
 impl Hands {
     fn write(&mut self) -> Result<(), WriteError> {
-        let Some((origin, beside, scene)) = self.held.take() else { return Ok(()) };
+        let Some(Held { origin, beside, source, scene }) = self.held.take() else { return Ok(()) };
         match self.sides.get_mut(&origin) {
-            Some(side) => side.write(&scene),
-            None => SideFile::create(&scene, &beside).map(|side| drop(self.sides.insert(origin, side))),
+            Some(side) => side.write(&scene, &source),
+            None => SideFile::create(&scene, &source, &beside).map(|side| drop(self.sides.insert(origin, side))),
         }
     }
 
     fn forget(&mut self, origin: u64) {
-        self.held.take_if(|(held, _, _)| *held == origin);
+        self.held.take_if(|held| held.origin == origin);
         self.sides.remove(&origin).into_iter().for_each(SideFile::remove);
     }
 }
@@ -198,7 +211,7 @@ fn write_as_asked(wanted: &Receiver<Job>, problems: &Sender<String>, wake: &Wake
     for job in wanted {
         let mut done = Ok(());
         match job {
-            Job::Hold(origin, beside, scene) => hands.held = Some((origin, beside, scene)),
+            Job::Hold(held) => hands.held = Some(held),
             Job::Write => done = hands.write(),
             Job::Forget(origin) => hands.forget(origin),
             Job::Adopt(origin, path) => drop(hands.sides.insert(origin, SideFile::adopt(path))),

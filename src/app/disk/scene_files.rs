@@ -125,7 +125,7 @@ impl SceneFiles {
     /// As [`Document::open`].
     pub(in crate::app) fn recover(
         &mut self,
-        found: Found,
+        found: &Found,
         scene: Scene,
         as_seen: impl FnOnce(&Scene) -> Scene,
     ) -> Result<bool, EditError> {
@@ -134,7 +134,7 @@ impl SceneFiles {
             self.document.edit(Edit::Scene(Box::new(scene)), None)
         } else {
             self.keep_work_now(as_seen);
-            let opened = self.document.open(scene, found.file.map_or(SceneSource::New, SceneSource::File));
+            let opened = self.document.open(scene, found.source());
             self.document.unsave();
             opened.map(|()| true)
         };
@@ -181,6 +181,33 @@ mod tests {
         assert!(!files.document.is_dirty(), "it is on the disk");
         assert_eq!((files.name().as_str(), files.folder()), ("bridge.toml", folder.path()), "named after it");
         assert!(matches!(files.save(&as_seen, folder.path()), Saved::Failed(_)), "a folder is no file");
+    }
+
+    #[test]
+    fn work_on_a_preset_that_is_brought_back_is_saved_with_its_comments() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let preset = presets::get(presets::OPENING).expect("ships");
+        let scene = presets::load(preset.name).expect("ships");
+        let opened = |source| {
+            let mut files = SceneFiles::new(scene.clone(), source);
+            files.keep_in(folder.path(), std::sync::Arc::new(|| ()));
+            files
+        };
+        let mut left = opened(SceneSource::of(preset.name));
+        left.document.edit(edits::duration(&scene, 7.25), None).expect("fits");
+        left.keep_work_now(Scene::clone);
+        left.session.wait();
+        drop(left);
+        let mut files = opened(SceneSource::New);
+        let Ok(Left::Recover(found)) = files.apply(Keep::Recover) else { panic!("it was left") };
+        let unsaved = crate::files::load_unsaved(&found.path).expect("a scene");
+        assert!(files.recover(&found, unsaved, Scene::clone).expect("fits"), "another scene");
+        let path = folder.path().join("saved.toml");
+        let back = files.document.scene().clone();
+        assert!(matches!(files.save(&back, &path), Saved::Done(_)), "there is room");
+        let line = preset.text.lines().find(|line| line.starts_with("duration_s = ")).expect("it has one");
+        let saved = std::fs::read_to_string(&path).expect("text");
+        assert_eq!(saved, preset.text.replacen(line, "duration_s = 7.25", 1), "its comments and its order");
     }
 
     #[test]

@@ -128,6 +128,7 @@ impl SessionFiles {
             revision: document.revision(),
             dirty: document.is_dirty(),
             beside: document.file().map_or_else(untitled, Path::to_owned),
+            source: document.source(),
         })
     }
 
