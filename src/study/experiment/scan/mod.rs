@@ -112,7 +112,7 @@ pub(super) const SCANS: [Scan; 15] = [
         variants: &[IMPACT],
         ..scan(
             "end-movement-tangential",
-            "Straight girder at 22.5°: how much of its transverse movement is rotation",
+            "Straight girder at 22.5°: end movement by rotation",
             TANGENTIAL,
             RESTITUTION,
             Measure::EndMovement,
@@ -122,7 +122,7 @@ pub(super) const SCANS: [Scan; 15] = [
         variants: &[IMPACT],
         ..scan(
             "pair-tangential",
-            "Two girders: how much of their transverse movement is rotation",
+            "Two girders: end movement by rotation",
             TANGENTIAL,
             RESTITUTION,
             Measure::PairMovement,
