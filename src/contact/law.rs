@@ -103,15 +103,6 @@ impl Forces {
         self.normal + self.normal_damping
     }
 
-    /// Powers dissipated by the normal dashpot, the tangential dashpot and friction \[W\].
-    pub fn dissipated_powers(&self) -> [f64; 3] {
-        [
-            -self.normal_damping * self.normal_velocity,
-            -self.tangential_damping.dot(self.sliding - self.anchor_rate),
-            -self.tangential_total().dot(self.anchor_rate),
-        ]
-    }
-
     /// Sum of the tangential forces \[N\].
     pub fn tangential_total(&self) -> DVec2 {
         self.tangential + self.tangential_damping
@@ -155,10 +146,10 @@ impl Law {
     #[inline]
     pub(super) fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
         let (sliding, normal_velocity) = here.relative_velocity(stretch);
-        let penetration = here.penetration();
+        let [normal, normal_damping] = self.normal.forces(here.penetration(), normal_velocity);
         Forces {
-            normal: self.normal.elastic(penetration),
-            normal_damping: self.normal.damping(penetration, normal_velocity),
+            normal,
+            normal_damping,
             tangential: DVec2::ZERO,
             tangential_damping: DVec2::ZERO,
             stretch,
@@ -187,13 +178,55 @@ impl Law {
         self.normal.stored_energy(here.penetration()) + 0.5 * (self.k_t * forces.stretch.length_squared())
     }
 
+    /// Powers dissipated by the normal law, the tangential dashpot and friction \[W\].
+    pub fn dissipated_powers(&self, forces: &Forces) -> [f64; 3] {
+        let velocity = forces.normal_velocity;
+        [
+            self.normal.plastic_power(velocity) - forces.normal_damping * velocity,
+            -forces.tangential_damping.dot(forces.sliding - forces.anchor_rate),
+            -forces.tangential_total().dot(forces.anchor_rate),
+        ]
+    }
+
     /// Energy of an overlap of round-off size at closing, `½ N δ` by the trapezoidal rule \[J\].
     pub fn entry_energy(&self, here: &Local) -> f64 {
         0.5 * self.normal.elastic(here.penetration()) * here.penetration()
     }
 
-    /// Whether the normal force has zeros inside a touch that switch the clamp.
+    /// Whether the normal force has kinks within a touch: zeros that switch the clamp, or ends of phases.
     pub fn has_kinks(&self) -> bool {
-        self.clamp && self.normal.can_pull()
+        (self.clamp && self.normal.can_pull()) || self.normal.has_phases()
+    }
+
+    /// Law of a touch that begins with a node here.
+    #[must_use]
+    pub fn begun(self, here: &Local) -> Self {
+        let (_, velocity) = here.relative_velocity(DVec2::ZERO);
+        Self { normal: self.normal.begun(here.penetration(), velocity), ..self }
+    }
+
+    /// Law of a node that takes over, at this penetration \[m\], from one of the same pair with the law `before`.
+    #[must_use]
+    pub fn resumed(self, before: &Self, penetration: f64) -> Self {
+        Self { normal: self.normal.resumed(before.normal, penetration), ..self }
+    }
+
+    /// Scale of the switching function of a kink at penetrations and speeds of these sizes, in the function's unit.
+    pub fn kink_scale(&self, depth: f64, speed: f64) -> f64 {
+        if self.normal.has_phases() {
+            self.normal.phase_end_scale(depth, speed)
+        } else {
+            self.normal.force_scale(depth, speed)
+        }
+    }
+
+    /// Scale of the change of the switching function of a kink by a change of the penetration of this size at this circular
+    /// frequency, in the function's unit.
+    pub fn kink_change(&self, here: &Local, change: f64, frequency: f64) -> f64 {
+        if self.normal.has_phases() {
+            self.normal.phase_end_change(change, frequency)
+        } else {
+            self.normal.change_scale(here.penetration(), change, frequency)
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! switching functions of the state {open, stick, slip}; [`parameters`] derives a law's numbers from a scene's. All
 //! vectors are in the face's axes: first tangent, second tangent, outward normal.
 
+pub mod calibration;
 mod constants;
 pub mod friction;
 pub mod law;
@@ -11,7 +12,8 @@ pub mod node_face;
 pub mod normal;
 pub mod parameters;
 
+pub use calibration::{Calibration, NormalName, damping_ratio};
 pub use law::{Breakaway, Forces, FrictionLaw, Law, Mode};
 pub use node_face::{Frame, Home, Local, Measured, gap, locate, measure, turned_by};
 pub use normal::{Normal, NormalLaw};
-pub use parameters::{Dashpots, PairNumbers, damping_ratio, dashpots, law_of_pair};
+pub use parameters::{Dashpots, PairNumbers, dashpots, law_of_pair, returned_restitution};

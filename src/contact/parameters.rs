@@ -1,20 +1,29 @@
 //! Contact law of a pair of facing ends from the parameters of a scene, (64), (65) of the paper, and its division
 //! among nodes.
 
-use std::f64::consts::PI;
-
 use glam::DVec2;
 
+use super::calibration::{self, Calibration, NormalName, damping_ratio};
 use super::constants::{EDGE_TOLERANCE, V_STICK};
-use super::normal::{Linear, Normal, NormalLaw};
+use super::normal::{Approach, Hertz, HertzDashpot, LEAST_IMPACT_SPEED, Linear, Normal, NormalLaw, Stage};
 use super::{FrictionLaw, Law};
 use crate::geometry::Face;
 
 /// Contact parameters of a pair of facing ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairNumbers {
-    /// Stiffness `K` \[N/m\].
+    /// Stiffness `K` of the linear laws and of the tangential spring \[N/m\].
     pub stiffness: f64,
+    /// Normal law.
+    pub normal: NormalName,
+    /// Stiffness `k_h` of a Hertz spring, where that does not follow from K \[N/m^{3/2}\].
+    pub hertz_stiffness: Option<f64>,
+    /// Impact speed at which a Hertz or bilinear spring stands for K, `v_d` \[m/s\].
+    pub design_speed: f64,
+    /// How the dashpot follows from `e_n`.
+    pub calibration: Calibration,
+    /// Parameter ζ, ξ or a of the normal law in place of that of `e_n` \[–\].
+    pub parameter: Option<f64>,
     /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies \[kg\].
     pub mass: f64,
     /// Coefficient of restitution `e_n` \[–\].
@@ -33,20 +42,52 @@ pub struct PairNumbers {
     pub one_way: bool,
 }
 
-/// Linear law of a whole pair: K along normal and tangents, dashpots of (65).
+/// Law of a whole pair: its normal law, and K and the dashpot of (65) along the tangents.
 pub fn law_of_pair(numbers: &PairNumbers) -> Law {
-    let &PairNumbers { stiffness: k, mass, restitution_normal, restitution_tangential, .. } = numbers;
-    let dashpots = dashpots(k, mass, restitution_normal, restitution_tangential);
+    let &PairNumbers { stiffness: k, mass, restitution_tangential, .. } = numbers;
     Law {
-        normal: Normal::Linear(Linear { k, c: dashpots.normal }),
+        normal: normal_law(numbers),
         k_t: k,
-        c_t: dashpots.tangential,
+        c_t: damping_ratio(restitution_tangential) * critical_damping(k, mass),
         mu_s: numbers.mu_static,
         mu_k: numbers.mu_kinetic,
         friction: numbers.friction,
-        clamp: numbers.clamp,
+        // A dashpot proportional to the spring's force pulls, in a deep touch pulled apart fast; the law has no pull.
+        clamp: numbers.clamp || numbers.normal == NormalName::HertzDamp,
         v_stick: if numbers.one_way { 0.0 } else { V_STICK },
     }
+}
+
+/// Normal law of a whole pair, with its dashpot or its yield from `e_n`, or with the parameter given.
+fn normal_law(numbers: &PairNumbers) -> Normal {
+    let &PairNumbers { stiffness, normal, design_speed, calibration, restitution_normal: e, mass, .. } = numbers;
+    let parameter = numbers.parameter.unwrap_or_else(|| calibration::parameter(normal, calibration, e, numbers.clamp));
+    let linear = || Linear { k: stiffness, c: parameter * critical_damping(stiffness, mass) };
+    let given = numbers.hertz_stiffness;
+    let k = given.unwrap_or_else(|| calibration::hertz_stiffness(stiffness, mass, design_speed));
+    let viscous = parameter * critical_damping(k, mass);
+    let hertz = |dashpot| Normal::Hertz(Hertz { k, dashpot });
+    match normal {
+        NormalName::KelvinVoigt => Normal::Linear(linear()),
+        NormalName::Approach => Normal::Approach(Approach::of(linear())),
+        NormalName::Hertz => hertz(HertzDashpot::Viscous(0.0)),
+        NormalName::HertzViscous => hertz(HertzDashpot::Viscous(viscous)),
+        NormalName::HertzDamp => hertz(HertzDashpot::Relative(parameter)),
+        NormalName::Jankowski => hertz(HertzDashpot::Approach(viscous, Stage::Approach)),
+        NormalName::Bilinear => Normal::Bilinear(calibration::bilinear(k, mass, design_speed, e, calibration)),
+    }
+}
+
+/// Coefficient of restitution that a flush free head-on hit of a pair returns at this impact speed \[m/s\] \[–\].
+pub fn returned_restitution(numbers: &PairNumbers, speed: f64) -> f64 {
+    let &PairNumbers { normal, calibration, restitution_normal: e, clamp, mass, .. } = numbers;
+    if let Normal::Bilinear(law) = normal_law(numbers) {
+        return calibration::bilinear_restitution(&law, mass, speed);
+    }
+    let parameter = numbers.parameter.unwrap_or_else(|| calibration::parameter(normal, calibration, e, clamp));
+    // A slower hit than the least impact speed of `hertz-damp` has a smaller a.
+    let slow = if normal == NormalName::HertzDamp { (speed / LEAST_IMPACT_SPEED).min(1.0) } else { 1.0 };
+    calibration::returned(normal, parameter * slow, clamp)
 }
 
 impl Law {
@@ -94,20 +135,19 @@ pub struct Dashpots {
     pub tangential: f64,
 }
 
-/// Damping ratio `ξ = −ln e / √(π² + (ln e)²)` (65) of a coefficient of restitution `0 < e ≤ 1` \[–\].
-pub fn damping_ratio(restitution: f64) -> f64 {
-    let l = restitution.ln();
-    -l / PI.hypot(l)
-}
-
 /// Reduced mass of two bodies, `M₁M₂/(M₁+M₂)`; a fixed body has infinite mass \[kg\].
 pub fn reduced_mass(first: f64, second: f64) -> f64 {
     if second.is_infinite() { first } else { first * second / (first + second) }
 }
 
+/// `2 √(K M)` \[N·s/m\], or with the stiffness of a Hertz spring \[N·s/m^{5/4}\].
+fn critical_damping(stiffness: f64, mass: f64) -> f64 {
+    2.0 * (stiffness * mass).sqrt()
+}
+
 /// Dashpots `C_i = 2 ξ_i √(K M)` (65) with the reduced mass `M`.
 pub fn dashpots(stiffness: f64, mass: f64, restitution_normal: f64, restitution_tangential: f64) -> Dashpots {
-    let critical = 2.0 * (stiffness * mass).sqrt();
+    let critical = critical_damping(stiffness, mass);
     Dashpots {
         normal: damping_ratio(restitution_normal) * critical,
         tangential: damping_ratio(restitution_tangential) * critical,
@@ -141,6 +181,11 @@ mod tests {
     fn numbers() -> PairNumbers {
         PairNumbers {
             stiffness: 1.55e5,
+            normal: NormalName::KelvinVoigt,
+            hertz_stiffness: None,
+            design_speed: 0.3,
+            calibration: Calibration::ByLaw,
+            parameter: None,
             mass: 1.0,
             restitution_normal: 0.4,
             restitution_tangential: 0.9,
@@ -168,6 +213,30 @@ mod tests {
         assert_eq!(4.0 * part.normal.elastic(1e-3), whole.normal.elastic(1e-3), "normal force");
         assert_eq!((4.0 * part.k_t, 4.0 * part.c_t), (whole.k_t, whole.c_t), "tangential spring and dashpot");
         assert_eq!((part.mu_s, part.mu_k), (whole.mu_s, whole.mu_k), "coefficients of friction");
+    }
+
+    #[test]
+    fn every_normal_law_has_the_force_of_k_at_the_design_speed() {
+        let numbers = PairNumbers { mass: 2.0, restitution_normal: 1.0, ..numbers() };
+        let depth = 0.3 * (2.0f64 / 1.55e5).sqrt();
+        for &normal in NormalName::ALL {
+            let law = law_of_pair(&PairNumbers { normal, ..numbers });
+            let reached = law.normal.depth(2.0, 0.3);
+            // A bilinear spring that loses nothing is linear with its own K_eff.
+            let bound = if normal == NormalName::Bilinear { 0.1 } else { 1e-12 };
+            assert!((reached / depth - 1.0).abs() < bound, "{}: {reached} against {depth}", normal.label());
+            assert_eq!(law.k_t, 1.55e5, "the tangential spring is K");
+        }
+    }
+
+    #[test]
+    fn a_given_parameter_takes_the_place_of_restitution() {
+        let numbers = PairNumbers { normal: NormalName::HertzDamp, parameter: Some(2.4), mass: 2.0, ..numbers() };
+        assert!((returned_restitution(&numbers, 0.3) - 0.362_872_318_508_3).abs() < 1e-12, "Ye");
+        assert!(returned_restitution(&numbers, 1e-5) > 0.95, "below the least impact speed it rebounds with more");
+        let Normal::Hertz(law) = law_of_pair(&numbers).normal else { panic!("a Hertz spring") };
+        assert_eq!(law.dashpot, HertzDashpot::Relative(2.4), "as given");
+        assert!(law_of_pair(&PairNumbers { clamp: false, ..numbers }).clamp, "it never pulls");
     }
 
     #[test]

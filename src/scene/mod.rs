@@ -34,7 +34,9 @@ pub mod validate;
 
 pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
-pub use contact::{Between, ContactNumber, ContactSettings, FrictionLaw, PairSettings, Sharing, Tension};
+pub use contact::{
+    Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,
+};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
 pub use kind::Kind;
 pub use limits::Limits;

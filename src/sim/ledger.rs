@@ -225,5 +225,5 @@ fn energies(history: &History, body: usize, t: f64) -> [f64; 3] {
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].
 fn contact_powers(history: &History, contact: usize, t: f64) -> [f64; 3] {
-    history.acting(contact, t).map_or([0.0; 3], |(_, action)| action.forces.dissipated_powers())
+    history.acting(contact, t).map_or([0.0; 3], |(closed, action)| closed.law.dissipated_powers(&action.forces))
 }

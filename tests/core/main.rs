@@ -32,6 +32,7 @@ mod physics {
     mod hertz;
     mod long_runs;
     mod meeting;
+    mod normal_laws;
     mod overlap;
     mod reference;
     mod rows;

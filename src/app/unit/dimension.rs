@@ -35,6 +35,8 @@ pub(in crate::app) enum Dimension {
     Damping,
     /// Pascals.
     Pressure,
+    /// Newtons a metre to the power of 3/2.
+    HertzStiffness,
 }
 
 impl Dimension {
@@ -58,6 +60,7 @@ impl Dimension {
             Self::Stiffness => &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9), ("N/mm", 1e3)],
             Self::Damping => &[("N s/m", 1.0), ("Ns/m", 1.0), ("kN s/m", 1e3), ("kNs/m", 1e3)],
             Self::Pressure => &[("Pa", 1.0), ("MPa", 1e6), ("GPa", 1e9)],
+            Self::HertzStiffness => &[("N/m^1.5", 1.0), ("MN/m^1.5", 1e6), ("GN/m^1.5", 1e9)],
         }
     }
 }

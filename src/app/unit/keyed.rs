@@ -1,8 +1,8 @@
 //! The unit of a key of the scene file, as its name says it (`length_m`), and how a number of it is shown.
 
 use super::shown::{
-    ACCELERATION, DEGREES, GRAVITIES, HERTZ, MODULUS, MOMENTS, PARTS, PURE, SECONDS, SLOW, SPEED, TURNING, Unit,
-    area_unit, damping_unit, force_unit, length_unit, mass_unit, stiffness_unit,
+    ACCELERATION, DEGREES, GRAVITIES, HERTZ, HERTZ_STIFFNESS, MODULUS, MOMENTS, PARTS, PURE, SECONDS, SLOW, SPEED,
+    TURNING, Unit, area_unit, damping_unit, force_unit, length_unit, mass_unit, stiffness_unit,
 };
 use crate::scene::keys::{Key, of_place};
 use crate::scene::{Girder, Scene};
@@ -63,6 +63,7 @@ const ENDINGS: &[(&str, UnitOf)] = &[
     ("_n", |_, _, size| force_unit(size.mass)),
     ("_n_m", |_, _, _| MOMENTS),
     ("_n_per_m", |_, now, _| stiffness_unit(now)),
+    ("_n_per_m1_5", |_, _, _| HERTZ_STIFFNESS),
     ("_n_s_per_m", |_, now, _| damping_unit(now)),
     ("_pa", |_, _, _| MODULUS),
 ];

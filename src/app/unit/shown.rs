@@ -57,6 +57,8 @@ pub(in crate::app) const ACCELERATION: Unit = Unit::new(Dimension::Metric, 1.0, 
 pub(in crate::app) const MOMENTS: Unit = Unit::new(Dimension::Moment, 1.0, " N m", 1.0);
 /// Pascals, in thousands of millions.
 pub(in crate::app) const MODULUS: Unit = Unit::new(Dimension::Pressure, 1e-9, " GPa", 0.1);
+/// Stiffnesses of Hertz springs.
+pub(in crate::app) const HERTZ_STIFFNESS: Unit = Unit::new(Dimension::HertzStiffness, 1e-6, " MN/m^1.5", 0.01);
 
 /// Lengths of a scene: millimetres on the bench, metres at a bridge.
 pub(in crate::app) fn length_unit(size: f64) -> Unit {

@@ -1,6 +1,7 @@
 //! A normal law defined outside of this package, as a fraction of a law with static lifetime.
 
 use super::NormalLaw;
+use super::phases::Phases;
 
 /// `fraction` times the forces of `law`.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,8 @@ impl Custom {
         Self { fraction: self.fraction * count, ..self }
     }
 }
+
+impl Phases for Custom {}
 
 impl NormalLaw for Custom {
     fn elastic(&self, penetration: f64) -> f64 {
@@ -92,6 +95,14 @@ impl NormalLaw for Custom {
 
     fn can_pull(&self) -> bool {
         self.law.can_pull()
+    }
+
+    fn plastic_power(&self, velocity: f64) -> f64 {
+        self.fraction * self.law.plastic_power(velocity)
+    }
+
+    fn energy_power(&self) -> f64 {
+        self.law.energy_power()
     }
 
     fn digest(&self, add: &mut dyn FnMut(f64)) {

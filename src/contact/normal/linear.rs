@@ -1,6 +1,7 @@
 //! Linear spring and dashpot, paper (54): `N = K δ − C V_n`.
 
 use super::NormalLaw;
+use super::phases::Phases;
 
 /// Spring and dashpot in parallel (Kelvin–Voigt).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +25,8 @@ impl Linear {
         Self { k: self.k * count, c: self.c * count }
     }
 }
+
+impl Phases for Linear {}
 
 impl NormalLaw for Linear {
     #[inline]

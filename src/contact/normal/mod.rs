@@ -3,25 +3,42 @@
 //!
 //! All quantities that depend on the shape of `N(δ)` are methods of [`NormalLaw`]: forces, stored energy, stiffness,
 //! time scale, and the scales of numerical tolerances. A new law is one file with an implementation of the trait, one
-//! variant of [`Normal`] and its arms in `of_each!`, [`Normal::divided`] and [`Normal::times`].
+//! variant of [`Normal`] and its arms in the matches of this file.
 
+mod approach;
+mod bilinear;
+mod constants;
 mod custom;
+mod hertz;
 mod linear;
+mod phases;
 
 use std::fmt::Debug;
 
+pub use approach::Approach;
+pub use bilinear::{Bilinear, Branch};
+pub use constants::LEAST_IMPACT_SPEED;
 pub use custom::Custom;
+pub use hertz::{Hertz, HertzDashpot};
 pub use linear::Linear;
+pub use phases::Stage;
+
+use phases::Phases;
 
 /// A normal contact law. δ is the penetration \[m\], `V_n` the normal velocity of (53b), positive apart \[m/s\].
 ///
-/// `N(δ)` is smooth through δ = 0 and not defined by a case there: an integrator evaluates it a little before the face.
+/// An integrator evaluates `N(δ)` a little before the face too, δ < 0.
 pub trait NormalLaw: Debug + Send + Sync {
     /// Elastic force `N(δ)` \[N\], rising in δ, `N(0) = 0`.
     fn elastic(&self, penetration: f64) -> f64;
 
     /// Damping force at penetration δ and normal velocity `V_n` \[N\]; positive on the way in.
     fn damping(&self, penetration: f64, velocity: f64) -> f64;
+
+    /// Elastic and damping force at once \[N\].
+    fn forces(&self, penetration: f64, velocity: f64) -> [f64; 2] {
+        [self.elastic(penetration), self.damping(penetration, velocity)]
+    }
 
     /// Energy stored by the elastic force, `∫ N dδ` from 0 \[J\].
     fn stored_energy(&self, penetration: f64) -> f64;
@@ -51,6 +68,16 @@ pub trait NormalLaw: Debug + Send + Sync {
     /// Parameters by which a digest distinguishes laws.
     fn digest(&self, add: &mut dyn FnMut(f64));
 
+    /// Power of internal friction of the spring, in addition to that of the damping force \[W\].
+    fn plastic_power(&self, _velocity: f64) -> f64 {
+        0.0
+    }
+
+    /// Power of δ with which the stored energy rises \[–\].
+    fn energy_power(&self) -> f64 {
+        2.0
+    }
+
     /// Normal force as a length: the stretch of a spring of stiffness `k_t` that carries `N(δ)`, `N/k_t` \[m\].
     fn length(&self, penetration: f64, k_t: f64) -> f64 {
         self.elastic(penetration) / k_t
@@ -77,37 +104,116 @@ pub trait NormalLaw: Debug + Send + Sync {
 pub enum Normal {
     /// Kelvin–Voigt, (54).
     Linear(Linear),
+    /// Linear, with a dashpot in the approach alone.
+    Approach(Approach),
+    /// Hertz's spring with a dashpot.
+    Hertz(Hertz),
+    /// Bilinear spring.
+    Bilinear(Bilinear),
     /// A law defined outside of this package.
     Custom(Custom),
 }
 
-/// Evaluates an expression for the law of either variant.
+/// Evaluates an expression of [`NormalLaw`] for a law: directly for the linear one, whose few operations are then part of
+/// the loop around them, through the trait for the others.
 macro_rules! of_each {
     ($normal:expr, $law:ident => $value:expr) => {
         match $normal {
             Normal::Linear($law) => $value,
+            other => {
+                let $law = other.other_than_linear();
+                $value
+            }
+        }
+    };
+}
+
+/// Evaluates an expression of [`Phases`] for the law of each variant.
+macro_rules! phase_of_each {
+    ($normal:expr, $law:ident => $value:expr) => {
+        match $normal {
+            Normal::Linear($law) => $value,
+            Normal::Approach($law) => $value,
+            Normal::Hertz($law) => $value,
+            Normal::Bilinear($law) => $value,
             Normal::Custom($law) => $value,
         }
     };
 }
 
+/// Maps the law of each variant to one of the same variant.
+macro_rules! as_each {
+    ($normal:expr, $law:ident => $value:expr) => {
+        match $normal {
+            Normal::Linear($law) => Normal::Linear($value),
+            Normal::Approach($law) => Normal::Approach($value),
+            Normal::Hertz($law) => Normal::Hertz($value),
+            Normal::Bilinear($law) => Normal::Bilinear($value),
+            Normal::Custom($law) => Normal::Custom($value),
+        }
+    };
+}
+
 impl Normal {
+    /// The law as one of any kind.
+    #[cold]
+    fn other_than_linear(&self) -> &dyn NormalLaw {
+        phase_of_each!(self, law => law)
+    }
+
     /// Law of one of `parts` equal contacts that act in parallel as this law.
     #[must_use]
     pub fn divided(self, parts: f64) -> Self {
-        match self {
-            Self::Linear(law) => Self::Linear(law.divided(parts)),
-            Self::Custom(law) => Self::Custom(law.divided(parts)),
-        }
+        as_each!(self, law => law.divided(parts))
     }
 
     /// Law of `count` contacts of this law and of equal penetration in parallel.
     #[must_use]
     pub fn times(self, count: f64) -> Self {
-        match self {
-            Self::Linear(law) => Self::Linear(law.times(count)),
-            Self::Custom(law) => Self::Custom(law.times(count)),
+        as_each!(self, law => law.times(count))
+    }
+
+    /// Law of a touch that begins at this penetration \[m\], 0 but for a node that is inside already, and normal velocity,
+    /// positive apart \[m/s\].
+    #[must_use]
+    pub fn begun(self, penetration: f64, velocity: f64) -> Self {
+        as_each!(self, law => law.begun(penetration, velocity))
+    }
+
+    /// Law of a node that takes over, at this penetration \[m\], from one of the same pair with the law `before`.
+    #[must_use]
+    pub fn resumed(self, before: Self, penetration: f64) -> Self {
+        match (self, before) {
+            (Self::Approach(law), Self::Approach(before)) => Self::Approach(law.resumed(before, penetration)),
+            (Self::Hertz(law), Self::Hertz(before)) => Self::Hertz(law.resumed(before, penetration)),
+            (law, _) => law.begun(penetration, 0.0),
         }
+    }
+
+    /// Whether a touch has several phases, which end by events.
+    pub fn has_phases(&self) -> bool {
+        phase_of_each!(self, law => law.has_phases())
+    }
+
+    /// Switching function of the end of the present phase, negative while it lasts, in a unit of the phase's own.
+    pub fn phase_end(&self, penetration: f64, velocity: f64) -> f64 {
+        phase_of_each!(self, law => law.phase_end(penetration, velocity))
+    }
+
+    /// Scale of that function at penetrations \[m\] and speeds \[m/s\] of these sizes.
+    pub fn phase_end_scale(&self, depth: f64, speed: f64) -> f64 {
+        phase_of_each!(self, law => law.phase_end_scale(depth, speed))
+    }
+
+    /// Scale of its change by a change of δ of this size \[m\] at this circular frequency \[rad/s\].
+    pub fn phase_end_change(&self, change: f64, frequency: f64) -> f64 {
+        phase_of_each!(self, law => law.phase_end_change(change, frequency))
+    }
+
+    /// Law in the phase after the present one, which ends at this penetration \[m\].
+    #[must_use]
+    pub fn next_phase(self, penetration: f64) -> Self {
+        as_each!(self, law => law.next_phase(penetration))
     }
 }
 
@@ -120,6 +226,11 @@ impl NormalLaw for Normal {
     #[inline]
     fn damping(&self, penetration: f64, velocity: f64) -> f64 {
         of_each!(self, law => law.damping(penetration, velocity))
+    }
+
+    #[inline]
+    fn forces(&self, penetration: f64, velocity: f64) -> [f64; 2] {
+        of_each!(self, law => law.forces(penetration, velocity))
     }
 
     fn stored_energy(&self, penetration: f64) -> f64 {
@@ -158,6 +269,15 @@ impl NormalLaw for Normal {
 
     fn digest(&self, add: &mut dyn FnMut(f64)) {
         of_each!(self, law => law.digest(add));
+    }
+
+    #[inline]
+    fn plastic_power(&self, velocity: f64) -> f64 {
+        of_each!(self, law => law.plastic_power(velocity))
+    }
+
+    fn energy_power(&self) -> f64 {
+        of_each!(self, law => law.energy_power())
     }
 
     #[inline]

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::contact::{FrictionLaw, Mode};
+use crate::contact::{FrictionLaw, Mode, NormalLaw};
 use crate::dynamics::contact_model::at_instant::{AtInstant, EventInstant};
 use crate::dynamics::contact_model::constants::{CONTACT_EVENTS_PER_INSTANT, CONTACT_EVENTS_PER_TOUCH};
 use crate::dynamics::contact_model::contact_law;
@@ -148,6 +148,7 @@ impl Transitions<'_> {
         if normal == 0.0 && tangential == DVec2::ZERO {
             (tangential, normal) = self.at().relative_acceleration(contact, &here);
         }
+        let law = law.begun(&here);
         let mode = law.on_closing(&here, tangential, normal);
         let regularisation = self.at().regularisation_length(contact, &law, &here);
         let place = self.world.contacts[contact].place;
@@ -181,7 +182,7 @@ impl Transitions<'_> {
     /// State of a contact whose node is inside already: stick with the anchor at the projection, slip where `μ_s = 0`.
     fn closed_inside(&mut self, contact: usize) -> ClosedContact {
         let (.., here) = self.at().since(contact, &self.now.since);
-        let law = contact_law::of(self.world, contact, self.now);
+        let law = contact_law::of(self.world, contact, self.now).begun(&here);
         let regularisation = self.at().regularisation_length(contact, &law, &here);
         let mode = if law.has_friction() {
             Mode::Stick { anchor: here.way }
@@ -191,7 +192,7 @@ impl Transitions<'_> {
         };
         let place = self.world.contacts[contact].place;
         let mut closed = ClosedContact { place, ..ClosedContact::new(law, mode, regularisation) };
-        closed.held_at_zero = law.clamp && closed.pull(&here) > 0.0;
+        closed.held_at_zero = law.clamp && law.normal.can_pull() && closed.kink(&here) > 0.0;
         closed
     }
 
@@ -240,7 +241,8 @@ impl Transitions<'_> {
             Reason::Edge => self.leave(contact, closed),
             Reason::Switching => self.switch(contact, closed),
             Reason::Kink => {
-                self.enter_without_event(contact, ClosedContact { held_at_zero: !closed.held_at_zero, ..closed });
+                let (.., here) = self.at().since(contact, &self.now.since);
+                self.enter_without_event(contact, closed.after_kink(&here));
             }
         }
     }

@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 
-use crate::contact::{Local, Mode};
+use crate::contact::{Local, Mode, NormalLaw};
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::transitions::Transitions;
@@ -101,26 +101,30 @@ impl Transitions<'_> {
     }
 
     /// Penetration and stretch at which nodes of `parts` in K together have the strain energy of those in `before`, of
-    /// a linear law.
+    /// laws whose energy is a power of δ; of a bilinear spring that has yielded the rest is released.
     fn carried(&self, before: &[(usize, ClosedContact)], parts: f64) -> Carried {
         let (mut depth, mut length) = (0.0, 0.0);
+        let power = before.first().map_or(2.0, |(_, closed)| closed.law.normal.energy_power());
         for (node, closed) in before {
             let (here, part) = (self.here(*node), 1.0 / self.world.contacts[*node].sharers as f64);
-            depth += part * here.penetration() * here.penetration();
+            let penetration = here.penetration();
+            depth += part * if power == 2.0 { penetration * penetration } else { penetration.max(0.0).powf(power) };
             length += part * stretch(closed, &here).length_squared();
         }
-        Carried { depth: (depth / parts).sqrt(), stretch: (length / parts).sqrt(), kept: 0.0 }
+        let depth = depth / parts;
+        let depth = if power == 2.0 { depth.sqrt() } else { depth.powf(power.recip()) };
+        Carried { depth, stretch: (length / parts).sqrt(), kept: 0.0 }
     }
 
     /// Gives a node its part of a vertex after the node `left`, which was in state `before`: a closed one its law, an
     /// open one its state too.
     fn carry(&mut self, node: usize, (left, before): (usize, &ClosedContact), carried: &Carried) {
-        let law = contact_law::of(self.world, node, self.now);
+        let law = contact_law::of(self.world, node, self.now).resumed(&before.law, carried.depth);
         let at = |stretch: DVec2| stretch.normalize_or_zero() * carried.stretch;
         if let Some(own) = self.world.contacts[node].state.closed().copied() {
             let (place, stretch) = (self.world.contacts[node].place, stretch(&own, &self.here(node)));
             let energy = self.strain(node, &own);
-            let closed = ClosedContact { law, ..own };
+            let closed = ClosedContact { law: law.resumed(&own.law, carried.depth), ..own };
             self.enter(node, (closed, EventKind::Moved), (place, carried.depth, at(stretch)), energy);
             return;
         }

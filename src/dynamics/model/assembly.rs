@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
+use crate::contact::law_of_pair;
 use crate::contact::parameters::reduced_mass;
-use crate::contact::{PairNumbers, law_of_pair};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Model;
@@ -15,7 +15,7 @@ use crate::dynamics::model::{contact_sites, edge_sites};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, Side};
 use crate::scene::{
-    Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, SyntheticMotion, Tension, facing, placed,
+    Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, SyntheticMotion, facing, placed,
 };
 
 /// What a run may keep as polynomials \[bytes\]: the steps of an hour of shaking of a few girders.
@@ -201,17 +201,7 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
         side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])
     };
     let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
-    let law = law_of_pair(&PairNumbers {
-        stiffness: numbers.stiffness,
-        mass: reduced_mass(mass(sides[0]), mass(sides[1])),
-        restitution_normal: numbers.restitution_normal,
-        restitution_tangential: numbers.restitution_tangential,
-        mu_static: numbers.mu_static,
-        mu_kinetic: numbers.mu_kinetic,
-        friction: numbers.law,
-        clamp: numbers.tension == Tension::Clamp,
-        one_way,
-    });
+    let law = law_of_pair(&numbers.law(reduced_mass(mass(sides[0]), mass(sides[1])), one_way));
     Pair {
         bodies: sides,
         law,

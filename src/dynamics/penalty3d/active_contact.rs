@@ -91,7 +91,7 @@ impl Connection for ActiveContact {
     }
 
     fn dissipated_power(&self, mode: &Mode, here: &Local) -> f64 {
-        self.closed.forces_in(mode, here).dissipated_powers().iter().sum()
+        self.closed.law.dissipated_powers(&self.closed.forces_in(mode, here)).iter().sum()
     }
 
     fn stiffness_bound(&self, _: &Mode) -> f64 {

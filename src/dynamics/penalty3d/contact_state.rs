@@ -90,10 +90,27 @@ impl ClosedContact {
         }
     }
 
-    /// Excess of the damping force over the elastic one \[N\], positive for a pull; switching function of the clamp.
-    pub fn pull(&self, here: &Local) -> f64 {
+    /// Switching function of the next kink of the normal force, negative before it: end of the phase of the normal law, or
+    /// beginning or end of a force held at 0 \[N\].
+    pub fn kink(&self, here: &Local) -> f64 {
         let forces = self.law.forces(&self.mode, here);
-        -forces.normal_total()
+        if self.law.normal.has_phases() {
+            return self.law.normal.phase_end(here.penetration(), forces.normal_velocity);
+        }
+        // Excess of the damping force over the elastic one, a pull.
+        let pull = -forces.normal_total();
+        if self.held_at_zero { -pull } else { pull }
+    }
+
+    /// State after the kink.
+    #[must_use]
+    pub fn after_kink(mut self, here: &Local) -> Self {
+        if self.law.normal.has_phases() {
+            self.law.normal = self.law.normal.next_phase(here.penetration());
+        } else {
+            self.held_at_zero = !self.held_at_zero;
+        }
+        self
     }
 }
 

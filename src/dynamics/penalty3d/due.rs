@@ -9,7 +9,7 @@ pub(in crate::dynamics) enum Reason {
     Switching,
     /// The projection leaves the polygon, or the node comes out behind the body.
     Edge,
-    /// Beginning or end of a zero normal force under `clamp`.
+    /// Beginning or end of a zero normal force under `clamp`, or the end of a phase of the normal law.
     Kink,
 }
 

@@ -46,8 +46,7 @@ pub(in crate::dynamics) fn function(
             if reason == Reason::Switching {
                 return closed.law.switch(&closed.mode, here) - regularisation_creep(closed, here);
             }
-            let pull = closed.pull(here);
-            if closed.held_at_zero { -pull } else { pull }
+            closed.kink(here)
         }
     }
 }
@@ -198,7 +197,8 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
         return match reason {
             // A normal force that stays near 0 crosses 0 with each round-off of its position. The force is continuous
             // there: changed so much later it is off by its own round-off.
-            Reason::Kink => closed.law.normal.change_scale(here.penetration(), rounding, 0.0),
+            Reason::Kink if closed.law.normal.has_phases() => closed.law.kink_change(here, rounding, island.omega()),
+            Reason::Kink => closed.law.kink_change(here, rounding, 0.0),
             _ => 0.0,
         };
     }
@@ -212,7 +212,7 @@ fn dead_band(model: &Model, island: &Island, number: usize, reason: Reason, here
         (Reason::Switching, Mode::Slip { .. }) => {
             length * island.omega().min(SPEED_ROUNDING_PHASE / (island.until - island.from))
         }
-        (Reason::Kink, _) => closed.law.normal.change_scale(here.penetration(), length, island.omega()),
+        (Reason::Kink, _) => closed.law.kink_change(here, length, island.omega()),
     }
 }
 
@@ -245,7 +245,7 @@ fn scale(island: &Island, number: usize, reason: Reason, samples: &[Local]) -> f
         (Reason::Switching, Mode::Stick { .. }) => closed.law.mu_s * closed.law.normal.length(depth, closed.law.k_t),
         (Reason::Switching, Mode::Slip { .. }) => speed,
         (Reason::Edge, _) => 0.0,
-        (Reason::Kink, _) => closed.law.normal.force_scale(depth, speed),
+        (Reason::Kink, _) => closed.law.kink_scale(depth, speed),
     }
 }
 

@@ -2,30 +2,40 @@
 
 mod tables;
 
+use crate::contact::PairNumbers;
 use crate::geometry::End;
 use crate::scene::keys::{Fallback, Range, Slot, Stands, Word, words};
 use tables::contact_tables;
 
-pub use crate::contact::FrictionLaw;
+pub use crate::contact::{Calibration, FrictionLaw, NormalName};
 
-impl FrictionLaw {
-    /// The default as the table of keys has it.
-    pub(in crate::scene) const FALLBACK: Fallback = Fallback::Word(Self::DEFAULT.label());
+/// Makes an enumeration of the contact laws a value of the scene.
+macro_rules! law_words {
+    ($($Name:ident),+) => {
+        $(
+            impl $Name {
+                /// The default as the table of keys has it.
+                pub(in crate::scene) const FALLBACK: Fallback = Fallback::Word(Self::DEFAULT.label());
+            }
+
+            impl Stands for $Name {
+                fn by_default(_: Fallback) -> Self {
+                    Self::DEFAULT
+                }
+
+                fn slot(&mut self) -> Slot<'_> {
+                    Slot::Word(Word::new(self, (Self::ALL, Self::WORDS), Self::DEFAULT))
+                }
+
+                fn optional_slot(value: &mut Option<Self>) -> Slot<'_> {
+                    Slot::Word(Word::optional(value, (Self::ALL, Self::WORDS)))
+                }
+            }
+        )+
+    };
 }
 
-impl Stands for FrictionLaw {
-    fn by_default(_: Fallback) -> Self {
-        Self::DEFAULT
-    }
-
-    fn slot(&mut self) -> Slot<'_> {
-        Slot::Word(Word::new(self, (Self::ALL, Self::WORDS), Self::DEFAULT))
-    }
-
-    fn optional_slot(value: &mut Option<Self>) -> Slot<'_> {
-        Slot::Word(Word::optional(value, (Self::ALL, Self::WORDS)))
-    }
-}
+law_words!(FrictionLaw, NormalName, Calibration);
 
 words! {
     /// How the stiffness of a facing pair is shared between its nodes.
@@ -70,6 +80,12 @@ contact_tables! {
             "E of K = E A / L (64), Pa; of two girders the smaller K counts";
         area = "area_m2" as "A", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
     }
+    given {
+        hertz_stiffness = "hertz_stiffness_n_per_m1_5" as "k_h", Range::Positive, Fallback::Words("from K at the design speed"),
+            "k_h of a Hertz spring, N/m^1.5; without stiffness_n_per_m, K of the tangential spring then follows from it";
+        law_parameter = "law_parameter" as "ζ, ξ or a", Range::NotNegative, Fallback::Words("from restitution_normal"),
+            "damping ratio ζ of kelvin-voigt and approach, ξ of hertz-viscous and jankowski, a of hertz-damp";
+    }
     numbers {
         restitution_normal = "restitution_normal" as "e normal", Range::Within([0.01, 1.0]), 0.4, "e_n; 1 is no dashpot (65)",
             slider [0.01, 1.0];
@@ -77,13 +93,41 @@ contact_tables! {
             "e_t; 1 is no dashpot (65)", slider [0.01, 1.0];
         mu_static = "mu_static" as "μ static", Range::NotBelow("mu_kinetic"), 0.20, "μ_s", slider [0.0, 1.0];
         mu_kinetic = "mu_kinetic" as "μ kinetic", Range::NotNegative, 0.15, "μ_k", slider [0.0, 1.0];
+        design_speed = "design_speed_m_s" as "Design speed", Range::Positive, 0.3,
+            "impact speed at which a Hertz spring is as deep as K, and at which bilinear returns e_n", slider [0.01, 2.0];
     }
     rules {
+        normal_law: NormalName = "normal_law" as "Normal law", "force against penetration: see docs/physics.md";
+        calibration: Calibration = "calibration" as "Calibration",
+            "parameter of the normal law from e_n: so that a head-on hit returns e_n, or by the formula in print; by-law is \
+             published for kelvin-voigt, (65), and exact for the others";
         law: FrictionLaw = "law" as "Friction law",
             "friction: the paper's law taken literally, or elastic-plastic Coulomb, which holds a static load";
         sharing: Sharing = "sharing" as "Sharing",
             "K and C divided by the nodes that face the other end when the pair closes, or whole for each node";
         tension: Tension = "tension" as "Tension",
             "whether the dashpot may pull just before a contact opens, or the normal force is held at 0";
+    }
+}
+
+impl PairContact {
+    /// Parameters of the law of a pair of this reduced mass \[kg\]; `one_way` where sliding has one direction.
+    pub fn law(&self, mass: f64, one_way: bool) -> PairNumbers {
+        PairNumbers {
+            stiffness: self.stiffness,
+            normal: self.normal_law,
+            hertz_stiffness: self.hertz_stiffness,
+            design_speed: self.design_speed,
+            calibration: self.calibration,
+            parameter: self.law_parameter,
+            mass,
+            restitution_normal: self.restitution_normal,
+            restitution_tangential: self.restitution_tangential,
+            mu_static: self.mu_static,
+            mu_kinetic: self.mu_kinetic,
+            friction: self.law,
+            clamp: self.tension == Tension::Clamp,
+            one_way,
+        }
     }
 }

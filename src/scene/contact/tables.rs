@@ -4,6 +4,7 @@
 macro_rules! contact_tables {
     (
         elasticity { $( $given:ident = $given_key:literal as $given_label:literal, $given_range:expr, $fallback:expr, $given_meaning:literal; )+ }
+        given { $( $option:ident = $option_key:literal as $option_label:literal, $option_range:expr, $option_fallback:expr, $option_meaning:literal; )+ }
         numbers {
             $(
                 $number:ident = $key:literal as $label:literal, $range:expr, $default:expr, $meaning:literal,
@@ -17,6 +18,7 @@ macro_rules! contact_tables {
             #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
             default struct ContactSettings, CONTACT {
                 $( $given: Option<f64> = $given_key as $given_label, $given_range, $fallback, $given_meaning; )+
+                $( $option: Option<f64> = $option_key as $option_label, $option_range, $option_fallback, $option_meaning; )+
                 $( $number: f64 = $key as $label, $range, Fallback::Number($default), $meaning, slider $bounds; )+
                 $( $rule: $Rule = $rule_key as $rule_label, Range::Words($Rule::WORDS), $Rule::FALLBACK, $rule_meaning; )+
                 between: Between = "between" as "Between", Range::Words(Between::WORDS), Between::FALLBACK,
@@ -36,6 +38,7 @@ macro_rules! contact_tables {
                     "only the pair of these ends, in the order of between; declares it if it is not found by itself. The \
                      end of an abutment is not looked at";
                 $( $given: Option<f64> = $given_key as $given_label, $given_range, Fallback::Words("as in [contact]"), $given_meaning; )+
+                $( $option: Option<f64> = $option_key as $option_label, $option_range, Fallback::Words("as in [contact]"), $option_meaning; )+
                 $( $number: Option<f64> = $key as $label, $range, Fallback::Words("as in [contact]"), $meaning; )+
                 $(
                     $rule: Option<$Rule> = $rule_key as $rule_label, Range::Words($Rule::WORDS), Fallback::Words("as in [contact]"),
@@ -49,6 +52,7 @@ macro_rules! contact_tables {
         pub struct PairContact {
             /// `K` of the pair (54), given or `E A / L` of (64), the smaller of the two girders' \[N/m\].
             pub stiffness: f64,
+            $( #[doc = concat!("```text\n", $option_meaning, "\n```")] pub $option: Option<f64>, )+
             $( #[doc = concat!("```text\n", $meaning, "\n```")] pub $number: f64, )+
             $( #[doc = concat!("```text\n", $rule_meaning, "\n```")] pub $rule: $Rule, )+
         }
@@ -86,6 +90,7 @@ macro_rules! contact_tables {
             pub(in crate::scene) fn alone(&self) -> Self {
                 Self {
                     $( $given: self.$given, )+
+                    $( $option: self.$option, )+
                     $( $number: self.$number, )+
                     $( $rule: self.$rule, )+
                     between: self.between,
@@ -96,6 +101,7 @@ macro_rules! contact_tables {
             /// Puts what a pair gives in the place of what stands here.
             pub(in crate::scene) fn lay_over(&mut self, pair: &PairSettings) {
                 $( self.$given = pair.$given.or(self.$given); )+
+                $( self.$option = pair.$option.or(self.$option); )+
                 $( self.$number = pair.$number.unwrap_or(self.$number); )+
                 $( self.$rule = pair.$rule.unwrap_or(self.$rule); )+
             }
@@ -104,6 +110,7 @@ macro_rules! contact_tables {
             pub(in crate::scene) fn in_force(&self, stiffness: f64) -> PairContact {
                 PairContact {
                     stiffness,
+                    $( $option: self.$option, )+
                     $( $number: self.$number, )+
                     $( $rule: self.$rule, )+
                 }

@@ -1,6 +1,8 @@
 //! The contact numbers in force for a pair: `[contact]`, overridden by every `[[contact.pair]]` between the two.
 
 use super::side::Side;
+use crate::contact::calibration::linear_stiffness;
+use crate::contact::parameters::reduced_mass;
 use crate::scene::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
 use crate::scene::{ContactSettings, PairSettings, Scene};
 
@@ -27,10 +29,16 @@ pub(super) fn in_force(scene: &Scene, first: Side, second: Side) -> PairContact 
     settings.in_force(stiffness(scene, &settings, first, second))
 }
 
-/// `K` as given, or `K = E A / L` (64): of two girders the smaller.
+/// `K` as given, or that of a given Hertz spring at the design speed, or `K = E A / L` (64): of two girders the smaller.
 fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Side) -> f64 {
     if let Some(k) = settings.stiffness {
         return k;
+    }
+    if let (Some(hertz), None, None, true) =
+        (settings.hertz_stiffness, settings.young_modulus, settings.area, settings.normal_law.is_hertzian())
+    {
+        let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
+        return linear_stiffness(hertz, reduced_mass(mass(first), mass(second)), settings.design_speed);
     }
     let of = |side: Side| match side.girder() {
         Some(n) => {

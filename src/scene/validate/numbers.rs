@@ -2,6 +2,8 @@
 
 use super::complaints::{At, Complaints, number};
 use super::record::record;
+use crate::contact::NormalName;
+use crate::contact::calibration::least_bilinear_restitution;
 use crate::scene::keys;
 use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, Scene, SineMotion};
 
@@ -10,6 +12,7 @@ pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     at.all(contact);
     stiffness(contact.stiffness, contact.young_modulus, contact.area, &mut at);
     at.in_order(contact, contact);
+    normal_law(contact, &mut at);
     for (n, pair) in contact.pairs.iter().enumerate() {
         let mut in_force = contact.alone();
         in_force.lay_over(pair);
@@ -17,6 +20,18 @@ pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
         at.all(pair);
         stiffness(pair.stiffness, pair.young_modulus, pair.area, &mut at);
         at.in_order(pair, &in_force);
+        normal_law(&in_force, &mut at);
+    }
+}
+
+/// A bilinear spring that loses too much has no stiffness after yield.
+fn normal_law(contact: &ContactSettings, at: &mut At<'_>) {
+    let least = least_bilinear_restitution(contact.calibration);
+    if contact.normal_law == NormalName::Bilinear && contact.restitution_normal <= least {
+        let remedy = format!(
+            "the bilinear spring has no stiffness after yield up to e_n = {least:.4}: give more, or another normal_law"
+        );
+        at.add("restitution_normal", number(contact.restitution_normal), &remedy);
     }
 }
 

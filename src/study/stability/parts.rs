@@ -158,8 +158,6 @@ pub(super) fn contact(dice: &mut Dice) -> ContactSettings {
     ContactSettings {
         between: Between::Ends,
         stiffness: Some(dice.log(STIFFNESS[0], STIFFNESS[1])),
-        young_modulus: None,
-        area: None,
         restitution_normal: restitution(dice),
         restitution_tangential: restitution(dice),
         mu_static: mu_static.max(mu_kinetic),
@@ -167,7 +165,7 @@ pub(super) fn contact(dice: &mut Dice) -> ContactSettings {
         law: dice.pick(&[FrictionLaw::Paper, FrictionLaw::ReturnMapping]),
         sharing: dice.pick(&[Sharing::Tributary, Sharing::PerNode]),
         tension: dice.pick(&[Tension::Keep, Tension::Clamp]),
-        pairs: Vec::new(),
+        ..ContactSettings::default()
     }
 }
 

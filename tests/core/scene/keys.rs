@@ -394,7 +394,9 @@ fn a_key_is_stated_in_one_place() {
         ("= \"tangential\"", 1),
     ] {
         let lines = lines_with(word);
-        let tables: Vec<_> = lines.iter().filter(|line| !line.contains("(seat_m)")).collect();
+        // A use of the value is `self.KEY`.
+        let used = format!("self.{word}");
+        let tables: Vec<_> = lines.iter().filter(|line| !line.contains("(seat_m)") && !line.contains(&used)).collect();
         assert_eq!(tables.len(), times, "{word}: {lines:#?}");
     }
 }
