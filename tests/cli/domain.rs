@@ -134,3 +134,29 @@ fn a_picture_of_an_answer_that_does_not_balance_comes_with_the_same_warning() {
     let none = call(&[&picture[..], &["--threads", "0"]].concat());
     assert!(none.status == Some(2) && none.err.contains("--threads"), "refused as by run: {}", none.err);
 }
+
+#[test]
+fn check_says_which_restitution_a_normal_law_returns() {
+    let line = |sets: &[&str]| {
+        let said = on_preset(&["check"], sets);
+        assert_eq!(said.status, Some(0), "{}", said.err);
+        said.out.lines().find(|line| line.contains("normal law")).map(str::to_owned)
+    };
+    assert_eq!(line(&[]), None, "(65) returns e_n");
+    // Closed forms: docs/physics.md, "Restitution of the other laws".
+    let published =
+        ["contact.normal_law=hertz-damp", "contact.calibration=published", "contact.restitution_normal=0.4"];
+    assert!(
+        line(&published).is_some_and(|line| line.ends_with("returns e = 0.701635")),
+        "as printed: {:?}",
+        line(&published)
+    );
+    let clamped = ["contact.tension=clamp", "contact.restitution_normal=0.4"];
+    assert!(
+        line(&clamped).is_some_and(|line| line.ends_with("returns e = 0.472014")),
+        "(65), clamped: {:?}",
+        line(&clamped)
+    );
+    let soft = on_preset(&["check"], &["contact.normal_law=bilinear", "contact.restitution_normal=0.2"]);
+    assert!(soft.status == Some(2) && soft.err.contains("0.2294"), "no stiffness after yield: {}", soft.err);
+}

@@ -142,6 +142,7 @@ pub(super) const FROM_PAIR: &str = "of this pair";
 pub(super) const FROM_SCENE: &str = "of the scene";
 pub(super) const FROM_EA_L: &str = "E A / L (64)";
 pub(super) const FROM_65: &str = "from e and K (65)";
+pub(super) const FROM_NORMAL_LAW: &str = "of a head-on hit at the design speed";
 pub(super) const FROM_PLACES: &str = "as placed";
 pub(super) const FACES: &str = "Stands before";
 pub(super) const END: &str = "End";

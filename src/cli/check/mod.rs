@@ -10,9 +10,11 @@ use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::scene::shown::escaped;
-use crate::scene::{Between, Heading, Kind, ModelKind, Motion, RecordMotion, STANDARD_GRAVITY, Scene};
+use crate::scene::{Between, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY, Scene};
 use crate::sim;
 
+/// Difference of two coefficients of restitution that is round-off \[–\].
+const RETURNED_ROUNDING: f64 = 1e-9;
 /// So many pairs that can come near without contact are written out.
 const MOST_UNJOINED: usize = 10;
 
@@ -138,7 +140,7 @@ fn recorded(record: &RecordMotion) -> String {
 fn pair_text(pair: &Pair, nodes: &str) -> String {
     let c = &pair.contact;
     format!(
-        "pair {}: gap {} mm along the axis, law {}, sharing {}, tension {}\n  \
+        "pair {}: gap {} mm along the axis, law {}, sharing {}, tension {}\n{}  \
          K = {} N/m, e_n = {}, e_t = {}, C_n = {} N·s/m, C_t = {} N·s/m (65), μ_s = {}, μ_k = {}\n  \
          nodes: {nodes}\n",
         pair.name,
@@ -146,6 +148,7 @@ fn pair_text(pair: &Pair, nodes: &str) -> String {
         c.law.label(),
         c.sharing.label(),
         c.tension.label(),
+        normal_law(pair),
         short(c.stiffness),
         six(c.restitution_normal),
         six(c.restitution_tangential),
@@ -153,6 +156,21 @@ fn pair_text(pair: &Pair, nodes: &str) -> String {
         short(pair.law.dashpots().tangential),
         six(c.mu_static),
         six(c.mu_kinetic)
+    )
+}
+
+/// Normal law and the restitution that comes back, where that is not `e_n` by (65).
+fn normal_law(pair: &Pair) -> String {
+    let (c, returned) = (&pair.contact, pair.returned_restitution());
+    if c.normal_law == NormalName::DEFAULT && (returned - c.restitution_normal).abs() < RETURNED_ROUNDING {
+        return String::new();
+    }
+    format!(
+        "  normal law {}, calibration {}: a free head-on hit at {} m/s returns e = {}\n",
+        c.normal_law.label(),
+        c.calibration.label(),
+        six(c.design_speed),
+        six(returned)
     )
 }
 

@@ -201,10 +201,12 @@ fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, con
         side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])
     };
     let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
-    let law = law_of_pair(&numbers.law(reduced_mass(mass(sides[0]), mass(sides[1])), one_way));
+    let mass = reduced_mass(mass(sides[0]), mass(sides[1]));
+    let law = law_of_pair(&numbers.law(mass, one_way));
     Pair {
         bodies: sides,
         law,
+        mass,
         contacts,
         edges: 0..0,
         one_way,

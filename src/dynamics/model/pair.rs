@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::contact::parameters::{edge_slack, outside};
-use crate::contact::{Frame, Home, Law, Local};
+use crate::contact::{Frame, Home, Law, Local, returned_restitution};
 use crate::dynamics::model::edge_node::{Edge, NodePlace};
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
@@ -27,6 +27,8 @@ pub struct Pair {
     pub contact: PairContact,
     /// The law of the whole pair, which its nodes share.
     pub law: Law,
+    /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies \[kg\].
+    pub mass: f64,
     /// Gap along the first girder's axis as placed \[m\].
     pub gap: f64,
     /// Its contacts, numbers in [`Model::contacts`](crate::dynamics::Model::contacts).
@@ -38,6 +40,11 @@ pub struct Pair {
 }
 
 impl Pair {
+    /// Coefficient of restitution that a flush free head-on hit returns at the design speed of the pair \[–\].
+    pub fn returned_restitution(&self) -> f64 {
+        returned_restitution(&self.contact.law(self.mass, self.one_way), self.contact.design_speed)
+    }
+
     /// Numbers of all its contact sites: corners, then edge nodes.
     pub fn nodes(&self) -> impl Iterator<Item = usize> + use<> {
         self.contacts.clone().chain(self.edges.clone())

@@ -110,6 +110,7 @@ fn in_force(ui: &mut Ui, scene: &Scene, answer: Option<&Answer>, pair: &Facing) 
     if let Some(p) = dashpots {
         rows.push(("C n", text::damping(p.law.dashpots().normal), text::FROM_65));
         rows.push(("C t", text::damping(p.law.dashpots().tangential), text::FROM_65));
+        rows.push(("e returned", text::short(p.returned_restitution()), text::FROM_NORMAL_LAW));
     }
     for one in ContactNumber::ALL {
         let given = own.as_mut().is_some_and(|pair| (one.of_pair)(pair).is_some());
