@@ -55,7 +55,7 @@ pub struct GirderSeen {
     pub fastest: [f64; 2],
     /// Its states, one after the other.
     pub states: Vec<Stretch>,
-    /// x, y \[mm\] and θ \[degrees\] at [`DRAWN_HZ`], rounded to what a picture shows.
+    /// x, y \[mm\] and θ \[degrees\] at `DRAWN_HZ`, rounded to what a picture shows.
     pub drawn: Vec<[f64; 3]>,
 }
 

@@ -1,7 +1,7 @@
 //! What the paper saw (section 2(4), 3(3), 4(3)), each as checks of our runs of the same cases under both models.
 //!
 //! Nothing is fitted: the runs are those of the presets, and what the paper leaves open is scanned beside them
-//! ([`scan`](super::scan)).
+//! (`scan`).
 
 pub mod rules;
 mod verdict;
