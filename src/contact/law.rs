@@ -142,10 +142,17 @@ impl Law {
         self.normal.length_slope(here.penetration(), self.k_t)
     }
 
+    /// Velocities `(V_t, V_n)` of the node relative to the point of the face's body at which the reaction acts \[m/s\]: the
+    /// anchor, (53b), or the node's own place (`docs/physics.md#point-of-action`).
+    #[inline]
+    pub fn velocity(&self, here: &Local, stretch: DVec2) -> (DVec2, f64) {
+        if self.normal.is_along_stretch() { here.relative_velocity(stretch) } else { (here.rate, here.gap_rate) }
+    }
+
     /// Normal forces and velocities with the anchor at stretch `stretch`, without tangential force.
     #[inline]
     pub(super) fn pressed(&self, here: &Local, stretch: DVec2) -> Forces {
-        let (sliding, normal_velocity) = here.relative_velocity(stretch);
+        let (sliding, normal_velocity) = self.velocity(here, stretch);
         let [normal, normal_damping] = self.normal.forces(here.penetration(), normal_velocity);
         Forces {
             normal,
@@ -188,9 +195,9 @@ impl Law {
         ]
     }
 
-    /// Energy of an overlap of round-off size at closing, `½ N δ` by the trapezoidal rule \[J\].
+    /// Energy of the normal spring of a node that closes behind its face, at a crossing by round-off \[J\].
     pub fn entry_energy(&self, here: &Local) -> f64 {
-        0.5 * self.normal.elastic(here.penetration()) * here.penetration()
+        self.normal.entry_energy(here.penetration())
     }
 
     /// Whether the normal force has kinks within a touch: zeros that switch the clamp, or ends of phases.
@@ -201,7 +208,7 @@ impl Law {
     /// Law of a touch that begins with a node here.
     #[must_use]
     pub fn begun(self, here: &Local) -> Self {
-        let (_, velocity) = here.relative_velocity(DVec2::ZERO);
+        let (_, velocity) = self.velocity(here, DVec2::ZERO);
         Self { normal: self.normal.begun(here.penetration(), velocity), ..self }
     }
 

@@ -22,7 +22,7 @@ pub(in crate::contact) fn slip(law: &Law, direction: DVec2, here: &Local) -> For
 /// is quadratic in `V_t` and positive for a short time only, which its second difference shows on either side;
 /// `|V_t|` itself has a kink there.
 pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) -> f64 {
-    let (sliding, _) = here.relative_velocity(DVec2::ZERO);
+    let (sliding, _) = law.velocity(here, DVec2::ZERO);
     if law.v_stick > 0.0 {
         0.5 * (law.v_stick - sliding.length_squared() / law.v_stick)
     } else {
@@ -34,7 +34,7 @@ pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) ->
 /// along the spring's pull.
 pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
-    let (sliding, normal) = here.relative_velocity(DVec2::ZERO);
+    let (sliding, normal) = law.velocity(here, DVec2::ZERO);
     let speed = sliding.length();
     let still = SLIDING_ROUNDING * (speed + normal.abs());
     let direction = if speed > still { sliding / speed } else { stretch.try_normalize().unwrap_or(DVec2::X) };

@@ -40,7 +40,7 @@ pub(in crate::contact) fn stopping(law: &Law, direction: DVec2, here: &Local) ->
 pub(in crate::contact) fn breakaway(law: &Law, anchor: DVec2, here: &Local) -> Breakaway {
     let stretch = here.way - anchor;
     // Without a stretch the direction of slip is that of the velocity.
-    let (sliding, _) = here.relative_velocity(stretch);
+    let (sliding, _) = law.velocity(here, stretch);
     let direction = stretch.try_normalize().or(sliding.try_normalize()).unwrap_or(DVec2::X);
     let kept = law.mu_k * law.length(here);
     Breakaway { mode: Mode::Slip { direction }, released: 0.5 * law.k_t * (stretch.length_squared() - kept * kept) }

@@ -166,6 +166,10 @@ impl NormalLaw for Bilinear {
         false
     }
 
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        self.stored_energy(penetration)
+    }
+
     /// On the upper branch `z_y δ̇`.
     fn plastic_power(&self, velocity: f64) -> f64 {
         match self.branch {

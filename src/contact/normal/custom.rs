@@ -101,6 +101,10 @@ impl NormalLaw for Custom {
         self.fraction * self.law.plastic_power(velocity)
     }
 
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        self.fraction * self.law.entry_energy(penetration)
+    }
+
     fn energy_power(&self) -> f64 {
         self.law.energy_power()
     }

@@ -78,6 +78,11 @@ pub trait NormalLaw: Debug + Send + Sync {
         2.0
     }
 
+    /// Energy stored by a touch that begins at this penetration: `N δ` over the power of a force that is a power of δ \[J\].
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        self.elastic(penetration) * penetration / self.energy_power()
+    }
+
     /// Normal force as a length: the stretch of a spring of stiffness `k_t` that carries `N(δ)`, `N/k_t` \[m\].
     fn length(&self, penetration: f64, k_t: f64) -> f64 {
         self.elastic(penetration) / k_t
@@ -159,6 +164,12 @@ impl Normal {
     #[cold]
     fn other_than_linear(&self) -> &dyn NormalLaw {
         phase_of_each!(self, law => law)
+    }
+
+    /// Whether normal and tangential spring are of one constant stiffness, so that their force points along the stretch.
+    #[inline]
+    pub fn is_along_stretch(&self) -> bool {
+        matches!(self, Self::Linear(_) | Self::Approach(_))
     }
 
     /// Law of one of `parts` equal contacts that act in parallel as this law.
@@ -278,6 +289,10 @@ impl NormalLaw for Normal {
 
     fn energy_power(&self) -> f64 {
         of_each!(self, law => law.energy_power())
+    }
+
+    fn entry_energy(&self, penetration: f64) -> f64 {
+        of_each!(self, law => law.entry_energy(penetration))
     }
 
     #[inline]

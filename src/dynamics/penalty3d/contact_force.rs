@@ -1,7 +1,7 @@
 //! Forces of the contact-friction model on two bodies (paper, section 4).
 //!
-//! `R_k` acts at the node `X_k` and `−R_k` at the anchor `X_p` (`docs/physics.md#contact-kinematics`). The momentum
-//! of the pair is kept exactly, its angular momentum up to the couple `(X_k − X_p) × R_k`.
+//! `R_k` acts at the node `X_k` and `−R_k` at the anchor `X_p` (`docs/physics.md#contact-kinematics`), of laws whose two springs
+//! differ at `X_k` too. The momentum of the pair is kept exactly, its angular momentum up to the couple `(X_k − X_p) × R_k`.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -20,7 +20,7 @@ pub struct Action {
     pub force: DVec3,
     /// `X_k` from the node body's G \[m\].
     pub node_arm: DVec3,
-    /// `X_p` from the face body's G \[m\].
+    /// Point of action on the face's body from its G \[m\].
     pub face_arm: DVec3,
 }
 
@@ -36,7 +36,8 @@ pub fn act_in(home: &Home, closed: &ClosedContact, mode: &Mode, node: &Frame, fa
     let Measured { here, arm, apart } = measure(home, node, face);
     let forces = closed.forces_in(mode, &here);
     let force = to_world(home, face, forces.tangential_total(), forces.normal_total());
-    let offset = to_world(home, face, forces.stretch, here.gap);
+    let offset =
+        if closed.law.normal.is_along_stretch() { to_world(home, face, forces.stretch, here.gap) } else { DVec3::ZERO };
     Action { here, forces, force, node_arm: arm, face_arm: apart - offset }
 }
 
