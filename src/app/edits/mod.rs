@@ -10,6 +10,6 @@ mod selection;
 pub(in crate::app) use change::*;
 pub(in crate::app) use document::Document;
 pub(in crate::app) use fresh::empty;
-pub(in crate::app) use pairs::{elastic, names_of, new_pair, pair_between, pair_entry};
+pub(in crate::app) use pairs::{elastic, names_of, new_pair, optional, pair_between, pair_entry};
 pub(in crate::app) use placing::{MOST_SPANS, offered_row};
 pub(in crate::app) use selection::Selection;

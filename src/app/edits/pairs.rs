@@ -19,6 +19,10 @@ fn ends_of(pair: &Facing) -> Option<[End; 2]> {
     }
 }
 
+fn four_digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// The last entry of `[[contact.pair]]` that is about this pair alone.
 pub(in crate::app) fn pair_entry(scene: &Scene, pair: &Facing) -> Option<usize> {
     let [a, b] = names_of(scene, pair);
@@ -48,10 +52,40 @@ pub(in crate::app) fn elastic(scene: &Scene, key: &str) -> f64 {
     match key {
         "young_modulus_pa" => young_modulus,
         "area_m2" => area,
-        _ => {
-            let pair = facing::find(scene).ok().and_then(|pairs| pairs.first().map(|pair| pair.contact.stiffness));
-            let reckoned = young_modulus * scene.contact.area.unwrap_or(area) / girder.length;
-            pair.filter(|_| scene.contact.stiffness.is_none()).unwrap_or(reckoned)
+        "stiffness_n_per_m" if scene.contact.stiffness.is_some() => {
+            young_modulus * scene.contact.area.unwrap_or(area) / girder.length
         }
+        _ => {
+            let pairs = facing::find(scene).unwrap_or_default();
+            pairs.first().and_then(|pair| optional(pair, key)).unwrap_or(young_modulus * area / girder.length)
+        }
+    }
+}
+
+/// Number of a pair behind an optional key, to begin with where the key is given: K, or to four digits `k_h` or the parameter
+/// of its normal law.
+pub(in crate::app) fn optional(pair: &Facing, key: &str) -> Option<f64> {
+    match key {
+        "stiffness_n_per_m" => Some(pair.contact.stiffness),
+        "hertz_stiffness_n_per_m1_5" => Some(four_digits(pair.contact.hertz_stiffness_in_force(pair.mass))),
+        "law_parameter" => Some(four_digits(pair.contact.law_parameter_in_force())),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn an_optional_number_of_a_pair_begins_with_what_is_in_force() {
+        let scene = presets::load("straight-abutment").expect("a preset");
+        let pairs = facing::find(&scene).expect("the preset is valid");
+        // docs/physics.md: ζ of e_n = 0.4 by (65), and k_h of K = 155 kN/m with 2 kg at 0.3 m/s.
+        assert_eq!(elastic(&scene, "law_parameter"), 0.28, "to four digits");
+        assert_eq!(optional(&pairs[0], "hertz_stiffness_n_per_m1_5"), Some(5.902e6), "to four digits");
+        assert_eq!(optional(&pairs[0], "stiffness_n_per_m"), Some(1.55e5), "as given");
+        assert_eq!(optional(&pairs[0], "mu_static"), None, "not an optional one");
     }
 }

@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use crate::contact::law_of_pair;
-use crate::contact::parameters::reduced_mass;
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::Model;
@@ -195,18 +194,16 @@ fn free_directions(kind: Kind, held: &[Direction]) -> [bool; 6] {
 
 fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, contacts: std::ops::Range<usize>) -> Pair {
     let sides = [facing.first, facing.second].map(Side::girder);
-    let mass = |side: Option<usize>| side.map_or(f64::INFINITY, |b| bodies[b].mass);
     let numbers = &facing.contact;
     let flat = |side: Option<usize>| {
         side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])
     };
     let one_way = vertical && (kind == Kind::Planar || sides.into_iter().all(flat));
-    let mass = reduced_mass(mass(sides[0]), mass(sides[1]));
-    let law = law_of_pair(&numbers.law(mass, one_way));
+    let law = law_of_pair(&numbers.law(facing.mass, one_way));
     Pair {
         bodies: sides,
         law,
-        mass,
+        mass: facing.mass,
         contacts,
         edges: 0..0,
         one_way,

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use crate::contact::PairNumbers;
+use crate::contact::{PairNumbers, calibration};
 use crate::geometry::End;
 use crate::scene::keys::{Fallback, Range, Slot, Stands, Word, words};
 use tables::contact_tables;
@@ -111,6 +111,19 @@ contact_tables! {
 }
 
 impl PairContact {
+    /// `k_h` in force for a pair of this reduced mass \[kg\] \[N/m^{3/2}\].
+    pub fn hertz_stiffness_in_force(&self, mass: f64) -> f64 {
+        self.hertz_stiffness.unwrap_or_else(|| calibration::hertz_stiffness(self.stiffness, mass, self.design_speed))
+    }
+
+    /// Parameter ζ, ξ or a in force \[–\]; 0 for laws without one.
+    pub fn law_parameter_in_force(&self) -> f64 {
+        let clamp = self.tension == Tension::Clamp;
+        self.law_parameter.unwrap_or_else(|| {
+            calibration::parameter(self.normal_law, self.calibration, self.restitution_normal, clamp)
+        })
+    }
+
     /// Parameters of the law of a pair of this reduced mass \[kg\]; `one_way` where sliding has one direction.
     pub fn law(&self, mass: f64, one_way: bool) -> PairNumbers {
         PairNumbers {

@@ -10,7 +10,6 @@ use std::fmt;
 
 use super::facing::{self, Facing, Side};
 use super::{Girder, ModelKind, Motion, RecordMotion, Scene};
-use crate::contact::parameters::reduced_mass;
 
 /// A quantity of a scene, and the range that belongs to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -278,8 +277,7 @@ fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
     if scene.model.kind == ModelKind::Impact {
         return;
     }
-    let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
-    let stiffness = facing.contact.stiffness / reduced_mass(mass(facing.first), mass(facing.second));
+    let stiffness = facing.contact.stiffness / facing.mass;
     let place = "contact.stiffness_n_per_m";
     found.look_of(place, name, stiffness, STIFFNESS);
     found.look_of(place, name, stiffness.sqrt() * scene.duration, CONTACT_PHASE);

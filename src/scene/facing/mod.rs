@@ -35,6 +35,8 @@ pub struct Facing {
     pub met: bool,
     /// The numbers in force.
     pub contact: PairContact,
+    /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies \[kg\].
+    pub mass: f64,
     /// Distance as placed, along the first girder's axis \[m\].
     pub gap: f64,
 }
@@ -92,6 +94,7 @@ fn facing(scene: &Scene, first: Side, second: Side, met: bool) -> Facing {
         second,
         met,
         contact: numbers::in_force(scene, first, second),
+        mass: numbers::mass_of(scene, first, second),
         gap: gap(scene, first, second),
     }
 }

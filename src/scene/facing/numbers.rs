@@ -29,6 +29,12 @@ pub(super) fn in_force(scene: &Scene, first: Side, second: Side) -> PairContact 
     settings.in_force(stiffness(scene, &settings, first, second))
 }
 
+/// Reduced mass of the bodies of a pair \[kg\]; an abutment has infinite mass.
+pub(super) fn mass_of(scene: &Scene, first: Side, second: Side) -> f64 {
+    let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
+    reduced_mass(mass(first), mass(second))
+}
+
 /// `K` as given, or that of a given Hertz spring at the design speed, or `K = E A / L` (64): of two girders the smaller.
 fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Side) -> f64 {
     if let Some(k) = settings.stiffness {
@@ -37,8 +43,7 @@ fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Sid
     if let (Some(hertz), None, None, true) =
         (settings.hertz_stiffness, settings.young_modulus, settings.area, settings.normal_law.is_hertzian())
     {
-        let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
-        return linear_stiffness(hertz, reduced_mass(mass(first), mass(second)), settings.design_speed);
+        return linear_stiffness(hertz, mass_of(scene, first, second), settings.design_speed);
     }
     let of = |side: Side| match side.girder() {
         Some(n) => {

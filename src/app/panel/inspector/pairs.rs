@@ -67,8 +67,7 @@ fn one(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, pair: &Facing, out:
 fn number_under(scene: &Scene, pair: &Facing, key: &str) -> f64 {
     let number = ContactNumber::ALL.iter().find(|number| number.key == key);
     let number = number.map(|number| (number.in_force)(&pair.contact));
-    let stiffness = (key == "stiffness_n_per_m").then_some(pair.contact.stiffness);
-    number.or(stiffness).unwrap_or_else(|| edits::elastic(scene, key))
+    number.or_else(|| edits::optional(pair, key)).unwrap_or_else(|| edits::elastic(scene, key))
 }
 
 /// The pair's contacts, to be selected without having to hit them in the view.
