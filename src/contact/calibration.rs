@@ -175,7 +175,7 @@ pub fn parameter(law: NormalName, calibration: Calibration, restitution: f64, cl
         // Jankowski (2006).
         NormalName::Jankowski if published => 9.0 * of_hertz * (1.0 - e * e) / (e * (e * (9.0 * PI - 16.0) + 16.0)),
         NormalName::Jankowski => of_hertz * approach_ratio(e),
-        // Muthukumar and `DesRoches` (2006).
+        // Muthukumar and DesRoches (2006).
         NormalName::HertzDamp if published => 0.75 * (1.0 - e * e),
         NormalName::HertzDamp => relative_parameter(e),
         NormalName::Hertz | NormalName::Bilinear => 0.0,

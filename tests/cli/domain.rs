@@ -157,6 +157,10 @@ fn check_says_which_restitution_a_normal_law_returns() {
         "(65), clamped: {:?}",
         line(&clamped)
     );
+    let stiff = on_preset(&["check"], &["contact.normal_law=hertz", "contact.hertz_stiffness_n_per_m1_5=1e15"]);
+    assert!(stiff.err.contains("contact.hertz_stiffness_n_per_m1_5"), "beyond the domain: {}", stiff.err);
     let soft = on_preset(&["check"], &["contact.normal_law=bilinear", "contact.restitution_normal=0.2"]);
     assert!(soft.status == Some(2) && soft.err.contains("0.2294"), "no stiffness after yield: {}", soft.err);
+    let glued = on_preset(&["check"], &["contact.law_parameter=1"]);
+    assert!(glued.status == Some(2) && glued.err.contains("contact.law_parameter"), "critical: {}", glued.err);
 }

@@ -2,7 +2,7 @@
 
 mod tables;
 
-use crate::contact::{PairNumbers, calibration};
+use crate::contact::{NormalLaw, PairNumbers, calibration, law_of_pair};
 use crate::geometry::End;
 use crate::scene::keys::{Fallback, Range, Slot, Stands, Word, words};
 use tables::contact_tables;
@@ -67,6 +67,8 @@ words! {
     }
 }
 
+/// Least coefficient of restitution: at 0, critical damping, a free contact never opens again \[–\].
+pub(in crate::scene) const LEAST_RESTITUTION: f64 = 0.01;
 /// `E` where neither `K` nor `E` is given: ordinary concrete \[Pa\].
 pub const DEFAULT_YOUNG_MODULUS: f64 = 30e9;
 
@@ -87,10 +89,10 @@ contact_tables! {
             "damping ratio ζ of kelvin-voigt and approach, ξ of hertz-viscous and jankowski, a of hertz-damp";
     }
     numbers {
-        restitution_normal = "restitution_normal" as "e normal", Range::Within([0.01, 1.0]), 0.4, "e_n; 1 is no dashpot (65)",
-            slider [0.01, 1.0];
-        restitution_tangential = "restitution_tangential" as "e tangential", Range::Within([0.01, 1.0]), 0.9,
-            "e_t; 1 is no dashpot (65)", slider [0.01, 1.0];
+        restitution_normal = "restitution_normal" as "e normal", Range::Within([LEAST_RESTITUTION, 1.0]), 0.4, "e_n; 1 is no dashpot (65)",
+            slider [LEAST_RESTITUTION, 1.0];
+        restitution_tangential = "restitution_tangential" as "e tangential", Range::Within([LEAST_RESTITUTION, 1.0]), 0.9,
+            "e_t; 1 is no dashpot (65)", slider [LEAST_RESTITUTION, 1.0];
         mu_static = "mu_static" as "μ static", Range::NotBelow("mu_kinetic"), 0.20, "μ_s", slider [0.0, 1.0];
         mu_kinetic = "mu_kinetic" as "μ kinetic", Range::NotNegative, 0.15, "μ_k", slider [0.0, 1.0];
         design_speed = "design_speed_m_s" as "Design speed", Range::Positive, 0.3,
@@ -122,6 +124,17 @@ impl PairContact {
         self.law_parameter.unwrap_or_else(|| {
             calibration::parameter(self.normal_law, self.calibration, self.restitution_normal, clamp)
         })
+    }
+
+    /// Stiffness per mass of a pair of this reduced mass \[kg\], of a Hertz or bilinear spring that of the linear one with as
+    /// short a hit at the default design speed \[1/s²\].
+    pub fn stiffness_per_mass(&self, mass: f64) -> f64 {
+        if self.normal_law.is_hertzian() {
+            let speed = ContactSettings::default().design_speed;
+            law_of_pair(&self.law(mass, false)).normal.frequency(mass, speed).powi(2)
+        } else {
+            self.stiffness / mass
+        }
     }
 
     /// Parameters of the law of a pair of this reduced mass \[kg\]; `one_way` where sliding has one direction.

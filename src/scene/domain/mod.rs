@@ -277,8 +277,9 @@ fn look_at_pair(scene: &Scene, facing: &Facing, found: &mut Departures) {
     if scene.model.kind == ModelKind::Impact {
         return;
     }
-    let stiffness = facing.contact.stiffness / facing.mass;
-    let place = "contact.stiffness_n_per_m";
+    let stiffness = facing.contact.stiffness_per_mass(facing.mass);
+    let given = facing.contact.normal_law.is_hertzian() && facing.contact.hertz_stiffness.is_some();
+    let place = if given { "contact.hertz_stiffness_n_per_m1_5" } else { "contact.stiffness_n_per_m" };
     found.look_of(place, name, stiffness, STIFFNESS);
     found.look_of(place, name, stiffness.sqrt() * scene.duration, CONTACT_PHASE);
     if let Side::Girder(n, _) = facing.first {

@@ -3,9 +3,10 @@
 use super::complaints::{At, Complaints, number};
 use super::record::record;
 use crate::contact::NormalName;
-use crate::contact::calibration::least_bilinear_restitution;
+use crate::contact::calibration::{self, least_bilinear_restitution};
+use crate::scene::contact::LEAST_RESTITUTION;
 use crate::scene::keys;
-use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, Scene, SineMotion};
+use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Motion, Scene, SineMotion, Tension};
 
 pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     let mut at = complaints.at("contact", keys::CONTACT);
@@ -24,7 +25,8 @@ pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     }
 }
 
-/// A bilinear spring that loses too much has no stiffness after yield.
+/// A bilinear spring that loses too much has no stiffness after yield; a parameter of a dashpot returns at least the least
+/// restitution that can be asked for.
 fn normal_law(contact: &ContactSettings, at: &mut At<'_>) {
     let least = least_bilinear_restitution(contact.calibration);
     if contact.normal_law == NormalName::Bilinear && contact.restitution_normal <= least {
@@ -32,6 +34,14 @@ fn normal_law(contact: &ContactSettings, at: &mut At<'_>) {
             "the bilinear spring has no stiffness after yield up to e_n = {least:.4}: give more, or another normal_law"
         );
         at.add("restitution_normal", number(contact.restitution_normal), &remedy);
+    }
+    if let Some(parameter) = contact.law_parameter {
+        let returned = calibration::returned(contact.normal_law, parameter, contact.tension == Tension::Clamp);
+        if returned < LEAST_RESTITUTION {
+            let remedy =
+                format!("a head-on hit would return less than e = {LEAST_RESTITUTION}, or never part: give less");
+            at.add("law_parameter", number(parameter), &remedy);
+        }
     }
 }
 
