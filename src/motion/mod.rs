@@ -8,6 +8,7 @@ pub mod integrate;
 pub mod matching;
 pub mod process;
 pub mod spectrum;
+pub mod sweep;
 pub mod synthetic;
 
 use std::sync::Arc;

@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::angle::sin_cos_deg;
 use super::keys::{Fallback, Key, Range, table};
 use super::record::RecordMotion;
+use super::sweep::SweepMotion;
 use super::synthetic::SyntheticMotion;
 
 pub use crate::motion::format::STANDARD_GRAVITY;
@@ -14,7 +15,7 @@ pub use crate::motion::format::STANDARD_GRAVITY;
 /// `[motion]`, whatever its kind.
 pub const MOTION: &[Key] = &[Key::new(
     "kind",
-    Range::Words(&["none", "sine", "record", "synthetic"]),
+    Range::Words(&["none", "sine", "record", "synthetic", "sweep"]),
     Fallback::Word("none"),
     "which of the following; \"none\" has no other keys",
 )];
@@ -53,6 +54,8 @@ pub enum Motion {
     Record(RecordMotion),
     /// A synthetic earthquake.
     Synthetic(SyntheticMotion),
+    /// A sine sweep.
+    Sweep(SweepMotion),
 }
 
 impl SineMotion {
@@ -82,6 +85,7 @@ impl Motion {
             Self::Sine(sine) => sine.angle_deg,
             Self::Record(record) => record.angle_deg,
             Self::Synthetic(synthetic) => synthetic.angle_deg,
+            Self::Sweep(sweep) => sweep.angle_deg,
         }
     }
 
@@ -99,6 +103,7 @@ enum MotionKind {
     Sine,
     Record,
     Synthetic,
+    Sweep,
 }
 
 /// Which keys are known depends on `kind`, so it is read first; the reader of scene files hands it out first.
@@ -131,6 +136,7 @@ impl<'de> Visitor<'de> for MotionVisitor {
             MotionKind::Synthetic => {
                 SyntheticMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Synthetic)
             }
+            MotionKind::Sweep => SweepMotion::deserialize(MapAccessDeserializer::new(map)).map(Motion::Sweep),
         }
     }
 }

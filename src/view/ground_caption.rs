@@ -28,6 +28,10 @@ pub(super) fn ground_caption(motion: &Motion) -> String {
             (kind, parts.map(|(factor, direction)| format!("{} {direction}", size(factor))).collect())
         }
         Motion::Record(r) => ("record ", record_parts(r)),
+        Motion::Sweep(s) => {
+            let [amplitude, from, to] = [s.amplitude_g, s.from_hz, s.to_hz].map(plain);
+            ("sweep ", vec![format!("{amplitude} g, {from} to {to} Hz {}", degrees(s.angle_deg))])
+        }
     };
     format!("ground: {kind}{}", listed(parts))
 }

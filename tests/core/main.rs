@@ -10,6 +10,7 @@ mod motion {
     mod figures;
     mod formats;
     mod mutations;
+    mod sweep;
 }
 
 mod impact {

@@ -97,6 +97,7 @@ fn windows() -> Vec<Window> {
         show(record, None),
         show(several, None),
         show(with(&deck, &["motion.kind=synthetic"]), None),
+        show(with(&deck, &["motion.kind=sweep"]), None),
         show(record_in_space, None),
         show(metric_in_space, None),
         show(deck, Some(Target::Girder(0))),

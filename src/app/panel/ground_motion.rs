@@ -1,4 +1,4 @@
-//! How the ground moves: still, a sine, or a record, with every number of each.
+//! How the ground moves: still, a sine, a record, an earthquake or a sweep, with every number of each.
 
 use egui::{RichText, TextEdit, Ui};
 
@@ -8,7 +8,7 @@ use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice_line, 
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
-use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SyntheticMotion};
+use crate::scene::{Motion, RecordMotion, STANDARD_GRAVITY, SineMotion, SweepMotion, SyntheticMotion};
 
 /// Which kind of motion it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,13 +18,15 @@ enum Kind {
     Sine,
     Record,
     Synthetic,
+    Sweep,
 }
 
-const KINDS: [(Kind, &str); 4] = [
+const KINDS: [(Kind, &str); 5] = [
     (Kind::Still, text::STILL),
     (Kind::Sine, text::SINE),
     (Kind::Record, text::RECORD),
     (Kind::Synthetic, text::SYNTHETIC),
+    (Kind::Sweep, text::SWEEP),
 ];
 
 /// Whether an amplitude is said in m/s² rather than in g.
@@ -46,6 +48,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         Motion::Sine(sine) => sine_rows(ui, &look, sine),
         Motion::Record(record) => record_rows(ui, &look, record, out),
         Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]),
+        Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
@@ -59,6 +62,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Motion::Sine(_) => Kind::Sine,
         Motion::Record(_) => Kind::Record,
         Motion::Synthetic(_) => Kind::Synthetic,
+        Motion::Sweep(_) => Kind::Sweep,
     };
     let change = choice_line(ui, place, ("kind", text::GROUND), &mut kind, &KINDS)?;
     let angle_deg = motion.angle_deg();
@@ -67,6 +71,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Kind::Sine => Motion::Sine(SineMotion { angle_deg, ..shaken() }),
         Kind::Record => Motion::Record(RecordMotion { angle_deg, ..silence() }),
         Kind::Synthetic => Motion::Synthetic(SyntheticMotion { angle_deg, ..SyntheticMotion::default() }),
+        Kind::Sweep => Motion::Sweep(SweepMotion { angle_deg, ..SweepMotion::default() }),
     };
     Some(change)
 }

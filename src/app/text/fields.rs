@@ -19,6 +19,7 @@ pub(in crate::app) const STILL: &str = "still";
 pub(in crate::app) const SINE: &str = "sine";
 pub(in crate::app) const RECORD: &str = "record";
 pub(in crate::app) const SYNTHETIC: &str = "synthetic earthquake";
+pub(in crate::app) const SWEEP: &str = "sine sweep";
 pub(in crate::app) const AMPLITUDE_IN: &str = "Given in";
 pub(in crate::app) const RECORD_FILE: &str = "Record file";
 pub(in crate::app) const RECORD_IN_SCENE: &str = "in the scene itself";

@@ -104,6 +104,14 @@ fn motion_words(motion: &Motion) -> String {
             format!("sine {si} m/s² ({g} g) at {frequency} Hz, phase {phase}°, angle {angle}°{vertical}")
         }
         Motion::Record(record) => recorded(record),
+        Motion::Sweep(sweep) => {
+            let [amplitude, from, to, length, angle] =
+                [sweep.amplitude_g, sweep.from_hz, sweep.to_hz, sweep.length, sweep.angle_deg].map(six);
+            let (rate, interval) = (sweep.rate.label(), six(sweep.sweep().interval()));
+            format!(
+                "{rate} sweep {amplitude} g from {from} to {to} Hz in {length} s, angle {angle}°, samples {interval} s apart"
+            )
+        }
         Motion::Synthetic(quake) => {
             let [seed, peak, length, angle] = [quake.seed, quake.peak_g, quake.duration, quake.angle_deg].map(six);
             let [_, across, vertical] = quake.factors().map(six);

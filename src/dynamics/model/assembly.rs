@@ -94,6 +94,10 @@ fn ground(motion: &Motion) -> Ground {
         },
         Motion::Record(record) => recorded(record, direction).unwrap_or(Ground::Still),
         Motion::Synthetic(quake) => synthetic(quake, direction),
+        Motion::Sweep(sweep) => {
+            let (dt, samples) = sweep.samples();
+            Ground::record(direction, dt, samples)
+        }
     }
 }
 

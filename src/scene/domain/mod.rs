@@ -299,6 +299,11 @@ fn look_at_ground(scene: &Scene, found: &mut Departures) {
             found.look("motion.frequency_hz", phase, MOTION_PHASE);
         }
         Motion::Record(record) => look_at_record(scene, record, found),
+        Motion::Sweep(sweep) => {
+            found.look("motion.amplitude_g", sweep.sweep().amplitude.abs(), ACCELERATION);
+            let shaken = scene.duration.min(sweep.length);
+            found.look("motion.length_s", shaken / sweep.sweep().interval(), MOTION_PHASE);
+        }
         Motion::Synthetic(synthetic) => {
             found.look("motion.peak_g", synthetic.peak(), ACCELERATION);
             found.look("motion.dt_s", scene.duration.min(synthetic.duration) / synthetic.dt, MOTION_PHASE);

@@ -3,7 +3,7 @@
 use super::key::Key;
 use super::{
     ABUTMENT, BEARING, BEARINGS, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR,
-    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SYNTHETIC, TOP, VIEW,
+    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SWEEP, SYNTHETIC, TOP, VIEW,
 };
 
 /// A table of the scene file.
@@ -35,6 +35,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion kind = sine", keys: SINE },
     Table { path: "motion kind = record", keys: RECORD },
     Table { path: "motion kind = synthetic", keys: SYNTHETIC },
+    Table { path: "motion kind = sweep", keys: SWEEP },
     Table { path: "motion.processing", keys: PROCESSING },
     Table { path: "motion.component", keys: COMPONENT },
     Table { path: "solver", keys: SOLVER },

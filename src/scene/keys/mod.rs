@@ -19,6 +19,7 @@ pub use super::motion::{MOTION, SINE};
 pub use super::processing::PROCESSING;
 pub use super::record::{COMPONENT, RECORD};
 pub use super::settings::{OVERLAYS, PLOT, SOLVER, VIEW};
+pub use super::sweep::SWEEP;
 pub use super::synthetic::SYNTHETIC;
 pub use super::top::TOP;
 pub use index::{TABLES, Table, find, of_place};

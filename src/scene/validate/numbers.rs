@@ -87,6 +87,13 @@ pub(super) fn motion(motion: &Motion, kind: Kind, complaints: &mut Complaints) {
                 at.add(key, number(value), remedy);
             }
         }
+        Motion::Sweep(sweep) => {
+            let at = &mut complaints.at("motion", keys::SWEEP);
+            at.all(sweep);
+            if let Some((key, value, remedy)) = sweep.fault() {
+                at.add(key, number(value), remedy);
+            }
+        }
         Motion::Record(recorded) => record(recorded, kind, complaints),
     }
 }

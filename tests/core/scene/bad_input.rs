@@ -136,7 +136,7 @@ fn a_wrong_type_is_answered_with_the_right_one() {
         "kind = 3",
         "motion.kind",
         "3",
-        "\"none\", \"sine\", \"record\", \"synthetic\"",
+        "\"none\", \"sine\", \"record\", \"synthetic\", \"sweep\"",
     );
     assert_complaint(
         "mu_static = 0.3",

@@ -79,6 +79,7 @@ fn standing(table: &str) -> (Scene, String) {
     let scene = match table {
         "motion kind = record" => recorded(RECORD),
         "motion kind = synthetic" => recorded("kind = \"synthetic\"\n"),
+        "motion kind = sweep" => recorded("kind = \"sweep\"\n"),
         _ if table.starts_with("motion.") => recorded(COMPONENT),
         _ => full(),
     };

@@ -86,7 +86,7 @@ impl Knob {
             Self::Angle => match &mut scene.motion {
                 Motion::Sine(sine) => sine.angle_deg = value,
                 Motion::Record(record) => record.angle_deg = value,
-                Motion::None | Motion::Synthetic(_) => {}
+                Motion::None | Motion::Synthetic(_) | Motion::Sweep(_) => {}
             },
         }
     }

@@ -204,6 +204,7 @@ fn nudged(scene: &Scene, hair: f64, extent: f64) -> Scene {
         }
         scene::Motion::Record(record) => record.scale *= 1.0 + hair,
         scene::Motion::Synthetic(quake) => quake.peak_g *= 1.0 + hair,
+        scene::Motion::Sweep(sweep) => sweep.amplitude_g *= 1.0 + hair,
         scene::Motion::None => {}
     }
     for mu in [&mut scene.contact.mu_static, &mut scene.contact.mu_kinetic] {
