@@ -50,6 +50,7 @@
 //! | [`geometry`] | prisms, faces, and the one door to parry |
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
+//! | [`identify`] | natural frequency and damping from measured histories |
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
@@ -62,13 +63,14 @@
 //! | `app` | the workbench window (feature `gui`) |
 //! | [`cli`] | the command line |
 //!
-//! The first six are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+//! The first seven are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod cli;
 pub mod contact;
 pub mod dynamics;
 pub mod files;
 pub mod geometry;
+pub mod identify;
 pub mod motion;
 pub mod scene;
 pub mod sim;

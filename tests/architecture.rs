@@ -17,10 +17,11 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("contact", &["geometry"]),
     ("motion", &["geometry"]),
+    ("identify", &["motion"]),
     ("scene", &["geometry", "contact", "motion"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
-    ("study", &["geometry", "contact", "motion", "scene", "dynamics", "sim"]),
+    ("study", &["geometry", "contact", "motion", "identify", "scene", "dynamics", "sim"]),
     ("tables", &["geometry", "scene", "dynamics", "sim"]),
     ("view", &["geometry", "scene", "dynamics", "sim"]),
     ("render", &["view"]),
@@ -30,8 +31,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
-            "geometry", "motion", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot", "files", "app",
-            "study",
+            "geometry", "motion", "identify", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot",
+            "files", "app", "study",
         ],
     ),
 ];
@@ -87,7 +88,7 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
 const TAKE_THE_WORKBENCH: &[&str] = &["src/app/mod.rs", "src/app/bench/", "src/app/panel/layout.rs", "src/app/shell/"];
 
 /// Rooms whose answer depends on their input alone, to the last bit.
-const PHYSICS: &[&str] = &["geometry", "contact", "motion", "scene", "dynamics", "sim"];
+const PHYSICS: &[&str] = &["geometry", "contact", "motion", "identify", "scene", "dynamics", "sim"];
 
 /// Rooms that may open files.
 const MAY_OPEN_FILES: &[&str] = &["app", "cli", "files", "snapshot"];

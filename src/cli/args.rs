@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use crate::files;
+use crate::motion::format::Unit;
 use crate::scene::validate::validate;
 use crate::scene::{Scene, SceneError, SceneErrors};
 
@@ -98,6 +99,16 @@ fn errors_of_flags(errors: SceneErrors) -> SceneErrors {
         _ => place,
     };
     SceneErrors(errors.0.into_iter().map(|error| SceneError { place: flag(error.place), ..error }).collect())
+}
+
+/// A unit of acceleration in a record file.
+pub(super) fn record_unit(text: &str) -> Result<Unit, String> {
+    Unit::of_word(text).ok_or_else(|| format!("give one of {}", Unit::WORDS.join(", ")))
+}
+
+/// A finite number.
+pub(super) fn finite(text: &str) -> Result<f64, String> {
+    text.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| "give a number".into())
 }
 
 /// A count of at least one.

@@ -9,6 +9,7 @@ mod digits;
 mod domain;
 mod failure;
 mod headless;
+mod identify;
 mod interrupt;
 mod limits;
 mod motion;
@@ -54,6 +55,7 @@ enum Command {
     Check(check::CheckArgs),
     Compare(compare::CompareArgs),
     Motion(motion::MotionArgs),
+    Identify(identify::IdentifyArgs),
     Study(study::StudyArgs),
     Sweep(sweep::SweepArgs),
     /// List the scenes that come with the program
@@ -111,6 +113,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Check(args)) => check::run(&args, console),
         Some(Command::Compare(args)) => compare::run(&args, console),
         Some(Command::Motion(args)) => motion::run(&args, console),
+        Some(Command::Identify(args)) => identify::run(&args, console),
         Some(Command::Study(args)) => study::run(&args, console),
         Some(Command::Sweep(args)) => sweep::run(&args, console),
         Some(Command::Presets) => {

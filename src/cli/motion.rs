@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::args::{at_least_one, positive};
+use super::args::{at_least_one, positive, record_unit};
 use super::console::Console;
 use super::digits::six;
 use super::failure::Failure;
@@ -28,17 +28,13 @@ pub(super) struct MotionArgs {
     #[arg(long, value_name = "S", value_parser = positive)]
     dt: Option<f64>,
     /// Unit of the numbers, for files that do not state it: g, gal (cm/s2), m/s2
-    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    #[arg(long, value_name = "UNIT", value_parser = record_unit)]
     unit: Option<Unit>,
     /// Write histories and 5 % response spectrum of each channel into this folder, as plots and as CSV
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]
     processing: ProcessingArgs,
-}
-
-fn unit(text: &str) -> Result<Unit, String> {
-    Unit::of_word(text).ok_or_else(|| format!("give one of {}", Unit::WORDS.join(", ")))
 }
 
 /// Does it.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{not_negative, positive};
+use super::args::{finite, not_negative, positive};
 use super::digits::six;
 use super::failure::Failure;
 use crate::motion::format::Channel;
@@ -41,10 +41,6 @@ pub(super) struct ProcessingArgs {
 fn baseline(text: &str) -> Result<Baseline, String> {
     let found = Baseline::ALL.iter().copied().find(|method| method.label() == text);
     found.ok_or_else(|| format!("give one of {}", Baseline::WORDS.join(", ")))
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    text.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(|| "give a number".into())
 }
 
 impl ProcessingArgs {

@@ -19,7 +19,7 @@ pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Supplement, formats_i
 pub use earlier::{earlier_files, remove_files};
 pub use journal::Journal;
 pub use load::{Records, load_scene, load_unsaved, read_record};
-pub use read::{ReadError, read_table};
+pub use read::{ReadError, read_input, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
 pub use save::{Draft, FileSet, check_folder, save_scene, write_atomic, write_set};

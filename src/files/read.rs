@@ -67,6 +67,14 @@ pub fn read_table(path: &Path) -> Result<Vec<u8>, ReadError> {
     read_regular(path, LARGEST_TABLE)
 }
 
+/// Reads a whole scene, record or measured table, or a picture.
+///
+/// # Errors
+/// When it is not there or may not be read, is no regular file, or has more than 64 MiB.
+pub fn read_input(path: &Path) -> Result<Vec<u8>, ReadError> {
+    read_regular(path, LARGEST_INPUT)
+}
+
 /// Reads a whole regular file of at most so many bytes.
 ///
 /// # Errors

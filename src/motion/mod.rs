@@ -6,6 +6,7 @@
 pub mod format;
 pub mod integrate;
 pub mod matching;
+pub mod oscillator;
 pub mod process;
 pub mod spectrum;
 pub mod sweep;

@@ -6,6 +6,8 @@
 
 use std::f64::consts::TAU;
 
+use super::oscillator::Step;
+
 /// Steps per period at least.
 const STEPS: f64 = 40.0;
 
@@ -30,51 +32,6 @@ impl Response {
     }
 }
 
-/// Exact step of a damped oscillator under a force that is linear in time.
-struct Step {
-    /// `[q, q̇]` after it from `[q, q̇, −a, −ȧ]` before it.
-    matrix: [[f64; 4]; 2],
-    tau: f64,
-}
-
-impl Step {
-    /// Of length τ \[s\], ζ below 1.
-    fn new(omega: f64, zeta: f64, tau: f64) -> Self {
-        let (gamma, damped) = (zeta * omega, omega * (1.0 - zeta * zeta).sqrt());
-        let (s, c) = (damped * tau).sin_cos();
-        let decay = (-gamma * tau).exp();
-        // Free response to q = 1 and to q̇ = 1.
-        let place = [decay * (c + gamma / damped * s), -decay * omega * omega / damped * s];
-        let speed = [decay * s / damped, decay * (c - gamma / damped * s)];
-        // Particular solution of f + g t: (f + g t)/ω² − 2γ g/ω⁴, less its free response.
-        let (w2, w4) = (omega * omega, omega.powi(4));
-        let constant = [0, 1].map(|i| (if i == 0 { 1.0 } else { 0.0 } - place[i]) / w2);
-        let offset = 2.0 * gamma / w4;
-        let slope =
-            [tau / w2 - offset + offset * place[0] - speed[0] / w2, 1.0 / w2 + offset * place[1] - speed[1] / w2];
-        Self { matrix: [0, 1].map(|i| [place[i], speed[i], constant[i], slope[i]]), tau }
-    }
-
-    fn advance(&self, [q, v]: [f64; 2], force: f64, rate: f64) -> [f64; 2] {
-        self.matrix.map(|row| row[0] * q + row[1] * v + row[2] * force + row[3] * rate)
-    }
-
-    /// Largest |q| of the cubic through both ends.
-    fn largest(&self, [q0, v0]: [f64; 2], [q1, v1]: [f64; 2]) -> f64 {
-        let ends = q0.abs().max(q1.abs());
-        if v0 * v1 >= 0.0 {
-            return ends;
-        }
-        // q(x) = q0 + m0 x + (3Δ − 2 m0 − m1) x² + (m0 + m1 − 2Δ) x³ on 0 ≤ x ≤ 1; its slope has one zero in there.
-        let (m0, m1, delta) = (v0 * self.tau, v1 * self.tau, q1 - q0);
-        let (b, a) = (3.0 * delta - 2.0 * m0 - m1, m0 + m1 - 2.0 * delta);
-        let root = (b * b - 3.0 * a * m0).max(0.0).sqrt();
-        let sum = if b >= 0.0 { -b - root } else { -b + root };
-        let inside = |x: f64| (0.0..=1.0).contains(&x).then_some(q0 + x * (m0 + x * (b + x * a)));
-        [m0 / sum, sum / (3.0 * a)].into_iter().filter_map(inside).fold(ends, |most, q| most.max(q.abs()))
-    }
-}
-
 /// Response of one oscillator to an acceleration \[m/s²\] at an interval \[s\]: natural period \[s\] and damping of critical,
 /// below 1.
 pub fn response(samples: &[f64], dt: f64, period: f64, damping: f64) -> Response {
@@ -85,7 +42,7 @@ pub fn response(samples: &[f64], dt: f64, period: f64, damping: f64) -> Response
     let mut walk = |force: f64, rate: f64, steps: f64, step: &Step| {
         let mut done = 0.0;
         while done < steps {
-            let next = step.advance(state, force + rate * done * step.tau, rate);
+            let next = step.advance(state, force + rate * done * step.tau(), rate);
             most = most.max(step.largest(state, next));
             (state, done) = (next, done + 1.0);
         }

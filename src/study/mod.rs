@@ -8,6 +8,7 @@ pub mod accuracy;
 pub mod clock;
 pub mod experiment;
 pub mod ground;
+pub mod identified;
 pub mod plot;
 pub mod size;
 pub mod stability;

@@ -5,6 +5,7 @@ mod domain;
 mod earlier;
 mod files;
 mod headless;
+mod identify;
 mod interrupted;
 mod killed;
 mod motion;

@@ -64,6 +64,7 @@ mod scene {
 mod study {
     mod accuracy;
     mod experiment;
+    mod identify;
     mod stability;
     mod sweep;
 }

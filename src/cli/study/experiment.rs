@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use rayon::prelude::*;
 
 use super::page::OccasionArgs;
-use crate::cli::args::{Threads, at_least_one, positive};
+use crate::cli::args::{Threads, at_least_one, positive, record_unit};
 use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
@@ -39,7 +39,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, value_name = "S", value_parser = positive, requires = "record")]
     dt: Option<f64>,
     /// Unit of the numbers, for a file that does not state it: g, gal (cm/s2), m/s2
-    #[arg(long, value_name = "UNIT", value_parser = unit, requires = "record")]
+    #[arg(long, value_name = "UNIT", value_parser = record_unit, requires = "record")]
     unit: Option<RecordUnit>,
     /// Multiply the earthquake; the paper does not state its scale
     #[arg(long, value_name = "X", value_parser = positive, default_value_t = 1.0, allow_negative_numbers = true)]
@@ -48,10 +48,6 @@ pub(super) struct ExperimentArgs {
     threads: Threads,
     #[command(flatten)]
     occasion: OccasionArgs,
-}
-
-fn unit(text: &str) -> Result<RecordUnit, String> {
-    RecordUnit::of_word(text).ok_or_else(|| format!("give one of {}", RecordUnit::WORDS.join(", ")))
 }
 
 /// Does it.

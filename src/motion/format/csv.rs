@@ -88,7 +88,7 @@ fn is_blank(record: &StringRecord) -> bool {
 }
 
 /// A finite number with a decimal point or a decimal comma.
-fn number(field: &str) -> Option<f64> {
+pub(crate) fn number(field: &str) -> Option<f64> {
     let value = match field.split_once(',') {
         Some((_, fraction)) if field.contains('.') || fraction.contains(',') => return None,
         Some(_) => field.replace(',', ".").parse(),

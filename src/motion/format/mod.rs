@@ -16,6 +16,7 @@ mod unit;
 
 use std::path::Path;
 
+pub(crate) use csv::number as decimal;
 pub use record::{Channel, Format, Orientation, Record, RecordError, Supplement};
 pub use unit::{STANDARD_GRAVITY, Unit};
 
