@@ -51,6 +51,7 @@
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
 //! | [`identify`] | natural frequency and damping from measured histories |
+//! | [`measure`] | the motion of bodies from pictures of marks on them |
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
@@ -63,7 +64,7 @@
 //! | `app` | the workbench window (feature `gui`) |
 //! | [`cli`] | the command line |
 //!
-//! The first seven are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+//! The first eight are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod cli;
 pub mod contact;
@@ -71,6 +72,7 @@ pub mod dynamics;
 pub mod files;
 pub mod geometry;
 pub mod identify;
+pub mod measure;
 pub mod motion;
 pub mod scene;
 pub mod sim;

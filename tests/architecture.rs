@@ -18,10 +18,11 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("contact", &["geometry"]),
     ("motion", &["geometry"]),
     ("identify", &["motion"]),
+    ("measure", &[]),
     ("scene", &["geometry", "contact", "motion"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
-    ("study", &["geometry", "contact", "motion", "identify", "scene", "dynamics", "sim"]),
+    ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim"]),
     ("tables", &["geometry", "scene", "dynamics", "sim"]),
     ("view", &["geometry", "scene", "dynamics", "sim"]),
     ("render", &["view"]),
@@ -31,8 +32,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
-            "geometry", "motion", "identify", "scene", "dynamics", "sim", "tables", "view", "render", "snapshot",
-            "files", "app", "study",
+            "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "tables", "view", "render",
+            "snapshot", "files", "app", "study",
         ],
     ),
 ];

@@ -12,6 +12,8 @@ mod headless;
 mod identify;
 mod interrupt;
 mod limits;
+#[cfg(feature = "render")]
+mod measure;
 mod motion;
 mod motion_processing;
 mod open;
@@ -56,6 +58,14 @@ enum Command {
     Compare(compare::CompareArgs),
     Motion(motion::MotionArgs),
     Identify(identify::IdentifyArgs),
+    #[cfg(feature = "render")]
+    Measure(measure::MeasureArgs),
+    /// Find the motion of bodies in pictures of marks (this build reads no pictures: build it with `--features render`)
+    #[cfg(not(feature = "render"))]
+    Measure {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+        rest: Vec<String>,
+    },
     Study(study::StudyArgs),
     Sweep(sweep::SweepArgs),
     /// List the scenes that come with the program
@@ -122,9 +132,11 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         }
         #[cfg(feature = "render")]
         Some(Command::Render(args)) => render::run(&args, console),
+        #[cfg(feature = "render")]
+        Some(Command::Measure(args)) => measure::run(&args, console),
         #[cfg(not(feature = "render"))]
-        Some(Command::Render { .. }) => Err(Failure::NoPicture(
-            "render: this build has no pictures: build it with `cargo build --release --features render`".into(),
+        Some(Command::Render { .. } | Command::Measure { .. }) => Err(Failure::NoPicture(
+            "this build has no pictures: build it with `cargo build --release --features render`".into(),
         )),
     }
 }

@@ -19,7 +19,7 @@ pub use gif::{GifError, MOST_FPS, gif};
 use crate::render::{Fault, Gpu, GpuError, Image, Quality, Renderer};
 use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};
 use crate::sim::History;
-use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, draw_list};
+use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, draw_list, marks};
 
 /// Which instant of a run a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,6 +62,8 @@ pub struct Shot {
     pub selected: Option<Target>,
     /// Title; the scene's name when absent.
     pub title: Option<String>,
+    /// A picture of marks of this diameter alone, for a camera straight above \[m\].
+    pub marks: Option<f64>,
 }
 
 impl Default for Shot {
@@ -76,6 +78,7 @@ impl Default for Shot {
             force_scale: None,
             selected: None,
             title: None,
+            marks: None,
         }
     }
 }
@@ -96,7 +99,7 @@ impl Shot {
         let scene = history.scene();
         let t = self.at.of(history);
         let camera = self.camera(history);
-        draw_list(&ViewInput {
+        let input = ViewInput {
             scene,
             history: Some(history),
             t,
@@ -110,7 +113,11 @@ impl Shot {
             pixels_per_point: points(self.size),
             background: self.background,
             title: self.title.as_deref(),
-        })
+        };
+        match self.marks {
+            Some(diameter) => marks::marked_list(&input, history, diameter),
+            None => draw_list(&input),
+        }
     }
 }
 

@@ -9,6 +9,7 @@ pub mod clock;
 pub mod experiment;
 pub mod ground;
 pub mod identified;
+pub mod measured;
 pub mod plot;
 pub mod size;
 pub mod stability;

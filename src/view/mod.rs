@@ -24,6 +24,7 @@ mod labels;
 mod legend;
 mod light;
 pub mod list;
+pub mod marks;
 pub mod moment;
 mod overlap;
 mod palette;

@@ -8,6 +8,8 @@ mod headless;
 mod identify;
 mod interrupted;
 mod killed;
+#[cfg(feature = "render")]
+mod measure;
 mod motion;
 mod odd_files;
 mod odd_output;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::choices::{Behind, Size, Work, frame_rate, instant, layer, size, view};
+use super::mark_args::{MarkArgs, PAPERS_CAMERA};
 use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
 use crate::cli::failure::Failure;
 use crate::files;
@@ -27,13 +28,15 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S|peak", value_parser = instant, default_value = "peak", allow_negative_numbers = true)]
     pub(super) at: Vec<Instant>,
     /// A film: this many pictures at even intervals, seen by a camera that stands still, numbered from 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), conflicts_with = "at")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), conflicts_with = "at", group = "film")]
     pub(super) frames: Option<u32>,
+    #[command(flatten)]
+    pub(super) marks: MarkArgs,
     /// When the film begins [s]
-    #[arg(long, value_name = "S", value_parser = not_negative, requires = "frames", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = not_negative, requires = "film", default_value_t = 0.0, allow_negative_numbers = true)]
     pub(super) from: f64,
     /// When the film ends [s]; the end of the run when left out
-    #[arg(long, value_name = "S", value_parser = not_negative, requires = "frames", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = not_negative, requires = "film", allow_negative_numbers = true)]
     pub(super) to: Option<f64>,
     /// Frames a second of a GIF, at most 50: how fast it is played
     #[arg(long, value_name = "HZ", value_parser = frame_rate, requires = "frames", default_value_t = 25.0, allow_negative_numbers = true)]
@@ -41,9 +44,9 @@ pub(crate) struct RenderArgs {
     /// Where the camera stands; the scene's own view when left out. `contact` frames the hardest hit
     #[arg(long, value_parser = view(), value_name = "VIEW")]
     view: Option<ViewPreset>,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", value_parser = size, default_value = "1280x720")]
-    size: Size,
+    /// Width and height in pixels; 1280x720 when left out, 720x465 with --marks
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<Size>,
     /// A folder, a file ending in .png for a single picture, or one ending in .gif for a film
     #[arg(long, value_name = "DIR|FILE", default_value = "out")]
     pub(super) out: PathBuf,
@@ -82,18 +85,40 @@ impl RenderArgs {
             at,
             view: self.view,
             camera: None,
-            size: self.size.0,
+            size: self.size(),
             overlays: Some(overlays),
             background: self.background.background(),
             force_scale: self.force_scale,
             selected: None,
             title: self.title.clone(),
+            marks: self.marks.diameter(scene),
         }
+    }
+
+    /// Width and height \[pixels\].
+    pub(super) fn size(&self) -> [u32; 2] {
+        let usual = if self.marks.given() { PAPERS_CAMERA } else { Shot::default().size };
+        self.size.map_or(usual, |size| size.0)
+    }
+
+    /// When the film begins and ends \[s\].
+    ///
+    /// # Errors
+    /// A span that the run does not reach or that runs backwards.
+    pub(super) fn span(&self, history: &History) -> Result<(f64, f64), Failure> {
+        let (from, to) = (self.from, self.to.unwrap_or(history.end()));
+        reaches(history, "--from", from)?;
+        reaches(history, "--to", to)?;
+        if from > to {
+            return Err(Failure::Input(format!("--to {to}: the film begins at {from} s: give a later time")));
+        }
+        Ok((from, to))
     }
 
     /// Refuses a file for more pictures than one, and a folder that cannot be written to, before anything is computed.
     pub(super) fn check_out(&self) -> Result<(), Failure> {
         self.refuse_other_formats()?;
+        self.check_marks()?;
         let count = self.frames.map_or(self.at.len(), |frames| frames as usize);
         if let Some(gif) = self.gif_file() {
             return self.check_gif(gif);
@@ -105,6 +130,26 @@ impl RenderArgs {
             }
             Some(file) => Ok(files::check_folder(file.parent().unwrap_or(Path::new("")))?),
             None => Ok(files::check_folder(&self.out)?),
+        }
+    }
+
+    /// A film of marks is a folder of pictures with their layout, seen from above.
+    fn check_marks(&self) -> Result<(), Failure> {
+        if !self.marks.given() {
+            return Ok(());
+        }
+        let out = self.out.display();
+        match self.view {
+            Some(other) if other != ViewPreset::Top => {
+                let view = other.label();
+                Err(Failure::Input(format!(
+                    "--view {view}: marks are seen straight from above: leave it out, or give top"
+                )))
+            }
+            _ if self.out_file().or(self.gif_file()).is_some() => Err(Failure::Input(format!(
+                "--out {out}: --marks writes numbered pictures and marks.toml: give a folder"
+            ))),
+            _ => Ok(()),
         }
     }
 
@@ -156,7 +201,7 @@ impl RenderArgs {
             return file.to_owned();
         }
         let scene = history.scene();
-        let view = self.view.unwrap_or(scene.view.camera).label();
+        let view = if self.marks.given() { "marks" } else { self.view.unwrap_or(scene.view.camera).label() };
         // A name may hold anything; a file's name may not.
         let name: String =
             scene.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();

@@ -1,7 +1,7 @@
 //! Frames of a film, and how any number of pictures is taken and written: one device, all files or none, but for what an
 //! interrupt leaves finished.
 
-use super::args::{RenderArgs, Wanted, reaches};
+use super::args::{RenderArgs, Wanted};
 use crate::cli::failure::Failure;
 use crate::cli::interrupt::Writing;
 use crate::cli::progress::Progress;
@@ -15,12 +15,7 @@ use crate::snapshot::{Frame, GifError, Instant, Shot, Studio, film, gif, instant
 /// # Errors
 /// A span that the run does not reach or that runs backwards.
 pub(super) fn frames(args: &RenderArgs, history: &History, count: u32) -> Result<Vec<Wanted>, Failure> {
-    let (from, to) = (args.from, args.to.unwrap_or(history.end()));
-    reaches(history, "--from", from)?;
-    reaches(history, "--to", to)?;
-    if from > to {
-        return Err(Failure::Input(format!("--to {to}: the film begins at {from} s: give a later time")));
-    }
+    let (from, to) = args.span(history)?;
     let still = args.shot(Instant::Peak, history.scene());
     let camera = Some(still.camera(history));
     let digits = count.to_string().len().max(4);
@@ -59,7 +54,7 @@ fn take_files(
     (shots, wanted): (&[Shot], &[Wanted]),
     progress: &mut Progress,
 ) -> Result<usize, Failure> {
-    let packing = if args.frames.is_some() { Packing::Quick } else { Packing::Small };
+    let packing = if args.frames.is_some() || args.marks.given() { Packing::Quick } else { Packing::Small };
     let writing = Writing::begin();
     let mut set = FileSet::default();
     let drawn = film::<Failure>(studio, history, shots, packing, &mut |Frame { number, png }| {
@@ -112,7 +107,8 @@ fn take_gif(
 
 fn said(args: &RenderArgs, wanted: &[Wanted], drawn: usize) -> String {
     let path = |w: &Wanted| w.path.display().to_string();
-    match (args.frames, wanted) {
+    let count = if args.marks.given() { u32::try_from(wanted.len()).ok() } else { args.frames };
+    match (count, wanted) {
         (Some(count), _) if args.gif_file().is_some() => {
             format!("{}: {count} frames, {drawn} different\n", args.out.display())
         }

@@ -3,6 +3,8 @@
 mod args;
 mod choices;
 mod film;
+mod mark_args;
+mod marks;
 
 pub(super) use args::RenderArgs;
 
@@ -31,6 +33,9 @@ pub(super) fn run(args: &RenderArgs, console: &mut Console) -> Result<(), Failur
     std::iter::once(&history).chain(history.beside()).for_each(|history| domain::warn_of_balance(history, console));
     let wanted = wanted(args, &history, console)?;
     console.print(&film::take(args, &mut studio, &history, &wanted)?);
+    if args.marks.given() {
+        console.print(&marks::write_layout(args, &history, &wanted)?);
+    }
     match history.stop() {
         Some(stop) => Err(Failure::GaveUp { scene: scene.name.clone(), stop: stop.clone() }),
         None => Ok(()),
@@ -53,6 +58,7 @@ fn reached(history: &History, at: Instant, console: &mut Console) -> Result<(), 
 fn wanted(args: &RenderArgs, history: &History, console: &mut Console) -> Result<Vec<Wanted>, Failure> {
     match args.frames {
         Some(count) => film::frames(args, history, count),
+        None if args.marks.given() => marks::frames(args, history),
         None => args.at.iter().map(|&at| still(args, history, at, console)).collect(),
     }
 }

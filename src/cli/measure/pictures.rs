@@ -1,0 +1,110 @@
+//! The pictures of a film: which files, in which order, as grey.
+
+use std::cmp::Ordering;
+use std::path::{Path, PathBuf};
+
+use crate::cli::failure::Failure;
+use crate::files;
+use crate::measure::Grey;
+use crate::render::Image;
+
+/// Most pixels of a picture: an eight-kilopixel square.
+const MOST_PIXELS: u64 = 1 << 26;
+
+/// Every picture, in the order of its name where a folder is given; as many as belong to the film.
+///
+/// # Errors
+/// A folder that cannot be read or has none; fewer than the layout states.
+pub(super) fn listed(given: &[PathBuf], count: Option<usize>) -> Result<Vec<PathBuf>, Failure> {
+    let mut all = match given {
+        [folder] if folder.is_dir() => in_folder(folder)?,
+        files => files.to_vec(),
+    };
+    if let Some(count) = count {
+        if all.len() < count {
+            let (folder, have) = (given[0].display(), all.len());
+            let what =
+                format!("the layout states {count} pictures, {have} are there: draw them again, or put it right");
+            return Err(Failure::Input(format!("{folder}: {what}")));
+        }
+        all.truncate(count);
+    }
+    if all.is_empty() {
+        return Err(Failure::Input(format!("{}: no PNG pictures: give a folder that has some", given[0].display())));
+    }
+    Ok(all)
+}
+
+fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let unreadable = |error: std::io::Error| Failure::Input(format!("{}: {error}", folder.display()));
+    let mut all = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+            all.push(path);
+        }
+    }
+    all.sort_by(|a, b| by_number(&a.to_string_lossy(), &b.to_string_lossy()));
+    Ok(all)
+}
+
+/// Names by their numbers: `frame9.png` before `frame10.png`.
+fn by_number(a: &str, b: &str) -> Ordering {
+    let (mut a, mut b) = (a, b);
+    loop {
+        let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+        match (digits(a), digits(b)) {
+            (0, _) | (_, 0) => match (a.chars().next(), b.chars().next()) {
+                (Some(one), Some(other)) if one == other => {
+                    (a, b) = (&a[one.len_utf8()..], &b[other.len_utf8()..]);
+                }
+                (one, other) => return one.cmp(&other),
+            },
+            (one, other) => {
+                let [x, y] = [a[..one].trim_start_matches('0'), b[..other].trim_start_matches('0')];
+                match x.len().cmp(&y.len()).then(x.cmp(y)).then(one.cmp(&other)) {
+                    Ordering::Equal => (a, b) = (&a[one..], &b[other..]),
+                    differs => return differs,
+                }
+            }
+        }
+    }
+}
+
+/// A picture in grey.
+///
+/// # Errors
+/// A file that is no PNG picture, or a larger one than is read.
+pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
+    let bytes = files::read_input(path)?;
+    let wrong = |what: String| Failure::Input(format!("{}: {what}", path.display()));
+    // Width and height stand in the first chunk: before memory is taken for them.
+    let side = |at: usize| bytes.get(at..at + 4).and_then(|b| b.try_into().ok()).map_or(0, u32::from_be_bytes);
+    let [width, height] = [side(16), side(20)];
+    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        return Err(wrong(format!("{width} × {height} pixels: give pictures of at most {MOST_PIXELS} pixels")));
+    }
+    let image = Image::from_png(&bytes).map_err(|error| wrong(format!("no PNG picture that is read ({error})")))?;
+    // Grey pictures are expanded to two bytes a pixel, grey and alpha.
+    let rgba = if image.rgba.len() == 2 * (image.width as usize) * (image.height as usize) {
+        image.rgba.chunks_exact(2).flat_map(|p| [p[0], p[0], p[0], p[1]]).collect()
+    } else {
+        image.rgba
+    };
+    if rgba.len() != 4 * (image.width as usize) * (image.height as usize) {
+        return Err(wrong("a depth of colour that is not read: give 8 bits a channel".to_owned()));
+    }
+    Ok(Grey::of_rgba(image.width, image.height, &rgba))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_ordered_by_their_numbers() {
+        let mut names = ["f10.png", "f9.png", "f1.png", "a99.png", "f010.png", "f.png", "f9b.png"];
+        names.sort_by(|a, b| by_number(a, b));
+        assert_eq!(names, ["a99.png", "f.png", "f1.png", "f9.png", "f9b.png", "f10.png", "f010.png"], "by number");
+    }
+}

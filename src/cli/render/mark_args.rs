@@ -1,0 +1,38 @@
+//! Flags of `girderbench render` for a film of marks.
+
+use crate::cli::args::positive;
+use crate::scene::Scene;
+use crate::view::marks::diameter;
+
+/// Pixels of the paper's camera (Table 1).
+pub(super) const PAPERS_CAMERA: [u32; 2] = [720, 465];
+
+/// A film of marks
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(super) struct MarkArgs {
+    /// A film from straight above of white marks on decks and table, with their layout, for `girderbench measure`
+    #[arg(long, conflicts_with_all = ["at", "background", "show", "hide", "force_scale", "title", "fps"], group = "film")]
+    marks: bool,
+    /// Diameter of the marks [mm]; 0.08 of the narrowest girder's width when left out
+    #[arg(long, value_name = "MM", value_parser = positive, requires = "marks")]
+    mark_mm: Option<f64>,
+    /// Pictures a second of the film of marks [Hz]
+    #[arg(long, value_name = "HZ", value_parser = positive, requires = "marks", default_value_t = 30.0)]
+    rate: f64,
+}
+
+impl MarkArgs {
+    pub(super) fn given(self) -> bool {
+        self.marks
+    }
+
+    /// Pictures a second \[Hz\].
+    pub(super) fn rate(self) -> f64 {
+        self.rate
+    }
+
+    /// Diameter of the marks, where they are drawn \[m\].
+    pub(super) fn diameter(self, scene: &Scene) -> Option<f64> {
+        self.marks.then(|| self.mark_mm.map_or_else(|| diameter(scene), |mm| 1e-3 * mm))
+    }
+}

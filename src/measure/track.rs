@@ -1,0 +1,216 @@
+//! Marks followed from picture to picture.
+//!
+//! A mark is looked for where it would be at constant velocity, within half the least distance of two marks of the first picture:
+//! nearer to its place than to any other's.
+
+use super::grey::Grey;
+use super::layout::Layout;
+use super::marks::{Finder, Mark};
+
+/// A mark whose pixels are more than this multiple of those at first has run together with something: two equal ones have
+/// twice as many, and blur adds a rim.
+const MERGED: f64 = 1.7;
+/// How far a lone mark is looked for, as a share of the picture's height.
+const ALONE: f64 = 0.2;
+
+/// Why a mark was not followed. Marks are numbered from 1.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Lost {
+    /// None where it should be.
+    #[error("mark {mark} ({body}) is missing: nothing bright within {within:.0} pixels of ({:.1}, {:.1})", near[0], near[1])]
+    Missing {
+        /// Its number.
+        mark: usize,
+        /// What it is on.
+        body: String,
+        /// Where it was expected \[pixels\].
+        near: [f64; 2],
+        /// How far around that place \[pixels\].
+        within: f64,
+    },
+    /// It and another are one.
+    #[error("marks {} and {} are merged into one at ({:.1}, {:.1})", marks[0], marks[1], at[0], at[1])]
+    Merged {
+        /// Their numbers.
+        marks: [usize; 2],
+        /// Where \[pixels\].
+        at: [f64; 2],
+    },
+    /// It is one with something else that is bright.
+    #[error("mark {mark} ({body}) has run together with something bright at ({:.1}, {:.1}): {area} pixels, {first} at first", at[0], at[1])]
+    Grown {
+        /// Its number.
+        mark: usize,
+        /// What it is on.
+        body: String,
+        /// Where \[pixels\].
+        at: [f64; 2],
+        /// Its pixels.
+        area: usize,
+        /// Those in the first picture.
+        first: usize,
+    },
+    /// The edge of the picture cuts it off.
+    #[error("mark {mark} ({body}) reaches the edge of the picture at ({:.1}, {:.1})", at[0], at[1])]
+    AtEdge {
+        /// Its number.
+        mark: usize,
+        /// What it is on.
+        body: String,
+        /// Where \[pixels\].
+        at: [f64; 2],
+    },
+    /// Another size of picture.
+    #[error("it has {} × {} pixels, the first picture {} × {}", found[0], found[1], first[0], first[1])]
+    Size {
+        /// Its width and height.
+        found: [usize; 2],
+        /// Those of the first.
+        first: [usize; 2],
+    },
+}
+
+/// Marks and where they are.
+#[derive(Clone, Debug)]
+pub struct Tracker {
+    finder: Finder,
+    bodies: Vec<String>,
+    size: [usize; 2],
+    within: f64,
+    areas: Vec<usize>,
+    /// Where they were in the last two pictures.
+    last: [Vec<[f64; 2]>; 2],
+}
+
+fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+impl Tracker {
+    /// Finds the marks of a layout in the first picture.
+    ///
+    /// # Errors
+    /// A mark that is not there.
+    pub fn start(layout: &Layout, finder: Finder, first: &Grey) -> Result<Self, Lost> {
+        let places: Vec<[f64; 2]> = layout.mark.iter().map(|mark| mark.pixel).collect();
+        let pairs = places.iter().enumerate().flat_map(|(n, a)| places[..n].iter().map(move |b| apart(*a, *b)));
+        let least = pairs.fold(f64::INFINITY, f64::min);
+        let within = if least.is_finite() { 0.5 * least } else { ALONE * first.height as f64 };
+        let bodies = layout.mark.iter().map(|mark| mark.body.clone()).collect();
+        let size = [first.width, first.height];
+        let mut tracker =
+            Self { finder, bodies, size, within, areas: vec![0; places.len()], last: [places.clone(), places] };
+        let marks = tracker.matched(first)?;
+        tracker.areas = marks.iter().map(|mark| mark.area).collect();
+        tracker.last = [places_of(&marks), places_of(&marks)];
+        Ok(tracker)
+    }
+
+    /// Where the marks are in the last picture, to the right and down \[pixels\].
+    pub fn places(&self) -> &[[f64; 2]] {
+        &self.last[1]
+    }
+
+    /// Finds them in the next picture.
+    ///
+    /// # Errors
+    /// A mark that is missing, merged or cut off; a picture of another size.
+    pub fn follow(&mut self, image: &Grey) -> Result<&[[f64; 2]], Lost> {
+        let marks = self.matched(image)?;
+        self.last.swap(0, 1);
+        self.last[1] = places_of(&marks);
+        Ok(self.places())
+    }
+
+    fn matched(&self, image: &Grey) -> Result<Vec<Mark>, Lost> {
+        let found = [image.width, image.height];
+        if found != self.size {
+            return Err(Lost::Size { found, first: self.size });
+        }
+        let all = self.finder.find(image);
+        let mut taken: Vec<Option<usize>> = vec![None; all.len()];
+        let mut marks = Vec::with_capacity(self.bodies.len());
+        for number in 0..self.bodies.len() {
+            let [before, last] = [self.last[0][number], self.last[1][number]];
+            let near = [0, 1].map(|axis| 2.0 * last[axis] - before[axis]);
+            let (own, mark) = self.nearest(&all, near, number)?;
+            if let Some(other) = taken[own].replace(number) {
+                return Err(Lost::Merged { marks: [other + 1, number + 1], at: mark.at });
+            }
+            marks.push(mark);
+        }
+        marks.iter().enumerate().try_for_each(|(number, mark)| self.whole(number, *mark))?;
+        Ok(marks)
+    }
+
+    fn nearest(&self, all: &[Mark], near: [f64; 2], number: usize) -> Result<(usize, Mark), Lost> {
+        let distance = |(_, mark): &(usize, &Mark)| apart(mark.at, near);
+        let best = all.iter().enumerate().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let best = best.filter(|best| distance(best) <= self.within).map(|(own, mark)| (own, *mark));
+        let body = self.bodies[number].clone();
+        best.ok_or(Lost::Missing { mark: number + 1, body, near, within: self.within })
+    }
+
+    fn whole(&self, number: usize, Mark { at, area, at_edge }: Mark) -> Result<(), Lost> {
+        let (mark, body, first) = (number + 1, self.bodies[number].clone(), self.areas[number]);
+        match () {
+            () if at_edge => Err(Lost::AtEdge { mark, body, at }),
+            () if first > 0 && area as f64 > MERGED * first as f64 => Err(Lost::Grown { mark, body, at, area, first }),
+            () => Ok(()),
+        }
+    }
+}
+
+fn places_of(marks: &[Mark]) -> Vec<[f64; 2]> {
+    marks.iter().map(|mark| mark.at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(marks: &[[f64; 2]]) -> Grey {
+        let (width, height) = (120, 60);
+        let bright = |n: usize| {
+            let at = [(n % width) as f64 + 0.5, (n / width) as f64 + 0.5];
+            marks.iter().any(|mark| apart(*mark, at) < 3.0)
+        };
+        Grey { width, height, values: (0..width * height).map(|n| if bright(n) { 200.0 } else { 20.0 }).collect() }
+    }
+
+    fn started() -> Tracker {
+        let layout = Layout::unknown(30.0, None, [[20.0, 30.0], [60.0, 30.0]].into_iter());
+        Tracker::start(&layout, Finder { threshold: 100.0, least: 5 }, &image(&[[21.0, 31.0], [60.0, 30.0]]))
+            .expect("both are there")
+    }
+
+    #[test]
+    fn marks_keep_their_numbers_while_they_move() {
+        let mut tracker = started();
+        for n in 1..6 {
+            let x = 12.0 * f64::from(n);
+            // The first overtakes nothing: both move, faster than half their distance over several pictures.
+            let places = tracker.follow(&image(&[[60.0 + 9.0 * f64::from(n), 30.0], [21.0 + x * 0.5, 31.0]]));
+            let places = places.expect("both");
+            assert!(places[0][0] < places[1][0], "picture {n}: {places:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_lost_is_told() {
+        let said = |marks: &[[f64; 2]]| started().follow(&image(marks)).expect_err("lost").to_string();
+        assert!(said(&[[21.0, 31.0]]).contains("mark 2 (marks) is missing"), "{}", said(&[[21.0, 31.0]]));
+        let merged = [[38.5, 30.5], [42.5, 30.5]];
+        assert!(said(&merged).contains("marks 1 and 2 are merged"), "{}", said(&merged));
+        let grown = [[21.0, 31.0], [60.0, 30.0], [62.0, 34.0], [58.0, 34.0]];
+        assert!(said(&grown).contains("mark 2 (marks) has run together"), "{}", said(&grown));
+        let edge = [[21.0, 31.0], [60.0, 30.0]];
+        let mut tracker = started();
+        tracker.last = [vec![[3.0, 30.0], [60.0, 30.0]], vec![[3.0, 30.0], [60.0, 30.0]]];
+        let cut = tracker.follow(&image(&[[2.0, 30.0], [60.0, 30.0]])).expect_err("cut off").to_string();
+        assert!(cut.contains("edge of the picture"), "{cut}");
+        let mut small = image(&edge);
+        (small.width, small.height) = (60, 120);
+        assert!(started().follow(&small).expect_err("another size").to_string().contains("60 × 120"), "size");
+    }
+}
