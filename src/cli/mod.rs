@@ -24,6 +24,7 @@ mod progress;
 #[cfg(feature = "render")]
 mod render;
 mod run;
+mod seats;
 mod study;
 mod summary;
 mod sweep;

@@ -1,7 +1,8 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
+use super::seats;
 use crate::scene::shown::{escaped, shown};
-use crate::tables::{OutsideReport, OverlapReport, Report, SeatReport};
+use crate::tables::{OutsideReport, OverlapReport, Report};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -129,20 +130,8 @@ fn answer(report: &Report) -> Vec<Line> {
         let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
         line(&format!("pair {}", pair.name), value)
     }));
-    lines.extend(report.seats.iter().map(|seat| line(&format!("seat {}{}", seat.girder, seat.end), seat_words(seat))));
+    lines.extend(report.seats.iter().flat_map(seats::lines));
     lines
-}
-
-/// What remains of a seat, or when the girder left it.
-fn seat_words(seat: &SeatReport) -> String {
-    let [length, remaining] = [seat.length, seat.least_remaining].map(|metres| metres * 1e3);
-    match seat.left_at {
-        Some(left) => format!(
-            "the girder left its seat of {length:.3} mm at t = {left:.4} s; farthest off, by {:.3} mm, at {:.4} s",
-            -remaining, seat.t
-        ),
-        None => format!("{:.3} mm of {length:.3} mm remain at the least, at {:.4} s", remaining.max(0.0), seat.t),
-    }
 }
 
 fn accuracy(report: &Report) -> Vec<Line> {

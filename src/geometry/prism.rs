@@ -75,6 +75,23 @@ impl Prism {
         }
     }
 
+    /// Angle of the plan at a corner, β or π − β \[rad\].
+    pub fn corner_angle(&self, corner: usize) -> f64 {
+        if corner.is_multiple_of(2) { self.skew } else { std::f64::consts::PI - self.skew }
+    }
+
+    /// The angle of the plan at a corner in a word.
+    pub fn corner_kind(&self, corner: usize) -> &'static str {
+        let over = self.corner_angle(corner) - std::f64::consts::FRAC_PI_2;
+        if self.shear() == 0.0 {
+            "right"
+        } else if over < 0.0 {
+            "acute"
+        } else {
+            "obtuse"
+        }
+    }
+
     /// The four corners of an end face in the body frame, anticlockwise seen from outside \[m\].
     pub fn end_face(&self, end: End) -> [DVec3; 4] {
         let plan = self.plan_corners();

@@ -63,13 +63,15 @@ table! {
 }
 
 table! {
-    /// Length of seat under each end, along the axis, for what remains of it \[m\].
+    /// Length of seat under each end, along the axis, and its width, for what remains of it \[m\].
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Seat, SEAT {
         plus: Option<f64> = "+x" as "Seat at +x", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the +x end, m";
         minus: Option<f64> = "-x" as "Seat at -x", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the -x end, m";
+        side: Option<f64> = "side" as "Seat beyond the sides", Range::NotNegative, Fallback::Words("not looked at"),
+            "by how much both seats are wider than the deck at either side, along their front edge, m";
     }
 }
 

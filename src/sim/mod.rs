@@ -18,6 +18,7 @@ pub mod quantity;
 pub mod readings;
 mod replayed;
 mod report;
+pub mod seats;
 mod session;
 mod summary;
 mod touches;

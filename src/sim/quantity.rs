@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use super::{ContactNow, ContactState, History, readings};
+use super::{ContactNow, ContactState, History, readings, seats};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -122,7 +122,7 @@ pub enum Quantity {
     Girder(usize, OfGirder),
     /// Of a girder's corner in plan, by both numbers.
     Corner(usize, usize, OfCorner),
-    /// What remains of a seat under the end of a girder; of a seat without length, how far the end has moved off, negative.
+    /// What remains of a seat under the end of a girder, along the axis; of a seat without length, how far the end has moved off, negative.
     Seat(usize, End),
     /// Of a facing pair, by its number.
     Pair(usize, OfPair),
@@ -244,9 +244,7 @@ impl Quantity {
                     OfCorner::Drift => way.truncate().length(),
                 }
             }
-            Self::Seat(i, end) if i < model.bodies.len() => {
-                readings::seat_length(history, i, end).unwrap_or(0.0) - readings::off_seat(history, i, end, t)
-            }
+            Self::Seat(i, end) if i < model.bodies.len() => seats::remaining_along_axis(history, i, end, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Force => model.pairs[i]

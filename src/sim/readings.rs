@@ -1,31 +1,15 @@
-//! What a designer reads off a run: rotation, drift of the corners, what remains of the seats and when an end comes
-//! off, the least gap, the largest force, and which of the scene's limits were passed, and when.
+//! What a designer reads off a run: rotation, drift of the corners, what remains of the seats, the least gap, the largest
+//! force, and which of the scene's limits were passed, and when.
 //!
 //! Extremes are looked for at a rate that neither bearings nor ground can outrun, then refined; instants by bisection.
 
 use glam::DVec3;
 
-use super::History;
 pub use super::report::Extreme;
-use super::touches;
+use super::{History, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::NodePlace;
-use crate::geometry::{End, Prism};
-
-/// What remains of a seat.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seat {
-    /// Which end of the girder.
-    pub end: End,
-    /// Length of the seat \[m\].
-    pub length: f64,
-    /// The least that remained of it; negative when the end came off \[m\].
-    pub least: Extreme,
-    /// The least that remained at either corner of the end, in the order of [`Prism::end_corners`] \[m\].
-    pub at_corners: [f64; 2],
-    /// When the end came off for the first time \[s\].
-    pub left_at: Option<f64>,
-}
+use crate::geometry::End;
 
 /// A girder in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +19,7 @@ pub struct Reading {
     /// Largest distance of each corner in plan from where it was placed \[m\].
     pub drift: [Extreme; 4],
     /// Its seats, where it has any.
-    pub seats: Vec<Seat>,
+    pub seats: Vec<seats::Seat>,
     /// Least gap of its pairs; nothing where it faces nobody \[m\].
     pub gap: Option<Extreme>,
     /// Largest `|R_k|` of its pairs; nothing where it touched nobody \[N\].
@@ -62,32 +46,6 @@ pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64
     let here = body.prism.plan_corners()[corner].extend(0.0);
     // From the displacement, not from the place: far from the origin the difference would round away.
     motion.displacement + (motion.attitude * here - body.axes * here)
-}
-
-/// Length of the seat under an end, where the scene gives one \[m\].
-pub(super) fn seat_length(history: &History, girder: usize, end: End) -> Option<f64> {
-    let seat = history.scene().girders.get(girder)?.seat;
-    match end {
-        End::Plus => seat.plus,
-        End::Minus => seat.minus,
-    }
-}
-
-/// How far an end has moved off its seat: the corner at the underside that moved most towards the girder's middle, along
-/// the axis as placed \[m\].
-pub fn off_seat(history: &History, girder: usize, end: End, t: f64) -> f64 {
-    Prism::end_corners(end)
-        .map(|corner| corner_off_seat(history, girder, end, corner, t))
-        .into_iter()
-        .fold(f64::NEG_INFINITY, f64::max)
-}
-
-fn corner_off_seat(history: &History, girder: usize, end: End, corner: usize, t: f64) -> f64 {
-    let body = &history.model().bodies[girder];
-    let motion = history.motion(girder, t);
-    let inwards = -body.axes.x_axis * end.sign();
-    let here = body.prism.corners()[corner];
-    (motion.displacement + motion.attitude * here - body.axes * here).dot(inwards)
 }
 
 /// Where a contact's node is before its face, open or closed, an open edge node in the middle of its edge: gap, and distance along the face's horizontal \[m\].
@@ -135,23 +93,10 @@ pub fn reading(history: &History, girder: usize) -> Reading {
     Reading {
         rotation,
         drift: [0, 1, 2, 3].map(drift),
-        seats: End::BOTH.into_iter().filter_map(|end| seat(history, girder, end, &times)).collect(),
+        seats: seats::of_girder(history, girder),
         gap: gaps.reduce(|a, b| if b.value < a.value { b } else { a }),
         force: hardest.map(|touch| Extreme { value: touch.peak_force, t: touch.peak_time }),
     }
-}
-
-fn seat(history: &History, girder: usize, end: End, times: &[f64]) -> Option<Seat> {
-    let length = seat_length(history, girder, end)?;
-    let farthest = largest(times, |t| off_seat(history, girder, end, t));
-    let corner = |corner| length - largest(times, |t| corner_off_seat(history, girder, end, corner, t)).value;
-    Some(Seat {
-        end,
-        length,
-        least: Extreme { value: length - farthest.value, t: farthest.t },
-        at_corners: Prism::end_corners(end).map(corner),
-        left_at: first(times, history.end(), |t| off_seat(history, girder, end, t) - length),
-    })
 }
 
 /// The largest value over ordered times, refined between the neighbours of the best one.
@@ -216,8 +161,8 @@ fn of_girder(history: &History, girder: usize, name: &str, all: &mut Vec<Passed>
         watch("drift_m", most, 1.0, &farthest);
     }
     for end in End::BOTH {
-        if let Some((least, length)) = limits.remaining_seat.zip(seat_length(history, girder, end)) {
-            watch("remaining_seat_m", least, -1.0, &|t| length - off_seat(history, girder, end, t));
+        if let Some(least) = limits.remaining_seat.filter(|_| seats::length(history, girder, end).is_some()) {
+            watch("remaining_seat_m", least, -1.0, &|t| seats::remaining_along_axis(history, girder, end, t));
         }
     }
 }

@@ -9,15 +9,15 @@ mod contacts;
 mod events;
 mod impact;
 pub mod read;
+mod seats;
 mod summary;
 mod trajectory;
 
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
-pub use summary::{
-    DroppedReport, OutsideReport, OverlapReport, PairReport, Report, SeatReport, TooDeepReport, Versions,
-};
+pub use seats::{CornerReport, SeatReport};
+pub use summary::{DroppedReport, OutsideReport, OverlapReport, PairReport, Report, TooDeepReport, Versions};
 pub use trajectory::{trajectory, trajectory_columns};
 
 use std::io::Write;

@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::TableOptions;
 use super::events::law_of;
-use crate::scene::{Kind, Scene, Seat, domain};
+use super::seats::{self, SeatReport};
+use crate::scene::{Kind, Scene, domain};
 use crate::sim::{History, Ledger, Overlap, Stop, Summary, TooDeep, readings};
 
 /// Everything a summary says, SI.
@@ -72,23 +73,6 @@ pub struct PairReport {
     pub touches: usize,
     /// Largest force of one contact \[N\].
     pub peak_force: f64,
-}
-
-/// A seat in short.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SeatReport {
-    /// The girder.
-    pub girder: String,
-    /// Its end, `+x` or `-x`.
-    pub end: &'static str,
-    /// Length of the seat under it \[m\].
-    pub length: f64,
-    /// The least that remained of it; negative when the end came off \[m\].
-    pub least_remaining: f64,
-    /// When \[s\].
-    pub t: f64,
-    /// When the end came off for the first time, to a part in a thousand million of the run; `None` where it stayed \[s\].
-    pub left_at: Option<f64>,
 }
 
 /// A limit that was passed, in short.
@@ -194,7 +178,7 @@ impl Report {
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
             pairs: pairs(history),
-            seats: seats(history),
+            seats: seats::of(history),
             limits_passed: passed(history),
             overlaps: overlaps(history),
             too_deep: too_deep(history),
@@ -234,25 +218,6 @@ fn pairs(history: &History) -> Vec<PairReport> {
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
-}
-
-fn seats(history: &History) -> Vec<SeatReport> {
-    let girders = history.scene().girders.iter().enumerate().filter(|(_, g)| g.seat != Seat::default());
-    let of_girder = |(number, girder): (usize, &crate::scene::Girder)| {
-        readings::reading(history, number)
-            .seats
-            .into_iter()
-            .map(|seat| SeatReport {
-                girder: girder.name.clone(),
-                end: seat.end.label(),
-                length: seat.length,
-                least_remaining: seat.least.value,
-                t: seat.least.t,
-                left_at: seat.left_at,
-            })
-            .collect::<Vec<_>>()
-    };
-    girders.flat_map(of_girder).collect()
 }
 
 /// Limits of the scene that were passed.

@@ -256,13 +256,17 @@ fn a_girder_that_leaves_its_seat_is_said_to() {
     let folder = folder();
     let args = ["run", "skew45-abutment", "--until", "1.5", "--set"];
     let short = run_into(folder.path(), &[&args[..], &["girder.deck.seat_m={ \"+x\" = 0.002 }"]].concat());
-    assert!(short.contains("the girder left its seat of 2.000 mm at "), "says so: {short}");
+    assert!(short.contains("placed 1.414 mm (2.000 along the axis), least -"), "square to its edge: {short}");
+    assert!(short.contains("(acute) comes off at "), "says so: {short}");
     assert!(short.contains("of a single corner at "), "whose force it is: {short}");
     let seat = &summary_of(folder.path())["seats"][0];
     let [left, farthest] = ["left_at", "t"].map(|key| seat[key].as_f64().expect("a time"));
     assert!(0.0 < left && left < farthest, "it leaves before it is farthest off: {seat}");
     let long = run_into(folder.path(), &[&args[..], &["girder.deck.seat_m={ \"+x\" = 0.2 }"]].concat());
-    assert!(long.contains("mm of 200.000 mm remain"), "stays: {long}");
+    assert!(
+        long.contains("placed 141.421 mm (200.000 along the axis)") && !long.contains("comes off"),
+        "stays: {long}"
+    );
     assert!(summary_of(folder.path())["seats"][0]["left_at"].is_null(), "never left");
 }
 

@@ -72,4 +72,5 @@ mod study {
 mod tables {
     mod mutations;
     mod readings;
+    mod seats;
 }

@@ -67,7 +67,8 @@ fn loaded(mut scene: Scene) -> Scene {
 fn windows() -> Vec<Window> {
     let planar = presets::load(presets::OPENING).expect("ships");
     let with = |scene: &Scene, sets: &[&str]| overrides::apply_all(scene, sets).expect("fits");
-    let mut both = with(&planar, &["girder.deck.seat_m={ \"+x\" = 0.01, \"-x\" = 0.01 }", "limits.drift_m=0.1"]);
+    let mut both =
+        with(&planar, &["girder.deck.seat_m={ \"+x\" = 0.01, \"-x\" = 0.01, side = 0.1 }", "limits.drift_m=0.1"]);
     both = with(&both, &["limits.rotation_deg=1", "limits.remaining_seat_m=0", "limits.force_n=10"]);
     both.model.kind = ModelKind::Both;
     both.view.plots = vec![PlotSettings { x: None, y: vec!["deck.x".into()] }];

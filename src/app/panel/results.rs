@@ -52,11 +52,10 @@ fn show_reading(ui: &mut Ui, reading: &Reading) {
         vec![(text::TURNS, at(&format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
     rows.extend(text::DRIFTS.into_iter().zip(reading.drift.iter().map(length)));
     for seat in &reading.seats {
-        let left = text::seat_left(&length(&seat.least), seat.length, seat.at_corners);
-        rows.push((text::seat_at(seat.end), left));
-        if let Some(t) = seat.left_at {
-            rows.push((text::UNSEATS, text::unseats_at(t)));
-        }
+        let least = seat.corners.map(|corner| corner.least.value);
+        rows.push((text::seat_at(seat.ledge.end), text::seat_left(&length(&seat.least()), seat.ledge.placed(), least)));
+        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF, text::at_time(t))));
+        rows.extend(seat.lost_at.map(|t| (text::UNSEATS, text::at_time(t))));
     }
     rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap))));
     rows.extend(reading.force.as_ref().map(|force| (text::PEAK_FORCE, at(&text::force(force.value), force))));

@@ -24,7 +24,8 @@ pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
 // What a designer reads off a run for a girder.
 pub(in crate::app) const TURNS: &str = "turns";
 pub(in crate::app) const DRIFTS: [&str; 4] = ["drift 1", "drift 2", "drift 3", "drift 4"];
-pub(in crate::app) const UNSEATS: &str = "unseats";
+pub(in crate::app) const CORNER_OFF: &str = "corner off";
+pub(in crate::app) const UNSEATS: &str = "end lost";
 pub(in crate::app) const LEAST_GAP: &str = "least gap";
 pub(in crate::app) const PEAK_FORCE: &str = "peak force";
 
@@ -38,12 +39,12 @@ pub(in crate::app) fn reached_at(words: &str, t: f64) -> String {
     format!("{words} at {t:.3} s")
 }
 
-/// When a girder falls off its seat.
-pub(in crate::app) fn unseats_at(t: f64) -> String {
+/// A time.
+pub(in crate::app) fn at_time(t: f64) -> String {
     format!("at {t:.4} s")
 }
 
-/// What is left of a seat, `least` with its time, and at the corners \[m\].
+/// What is left of a seat, `least` with its time, and at the corners, square to the edge \[m\].
 pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [f64; 2]) -> String {
     format!("{least} left of {}; at the corners {}", length(seat), corners.map(length).join(", "))
 }

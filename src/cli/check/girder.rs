@@ -87,7 +87,8 @@ fn seats(seat: Seat) -> String {
     let ends = [("+x", seat.plus), ("-x", seat.minus)];
     let of_end = |(end, length): (&str, Option<f64>)| Some(format!("{} m under {end}", six(length?)));
     let given: Vec<_> = ends.into_iter().filter_map(of_end).collect();
-    if given.is_empty() { String::new() } else { format!("  seats: {}\n", given.join(", ")) }
+    let wider = seat.side.map_or(String::new(), |side| format!(", {} m wider than the deck at either side", six(side)));
+    if given.is_empty() { String::new() } else { format!("  seats: {}{wider}\n", given.join(", ")) }
 }
 
 /// (3), (4): what the bearings make of the girder, in its own axes.

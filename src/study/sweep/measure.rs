@@ -2,7 +2,7 @@
 
 use crate::scene::shown::shown;
 use crate::scene::{SceneError, SceneErrors, format};
-use crate::sim::{History, readings};
+use crate::sim::{History, readings, seats};
 
 /// A number of a run.
 #[derive(Clone, Copy, Debug)]
@@ -101,16 +101,16 @@ pub const MEASURES: &[Measure] = &[
     Measure {
         name: "least_seat",
         unit: "m",
-        meaning: "least that remains of any seat, negative off it; none without seats",
+        meaning: "least that remains of any seat, square to its edge, negative off it; none without seats",
         drawn: MILLIMETRES,
-        of: |run| girders(run).flat_map(|reading| reading.seats).map(|seat| seat.least.value).reduce(f64::min),
+        of: |run| seats(run).map(|seat| seat.least().value).reduce(f64::min),
     },
     Measure {
         name: "unseated",
         unit: "s",
-        meaning: "time when an end first came off its seat; none where all stay",
+        meaning: "time when a corner first came off its seat; none where all stay",
         drawn: SECONDS,
-        of: |run| girders(run).flat_map(|reading| reading.seats).filter_map(|seat| seat.left_at).reduce(f64::min),
+        of: |run| seats(run).filter_map(|seat| seat.off_at()).reduce(f64::min),
     },
     Measure {
         name: "max_overlap",
@@ -138,6 +138,11 @@ pub const MEASURES: &[Measure] = &[
 /// The numbers of every girder.
 fn girders(run: &History) -> impl Iterator<Item = readings::Reading> {
     (0..run.model().bodies.len()).map(|girder| readings::reading(run, girder))
+}
+
+/// Every seat of every girder.
+fn seats(run: &History) -> impl Iterator<Item = seats::Seat> {
+    (0..run.model().bodies.len()).flat_map(|girder| seats::of_girder(run, girder))
 }
 
 impl Measure {

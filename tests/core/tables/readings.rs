@@ -83,15 +83,15 @@ fn a_limit_is_passed_when_the_closed_form_says() {
 fn a_seat_is_left_when_the_end_has_moved_its_length() {
     let (mut scene, omega) = swinging();
     let length = 0.8 * V / omega;
-    scene.girders[0].seat = Seat { plus: None, minus: Some(length) };
+    scene.girders[0].seat = Seat { minus: Some(length), ..Seat::default() };
     scene.limits.remaining_seat = Some(0.5 * length);
     let history = History::of(&scene).expect("runs");
     let seat = readings::reading(&history, 0).seats[0];
     // The -x end leaves its seat by moving along +x, towards the middle of the girder.
-    near(seat.left_at.expect("it falls"), 0.8f64.asin() / omega, 4e-9, "v/ω sin ωt = length");
-    near(seat.least.value, length - V / omega, 1e-12, "less than nothing");
-    for corner in seat.at_corners {
-        near(corner, length - V / omega, 1e-12, "without turning both corners alike");
+    near(seat.off_at().expect("it falls"), 0.8f64.asin() / omega, 1e-12, "v/ω sin ωt = length");
+    near(seat.lost_at.expect("both corners at once"), 0.8f64.asin() / omega, 1e-12, "v/ω sin ωt = length");
+    for corner in seat.corners {
+        near(corner.least.value, length - V / omega, 1e-12, "less than nothing, without turning both corners alike");
     }
     let passed = readings::passed(&history);
     near(passed[0].t, 0.4f64.asin() / omega, 4e-9, "half of it left");

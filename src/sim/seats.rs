@@ -1,0 +1,312 @@
+//! What remains of the seats of a girder: at each corner of an end the distance to the front edge of its seat, the least of it,
+//! when and where a corner comes off, and when the whole end does (`docs/seats.md`).
+//!
+//! Values are read off the continuous history. Extremes and zeros are searched between looks that neither bearings nor ground
+//! can outrun, and every low point that may reach 0 between two looks is closed in on.
+
+use glam::DVec3;
+
+use super::report::Extreme;
+use super::{History, Motion, touches};
+use crate::dynamics::locate::root::root;
+use crate::geometry::{End, Prism};
+
+/// Part of the range of a quantity within which a low point between looks is closed in on: between looks, 24 a period of the
+/// fastest motion, a peak rises by less than a hundredth of the range.
+const NEAR: f64 = 0.1;
+
+/// The seat of an end as placed, fixed to the ground: a strip behind the front edge, which is parallel to the end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ledge {
+    /// Which end of the girder.
+    pub end: End,
+    /// Length of the seat along the axis \[m\].
+    pub length: f64,
+    /// sin β, 1 for a straight girder.
+    pub sine: f64,
+    /// Square to the front edge, from the span to the support: ν, world.
+    pub normal: DVec3,
+    /// Along the front edge, from the corner at −y of the girder to that at +y, world.
+    pub along: DVec3,
+    /// Half the length of the end along the edge \[m\].
+    pub half_end: f64,
+    /// By how much the seat is wider than the end at either side, along the edge; `None` where the scene does not give it \[m\].
+    pub side: Option<f64>,
+}
+
+impl Ledge {
+    /// The seat of an end of a girder, where the scene gives one.
+    pub fn of(history: &History, girder: usize, end: End) -> Option<Self> {
+        let length = length(history, girder, end)?;
+        Some(Self {
+            length,
+            side: history.scene().girders[girder].seat.side,
+            ..Self::without_length(history, girder, end)
+        })
+    }
+
+    /// The front edge as of a seat of length 0: what remains of it is how far a corner has moved onto it.
+    pub(super) fn without_length(history: &History, girder: usize, end: End) -> Self {
+        let body = &history.model().bodies[girder];
+        let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
+        let way = (to - from) / body.prism.end_length();
+        let normal = way.perp() * -end.sign();
+        Self {
+            end,
+            length: 0.0,
+            sine: way.y,
+            normal: body.axes * normal.extend(0.0),
+            along: body.axes * way.extend(0.0),
+            half_end: 0.5 * body.prism.end_length(),
+            side: None,
+        }
+    }
+
+    /// Seat as placed, square to the edge: `seat · sin β` \[m\].
+    pub fn placed(&self) -> f64 {
+        self.length * self.sine
+    }
+
+    /// What remains of it at a corner, square to the edge: `r_c = (X_c − E)·ν`; negative off it \[m\].
+    pub fn remaining(&self, shift: DVec3) -> f64 {
+        // By the displacement of the corner, not by its place: far from the origin the difference would round away.
+        self.placed() + shift.dot(self.normal)
+    }
+
+    /// Where a corner of the end is along the edge, from the middle of the end as placed: of `Prism::end_corners` the first
+    /// is at −`half_end` as placed \[m\].
+    pub fn place_along(&self, which: usize, shift: DVec3) -> f64 {
+        let placed = if which == 0 { -self.half_end } else { self.half_end };
+        placed + shift.dot(self.along)
+    }
+}
+
+/// When a corner comes off, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// When for the first time \[s\].
+    pub t: f64,
+    /// Where along the edge, from the middle of the end as placed, towards the corner at +y \[m\].
+    pub along: f64,
+}
+
+/// What remains at a corner of an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeatCorner {
+    /// Its number in plan.
+    pub corner: usize,
+    /// The least that remained, square to the edge; negative where it came off \[m\].
+    pub least: Extreme,
+    /// When and where it came off over the front edge.
+    pub off: Option<Departure>,
+    /// The least distance from the seat's sides, along the edge, where the scene gives its width \[m\].
+    pub side: Option<Extreme>,
+    /// When and where it left the seat over a side.
+    pub off_side: Option<Departure>,
+}
+
+/// What remains of a seat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seat {
+    /// The seat.
+    pub ledge: Ledge,
+    /// Its corners, in the order of [`Prism::end_corners`].
+    pub corners: [SeatCorner; 2],
+    /// The least share of the end that stood on its seat, along the edge, 0 to 1.
+    pub least_share: Extreme,
+    /// When both corners were off the front edge for the first time: the end is lost \[s\].
+    pub lost_at: Option<f64>,
+}
+
+impl Seat {
+    /// The least that remained at either corner, square to the edge \[m\].
+    pub fn least(&self) -> Extreme {
+        let [one, other] = self.corners.map(|corner| corner.least);
+        if other.value < one.value { other } else { one }
+    }
+
+    /// What was used of it, square to the edge: placed less least \[m\].
+    pub fn used(&self) -> f64 {
+        self.ledge.placed() - self.least().value
+    }
+
+    /// When the first corner came off, over the front edge \[s\].
+    pub fn off_at(&self) -> Option<f64> {
+        self.corners.into_iter().filter_map(|corner| corner.off).map(|off| off.t).reduce(f64::min)
+    }
+}
+
+/// Length of the seat under an end along the axis, where the scene gives one \[m\].
+pub(super) fn length(history: &History, girder: usize, end: End) -> Option<f64> {
+    let seat = history.scene().girders.get(girder)?.seat;
+    match end {
+        End::Plus => seat.plus,
+        End::Minus => seat.minus,
+    }
+}
+
+/// What remains of a seat along the axis at its worse corner; of a seat without length how far the end has moved off, negative
+/// \[m\].
+pub(super) fn remaining_along_axis(history: &History, girder: usize, end: End, t: f64) -> f64 {
+    let ledge = Ledge::of(history, girder, end).unwrap_or_else(|| Ledge::without_length(history, girder, end));
+    let motion = history.motion(girder, t);
+    let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(shift(history, girder, corner, &motion)));
+    remaining[0].min(remaining[1]) / ledge.sine
+}
+
+/// What remains at both corners of an end, square to the edge, and where they are along it, at a time \[m\].
+pub fn corners_at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> [[f64; 2]; 2] {
+    let motion = history.motion(girder, t);
+    let corners = Prism::end_corners(ledge.end).map(|corner| shift(history, girder, corner, &motion));
+    [0, 1].map(|which| [ledge.place_along(which, corners[which]), ledge.remaining(corners[which])])
+}
+
+/// Share of an end that stands on its seat where this remains at its corners, 0 to 1: what remains is linear along the edge.
+pub fn seated_share([one, other]: [f64; 2]) -> f64 {
+    match (one > 0.0, other > 0.0) {
+        (true, true) => 1.0,
+        (true, false) => one / (one - other),
+        (false, true) => other / (other - one),
+        (false, false) => 0.0,
+    }
+}
+
+/// Displacement of a corner at the underside from where it was placed \[m\].
+fn shift(history: &History, girder: usize, corner: usize, motion: &Motion) -> DVec3 {
+    let body = &history.model().bodies[girder];
+    let here = body.prism.corners()[corner];
+    motion.displacement + motion.attitude * here - body.axes * here
+}
+
+/// A girder at every look of a run.
+struct Looks<'a> {
+    history: &'a History,
+    girder: usize,
+    times: Vec<f64>,
+    motions: Vec<Motion>,
+}
+
+/// The seats of a girder, the `+x` end first.
+pub fn of_girder(history: &History, girder: usize) -> Vec<Seat> {
+    let ledges: Vec<Ledge> = End::BOTH.into_iter().filter_map(|end| Ledge::of(history, girder, end)).collect();
+    if ledges.is_empty() {
+        return Vec::new();
+    }
+    let times = touches::looks(history, girder);
+    let motions = times.iter().map(|&t| history.motion(girder, t)).collect();
+    let looks = Looks { history, girder, times, motions };
+    ledges.into_iter().map(|ledge| looks.seat(ledge)).collect()
+}
+
+impl Looks<'_> {
+    fn seat(&self, ledge: Ledge) -> Seat {
+        let numbers = Prism::end_corners(ledge.end);
+        let shift = |which: usize, motion: &Motion| shift(self.history, self.girder, numbers[which], motion);
+        let remaining = |which: usize, motion: &Motion| ledge.remaining(shift(which, motion));
+        let both = |motion: &Motion| [remaining(0, motion), remaining(1, motion)];
+        let corner = |which: usize| {
+            let front = self.scan(&|motion| remaining(which, motion));
+            let departure = |t: f64| {
+                let along = ledge.place_along(which, shift(which, &self.history.motion(self.girder, t)));
+                Departure { t, along }
+            };
+            let beside = ledge.side.map(|side| {
+                self.scan(&|motion| ledge.half_end + side - ledge.place_along(which, shift(which, motion)).abs())
+            });
+            SeatCorner {
+                corner: numbers[which],
+                least: front.least,
+                off: front.zero.map(departure),
+                side: beside.map(|beside| beside.least),
+                off_side: beside.and_then(|beside| beside.zero).map(departure),
+            }
+        };
+        Seat {
+            ledge,
+            corners: [corner(0), corner(1)],
+            least_share: self.scan(&|motion| seated_share(both(motion))).least,
+            lost_at: self.scan(&|motion| both(motion).into_iter().fold(f64::NEG_INFINITY, f64::max)).zero,
+        }
+    }
+
+    /// The least value of a quantity and its first zero from above.
+    fn scan(&self, quantity: &dyn Fn(&Motion) -> f64) -> Scanned {
+        let values: Vec<f64> = self.motions.iter().map(quantity).collect();
+        let at = |t: f64| quantity(&self.history.motion(self.girder, t));
+        scan(&self.times, &values, &at)
+    }
+}
+
+/// The least of a quantity, and when it first falls to 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scanned {
+    least: Extreme,
+    zero: Option<f64>,
+}
+
+/// Searches a quantity that is known at times in rising order.
+fn scan(times: &[f64], values: &[f64], at: &dyn Fn(f64) -> f64) -> Scanned {
+    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
+    let near = NEAR * (high - low);
+    let first = values.iter().position(|v| *v <= low).unwrap_or(0);
+    let mut least = Extreme { value: low, t: times.get(first).copied().unwrap_or(0.0) };
+    let mut zero = None;
+    for i in 0..values.len() {
+        let before = i.checked_sub(1);
+        if zero.is_none() && values[i] <= 0.0 {
+            zero = Some(before.map_or(times[i], |b| root(|t| -at(t), times[b], times[i])));
+        }
+        let around = [before.unwrap_or(i), (i + 1).min(values.len() - 1)];
+        let bottom = around.iter().all(|&n| values[i] <= values[n]) && values[i] < low + near;
+        let matters = bottom || (zero.is_none() && around.iter().all(|&n| values[i] <= values[n]) && values[i] < near);
+        if !matters || around[0] == around[1] {
+            continue;
+        }
+        let (t, height) = touches::golden(|t| -at(t), times[around[0]], times[around[1]]);
+        if -height < least.value {
+            least = Extreme { value: -height, t };
+        }
+        if zero.is_none() && height >= 0.0 {
+            zero = Some(root(|t| -at(t), times[around[0]], t));
+        }
+    }
+    Scanned { least, zero }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A function looked at 101 times.
+    fn scanned(step: f64, f: &dyn Fn(f64) -> f64) -> Scanned {
+        let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * step).collect();
+        let values: Vec<f64> = times.iter().map(|t| f(*t)).collect();
+        scan(&times, &values, f)
+    }
+
+    #[test]
+    fn a_dip_between_two_looks_is_found() {
+        // Lowest at 3.05, between the looks at 3.0 and 3.1, where it is still above 0.
+        let dip = |t: f64| (t - 3.05).powi(2) - 1e-3;
+        let found = scanned(0.1, &dip);
+        assert!(dip(3.0) > 0.0 && dip(3.1) > 0.0, "above 0 at every look");
+        assert!((found.zero.expect("below 0 between") - (3.05 - 1e-3f64.sqrt())).abs() < 1e-14, "{found:?}");
+        assert!((found.least.value + 1e-3).abs() < 1e-14 && (found.least.t - 3.05).abs() < 1e-7, "{found:?}");
+    }
+
+    #[test]
+    fn a_zero_is_the_first_of_several_and_exact() {
+        let found = scanned(0.1, &|t| 0.5 + t.cos());
+        assert!((found.zero.expect("falls") - std::f64::consts::TAU / 3.0).abs() < 1e-15, "{found:?}");
+        assert_eq!(scanned(0.1, &|t| 1.5 + t.cos()).zero, None, "never");
+        assert_eq!(scanned(0.1, &|_| -1.0).zero, Some(0.0), "off from the beginning");
+    }
+
+    #[test]
+    fn the_share_is_that_of_a_line_between_the_corners() {
+        let all = [[0.3, 0.1], [0.3, -0.1], [-0.1, 0.3], [-0.1, -0.3]].map(seated_share);
+        for (got, wanted) in all.into_iter().zip([1.0, 0.75, 0.75, 0.0]) {
+            assert!((got - wanted).abs() < 1e-15, "{got}, not {wanted}");
+        }
+    }
+}

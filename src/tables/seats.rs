@@ -1,0 +1,103 @@
+//! Seats in `summary.json`: what remained at each corner of each end, when and where a corner came off.
+
+use serde::Serialize;
+
+use crate::geometry::Prism;
+use crate::scene::{Girder, Seat as Given};
+use crate::sim::History;
+use crate::sim::seats::{self, Seat, SeatCorner};
+
+/// A seat in short.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeatReport {
+    /// The girder.
+    pub girder: String,
+    /// Its end, `+x` or `-x`.
+    pub end: &'static str,
+    /// Length of the seat under it along the axis \[m\].
+    pub length: f64,
+    /// The same square to its front edge, `length · sin β` \[m\].
+    pub placed: f64,
+    /// The least that remained at either corner, square to the edge; negative when it came off \[m\].
+    pub least_remaining: f64,
+    /// The same along the axis \[m\].
+    pub least_along_axis: f64,
+    /// What was used of it, square to the edge: placed less least \[m\].
+    pub used: f64,
+    /// When the least remained \[s\].
+    pub t: f64,
+    /// When the first corner came off; `None` where both stayed \[s\].
+    pub left_at: Option<f64>,
+    /// When both corners were off for the first time: the end is lost \[s\].
+    pub lost_at: Option<f64>,
+    /// The least share of the end that stood on its seat, 0 to 1.
+    pub least_share: f64,
+    /// Its corners, the one at −y of the girder first.
+    pub corners: [CornerReport; 2],
+}
+
+/// What remained at a corner, square to the edge.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CornerReport {
+    /// Its number in plan, from 1.
+    pub corner: usize,
+    /// The angle of the plan there: `acute`, `obtuse`, `right`.
+    pub angle: &'static str,
+    /// The least that remained; negative where it came off \[m\].
+    pub least_remaining: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// When it came off over the front edge; `None` where it stayed \[s\].
+    pub left_at: Option<f64>,
+    /// Where along the edge it came off, from the middle of the end as placed \[m\].
+    pub left_along: Option<f64>,
+    /// The least distance from the sides of the seat, where the scene gives its width \[m\].
+    pub least_at_side: Option<f64>,
+    /// When it left the seat over a side \[s\].
+    pub left_side_at: Option<f64>,
+}
+
+/// Every seat that the scene gives.
+pub(super) fn of(history: &History) -> Vec<SeatReport> {
+    let girders = history.scene().girders.iter().enumerate().filter(|(_, girder)| girder.seat != Given::default());
+    let of_girder = |(number, girder): (usize, &Girder)| -> Vec<SeatReport> {
+        let seats = seats::of_girder(history, number);
+        seats.iter().map(|seat| SeatReport::of(&girder.name, &girder.prism(), seat)).collect()
+    };
+    girders.flat_map(of_girder).collect()
+}
+
+impl SeatReport {
+    fn of(girder: &str, prism: &Prism, seat: &Seat) -> Self {
+        let least = seat.least();
+        Self {
+            girder: girder.to_owned(),
+            end: seat.ledge.end.label(),
+            length: seat.ledge.length,
+            placed: seat.ledge.placed(),
+            least_remaining: least.value,
+            least_along_axis: least.value / seat.ledge.sine,
+            used: seat.used(),
+            t: least.t,
+            left_at: seat.off_at(),
+            lost_at: seat.lost_at,
+            least_share: seat.least_share.value,
+            corners: seat.corners.map(|corner| CornerReport::of(prism, &corner)),
+        }
+    }
+}
+
+impl CornerReport {
+    fn of(prism: &Prism, corner: &SeatCorner) -> Self {
+        Self {
+            corner: corner.corner + 1,
+            angle: prism.corner_kind(corner.corner),
+            least_remaining: corner.least.value,
+            t: corner.least.t,
+            left_at: corner.off.map(|off| off.t),
+            left_along: corner.off.map(|off| off.along),
+            least_at_side: corner.side.map(|side| side.value),
+            left_side_at: corner.off_side.map(|off| off.t),
+        }
+    }
+}
