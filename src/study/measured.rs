@@ -95,38 +95,44 @@ impl Film {
         table
     }
 
-    /// x, y and θ of a body over time as an SVG document, and of a run beside it.
+    /// x, y and θ of a body over time as an SVG document; beside a run, and how far from it in pixels, where there is one.
     pub fn chart(&self, number: usize, run: Option<&[[f64; 3]]>, title: &str) -> String {
-        let Measured { poses, .. } = &self.bodies[number];
+        let poses = &self.bodies[number].poses;
+        let measured = |pose: &Pose| {
+            let [x, y] = pose.displacement;
+            [x, y, pose.rotation.unwrap_or(f64::NAN).to_degrees()]
+        };
+        let measured: Vec<[f64; 3]> = poses.iter().map(measured).collect();
         let run = run.unwrap_or_default();
         let first = run.first().copied().unwrap_or_default();
-        let panel = |name: &str, axis: usize| {
-            let of_pose = |pose: &Pose| match axis {
-                2 => pose.rotation.unwrap_or(f64::NAN).to_degrees(),
-                _ => pose.displacement[axis],
-            };
-            let of_run = |run: &[f64; 3]| {
-                let moved = run[axis] - first[axis];
-                if axis == 2 { moved.to_degrees() } else { 1e3 * moved }
-            };
-            let over_time = |values: &mut dyn Iterator<Item = f64>| -> Vec<[f64; 2]> {
-                self.times.iter().zip(values).map(|(t, value)| [*t, value]).collect()
-            };
-            let curve = |name: &str, (color, dashes): (&str, &'static str), points| Curve {
-                name: name.to_owned(),
-                color: color.to_owned(),
-                dashes,
-                points,
-            };
-            let computed = curve("computed", ("#b0b0b0", "none"), over_time(&mut run.iter().map(of_run)));
-            let measured = curve("measured", (COLORS[axis], "7 4"), over_time(&mut poses.iter().map(of_pose)));
-            let alone = Curve { dashes: "none", ..measured.clone() };
-            let curves = if run.is_empty() { vec![alone] } else { vec![computed, measured] };
+        let since =
+            |run: &[f64; 3]| [1e3 * (run[0] - first[0]), 1e3 * (run[1] - first[1]), (run[2] - first[2]).to_degrees()];
+        let computed: Vec<[f64; 3]> = run.iter().map(since).collect();
+        let of_axis = |all: &[[f64; 3]], axis: usize| -> Vec<[f64; 2]> {
+            self.times.iter().zip(all).map(|(t, values)| [*t, values[axis]]).collect()
+        };
+        let panel = |(axis, name): (usize, &str)| {
+            let dashes = if run.is_empty() { "none" } else { "7 4" };
+            let computed = curve("computed", ("#b0b0b0", "none"), of_axis(&computed, axis));
+            let measured = curve("measured", (COLORS[axis], dashes), of_axis(&measured, axis));
+            let curves = if run.is_empty() { vec![measured] } else { vec![computed, measured] };
             Panel { name: name.to_owned(), curves }
         };
-        let panels = vec![panel("x [mm]", 0), panel("y [mm]", 1), panel("θ [degrees]", 2)];
+        let mut panels: Vec<Panel> = ["x [mm]", "y [mm]", "θ [degrees]"].into_iter().enumerate().map(panel).collect();
+        if !run.is_empty() {
+            let off = |axis: usize| {
+                let pairs = self.times.iter().zip(&measured).zip(&computed);
+                pairs.map(|((t, m), c)| [*t, (m[axis] - c[axis]) / self.mm_per_pixel]).collect()
+            };
+            let curves = [(0, "of x"), (1, "of y")].map(|(axis, name)| curve(name, (COLORS[axis], "none"), off(axis)));
+            panels.push(Panel { name: "measured − computed [pixels]".to_owned(), curves: curves.to_vec() });
+        }
         Chart { title: title.to_owned(), x: "time [s]".to_owned(), panels }.to_svg()
     }
+}
+
+fn curve(name: &str, (color, dashes): (&str, &'static str), points: Vec<[f64; 2]>) -> Curve {
+    Curve { name: name.to_owned(), color: color.to_owned(), dashes, points }
 }
 
 #[cfg(test)]

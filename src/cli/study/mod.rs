@@ -1,6 +1,7 @@
 //! `girderbench study`: many runs, and what they show.
 
 mod accuracy;
+mod camera;
 mod experiment;
 mod page;
 mod size;
@@ -9,7 +10,7 @@ mod stability;
 use super::console::Console;
 use super::failure::Failure;
 
-/// Measure the program: work against error, cost against size, random scenes, the paper's experiment
+/// Measure the program: work against error, cost against size, random scenes, the paper's experiment, films
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct StudyArgs {
     #[command(subcommand)]
@@ -19,6 +20,7 @@ pub(super) struct StudyArgs {
 #[derive(Clone, Debug, clap::Subcommand)]
 enum Study {
     Accuracy(accuracy::AccuracyArgs),
+    Camera(camera::CameraArgs),
     Experiment(experiment::ExperimentArgs),
     Size(size::SizeArgs),
     Stability(stability::StabilityArgs),
@@ -31,6 +33,7 @@ enum Study {
 pub(super) fn run(args: &StudyArgs, console: &mut Console) -> Result<(), Failure> {
     match &args.study {
         Study::Accuracy(args) => accuracy::run(args, console),
+        Study::Camera(args) => camera::run(args, console),
         Study::Experiment(args) => experiment::run(args, console),
         Study::Size(args) => size::run(args, console),
         Study::Stability(args) => stability::run(args, console),
