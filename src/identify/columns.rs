@@ -68,11 +68,18 @@ pub struct Measured {
 /// Words of units of length and their length \[m\].
 pub const LENGTHS: [(&str, f64); 5] = [("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("µm", 1e-6)];
 
-/// Most rows that are read.
-const MOST_ROWS: usize = 2_000_000;
+/// Most rows that are read: over an hour at 100 Hz, and some seconds to identify.
+const MOST_ROWS: usize = 500_000;
+
+/// Text of a file as a complaint shows it.
+fn shown(text: &str) -> String {
+    /// Characters that are shown.
+    const LONGEST: usize = 200;
+    text.chars().filter(|c| !c.is_control()).take(LONGEST).collect()
+}
 
 fn wrong(line: u64, value: impl Into<String>, remedy: impl Into<String>) -> RecordError {
-    RecordError { line, value: value.into(), remedy: remedy.into() }
+    RecordError { line, value: shown(&value.into()), remedy: shown(&remedy.into()) }
 }
 
 /// Name and unit of a column: `x_mm`, `x [mm]` and `x (mm)` are x in mm.
@@ -215,8 +222,8 @@ fn push(
 ) -> Result<(), RecordError> {
     let number = |column: usize| {
         let field = record.get(column).unwrap_or_default();
-        let shown: String = field.chars().filter(|c| !c.is_control()).take(40).collect();
-        let value = if field.is_empty() { "nothing".to_owned() } else { format!("`{shown}`") };
+        let cut: String = field.chars().take(40).collect();
+        let value = if field.is_empty() { "nothing".to_owned() } else { format!("`{cut}`") };
         decimal(field).ok_or_else(|| wrong(line, value, format!("column {} must hold finite numbers", column + 1)))
     };
     let [at, x] = [number(columns[0])?, number(columns[1])? * measured.unit];

@@ -10,6 +10,9 @@ pub const TABLE: &str = "table";
 /// Name of the layout beside the pictures.
 pub const LAYOUT: &str = "marks.toml";
 
+/// Most marks that are followed.
+pub const MOST_MARKS: usize = 1000;
+
 /// A film of marks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -43,6 +46,11 @@ pub struct MarkPlace {
     pub at_mm: Option<[f64; 2]>,
 }
 
+/// Whether a body may be called so.
+fn is_name(body: &str) -> bool {
+    (1..=60).contains(&body.chars().count()) && !body.contains(char::is_control)
+}
+
 impl Layout {
     /// Reads the text of a layout.
     ///
@@ -51,7 +59,8 @@ impl Layout {
     pub fn parse(text: &str) -> Result<Self, String> {
         let layout: Self = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
-            format!("line {line}: {}", error.message())
+            let said: String = error.message().chars().filter(|c| !c.is_control()).take(200).collect();
+            format!("line {line}: {said}")
         })?;
         layout.fault().map_or(Ok(()), Err)?;
         Ok(layout)
@@ -66,6 +75,10 @@ impl Layout {
             () if !self.from_s.is_finite() => Some(format!("from_s {}: give a time in s", self.from_s)),
             () if self.mm_per_pixel.is_some_and(|scale| !positive(scale)) => {
                 Some("mm_per_pixel: give a length above 0".to_owned())
+            }
+            () if self.mark.len() > MOST_MARKS => Some(format!("{} marks: give at most {MOST_MARKS}", self.mark.len())),
+            () if self.mark.iter().any(|mark| !is_name(&mark.body)) => {
+                Some("body: give names of 1 to 60 characters on one line".to_owned())
             }
             () if self.mark.is_empty() => Some("no marks: give [[mark]] with body and pixel".to_owned()),
             () if places.into_iter().any(|value| !value.is_finite()) => {

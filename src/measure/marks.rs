@@ -121,7 +121,10 @@ impl Blob {
             }
         }
         let at_edge = (0..2).any(|axis| self.min[axis] == 0 || self.max[axis] + 1 == size[axis]);
-        Mark { at: [sx / sum, sy / sum], area: self.area, at_edge }
+        // Brighter surroundings than the mark, with a threshold far below both: no centroid.
+        let middle = [0, 1].map(|axis| f64::midpoint(low[axis] as f64, high[axis] as f64) + 0.5);
+        let at = if sum > 0.0 { [sx / sum, sy / sum] } else { middle };
+        Mark { at, area: self.area, at_edge }
     }
 }
 

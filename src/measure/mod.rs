@@ -12,7 +12,7 @@ pub mod pose;
 pub mod track;
 
 pub use grey::Grey;
-pub use layout::{LAYOUT, Layout, MarkPlace, TABLE};
+pub use layout::{LAYOUT, Layout, MOST_MARKS, MarkPlace, TABLE};
 pub use marks::{Finder, Mark};
 pub use pose::{Calibration, Pose, Poses};
 pub use track::{Lost, Tracker};

@@ -66,6 +66,7 @@ mod study {
     mod camera;
     mod experiment;
     mod identify;
+    mod measured_mutations;
     mod stability;
     mod sweep;
 }

@@ -15,7 +15,7 @@ use super::output::write_files;
 use super::plot_files::plot_files;
 use super::progress::Progress;
 use crate::files;
-use crate::measure::{Calibration, Finder, Grey, LAYOUT, Layout, Poses, Tracker};
+use crate::measure::{Calibration, Finder, Grey, LAYOUT, Layout, MOST_MARKS, Poses, Tracker};
 use crate::scene::shown::escaped;
 use crate::study::measured::{Difference, Differences, Film, Measured, differences};
 use reference::Reference;
@@ -117,9 +117,10 @@ impl MeasureArgs {
             Some(layout) => layout,
             None => Layout::unknown(FPS, None, finder.find(first).iter().map(|mark| mark.at)),
         };
-        if layout.mark.is_empty() {
-            let what =
-                format!("no mark of {} pixels or more: give another --threshold or --least-pixels", finder.least);
+        let count = layout.mark.len();
+        if count == 0 || count > MOST_MARKS {
+            let least = finder.least;
+            let what = format!("{count} marks of {least} pixels or more: give another --threshold or --least-pixels");
             return Err(Failure::Input(format!("{}: {what}", path.display())));
         }
         layout.fps = self.fps.unwrap_or(layout.fps);
