@@ -55,6 +55,7 @@
 //! | [`scene`] | what a user places: file format, presets, overrides, validation, edits |
 //! | [`dynamics`] | bodies, bearings, flight, integrators, the event loop |
 //! | [`sim`] | a run: session, dense history, events, ledger, error estimate |
+//! | [`codes`] | seat lengths that design codes require, beside those of a run |
 //! | [`study`] | many runs: work against error, cost against size, random scenes, sweeps over keys |
 //! | [`tables`] | an answer as CSV and JSON |
 //! | [`view`] | an answer as a list of things to draw |
@@ -64,9 +65,10 @@
 //! | `app` | the workbench window (feature `gui`) |
 //! | [`cli`] | the command line |
 //!
-//! The first eight are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+//! The first nine are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 pub mod cli;
+pub mod codes;
 pub mod contact;
 pub mod dynamics;
 pub mod files;

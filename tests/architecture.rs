@@ -22,18 +22,22 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("scene", &["geometry", "contact", "motion"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics"]),
+    ("codes", &["geometry", "scene", "dynamics", "sim"]),
     ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim"]),
-    ("tables", &["geometry", "scene", "dynamics", "sim"]),
+    ("tables", &["geometry", "scene", "dynamics", "sim", "codes"]),
     ("view", &["geometry", "scene", "dynamics", "sim"]),
     ("render", &["view"]),
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
-    ("app", &["geometry", "scene", "dynamics", "sim", "study", "tables", "view", "render", "snapshot", "files"]),
+    (
+        "app",
+        &["geometry", "scene", "dynamics", "sim", "codes", "study", "tables", "view", "render", "snapshot", "files"],
+    ),
     (
         "cli",
         &[
-            "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "tables", "view", "render",
-            "snapshot", "files", "app", "study",
+            "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "codes", "tables", "view",
+            "render", "snapshot", "files", "app", "study",
         ],
     ),
 ];

@@ -13,6 +13,7 @@ pub(super) fn text(report: &Report) -> String {
     let lines = lines.into_iter().map(|(label, value)| format!("  {label:<22} {value}\n"));
     std::iter::once(format!("{}: {} of {} s\n", name(&report.scene), plain(report.end), report.duration))
         .chain(lines)
+        .chain([seats::table(&report.seats)])
         .collect()
 }
 

@@ -7,6 +7,7 @@
 mod abutment;
 mod angle;
 mod bearing;
+mod codes;
 mod contact;
 mod girder;
 mod kind;
@@ -35,6 +36,7 @@ pub mod validate;
 
 pub use abutment::Abutment;
 pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
+pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,
 };

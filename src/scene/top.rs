@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::keys::{Fallback, Key, Range};
 use super::motion::STANDARD_GRAVITY;
 use super::{
-    Abutment, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, SolverSettings,
+    Abutment, Codes, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, SolverSettings,
     ViewSettings,
 };
 
@@ -57,6 +57,9 @@ pub struct Scene {
     /// What must not be passed.
     #[serde(default, skip_serializing_if = "is_default")]
     pub limits: Limits,
+    /// What design codes for seat lengths need beside the scene.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub codes: Codes,
     /// How it is first shown.
     #[serde(default, skip_serializing_if = "is_default")]
     pub view: ViewSettings,
@@ -113,5 +116,6 @@ pub const TOP: &[Key] = &[
     Key::new("motion", Range::Free, Fallback::Words("still ground"), "[motion]"),
     Key::new("solver", Range::Free, Fallback::Words("as below"), "[solver]"),
     Key::new("limits", Range::Free, Fallback::Words("none"), "[limits]"),
+    Key::new("codes", Range::Free, Fallback::Words("as below"), "[codes]"),
     Key::new("view", Range::Free, Fallback::Words("as below"), "[view]"),
 ];

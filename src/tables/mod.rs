@@ -16,7 +16,7 @@ mod trajectory;
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
-pub use seats::{CornerReport, SeatReport};
+pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{DroppedReport, OutsideReport, OverlapReport, PairReport, Report, TooDeepReport, Versions};
 pub use trajectory::{trajectory, trajectory_columns};
 

@@ -1,11 +1,13 @@
-//! Seats in `summary.json`: what remained at each corner of each end, when and where a corner came off.
+//! Seats in `summary.json`: what remained at each corner of each end, when and where a corner came off, and what design codes
+//! require.
 
 use serde::Serialize;
 
+use crate::codes::{self, Demand, Input, RotationCondition, SeatDemands, rotation_to_zero};
 use crate::geometry::Prism;
-use crate::scene::{Girder, Seat as Given};
+use crate::scene::Girder;
 use crate::sim::History;
-use crate::sim::seats::{self, Seat, SeatCorner};
+use crate::sim::seats::SeatCorner;
 
 /// A seat in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -34,6 +36,39 @@ pub struct SeatReport {
     pub least_share: f64,
     /// Its corners, the one at −y of the girder first.
     pub corners: [CornerReport; 2],
+    /// Rotation about G, either way, at which nothing remains in the middle of the end \[degrees\].
+    pub middle_zero_rotation_deg: Option<f64>,
+    /// Left side of the rotation condition of the girder, (6) of the paper and (16.5.1) of JRA part V.
+    pub rotation_condition: f64,
+    /// What design codes require.
+    pub codes: Vec<DemandReport>,
+}
+
+/// A length of seat that a code requires, square to the front edge.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DemandReport {
+    /// Code and symbol.
+    pub rule: &'static str,
+    /// Edition that it is quoted from.
+    pub edition: &'static str,
+    /// The formula in a line.
+    pub formula: &'static str,
+    /// Whether the formula was read in that edition; otherwise it is quoted from memory.
+    pub confirmed: bool,
+    /// What direction and numbers rest on.
+    pub note: &'static str,
+    /// What it depends on, each value with where it is from.
+    pub inputs: Vec<Input>,
+    /// Required \[m\].
+    pub required: f64,
+    /// Provided: the seat as placed \[m\].
+    pub provided: f64,
+    /// Used: placed less least \[m\].
+    pub used: f64,
+    /// Used in parts of required.
+    pub ratio: f64,
+    /// Whether as much is provided as is required.
+    pub met: bool,
 }
 
 /// What remained at a corner, square to the edge.
@@ -49,6 +84,8 @@ pub struct CornerReport {
     pub t: f64,
     /// When it came off over the front edge; `None` where it stayed \[s\].
     pub left_at: Option<f64>,
+    /// Rotation about G, either way, at which nothing remains at it \[degrees\].
+    pub zero_rotation_deg: Option<f64>,
     /// Where along the edge it came off, from the middle of the end as placed \[m\].
     pub left_along: Option<f64>,
     /// The least distance from the sides of the seat, where the scene gives its width \[m\].
@@ -59,22 +96,22 @@ pub struct CornerReport {
 
 /// Every seat that the scene gives.
 pub(super) fn of(history: &History) -> Vec<SeatReport> {
-    let girders = history.scene().girders.iter().enumerate().filter(|(_, girder)| girder.seat != Given::default());
-    let of_girder = |(number, girder): (usize, &Girder)| -> Vec<SeatReport> {
-        let seats = seats::of_girder(history, number);
-        seats.iter().map(|seat| SeatReport::of(&girder.name, &girder.prism(), seat)).collect()
-    };
-    girders.flat_map(of_girder).collect()
+    let girders = &history.scene().girders;
+    codes::of(history).iter().map(|of| SeatReport::of(&girders[of.girder], of)).collect()
 }
 
 impl SeatReport {
-    fn of(girder: &str, prism: &Prism, seat: &Seat) -> Self {
-        let least = seat.least();
+    fn of(girder: &Girder, SeatDemands { seat, demands, .. }: &SeatDemands) -> Self {
+        let (least, prism) = (seat.least(), girder.prism());
+        let placed = seat.ledge.placed();
+        let [one, other, middle] =
+            rotation_to_zero(&prism, seat.ledge.end, placed).map(|angle| angle.map(f64::to_degrees));
+        let [first, second] = seat.corners;
         Self {
-            girder: girder.to_owned(),
+            girder: girder.name.clone(),
             end: seat.ledge.end.label(),
             length: seat.ledge.length,
-            placed: seat.ledge.placed(),
+            placed,
             least_remaining: least.value,
             least_along_axis: least.value / seat.ledge.sine,
             used: seat.used(),
@@ -82,19 +119,41 @@ impl SeatReport {
             left_at: seat.off_at(),
             lost_at: seat.lost_at,
             least_share: seat.least_share.value,
-            corners: seat.corners.map(|corner| CornerReport::of(prism, &corner)),
+            corners: [CornerReport::of(&prism, &first, one), CornerReport::of(&prism, &second, other)],
+            middle_zero_rotation_deg: middle,
+            rotation_condition: RotationCondition::of(&prism).number,
+            codes: demands.iter().map(DemandReport::of).collect(),
+        }
+    }
+}
+
+impl DemandReport {
+    fn of(demand: &Demand) -> Self {
+        Self {
+            rule: demand.rule,
+            edition: demand.edition,
+            formula: demand.formula,
+            confirmed: demand.confirmed,
+            note: demand.note,
+            inputs: demand.inputs.clone(),
+            required: demand.required,
+            provided: demand.provided,
+            used: demand.used,
+            ratio: demand.ratio(),
+            met: demand.is_met(),
         }
     }
 }
 
 impl CornerReport {
-    fn of(prism: &Prism, corner: &SeatCorner) -> Self {
+    fn of(prism: &Prism, corner: &SeatCorner, zero_rotation_deg: Option<f64>) -> Self {
         Self {
             corner: corner.corner + 1,
             angle: prism.corner_kind(corner.corner),
             least_remaining: corner.least.value,
             t: corner.least.t,
             left_at: corner.off.map(|off| off.t),
+            zero_rotation_deg,
             left_along: corner.off.map(|off| off.along),
             least_at_side: corner.side.map(|side| side.value),
             left_side_at: corner.off_side.map(|off| off.t),

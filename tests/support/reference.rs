@@ -100,6 +100,7 @@ fn scene(case: &Value) -> Scene {
         model: model(case),
         impact: impact(case),
         limits: Limits::default(),
+        codes: girderbench::scene::Codes::default(),
         motion: motion(&case["excitation"]),
         solver: SolverSettings { tolerance: 1e-12, ..SolverSettings::default() },
         view: ViewSettings::default(),

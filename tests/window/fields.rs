@@ -26,8 +26,8 @@ const NO_FIELD: &[(&str, &str, &str)] = &[
 ];
 
 /// Sections that are folded away at first.
-const FOLDED: [&str; 6] =
-    ["Start, push, held", "Seats", "Contact of all pairs", "Pairs by name", "Samples", "Processing"];
+const FOLDED: [&str; 7] =
+    ["Start, push, held", "Seats", "Design codes", "Contact of all pairs", "Pairs by name", "Samples", "Processing"];
 
 fn show(scene: Scene, select: Option<Target>) -> Window {
     let mut harness = open(presets::OPENING);
@@ -70,6 +70,11 @@ fn windows() -> Vec<Window> {
     let mut both =
         with(&planar, &["girder.deck.seat_m={ \"+x\" = 0.01, \"-x\" = 0.01, side = 0.1 }", "limits.drift_m=0.1"]);
     both = with(&both, &["limits.rotation_deg=1", "limits.remaining_seat_m=0", "limits.force_n=10"]);
+    let codes = "codes={ deck_length_m = 30, support_distance_m = 30, column_height_m = 8, zone_percent = 100, rotation_deg = 5, \
+                 japanese_ground = \"I\", european_ground = \"A\", ground_acceleration_g = 0.2, soil_factor = 1, \
+                 corner_period_s = 0.4, displacement_period_s = 2, bearing_length_m = 0.4, long_term_m = 0.01, \
+                 temperature_m = 0.01, caltrans_support = \"hinge\" }";
+    both = with(&both, &[codes]);
     both.model.kind = ModelKind::Both;
     both.view.plots = vec![PlotSettings { x: None, y: vec!["deck.x".into()] }];
     let named = with(&planar, &["contact.pair=[{ between = [\"deck\", \"wall\"] }]"]);

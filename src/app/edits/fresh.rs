@@ -1,7 +1,7 @@
 //! What is there before anything has been placed.
 
 use crate::scene::{
-    ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, STANDARD_GRAVITY, Scene,
+    Codes, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, STANDARD_GRAVITY, Scene,
     SolverSettings, ViewSettings,
 };
 
@@ -20,6 +20,7 @@ pub(in crate::app) fn empty() -> Scene {
         contact: ContactSettings::default(),
         impact: ImpactSettings::default(),
         limits: Limits::default(),
+        codes: Codes::default(),
         motion: Motion::default(),
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

@@ -22,6 +22,7 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::Impact(_) => "change impact numbers".into(),
         Edit::Scene(other) => format!("open {}", other.name),
         Edit::Limits(_) => "change limits".into(),
+        Edit::Codes(_) => "change inputs of codes".into(),
         Edit::View(_) => "change view".into(),
         Edit::General(_) | Edit::Solver(_) | Edit::Set(_) => "change scene".into(),
         Edit::Batch(edits) => match &edits[..] {

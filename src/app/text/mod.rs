@@ -128,6 +128,7 @@ pub(super) const AT_FOLLOWS: &str = "Places go with the skew";
 pub(super) const START_SECTION: &str = "Start, push, held";
 pub(super) const HELD: &str = "Held";
 pub(super) const SEAT_SECTION: &str = "Seats";
+pub(super) const CODES_SECTION: &str = "Design codes";
 pub(super) const SCENE_SECTION: &str = "Scene";
 pub(super) const DESCRIPTION: &str = "About";
 pub(super) const KIND: &str = "Motion in";

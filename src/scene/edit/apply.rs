@@ -34,6 +34,7 @@ fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::Impact(impact) => Ok(Edit::Impact(replace(&mut scene.impact, impact))),
         Edit::Motion(motion) => Ok(Edit::Motion(Box::new(replace(&mut scene.motion, *motion)))),
         Edit::Limits(limits) => Ok(Edit::Limits(replace(&mut scene.limits, limits))),
+        Edit::Codes(codes) => Ok(Edit::Codes(replace(&mut scene.codes, codes))),
         Edit::Solver(solver) => Ok(Edit::Solver(replace(&mut scene.solver, solver))),
         Edit::View(view) => Ok(Edit::View(replace(&mut scene.view, view))),
         Edit::Set(setting) => whole(scene, |scene| {

@@ -1,7 +1,7 @@
 //! The changes that there are, and why one cannot be done.
 
 use crate::scene::{
-    Abutment, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, Scene, SceneErrors,
+    Abutment, Codes, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, Scene, SceneErrors,
     SolverSettings, ViewSettings,
 };
 
@@ -51,6 +51,8 @@ pub enum Edit {
     Motion(Box<Motion>),
     /// Limits that are watched.
     Limits(Limits),
+    /// What design codes for seat lengths need.
+    Codes(Codes),
     /// Solver settings.
     Solver(SolverSettings),
     /// View settings.
@@ -126,6 +128,7 @@ impl Edit {
             | (Self::Impact(_), Self::Impact(_))
             | (Self::Motion(_), Self::Motion(_))
             | (Self::Limits(_), Self::Limits(_))
+            | (Self::Codes(_), Self::Codes(_))
             | (Self::Solver(_), Self::Solver(_))
             | (Self::View(_), Self::View(_)) => true,
             (Self::ReplaceGirder(a, _), Self::ReplaceGirder(b, _) | Self::MoveGirder(b, ..))

@@ -2,8 +2,8 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BEARING, BEARINGS, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR,
-    PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SWEEP, SYNTHETIC, TOP, VIEW,
+    ABUTMENT, BEARING, BEARINGS, CODES, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS,
+    PAIR, PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SWEEP, SYNTHETIC, TOP, VIEW,
 };
 
 /// A table of the scene file.
@@ -40,6 +40,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "motion.component", keys: COMPONENT },
     Table { path: "solver", keys: SOLVER },
     Table { path: "limits", keys: LIMITS },
+    Table { path: "codes", keys: CODES },
     Table { path: "view", keys: VIEW },
     Table { path: "view.plot", keys: PLOT },
     Table { path: "view.overlays", keys: OVERLAYS },

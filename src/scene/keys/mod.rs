@@ -11,6 +11,7 @@ mod table;
 
 pub use super::abutment::ABUTMENT;
 pub use super::bearing::{BEARING, BEARINGS};
+pub use super::codes::CODES;
 pub use super::contact::{CONTACT, PAIR};
 pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};
 pub use super::limits::LIMITS;

@@ -292,7 +292,7 @@ macro_rules! words {
             /// What stands where the file has none.
             pub const DEFAULT: Self = Self::$Default;
             /// The same as the table of keys says it.
-            pub(in crate::scene) const FALLBACK: $crate::scene::keys::Fallback =
+            pub const FALLBACK: $crate::scene::keys::Fallback =
                 $crate::scene::keys::Fallback::Word(Self::DEFAULT.label());
 
             /// The word used in files and tables.

@@ -42,6 +42,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     numbers::model(scene, &mut complaints);
     numbers::impact(&scene.impact, &mut complaints);
     numbers::limits(&scene.limits, &mut complaints);
+    complaints.at("codes", keys::CODES).all(&scene.codes);
     numbers::motion(&scene.motion, scene.kind, &mut complaints);
     numbers::solver_and_view(scene, &mut complaints);
     let mut facings = Vec::new();

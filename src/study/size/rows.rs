@@ -49,6 +49,7 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
         model: ModelSettings::default(),
         impact: ImpactSettings::default(),
         limits: crate::scene::Limits::default(),
+        codes: crate::scene::Codes::default(),
         motion: Motion::Sine(SineMotion {
             amplitude_g: None,
             amplitude: Some(3.924),

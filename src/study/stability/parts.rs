@@ -40,6 +40,7 @@ pub(super) fn blank(kind: Kind) -> Scene {
         model: ModelSettings::default(),
         impact: ImpactSettings::default(),
         limits: crate::scene::Limits::default(),
+        codes: crate::scene::Codes::default(),
         motion: Motion::None,
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

@@ -37,6 +37,7 @@ fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Sce
         contact: ContactSettings::default(),
         impact,
         limits: Limits::default(),
+        codes: girderbench::scene::Codes::default(),
         motion: Motion::None,
         solver: SolverSettings::default(),
         view: ViewSettings::default(),

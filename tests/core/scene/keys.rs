@@ -51,6 +51,8 @@ frequency_hz = 0.8
 tolerance = 1e-9
 [limits]
 drift_m = 0.1
+[codes]
+column_height_m = 8.0
 [view]
 camera = "top"
 [[view.plot]]

@@ -7,6 +7,7 @@ use super::rows::{grid, push, section};
 use crate::app::command::Command;
 use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice, number_at, rows, tag};
 use crate::app::{edits, text};
+use crate::codes;
 use crate::scene::Kind;
 use crate::scene::edit::{Edit, General};
 use crate::scene::keys::Key;
@@ -20,6 +21,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
         solver(ui, form, out);
     });
     section(ui, text::ALL_PAIRS_SECTION, false, |ui| contact(ui, form, out));
+    section(ui, text::CODES_SECTION, false, |ui| codes(ui, form, out));
     section(ui, text::DECLARED_SECTION, false, |ui| declared::show(ui, form, out));
 }
 
@@ -51,6 +53,16 @@ fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let look = Look { whose: text::OF_ALL, without: Without::Reckoned(&elastic), ..form.look("contact") };
     let change = grid(ui, "all pairs", |ui| rows(ui, &look, &mut new, &[]));
     push(change, out, || edits::contact(new));
+}
+
+/// Inputs of design codes, each begun with what is assumed without it.
+fn codes(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let mut new = form.scene.codes;
+    let length = form.scene.girders.first().map_or(1.0, |girder| girder.length);
+    let assumed = |key: &Key| codes::assumed(key.name, &form.scene.codes, length);
+    let look = Look { without: Without::Off(&assumed), ..form.look("codes") };
+    let change = grid(ui, "codes", |ui| rows(ui, &look, &mut new, &[]));
+    push(change, out, || Edit::Codes(new));
 }
 
 /// A line of text, given when the field is left.

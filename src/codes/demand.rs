@@ -1,0 +1,123 @@
+//! What a code requires of a seat, and what that depends on.
+
+use crate::geometry::Prism;
+use crate::scene::Codes;
+use crate::sim::seats::Seat;
+
+/// A design code with a requirement for seat lengths.
+pub(super) trait Code: Sync {
+    /// What it requires of a seat.
+    fn demands(&self, case: &Case<'_>) -> Vec<Demand>;
+}
+
+/// A seat that a code is applied to.
+#[derive(Clone, Copy, Debug)]
+pub struct Case<'a> {
+    /// The girder's shape.
+    pub prism: &'a Prism,
+    /// Its inputs beside the scene.
+    pub codes: &'a Codes,
+    /// What the run left of the seat.
+    pub seat: &'a Seat,
+}
+
+/// Where the value of an input is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Source {
+    /// The scene gives it.
+    Scene,
+    /// The scene does not give it: a default.
+    Assumed,
+    /// The run.
+    Run,
+}
+
+impl Source {
+    /// The word used in tables.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Assumed => "assumed",
+            Self::Run => "run",
+        }
+    }
+}
+
+/// A number that a requirement depends on.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Input {
+    /// Its symbol in the code.
+    pub symbol: &'static str,
+    /// Its value, in the unit.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Where it is from.
+    pub source: Source,
+}
+
+impl Input {
+    /// A number of the scene, or what is assumed where it gives none.
+    pub(super) fn given_or(symbol: &'static str, unit: &'static str, given: Option<f64>, assumed: f64) -> Self {
+        let source = if given.is_some() { Source::Scene } else { Source::Assumed };
+        Self { symbol, value: given.unwrap_or(assumed), unit, source }
+    }
+
+    /// A number of the scene.
+    pub(super) const fn of_scene(symbol: &'static str, unit: &'static str, value: f64) -> Self {
+        Self { symbol, value, unit, source: Source::Scene }
+    }
+
+    /// A number of the run.
+    pub(super) const fn of_run(symbol: &'static str, unit: &'static str, value: f64) -> Self {
+        Self { symbol, value, unit, source: Source::Run }
+    }
+}
+
+/// A length of seat that a code requires, square to the front edge of the seat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// Code and symbol.
+    pub rule: &'static str,
+    /// Edition that the formula is quoted from.
+    pub edition: &'static str,
+    /// The formula in a line.
+    pub formula: &'static str,
+    /// Whether the formula was read in that edition; otherwise it is quoted from memory.
+    pub confirmed: bool,
+    /// What the direction and the numbers rest on, where it is not plain.
+    pub note: &'static str,
+    /// What it depends on.
+    pub inputs: Vec<Input>,
+    /// The length required \[m\].
+    pub required: f64,
+    /// The length provided: the seat as placed \[m\].
+    pub provided: f64,
+    /// What the run used: placed less least \[m\].
+    pub used: f64,
+}
+
+impl Demand {
+    /// What the run used, in parts of what the code requires.
+    pub fn ratio(&self) -> f64 {
+        self.used / self.required
+    }
+
+    /// Whether the seat is as long as the code requires.
+    pub fn is_met(&self) -> bool {
+        self.provided >= self.required
+    }
+}
+
+impl Case<'_> {
+    /// Skew from the square, `|90° − β|` \[degrees\].
+    pub(super) fn skew_deg(&self) -> f64 {
+        (90.0 - self.prism.skew.to_degrees()).abs()
+    }
+
+    /// Deck to the next joint.
+    pub(super) fn deck_length(&self, symbol: &'static str) -> Input {
+        Input::given_or(symbol, "m", self.codes.deck_length, self.prism.length)
+    }
+}

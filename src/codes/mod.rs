@@ -1,0 +1,71 @@
+//! Seat lengths that design codes require, beside what a run leaves of the seats (`docs/seats.md`).
+//!
+//! A code is one file here. Nothing of a run depends on it. Formulas are quoted with their edition and whether they were read
+//! there; what an engineer would have to look up is an input of the scene (`[codes]`), and an input that the scene does not give
+//! is marked as assumed.
+
+mod aashto_guide;
+mod aashto_lrfd;
+mod caltrans;
+mod demand;
+mod en_1998_2;
+mod jra;
+mod rotation;
+
+pub use demand::{Case, Demand, Input, Source};
+pub use rotation::{RotationCondition, rotation_to_zero};
+
+use crate::scene::Codes;
+use crate::sim::History;
+use crate::sim::seats::{self, Seat};
+use demand::Code;
+
+/// Every code, in the order of the tables.
+const ALL: [&dyn Code; 5] =
+    [&jra::Jra, &aashto_lrfd::AashtoLrfd, &aashto_guide::AashtoGuide, &caltrans::Caltrans, &en_1998_2::En1998Part2];
+
+/// What is assumed of a number that `[codes]` does not give, by its key, for a girder of this length \[m\].
+pub fn assumed(key: &str, codes: &Codes, length: f64) -> f64 {
+    let ground = en_1998_2::Ground::of(codes.european_ground.unwrap_or_default());
+    match key {
+        "deck_length_m" | "support_distance_m" => length,
+        "zone_percent" => aashto_lrfd::PERCENT,
+        "rotation_deg" => jra::ROTATION_DEG,
+        "ground_acceleration_g" => en_1998_2::ACCELERATION_G,
+        "soil_factor" => ground.soil,
+        "corner_period_s" => ground.periods[0],
+        "displacement_period_s" => ground.periods[1],
+        "bearing_length_m" => en_1998_2::LEAST_SUPPORT,
+        _ => 0.0,
+    }
+}
+
+/// What every code requires of a seat.
+pub fn demands(case: &Case<'_>) -> Vec<Demand> {
+    ALL.iter().flat_map(|code| code.demands(case)).collect()
+}
+
+/// What the codes require of a seat of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeatDemands {
+    /// The girder's number.
+    pub girder: usize,
+    /// What the run left of the seat.
+    pub seat: Seat,
+    /// Every code's requirement.
+    pub demands: Vec<Demand>,
+}
+
+/// Every seat of a run with what the codes require of it.
+pub fn of(history: &History) -> Vec<SeatDemands> {
+    let scene = history.scene();
+    let of_girder = |girder: usize| {
+        let prism = scene.girders[girder].prism();
+        let seats = seats::of_girder(history, girder).into_iter();
+        seats.map(move |seat| {
+            let demands = demands(&Case { prism: &prism, codes: &scene.codes, seat: &seat });
+            SeatDemands { girder, seat, demands }
+        })
+    };
+    (0..scene.girders.len()).flat_map(of_girder).collect()
+}
