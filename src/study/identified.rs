@@ -42,7 +42,7 @@ pub fn chart(measured: &Measured, found: &Identified, first: Quantity, title: &s
 }
 
 /// A few points as crosses, with breaks between them; many as they are.
-fn crossed(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub(super) fn crossed(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     if points.len() > MOST_CROSSES {
         return points;
     }

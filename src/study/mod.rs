@@ -5,6 +5,7 @@
 //! back as text, its plots as [`plot::Plot`]s that draw themselves as SVG and, with feature `study`, as PNG.
 
 pub mod accuracy;
+pub mod calibration;
 pub mod camera;
 pub mod clock;
 pub mod experiment;

@@ -76,6 +76,33 @@ fn a_run_under_a_sweep_is_identified_from_its_own_table() {
 }
 
 #[test]
+fn gap_and_restitution_of_a_pounding_run_are_found_from_its_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let run = ["run", "straight-abutment", "--until", "2", "--sample", "30", "--out", out];
+    assert_eq!(call(&run).status, Some(0), "it runs");
+    let table = format!("{out}/trajectory.csv");
+    let of = ["identify", &table, "--scene", "straight-abutment"];
+    let fit = ["--fit", "abutment.wall.gap_m=0.0033", "--fit", "contact.restitution_normal=0.36", "--out", out];
+    let said = call(&[of.as_slice(), &fit].concat());
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    assert!((value(&said.out, "abutment.wall.gap_m") - 0.003).abs() < 1e-9, "{}", said.out);
+    assert!((value(&said.out, "contact.restitution_normal") - 0.4).abs() < 1e-6, "{}", said.out);
+    let svg = std::fs::read_to_string(folder.path().join("trajectory-fitted.svg")).expect("a plot");
+    assert!(svg.contains("least squares") && svg.contains("y [mm]"), "both axes");
+    for (flags, word) in [
+        (vec!["--fit", "contact.restitution_normal"], "KEY=START"),
+        (vec!["--fit", "contact.restitution_normal=2"], "does not run with contact.restitution_normal=2.0"),
+        (vec!["--fit", "impact.mu_static=0.2"], "impact.mu_static do not show"),
+        (vec!["--fit", "contact.mu_kinetic=0.1", "--girder", "other"], "--girder: give one of deck"),
+        (vec!["--fit", "contact.mu_kinetic=0.1", "--to", "0.1"], "4 rows up to 0.1 s: give 20 rows"),
+    ] {
+        let said = call(&[of.as_slice(), &flags].concat());
+        assert!(said.status == Some(2) && said.err.contains(word), "{flags:?}: {}", said.err);
+    }
+}
+
+#[test]
 fn bad_tables_and_flags_are_refused_with_a_remedy() {
     let folder = tempfile::tempdir().expect("a folder");
     let bare = decay(folder.path(), "t,x");

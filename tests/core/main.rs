@@ -63,6 +63,7 @@ mod scene {
 
 mod study {
     mod accuracy;
+    mod calibration;
     mod camera;
     mod experiment;
     mod identify;

@@ -1,5 +1,7 @@
 //! `girderbench identify`: natural frequency and damping ratio from a measured displacement.
 
+mod pounding;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -49,6 +51,8 @@ pub(super) struct IdentifyArgs {
     /// Amplitude of these sines, where it is known [g]
     #[arg(long, value_name = "G", value_parser = positive, requires = "response")]
     amplitude_g: Option<f64>,
+    #[command(flatten)]
+    pounding: pounding::PoundingArgs,
     /// The natural frequency is known: find the damping ratio alone, as the paper does at resonance [Hz]
     #[arg(long, value_name = "HZ", value_parser = positive)]
     frequency: Option<f64>,
@@ -99,6 +103,12 @@ fn length(text: &str) -> Result<f64, String> {
 pub(super) fn run(args: &IdentifyArgs, console: &mut Console) -> Result<(), Failure> {
     if let Some(out) = &args.out {
         files::check_folder(out)?;
+    }
+    if let Some(scene) = args.ground.scene.as_ref().filter(|_| args.pounding.given()) {
+        let within = [args.from.unwrap_or(f64::NEG_INFINITY), args.to.unwrap_or(f64::INFINITY)];
+        let (file, sets, unit, out) = (&args.file, &args.ground.sets, args.unit, args.out.as_deref());
+        let request = pounding::Request { file, scene, sets, unit, within, out };
+        return args.pounding.run(&request, console);
     }
     let first = if args.response { Quantity::Frequency } else { Quantity::Time };
     let columns = Columns { first, name: args.column.as_deref(), unit: args.unit };
