@@ -58,6 +58,7 @@
 //! | [`codes`] | seat lengths that design codes require, beside those of a run |
 //! | [`study`] | many runs: work against error, cost against size, random scenes, sweeps over keys |
 //! | [`tables`] | an answer as CSV and JSON |
+//! | [`report`] | an answer on one page of HTML |
 //! | [`view`] | an answer as a list of things to draw |
 //! | `render` | draw lists as pixels, on or off screen (feature `render`) |
 //! | `snapshot` | scene in, picture out (feature `render`) |
@@ -76,6 +77,7 @@ pub mod geometry;
 pub mod identify;
 pub mod measure;
 pub mod motion;
+pub mod report;
 pub mod scene;
 pub mod sim;
 pub mod study;

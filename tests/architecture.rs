@@ -25,19 +25,23 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("codes", &["geometry", "scene", "dynamics", "sim"]),
     ("study", &["geometry", "contact", "motion", "identify", "measure", "scene", "dynamics", "sim"]),
     ("tables", &["geometry", "scene", "dynamics", "sim", "codes"]),
+    ("report", &["geometry", "motion", "scene", "dynamics", "sim", "codes", "study", "tables"]),
     ("view", &["geometry", "scene", "dynamics", "sim"]),
     ("render", &["view"]),
     ("snapshot", &["scene", "sim", "view", "render"]),
     ("files", &["scene", "motion"]),
     (
         "app",
-        &["geometry", "scene", "dynamics", "sim", "codes", "study", "tables", "view", "render", "snapshot", "files"],
+        &[
+            "geometry", "scene", "dynamics", "sim", "codes", "study", "tables", "report", "view", "render", "snapshot",
+            "files",
+        ],
     ),
     (
         "cli",
         &[
-            "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "codes", "tables", "view",
-            "render", "snapshot", "files", "app", "study",
+            "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "codes", "tables", "report",
+            "view", "render", "snapshot", "files", "app", "study",
         ],
     ),
 ];

@@ -23,6 +23,7 @@ mod presets;
 mod progress;
 #[cfg(feature = "render")]
 mod render;
+mod report;
 mod run;
 mod seats;
 mod study;
@@ -55,6 +56,7 @@ struct Cli {
 enum Command {
     Open(open::OpenArgs),
     Run(run::RunArgs),
+    Report(report::ReportArgs),
     Check(check::CheckArgs),
     Compare(compare::CompareArgs),
     Motion(motion::MotionArgs),
@@ -121,6 +123,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         None => open::run(&open::OpenArgs::opening(cli.out), console),
         Some(Command::Open(args)) => open::run(&args, console),
         Some(Command::Run(args)) => run::run(&args, console),
+        Some(Command::Report(args)) => report::run(&args, console),
         Some(Command::Check(args)) => check::run(&args, console),
         Some(Command::Compare(args)) => compare::run(&args, console),
         Some(Command::Motion(args)) => motion::run(&args, console),

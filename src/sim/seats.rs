@@ -161,6 +161,28 @@ pub fn corners_at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> [[
     [0, 1].map(|which| [ledge.place_along(which, corners[which]), ledge.remaining(corners[which])])
 }
 
+/// Both corners of an end over their seat at a time: along the edge from the middle of the end as placed, and what remains square
+/// to it \[m\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrbitPoint {
+    /// When \[s\].
+    pub t: f64,
+    /// `[along, remaining]` of either corner, in the order of [`Prism::end_corners`].
+    pub corners: [[f64; 2]; 2],
+}
+
+/// Most points of an orbit that is drawn.
+const MOST_POINTS: usize = 4000;
+
+/// The way of both corners of an end over their seat, from look to look.
+pub fn orbit(history: &History, girder: usize, ledge: &Ledge) -> Vec<OrbitPoint> {
+    let times = touches::looks(history, girder);
+    let every = times.len().div_ceil(MOST_POINTS).max(1);
+    let last = times.last().copied();
+    let drawn = times.into_iter().step_by(every).chain(last);
+    drawn.map(|t| OrbitPoint { t, corners: corners_at(history, girder, ledge, t) }).collect()
+}
+
 /// Share of an end that stands on its seat where this remains at its corners, 0 to 1: what remains is linear along the edge.
 pub fn seated_share([one, other]: [f64; 2]) -> f64 {
     match (one > 0.0, other > 0.0) {

@@ -12,6 +12,7 @@ pub mod experiment;
 pub mod ground;
 pub mod identified;
 pub mod measured;
+pub mod page;
 pub mod plot;
 pub mod size;
 pub mod stability;

@@ -5,7 +5,7 @@
 
 pub mod chart;
 mod color_map;
-pub(super) mod draw;
+pub(crate) mod draw;
 pub mod heat_map;
 #[cfg(feature = "study")]
 mod raster;

@@ -17,6 +17,7 @@ mod overlap;
 mod program;
 #[cfg(feature = "render")]
 mod render;
+mod report;
 mod run;
 mod study;
 mod study_experiment;

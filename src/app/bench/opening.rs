@@ -42,6 +42,10 @@ impl Workbench {
                 let Some(answer) = self.replay.runner.answer().cloned() else { return };
                 self.tasks.export_tables(answer, path);
             }
+            FileCommand::Export(Export::Report, path) => {
+                let Some(answer) = self.replay.runner.answer().cloned() else { return };
+                self.tasks.export_report(answer, path);
+            }
             FileCommand::AskPlots(format) => self.tasks.dialogs.plots(format, &self.files.document.scene().name),
             FileCommand::Plots(path) => {
                 if let Some(work) = plot_files::writing(&self.plot_source(), path) {

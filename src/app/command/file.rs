@@ -9,6 +9,8 @@ pub enum Export {
     Picture,
     /// Trajectory, contacts, events and summary.
     Tables,
+    /// The run on one page, as HTML.
+    Report,
 }
 
 /// Scene files, records, exports.
@@ -34,7 +36,7 @@ pub enum FileCommand {
     SaveTo(PathBuf),
     /// Ask where to, and export.
     AskExport(Export),
-    /// Export to a file (picture) or folder (tables).
+    /// Export to a file (picture, report) or folder (tables).
     Export(Export, PathBuf),
     /// Ask where to, and write the plots as `svg`, `png` or `csv`.
     AskPlots(&'static str),

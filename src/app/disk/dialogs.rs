@@ -64,6 +64,10 @@ impl Dialogs {
                 let dialog = AsyncFileDialog::new().add_filter("PNG", &["png"]).set_file_name(format!("{name}.png"));
                 self.wait(dialog.save_file(), move |path| FileCommand::Export(what, with_extension(path, "png")));
             }
+            Export::Report => {
+                let dialog = AsyncFileDialog::new().add_filter("HTML", &["html"]).set_file_name(format!("{name}.html"));
+                self.wait(dialog.save_file(), move |path| FileCommand::Export(what, with_extension(path, "html")));
+            }
             Export::Tables => {
                 self.wait(AsyncFileDialog::new().pick_folder(), move |path| FileCommand::Export(what, path));
             }

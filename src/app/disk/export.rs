@@ -22,14 +22,29 @@ pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path
     Ok(format!("{}: {}", text::PICTURE_WRITTEN, path.display()))
 }
 
+/// Writes the report of an answer.
+///
+/// # Errors
+/// In words: no place to write.
+pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<String, String> {
+    let page = crate::report::html(&answer.history, &options(answer));
+    write_atomic(path, page.as_bytes()).map_err(|e| e.to_string())?;
+    Ok(format!("{}: {}", text::REPORT_WRITTEN, path.display()))
+}
+
+/// What tables cannot know from the answer alone.
+fn options(answer: &Answer) -> TableOptions {
+    let run_time = Some(answer.took.as_secs_f64());
+    let estimated_error = answer.error().filter(|e| e.is_finite());
+    TableOptions { estimated_error, run_time, ..TableOptions::default() }
+}
+
 /// Writes every table of an answer into a folder.
 ///
 /// # Errors
 /// In words: no place to write.
 pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<String, String> {
-    let run_time = Some(answer.took.as_secs_f64());
-    let estimated_error = answer.error().filter(|e| e.is_finite());
-    let options = TableOptions { estimated_error, run_time, ..TableOptions::default() };
+    let options = options(answer);
     let mut tables = all(&answer.history, &options);
     if let Some(beside) = answer.history.beside() {
         tables.extend(all_beside(beside, &TableOptions::default()));

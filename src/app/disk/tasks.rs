@@ -75,6 +75,11 @@ impl Tasks {
         self.begin(move || export::tables(&answer, &folder));
     }
 
+    /// Writes the report of an answer.
+    pub(in crate::app) fn export_report(&self, answer: Arc<Answer>, path: PathBuf) {
+        self.begin(move || export::report(&answer, &path));
+    }
+
     /// Does a command about a film of an answer, of a stretch of it \[s\], each picture taken as `shot`; answers with what
     /// the user is told.
     pub(in crate::app) fn apply(

@@ -63,6 +63,7 @@ fn file(ui: &mut Ui, used: &[PathBuf], out: &mut Vec<Command>) {
         (text::EXPORT_PICTURE, "", Command::File(FileCommand::AskExport(Export::Picture))),
         (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
         (text::EXPORT_TABLES, "", Command::File(FileCommand::AskExport(Export::Tables))),
+        (text::EXPORT_REPORT, "", Command::File(FileCommand::AskExport(Export::Report))),
         (text::QUIT, "Ctrl Q", Command::Window(WindowCommand::Close)),
     ];
     for (words, keys, command) in items {

@@ -61,7 +61,7 @@ pub(super) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// About `wanted` round values in a range.
-pub(super) fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
+pub(crate) fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
     let raw = (high - low) / wanted;
     let power = 10f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * power).find(|s| *s >= raw * (1.0 - 1e-9)).unwrap_or(raw);
@@ -70,7 +70,7 @@ pub(super) fn ticks([low, high]: [f64; 2], wanted: f64) -> Vec<f64> {
 }
 
 /// Short, with no needless zeros.
-pub(super) fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

@@ -49,25 +49,18 @@ impl Axis {
     }
 }
 
-pub(in crate::study) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-pub(in crate::study) fn text(
-    svg: &mut String,
-    (x, y): (f64, f64),
-    size: f64,
-    anchor: &str,
-    color: &str,
-    content: &str,
-) {
+pub(crate) fn text(svg: &mut String, (x, y): (f64, f64), size: f64, anchor: &str, color: &str, content: &str) {
     let _ = writeln!(
         svg,
         r#"<text x="{x:.1}" y="{y:.1}" font-size="{size}" text-anchor="{anchor}" fill="{color}">{content}</text>"#
     );
 }
 
-pub(in crate::study) fn line(svg: &mut String, (x1, y1): (f64, f64), (x2, y2): (f64, f64), style: &str) {
+pub(crate) fn line(svg: &mut String, (x1, y1): (f64, f64), (x2, y2): (f64, f64), style: &str) {
     let _ = writeln!(svg, r#"<line x1="{x1:.1}" y1="{y1:.1}" x2="{x2:.1}" y2="{y2:.1}" {style}/>"#);
 }
 

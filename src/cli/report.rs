@@ -1,0 +1,46 @@
+//! `girderbench report`: a run on one page of HTML.
+
+use std::path::PathBuf;
+
+use super::args::{SceneArgs, Threads};
+use super::compute::compute_as_asked;
+use super::console::Console;
+use super::domain;
+use super::failure::Failure;
+use crate::files;
+use crate::report;
+use crate::tables::TableOptions;
+
+/// Run a scene and write one page to hand to a colleague: scene, assumptions, motion, hardest hit, seats and codes, errors
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct ReportArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// The page, one HTML file with every picture inside
+    #[arg(long, value_name = "FILE.html")]
+    out: PathBuf,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input, no place to write; a run that gave up, after its page has been written.
+pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.scene.load()?;
+    args.threads.start()?;
+    domain::warn(&scene, console);
+    let timed = compute_as_asked(&scene)?;
+    let options = TableOptions {
+        estimated_error: Some(timed.estimate_error()),
+        run_time: Some(timed.run_time),
+        ..TableOptions::default()
+    };
+    files::write_atomic(&args.out, report::html(&timed.history, &options).as_bytes())?;
+    console.print(&format!("written to {}\n", args.out.display()));
+    match timed.history.stop() {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
+        None => Ok(()),
+    }
+}

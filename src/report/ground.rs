@@ -1,0 +1,87 @@
+//! The ground motion with its spectrum, and the motion of the girders, as charts.
+
+use std::fmt::Write as _;
+
+use crate::motion::spectrum::{periods, spectrum};
+use crate::scene::STANDARD_GRAVITY;
+use crate::sim::History;
+use crate::study::plot::COLORS;
+use crate::study::plot::chart::{Chart, Curve, Panel};
+
+/// Samples of a history that is drawn, and of a ground motion whose spectrum is computed.
+const SAMPLES: u32 = 4000;
+/// Damping of the spectrum, of critical.
+const DAMPING: f64 = 0.05;
+/// Periods of the spectrum: from, to \[s\], count.
+const PERIODS: ([f64; 2], u32) = ([0.05, 5.0], 120);
+
+fn times(history: &History) -> impl Iterator<Item = f64> {
+    let end = history.end();
+    (0..=SAMPLES).map(move |i| end * f64::from(i) / f64::from(SAMPLES))
+}
+
+fn curve(name: &str, color: usize, points: Vec<[f64; 2]>) -> Curve {
+    Curve { name: name.to_owned(), color: COLORS[color % COLORS.len()].to_owned(), dashes: "none", points }
+}
+
+/// Histories of the ground's acceleration and their spectra; in words where it is still.
+pub(super) fn section(history: &History) -> String {
+    let ground = &history.model().ground;
+    let samples: Vec<[f64; 3]> = times(history).map(|t| ground.acceleration(t).to_array()).collect();
+    let axes: Vec<usize> = (0..3).filter(|&axis| samples.iter().any(|a| a[axis] != 0.0)).collect();
+    if axes.is_empty() {
+        return "<p>The ground is still.</p>\n".to_owned();
+    }
+    let names = ["x", "y", "z"];
+    let mut html = String::from("<table><tr><th>component</th><th>peak [g]</th><th>at [s]</th></tr>\n");
+    let (mut panels, mut spectra) = (Vec::new(), Vec::new());
+    for &axis in &axes {
+        let series: Vec<f64> = samples.iter().map(|a| a[axis]).collect();
+        let peak = series.iter().zip(times(history)).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        let (value, t) = peak.map_or((0.0, 0.0), |(value, t)| (*value, t));
+        let _ = writeln!(
+            html,
+            "<tr><td>{}</td><td class=\"number\">{:.4}</td><td class=\"number\">{t:.3}</td></tr>",
+            names[axis],
+            value.abs() / STANDARD_GRAVITY
+        );
+        let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
+        panels.push(Panel {
+            name: format!("ground {} [g]", names[axis]),
+            curves: vec![curve(names[axis], axis, points)],
+        });
+        let dt = history.end() / f64::from(SAMPLES);
+        let responses = spectrum(&series, dt, &periods(PERIODS.0, PERIODS.1), DAMPING);
+        let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
+        spectra.push(curve(names[axis], axis, points));
+    }
+    let motion = Chart { title: String::new(), x: "time [s]".into(), panels };
+    let spectrum = Panel { name: "pseudo-acceleration, 5 % damping [g]".into(), curves: spectra };
+    let spectrum = Chart { title: String::new(), x: "period [s]".into(), panels: vec![spectrum] };
+    let _ = writeln!(
+        html,
+        "</table>\n<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>Peaks and spectrum of {} samples of the \
+         motion as the run has it, {:.4} s apart.</p>",
+        motion.to_svg(),
+        spectrum.to_svg(),
+        SAMPLES + 1,
+        history.end() / f64::from(SAMPLES)
+    );
+    html
+}
+
+/// Displacement and rotation of every girder.
+pub(super) fn girders(history: &History) -> String {
+    let bodies = &history.model().bodies;
+    let of = |value: &dyn Fn(usize, f64) -> f64| -> Vec<Curve> {
+        let points = |girder: usize| times(history).map(|t| [t, value(girder, t)]).collect();
+        bodies.iter().enumerate().map(|(girder, body)| curve(&body.name, girder, points(girder))).collect()
+    };
+    let panels = vec![
+        Panel { name: "x of G [mm]".into(), curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.x) },
+        Panel { name: "y of G [mm]".into(), curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.y) },
+        Panel { name: "rotation θ [°]".into(), curves: of(&|g, t| history.motion(g, t).theta.to_degrees()) },
+    ];
+    let chart = Chart { title: String::new(), x: "time [s]".into(), panels };
+    format!("<div class=\"picture\">{}</div>\n", chart.to_svg())
+}

@@ -1,0 +1,265 @@
+//! The scene in plan as SVG, as placed with its dimensions or at a time with the forces of its contacts.
+
+use std::fmt::Write as _;
+
+use glam::DVec2;
+
+use crate::geometry::{End, Prism};
+use crate::scene::placed::{abutment_depth, abutment_face};
+use crate::scene::{Abutment, Scene};
+use crate::sim::seats::Ledge;
+use crate::sim::{ContactNow, History};
+use crate::study::plot::draw::{escape, line, text};
+
+const WIDTH: f64 = 900.0;
+const MARGIN: f64 = 46.0;
+const INK: &str = "#222222";
+const GREY: &str = "#6b6b6b";
+const FORCE: &str = "#D55E00";
+/// Longest arrow of a force \[pixels\].
+const ARROW: f64 = 90.0;
+/// Half the part of the plan around a hit that is drawn large, in parts of the girder's width.
+const CLOSE: f64 = 0.02;
+
+/// A plan to be drawn.
+pub(super) struct Plan<'a> {
+    history: &'a History,
+    /// The time, with the forces in play; none as placed.
+    at: Option<(f64, Vec<ContactNow>)>,
+    /// The part that is drawn: lower left and upper right corner \[m\].
+    window: [DVec2; 2],
+    /// Whether dimensions are written.
+    dimensions: bool,
+}
+
+/// Hardest hit: what it is, and pictures with their captions.
+pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)>)> {
+    let touch = history.hardest()?;
+    let (t, now) = (touch.peak_time, history.contact_at(touch.contact, touch.peak_time));
+    let site = history.model().contacts.get(touch.contact)?;
+    let force = if touch.peak_force > 0.0 {
+        format!("{:.1} kN", touch.peak_force / 1e3)
+    } else {
+        format!("an impulse of {:.3e} N·s", touch.impulse)
+    };
+    let corner =
+        site.node_body.zip(now.as_ref()).and_then(|(body, now)| nearest_corner(history, body, now.point.truncate(), t));
+    let near = corner.map_or(String::new(), |number| format!(" (at corner {number} of the plan)"));
+    let words = format!("{}{near} against {}: {force} at {t:.4} s.", site.node, site.face_name);
+    let mut pictures = vec![(
+        format!("Plan at {t:.4} s, to scale; dashed as placed. Arrows: forces on the bodies of the nodes."),
+        Plan::at(history, t).svg(),
+    )];
+    if let Some(now) = now {
+        let width = site.node_body.map_or(1.0, |body| history.model().bodies[body].prism.width);
+        let caption = format!("The same about the hit, {:.3} m wide.", 2.0 * CLOSE * width);
+        pictures.push((caption, Plan::close(history, t, now.point.truncate(), CLOSE * width).svg()));
+    }
+    Some((words, pictures))
+}
+
+impl<'a> Plan<'a> {
+    pub(super) fn as_placed(history: &'a History) -> Self {
+        Self { history, at: None, window: window(history), dimensions: true }
+    }
+
+    fn at(history: &'a History, t: f64) -> Self {
+        Self { at: Some((t, history.contacts(t))), dimensions: false, ..Self::as_placed(history) }
+    }
+
+    /// A square of this half width \[m\] about a point.
+    fn close(history: &'a History, t: f64, centre: DVec2, half: f64) -> Self {
+        Self {
+            window: [centre - DVec2::new(2.0 * half, half), centre + DVec2::new(2.0 * half, half)],
+            ..Self::at(history, t)
+        }
+    }
+
+    /// Pixels a metre.
+    fn scale(&self) -> f64 {
+        (WIDTH - 2.0 * MARGIN) / (self.window[1].x - self.window[0].x).max(1e-9)
+    }
+
+    fn place(&self, p: DVec2) -> (f64, f64) {
+        let scale = self.scale();
+        (MARGIN + scale * (p.x - self.window[0].x), MARGIN + scale * (self.window[1].y - p.y))
+    }
+
+    fn polygon(&self, svg: &mut String, corners: &[DVec2], style: &str) {
+        let points: Vec<String> = corners
+            .iter()
+            .map(|corner| {
+                let (x, y) = self.place(*corner);
+                format!("{x:.2},{y:.2}")
+            })
+            .collect();
+        let _ = writeln!(svg, r#"<polygon points="{}" {style}/>"#, points.join(" "));
+    }
+
+    /// The document.
+    pub(super) fn svg(&self) -> String {
+        let height = 2.0 * MARGIN + self.scale() * (self.window[1].y - self.window[0].y);
+        let mut svg = String::new();
+        let _ = writeln!(
+            svg,
+            r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height:.1}" width="{WIDTH}" height="{height:.1}" font-family="sans-serif"><rect width="{WIDTH}" height="{height:.1}" fill="#ffffff"/>"##
+        );
+        let scene = self.history.scene();
+        for abutment in &scene.abutments {
+            if let Some(corners) = abutment_plan(scene, abutment) {
+                self.polygon(&mut svg, &corners, r##"fill="#d9dce0" stroke="#6b6b6b""##);
+                if self.dimensions {
+                    self.label_abutment(&mut svg, abutment, &corners);
+                }
+            }
+        }
+        for girder in 0..self.history.model().bodies.len() {
+            self.girder(&mut svg, girder);
+        }
+        self.forces(&mut svg);
+        self.scale_bar(&mut svg, height);
+        svg.push_str("</svg>\n");
+        svg
+    }
+
+    fn girder(&self, svg: &mut String, number: usize) {
+        let body = &self.history.model().bodies[number];
+        let placed = placed(self.history, number);
+        let now = self.at.as_ref().map(|(t, _)| corners_at(self.history, number, *t));
+        let solid = r##"fill="#e9e3d6" fill-opacity="0.9" stroke="#222222" stroke-width="1.3""##;
+        self.polygon(svg, &now.unwrap_or(placed), solid);
+        if now.is_some() {
+            self.polygon(svg, &placed, r##"fill="none" stroke="#9aa0a6" stroke-dasharray="4 3""##);
+        } else {
+            let home = self.history.motion(number, 0.0);
+            for bearing in &body.bearings {
+                let (x, y) = self.place((home.place - home.displacement + body.axes * bearing.place).truncate());
+                let _ = writeln!(svg, r##"<circle cx="{x:.1}" cy="{y:.1}" r="3.2" fill="#0072B2"/>"##);
+            }
+        }
+        for end in End::BOTH {
+            self.front_edge(svg, number, end, &placed);
+        }
+        if self.dimensions {
+            self.dimensions(svg, number, &placed);
+        }
+    }
+
+    /// The front edge of the seat under an end, where there is one.
+    fn front_edge(&self, svg: &mut String, number: usize, end: End, placed: &[DVec2; 4]) {
+        let Some(ledge) = Ledge::of(self.history, number, end) else { return };
+        let back = -ledge.normal.truncate() * ledge.placed();
+        let [from, to] = Prism::end_corners(end).map(|corner| self.place(placed[corner] + back));
+        line(svg, from, to, r##"stroke="#a83f00" stroke-width="1.3" stroke-dasharray="6 3""##);
+    }
+
+    /// Name, length, width and skew of a girder as placed.
+    fn dimensions(&self, svg: &mut String, number: usize, corners: &[DVec2; 4]) {
+        let girder = &self.history.scene().girders[number];
+        let middle = |a: DVec2, b: DVec2| self.place(0.5 * (a + b));
+        let (x, y) = middle(corners[0], corners[2]);
+        text(svg, (x, y + 5.0), 15.0, "middle", INK, &escape(&girder.name));
+        let (x, y) = middle(corners[0], corners[1]);
+        let length = format!("a₀ = {} m", trimmed(girder.length));
+        text(svg, (x, y + 17.0), 12.0, "middle", INK, &length);
+        let (x, y) = middle(corners[3], corners[2]);
+        let width = format!("b₀ = {} m, β = {}°", trimmed(girder.width), trimmed(girder.skew_deg));
+        text(svg, (x, y - 7.0), 12.0, "middle", INK, &width);
+        for (number, corner) in corners.iter().enumerate() {
+            let (x, y) = self.place(*corner + 0.035 * (*corner - 0.5 * (corners[0] + corners[2])));
+            text(svg, (x, y + 4.0), 10.0, "middle", GREY, &(number + 1).to_string());
+        }
+    }
+
+    fn label_abutment(&self, svg: &mut String, abutment: &Abutment, corners: &[DVec2; 4]) {
+        let (x, y) = self.place(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
+        text(svg, (x.clamp(30.0, WIDTH - 30.0), y), 12.0, "middle", INK, &escape(&abutment.name));
+        if let Some(gap) = abutment.gap {
+            let words = format!("gap {} mm", trimmed(1e3 * gap));
+            text(svg, (x.clamp(44.0, WIDTH - 44.0), y + 15.0), 11.0, "middle", GREY, &words);
+        }
+    }
+
+    fn forces(&self, svg: &mut String) {
+        let Some((_, contacts)) = &self.at else { return };
+        let largest = contacts.iter().map(|now| now.force.truncate().length()).fold(0.0, f64::max);
+        for now in contacts.iter().filter(|_| largest > 0.0) {
+            let (x, y) = self.place(now.point.truncate());
+            let way = now.force.truncate() * (ARROW / largest);
+            let style = format!(r#"stroke="{FORCE}" stroke-width="2.2""#);
+            let (tip, unit) = ((x + way.x, y - way.y), way.normalize_or_zero());
+            line(svg, (x, y), tip, &style);
+            let barb = |side: f64| {
+                let back = DVec2::from_angle(side).rotate(-unit) * 10.0;
+                format!("{:.1},{:.1}", tip.0 + back.x, tip.1 - back.y)
+            };
+            let (left, right) = (barb(0.45), barb(-0.45));
+            let _ = writeln!(svg, r#"<polygon points="{:.1},{:.1} {left} {right}" fill="{FORCE}"/>"#, tip.0, tip.1);
+            let words = format!("{:.1} kN", now.force.length() / 1e3);
+            let anchor = if way.x < 0.0 { "end" } else { "start" };
+            text(svg, (tip.0 + 7.0 * way.x.signum(), tip.1 - 5.0), 11.0, anchor, FORCE, &words);
+        }
+    }
+
+    /// A bar of a round length.
+    fn scale_bar(&self, svg: &mut String, height: f64) {
+        let span = 0.2 * (self.window[1].x - self.window[0].x);
+        let power = 10f64.powf(span.log10().floor());
+        let length = [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|l| *l <= span).unwrap_or(power);
+        let (left, y) = (MARGIN, height - 12.0);
+        line(svg, (left, y), (left + length * self.scale(), y), &format!(r#"stroke="{INK}" stroke-width="2""#));
+        text(svg, (left + length * self.scale() + 6.0, y + 4.0), 11.0, "start", INK, &format!("{} m", trimmed(length)));
+    }
+}
+
+/// Corners of a girder in plan at a time.
+fn corners_at(history: &History, number: usize, t: f64) -> [DVec2; 4] {
+    let motion = history.motion(number, t);
+    let corners = history.model().bodies[number].prism.plan_corners();
+    corners.map(|c| (motion.place + motion.attitude * c.extend(0.0)).truncate())
+}
+
+/// Number in plan, from 1, of the corner of a girder that is nearest to a point.
+fn nearest_corner(history: &History, number: usize, point: DVec2, t: f64) -> Option<usize> {
+    let corners = corners_at(history, number, t);
+    let distance = |corner: &(usize, DVec2)| corner.1.distance_squared(point);
+    corners.into_iter().enumerate().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|(corner, _)| corner + 1)
+}
+
+/// Corners of a girder in plan as placed.
+fn placed(history: &History, number: usize) -> [DVec2; 4] {
+    let body = &history.model().bodies[number];
+    let home = history.motion(number, 0.0);
+    let prism: &Prism = &body.prism;
+    prism.plan_corners().map(|c| (home.place - home.displacement + body.axes * c.extend(0.0)).truncate())
+}
+
+/// An abutment in plan: its face, then the edge behind it.
+fn abutment_plan(scene: &Scene, abutment: &Abutment) -> Option<[DVec2; 4]> {
+    let [a, b, ..] = abutment_face(scene, abutment)?.map(glam::DVec3::truncate);
+    let girder = scene.girders.iter().find(|girder| girder.name == abutment.faces)?;
+    let from = DVec2::new(girder.position[0], girder.position[1]);
+    let square = (b - a).perp().normalize_or_zero();
+    let away = if square.dot(0.5 * (a + b) - from) < 0.0 { -square } else { square };
+    // No farther than the girder is wide: what is drawn behind the face bears no load.
+    let back = away * abutment_depth(scene, abutment).min(0.5 * girder.width);
+    Some([a, b, b + back, a + back])
+}
+
+/// What holds every girder as placed and every abutment, with some air.
+fn window(history: &History) -> [DVec2; 2] {
+    let scene = history.scene();
+    let girders: Vec<DVec2> = (0..history.model().bodies.len()).flat_map(|number| placed(history, number)).collect();
+    let around = girders.iter().fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[a, b], p| [a.min(*p), b.max(*p)]);
+    let air = 0.12 * (around[1].y - around[0].y);
+    let walls = scene.abutments.iter().filter_map(|abutment| abutment_plan(scene, abutment)).flatten();
+    // Walls may be far wider than the bridge: they are cut off beside it.
+    let cut = |p: DVec2| DVec2::new(p.x, p.y.clamp(around[0].y - 2.0 * air, around[1].y + 2.0 * air));
+    walls.map(cut).fold([around[0] - air, around[1] + air], |[a, b], p| [a.min(p), b.max(p)])
+}
+
+/// A number without needless zeros, six digits behind the point.
+pub(super) fn trimmed(value: f64) -> String {
+    let words = format!("{value:.6}");
+    words.trim_end_matches('0').trim_end_matches('.').to_owned()
+}

@@ -1,0 +1,49 @@
+//! `report`: one page with everything inside, of runs with and without seats.
+
+use crate::program::call;
+
+/// The page of a preset's beginning with changes to it.
+fn page(preset: &str, sets: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("page.html");
+    let mut args = vec!["report", preset, "--until", "2", "--out", out.to_str().expect("a UTF-8 path")];
+    args.extend(sets.iter().flat_map(|set| ["--set", *set]));
+    let said = call(&args);
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    assert!(said.out.contains("written to "), "says where: {}", said.out);
+    std::fs::read_to_string(out).expect("the page")
+}
+
+#[test]
+fn a_report_has_every_section_and_nothing_outside() {
+    let page = page("deck-30m", &["codes.column_height_m=8"]);
+    for heading in [
+        "Scene",
+        "Assumptions",
+        "Ground motion",
+        "Hardest hit",
+        "Motion of the girders",
+        "Readings and limits",
+        "Seats and codes",
+        "How far to trust it",
+    ] {
+        assert!(page.contains(&format!("<h2>{heading}</h2>")), "{heading}");
+    }
+    let [outside, namespaces] = ["http", "xmlns=\"http://www.w3.org/2000/svg\""].map(|word| page.matches(word).count());
+    assert_eq!(outside, namespaces, "no link to anything outside");
+    assert!(!page.contains("NaN") && !page.contains("inf"), "nothing that is no number");
+    assert!(page.contains("H = 8 m <span class=\"open\">(scene)</span>"), "a number of the scene");
+    assert!(page.contains("α_E = 5° <span class=\"part\">(assumed)</span>"), "an assumed one");
+    assert!(page.contains("not confirmed: quoted from memory"), "what is not confirmed");
+    assert!(page.contains("front edge of the seat"), "the orbit over the seat");
+}
+
+#[test]
+fn a_corner_that_comes_off_heads_the_page() {
+    let short = page("skew45-abutment", &["girder.deck.seat_m={ \"+x\" = 0.002 }"]);
+    assert!(short.contains("A corner comes off its seat: deck+x at "), "first of all");
+    assert!(short.contains(">off at "), "in the picture");
+    let none = page("skew45-abutment", &["girder.deck.name=\"a <b>\"", "abutment.wall.faces=\"a <b>\""]);
+    assert!(none.contains("The scene gives no seats"), "without seats");
+    assert!(!none.contains("a <b>"), "names cannot break the page");
+}
