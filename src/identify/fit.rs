@@ -99,8 +99,10 @@ const MOST_DAMPING: f64 = 0.99;
 const DAMPINGS: [f64; 7] = [0.003, 0.01, 0.03, 0.1, 0.2, 0.35, 0.6];
 /// Frequencies to start from, of that of the resonance: the resonance of h = 0.6 lies at 0.53 f.
 const NEAR: [f64; 11] = [0.8, 0.9, 0.95, 0.98, 1.0, 1.02, 1.05, 1.1, 1.25, 1.5, 2.0];
-/// Frequencies to start from over the whole band, for ground of one frequency.
+/// Frequencies to start from over the whole band, on shaking ground: a sine shows no resonance, and noise can hide that of others.
 const OVER_BAND: u32 = 24;
+/// Damping ratios to start from with these: the neighbours of a frequency are a fifth or more away.
+const DAMPINGS_OVER_BAND: [f64; 2] = [0.05, 0.25];
 /// The best starts that are followed.
 const FOLLOWED: usize = 4;
 /// Share of a parameter by which it is moved for a derivative: the second difference that is left out is 1e-12, of 1e3 periods
@@ -203,15 +205,14 @@ impl<L: Linear> All<'_, L> {
     }
 
     /// The solution from the best of many starts.
-    fn solve(&self, measured: &[f64], frequencies: &[f64]) -> Option<Solution> {
+    fn solve(&self, measured: &[f64], oscillators: Vec<[f64; 2]>) -> Option<Solution> {
         let mut starts = Vec::new();
-        for f in self.given.as_ref().map_or(frequencies, std::slice::from_ref) {
-            for h in DAMPINGS {
-                if let Some((factors, cost)) = self.projected([*f, h], measured) {
-                    let own = self.given.is_none().then_some(*f);
-                    let start: Vec<f64> = own.into_iter().chain([h]).chain(factors).collect();
-                    starts.push((cost, start));
-                }
+        let oscillators = self.given.map_or(oscillators, |f| DAMPINGS.map(|h| [f, h]).to_vec());
+        for [f, h] in oscillators {
+            if let Some((factors, cost)) = self.projected([f, h], measured) {
+                let own = self.given.is_none().then_some(f);
+                let start: Vec<f64> = own.into_iter().chain([h]).chain(factors).collect();
+                starts.push((cost, start));
             }
         }
         starts.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -248,10 +249,12 @@ pub fn from_history(history: &History<'_>, given: Given) -> Result<Identified, N
     checked(history, x, given)?;
     let resonance = resonance(times, x, shaking);
     let band = band(times);
-    let over_band = matches!(shaking, Shaking::Sine { .. }).then(|| spaced(band, OVER_BAND));
-    let near = NEAR.iter().map(|share| share * resonance).filter(|f| (0.5 * band[0]..=2.0 * band[1]).contains(f));
-    let frequencies: Vec<f64> = near.chain(over_band.into_iter().flatten()).collect();
-    identified((history, x), given, resonance, &frequencies, is_even(times))
+    let mut starts = near(resonance);
+    starts.retain(|[f, _]| (0.5 * band[0]..=2.0 * band[1]).contains(f));
+    if !matches!(shaking, Shaking::Still) {
+        starts.extend(spaced(band, OVER_BAND).flat_map(|f| DAMPINGS_OVER_BAND.map(|h| [f, h])));
+    }
+    identified((history, x), given, (resonance, starts), is_even(times))
 }
 
 /// Identifies f and h from steady amplitudes over frequency.
@@ -263,8 +266,12 @@ pub fn from_response(response: &SteadyResponse<'_>, given: Given) -> Result<Iden
     checked(response, amplitudes, given)?;
     let all = frequencies.iter().zip(*amplitudes);
     let resonance = all.max_by(|a, b| a.1.total_cmp(b.1)).map_or(0.0, |(f, _)| *f);
-    let starts: Vec<f64> = NEAR.iter().map(|share| share * resonance).collect();
-    identified((response, amplitudes), given, resonance, &starts, is_even(frequencies))
+    identified((response, amplitudes), given, (resonance, near(resonance)), is_even(frequencies))
+}
+
+/// Oscillators to start from around a resonance.
+fn near(resonance: f64) -> Vec<[f64; 2]> {
+    NEAR.iter().flat_map(|share| DAMPINGS.map(|h| [share * resonance, h])).collect()
 }
 
 /// Whether values lie evenly, to a hundredth of their interval.
@@ -290,12 +297,11 @@ fn checked(linear: &impl Linear, measured: &[f64], given: Given) -> Result<(), N
 fn identified(
     (linear, measured): (&impl Linear, &[f64]),
     given: Given,
-    resonance: f64,
-    frequencies: &[f64],
+    (resonance, starts): (f64, Vec<[f64; 2]>),
     evenly: bool,
 ) -> Result<Identified, NotIdentified> {
     let all = All { linear, given: given.frequency };
-    let solution = all.solve(measured, frequencies).ok_or(NotIdentified::Undetermined)?;
+    let solution = all.solve(measured, starts).ok_or(NotIdentified::Undetermined)?;
     let noise = Noise::of(&solution.residuals, solution.parameters.len(), evenly);
     let covariance = noise.covariance(&solution).ok_or(NotIdentified::Undetermined)?;
     let factor = student_95(measured.len() - solution.parameters.len());

@@ -25,7 +25,7 @@ use crate::motion::oscillator::Shaking;
 use crate::scene::shown::escaped;
 use crate::study::identified;
 
-/// Find natural frequency and damping ratio from a measured displacement: free decay, known ground motion, or sweep
+/// Find natural frequency and damping ratio from a measured displacement (free decay, known ground motion, sweep), or, with --fit, gap, restitution and friction of a girder that pounds
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct IdentifyArgs {
     /// A table of time and displacement relative to the ground, as CSV; with --response of frequency and amplitude
