@@ -16,6 +16,8 @@ const EDGE: &str = "#a83f00";
 const COLORS: [[f64; 3]; 2] = [[158.0, 202.0, 225.0], [8.0, 48.0, 107.0]];
 /// Pieces of an orbit, each of one colour.
 const PIECES: usize = 40;
+/// Points of an orbit, about.
+const POINTS: usize = 4000;
 /// Marks of time along an orbit.
 const MARKS: usize = 6;
 
@@ -24,7 +26,7 @@ pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for (girder, body) in history.model().bodies.iter().enumerate() {
         for seat in seats::of_girder(history, girder) {
-            let orbit = seats::orbit(history, girder, &seat.ledge);
+            let orbit = seats::orbit(history, girder, &seat.ledge, POINTS);
             let caption = format!(
                 "{}{}: both corners of the end over the seat, ground-fixed, each to scale; along the edge from the middle of the end, \
                  upwards what remains square to the front edge (red). Colour from light to dark through time, {:.1} s.",

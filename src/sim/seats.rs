@@ -171,13 +171,10 @@ pub struct OrbitPoint {
     pub corners: [[f64; 2]; 2],
 }
 
-/// Most points of an orbit that is drawn.
-const MOST_POINTS: usize = 4000;
-
-/// The way of both corners of an end over their seat, from look to look.
-pub fn orbit(history: &History, girder: usize, ledge: &Ledge) -> Vec<OrbitPoint> {
+/// The way of both corners of an end over their seat, from look to look, in about `most` points.
+pub fn orbit(history: &History, girder: usize, ledge: &Ledge, most: usize) -> Vec<OrbitPoint> {
     let times = touches::looks(history, girder);
-    let every = times.len().div_ceil(MOST_POINTS).max(1);
+    let every = times.len().div_ceil(most.max(1)).max(1);
     let last = times.last().copied();
     let drawn = times.into_iter().step_by(every).chain(last);
     drawn.map(|t| OrbitPoint { t, corners: corners_at(history, girder, ledge, t) }).collect()

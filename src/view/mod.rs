@@ -26,6 +26,7 @@ mod light;
 pub mod list;
 pub mod marks;
 pub mod moment;
+mod off_seat;
 mod overlap;
 mod palette;
 mod pick;
@@ -65,6 +66,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
     let forces = forces::forces(input, moment, &palette);
     let devices = devices::lines(input, moment, &palette);
     let overlaps = overlap::lines(input, moment);
+    let off_seats = off_seat::lines(input, moment);
     let gaps = if input.overlays.gap { gap::gaps(input.scene, moment) } else { Vec::new() };
     let real = |i: usize, g: &gap::GapNow| moment.true_gaps.get(i).copied().flatten().unwrap_or(g.gap);
     let gaps = gaps.into_iter().enumerate();
@@ -87,6 +89,7 @@ pub fn draw_moment(input: &ViewInput<'_>, moment: &Moment) -> DrawList {
             .chain(forces.lines)
             .chain(devices)
             .chain(overlaps)
+            .chain(off_seats)
             .collect(),
         cones: forces.cones,
         arrows: forces.arrows,
@@ -138,6 +141,7 @@ fn marks(
     }
     texts::keep_clear(input, moment, forces, &mut placer);
     marks.extend(overlap::labels(input, moment, palette, &mut placer));
+    marks.extend(off_seat::labels(input, moment, palette, &mut placer));
     if o.contacts {
         marks.extend(texts::force_values(input, moment, forces, palette, &mut placer));
     }

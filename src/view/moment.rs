@@ -4,8 +4,10 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::ViewInput;
 use super::scale::{auto_force_scale, auto_impulse_scale};
+use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
+use crate::sim::seats::{Ledge, corners_at};
 use crate::sim::{ContactNow, History, Hit, LinkNow, Motion, SolidId, State};
 
 /// Impulses that fade at once, at most: the latest.
@@ -53,6 +55,19 @@ pub struct OverlapNow {
     pub place: DVec3,
 }
 
+/// An end of which a corner is off its seat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OffSeat {
+    /// The girder.
+    pub girder: usize,
+    /// Its end.
+    pub end: End,
+    /// The front edge of the seat, as long as the end, at the underside of the girder as placed \[m\].
+    pub edge: [DVec3; 2],
+    /// What remains at the corners, square to the edge, in the order of [`Prism::end_corners`]; negative off it \[m\].
+    pub remaining: [f64; 2],
+}
+
 /// One instant of a run, or a scene as placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moment {
@@ -68,6 +83,8 @@ pub struct Moment {
     pub devices: Vec<LinkNow>,
     /// Overlaps that no contact carries.
     pub overlaps: Vec<OverlapNow>,
+    /// Ends of which a corner is off its seat.
+    pub off_seat: Vec<OffSeat>,
     /// Contacts that opened a moment ago.
     pub opened: Vec<Opened>,
     /// The friction laws in use, by name; empty where nothing can touch.
@@ -126,6 +143,7 @@ impl Moment {
             contacts,
             devices: history.links(t),
             overlaps: overlaps(history, t),
+            off_seat: off_seat(history, t),
             laws: match history.impact() {
                 Some(_) => Vec::new(),
                 None => law_names(model.pairs.iter().map(|p| p.contact.law)),
@@ -145,6 +163,7 @@ impl Moment {
             contacts: Vec::new(),
             devices: Vec::new(),
             overlaps: Vec::new(),
+            off_seat: Vec::new(),
             opened: Vec::new(),
             laws: law_names(pairs.iter().map(|p| p.contact.law)),
             ghosts: Vec::new(),
@@ -162,6 +181,20 @@ fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
     let now = history.overlaps().iter().filter(|overlap| overlap.lasts_at(t));
     let depth = |overlap| history.overlap_depth(overlap, t);
     now.map(|o| OverlapNow { bodies: o.bodies, depth: depth(o), place: o.place }).collect()
+}
+
+/// Ends of which a corner is off its seat at an instant.
+fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
+    let ends = (0..history.model().bodies.len()).flat_map(|girder| End::BOTH.map(|end| (girder, end)));
+    ends.filter_map(|(girder, end)| {
+        let ledge = Ledge::of(history, girder, end)?;
+        let remaining = corners_at(history, girder, &ledge, t).map(|[_, remaining]| remaining);
+        let body = &history.model().bodies[girder];
+        let back = ledge.normal * ledge.placed();
+        let edge = Prism::end_corners(end).map(|corner| body.home + body.axes * body.prism.corners()[corner] - back);
+        (remaining[0].min(remaining[1]) < 0.0).then_some(OffSeat { girder, end, edge, remaining })
+    })
+    .collect()
 }
 
 /// What the user asked for, then what the scene asks for, then what suits the run.
@@ -251,4 +284,32 @@ fn law_names(laws: impl Iterator<Item = FrictionLaw>) -> Vec<&'static str> {
     names.sort_unstable();
     names.dedup();
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Initial, Motion, Seat, presets};
+
+    #[test]
+    fn a_turned_deck_has_its_acute_corners_off() {
+        let mut scene = presets::load("skew60-abutment").expect("ships");
+        (scene.motion, scene.duration) = (Motion::None, 0.01);
+        scene.abutments.clear();
+        scene.contact.pairs.clear();
+        let girder = &mut scene.girders[0];
+        // 1° takes 1.3 mm off the acute corners, 0.3 mm off the obtuse ones.
+        girder.initial = Initial { rotation_deg: 1.0, ..Initial::default() };
+        girder.seat = Seat { plus: Some(0.001), minus: Some(0.001), side: None };
+        let history = History::of(&scene).expect("runs");
+        let off = off_seat(&history, 0.0);
+        assert_eq!(off.iter().map(|off| off.end).collect::<Vec<_>>(), End::BOTH, "both ends, by symmetry");
+        let [plus, minus] = off.as_slice() else { panic!("two") };
+        assert!(plus.remaining[0] > 0.0 && plus.remaining[1] < 0.0, "+y at +x: {plus:?}");
+        assert!(minus.remaining[1] > 0.0 && minus.remaining[0] < 0.0, "−y at −x: {minus:?}");
+        assert!(
+            off_seat(&History::of(&presets::load("skew60-abutment").expect("ships")).expect("runs"), 1.0).is_empty(),
+            "no seats"
+        );
+    }
 }

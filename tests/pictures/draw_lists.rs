@@ -5,7 +5,7 @@
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
-use girderbench::sim::{ContactState, History, SolidId};
+use girderbench::sim::{ContactState, History, SolidId, seats};
 use girderbench::view::list::{ArrowKind, Mark};
 use girderbench::view::moment::OverlapNow;
 use girderbench::view::{
@@ -510,4 +510,24 @@ fn an_overlap_without_contact_is_hatched_over_what_both_bodies_share() {
     let top = scene.girders[0].thickness as f32 / 2.0;
     assert!(min.distance(Vec3::new(0.055, 0.015, top)) < 1e-6, "{min}");
     assert!(max.distance(Vec3::new(0.095, 0.035, top)) < 1e-6, "{max}");
+}
+
+#[test]
+fn an_end_off_its_seat_is_drawn_with_the_edge_that_it_left() {
+    let mut scene = presets::load("skew60-abutment").expect("ships");
+    scene.duration = 2.0;
+    let drawn = |scene: &Scene| {
+        let history = History::of(scene).expect("runs");
+        let seat = seats::of_girder(&history, 0).first().copied();
+        let t = seat.map_or(1.0, |seat| seat.least().t);
+        let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), ASPECT);
+        let list = draw_list(&input(scene, Some(&history), t, &camera));
+        (list.xray_lines.iter().filter(|line| line.group == "off seat").count(), seat)
+    };
+    scene.girders[0].seat.plus = Some(0.001);
+    let (lines, seat) = drawn(&scene);
+    assert!(seat.is_some_and(|seat| seat.off_at().is_some()), "it comes off: {seat:?}");
+    assert_eq!(lines, 2, "front edge, and the part of the end beyond it");
+    scene.girders[0].seat.plus = Some(0.5);
+    assert_eq!(drawn(&scene).0, 0, "on its seat nothing is marked");
 }

@@ -127,3 +127,28 @@ fn a_girder_says_what_was_read_off_the_run() {
     assert_eq!(peak.value, harness.state().replay.runner.answer().expect("run").summary.peak_force, "the one pair's");
     assert!(harness.query_by_label("peak force").is_some() && harness.query_by_label("drift 3").is_some(), "named");
 }
+
+#[test]
+fn seats_are_shown_with_codes_and_the_report_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = open(presets::OPENING);
+    let scene = harness.state().files.document.scene();
+    let scene = girderbench::scene::overrides::apply(scene, "girder.deck.seat_m={ \"+x\" = 0.002 }").expect("fits");
+    harness.state_mut().apply(EditCommand::Change { edit: Edit::Scene(Box::new(scene)), gesture: None });
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    settle(&mut harness);
+    assert_eq!(harness.query_all_by_label_contains("not confirmed").count(), 4, "AASHTO twice, Caltrans, EN");
+    assert!(harness.query_all_by_label_contains("too short").count() >= 5, "2 mm are");
+    let page = folder.path().join("run.html");
+    harness.state_mut().apply(WindowCommand::Dismiss);
+    harness.state_mut().apply(FileCommand::Export(girderbench::app::Export::Report, page.clone()));
+    for _ in 0..1000 {
+        harness.run();
+        if harness.state().window.notice().is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let text = std::fs::read_to_string(page).expect("written");
+    assert!(text.contains("A corner comes off its seat: deck+x at "), "the run of the window");
+}

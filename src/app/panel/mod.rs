@@ -16,6 +16,7 @@ pub(in crate::app) mod overlays;
 pub(in crate::app) mod record_of;
 mod results;
 pub(in crate::app) mod row_dialog;
+mod seat_orbit;
 pub(in crate::app) mod shortcuts;
 pub(in crate::app) mod status;
 pub(in crate::app) mod view_menu;

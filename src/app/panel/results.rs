@@ -2,6 +2,7 @@
 
 use egui::{Grid, RichText, Ui};
 
+use super::seat_orbit;
 use crate::app::command::{Command, TimeCommand};
 use crate::app::run::answer::Answer;
 use crate::app::time::replay::Replay;
@@ -25,7 +26,7 @@ fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, 
 }
 
 /// What (3), (4) and (6) say of a girder, from its scene's answer where there is one.
-pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, i: usize, girder: &Girder) {
+pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, (i, girder): (usize, &Girder), t: f64) {
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
@@ -39,6 +40,9 @@ pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, i: usize
     table(ui, "computed", rows);
     if let Some(reading) = answer.and_then(|a| a.reading(i)) {
         show_reading(ui, reading);
+    }
+    if let Some(answer) = answer {
+        show_seats(ui, answer, i, t);
     }
 }
 
@@ -60,6 +64,17 @@ fn show_reading(ui: &mut Ui, reading: &Reading) {
     rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap))));
     rows.extend(reading.force.as_ref().map(|force| (text::PEAK_FORCE, at(&text::force(force.value), force))));
     table(ui, "readings", rows);
+}
+
+/// The orbit of the corners of a girder over its seats, and what codes require.
+fn show_seats(ui: &mut Ui, answer: &Answer, girder: usize, t: f64) {
+    for seat in answer.seats().iter().filter(|seat| seat.demands.girder == girder) {
+        let (demands, end) = (&seat.demands, seat.demands.seat.ledge.end);
+        ui.add_space(4.0);
+        ui.label(RichText::new(text::seat_at(end)).strong());
+        seat_orbit::show(ui, &answer.history, (girder, &demands.seat), &seat.orbit, t);
+        table(ui, text::seat_at(end), demands.demands.iter().map(|demand| (demand.rule, text::demand(demand))));
+    }
 }
 
 /// (3), (4) in words.

@@ -3,8 +3,10 @@
 use std::sync::OnceLock;
 use std::time::Duration;
 
+use crate::codes::{self, SeatDemands};
 use crate::scene::domain::{self, Departure};
 use crate::sim::readings::{self, Passed, Reading};
+use crate::sim::seats::{self, OrbitPoint};
 use crate::sim::{Balance, ContactState, Dropped, EventKind, History, Hit, Overlap, Quantity, Summary, TooDeep};
 
 /// A stretch of time that a contact of a pair spends in one state.
@@ -30,6 +32,18 @@ pub struct Apart {
     /// Whether a whole face hits.
     pub flush: bool,
 }
+
+/// A seat of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeatAnswer {
+    /// What it is, what the run left of it, what codes require.
+    pub demands: SeatDemands,
+    /// The way of its corners.
+    pub orbit: Vec<OrbitPoint>,
+}
+
+/// Points of an orbit, about: they are drawn in every frame.
+const ORBIT_POINTS: usize = 600;
 
 /// Instants at which the models are compared.
 const COMPARED: u32 = 1000;
@@ -66,6 +80,7 @@ pub struct Answer {
     passed: OnceLock<Vec<Passed>>,
     readings: OnceLock<Vec<OnceLock<Reading>>>,
     quantities: OnceLock<Vec<(String, Quantity)>>,
+    seats: OnceLock<Vec<SeatAnswer>>,
 }
 
 impl Answer {
@@ -104,6 +119,7 @@ impl Answer {
             passed: OnceLock::new(),
             readings: OnceLock::new(),
             quantities: OnceLock::new(),
+            seats: OnceLock::new(),
         }
     }
 
@@ -140,6 +156,15 @@ impl Answer {
     pub fn reading(&self, girder: usize) -> Option<&Reading> {
         let all = self.readings.get_or_init(|| self.history.model().bodies.iter().map(|_| OnceLock::new()).collect());
         Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
+    }
+
+    /// Every seat with what codes require of it and the orbit of its corners; reckoned when first asked for.
+    pub fn seats(&self) -> &[SeatAnswer] {
+        let of = |demands: SeatDemands| {
+            let orbit = seats::orbit(&self.history, demands.girder, &demands.seat.ledge, ORBIT_POINTS);
+            SeatAnswer { demands, orbit }
+        };
+        self.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
     }
 
     /// Every quantity with its name; listed when first asked for, as a long row has many.

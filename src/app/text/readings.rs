@@ -1,5 +1,6 @@
 //! Words beside numbers that are read off a girder, a contact or a run.
 
+use crate::codes::Demand;
 use crate::geometry::End;
 use crate::sim::readings::Passed;
 use crate::sim::{Dropped, History, Overlap, TooDeep};
@@ -32,6 +33,22 @@ pub(in crate::app) const PEAK_FORCE: &str = "peak force";
 /// The seat under an end.
 pub(in crate::app) fn seat_at(end: End) -> &'static str {
     if end == End::Plus { "seat +x" } else { "seat -x" }
+}
+
+/// What a code requires, what there is, and what the run used, square to the edge.
+pub(in crate::app) fn demand(demand: &Demand) -> String {
+    let [needed, there, used] = [demand.required, demand.provided, demand.used].map(length);
+    let verdict = if demand.is_met() { "long enough" } else { "too short" };
+    let doubt = if demand.confirmed { "" } else { "; quoted from memory, not confirmed" };
+    format!("needs {needed}, has {there}, used {used}: {verdict}{doubt}")
+}
+
+/// What the picture of a corner over its seat shows.
+pub(in crate::app) fn orbit_of(corner: usize) -> String {
+    format!(
+        "Corner {} over its seat, to scale: red its front edge, the ring where least remains, the dot now; darker is later",
+        corner + 1
+    )
 }
 
 /// A value and when it is reached.
