@@ -16,8 +16,8 @@ const EDGE: &str = "#a83f00";
 const COLORS: [[f64; 3]; 2] = [[158.0, 202.0, 225.0], [8.0, 48.0, 107.0]];
 /// Pieces of an orbit, each of one colour.
 const PIECES: usize = 40;
-/// Points of an orbit, about.
-const POINTS: usize = 4000;
+/// Intervals of an orbit.
+const INTERVALS: u32 = 4000;
 /// Marks of time along an orbit.
 const MARKS: usize = 6;
 
@@ -26,7 +26,7 @@ pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for (girder, body) in history.model().bodies.iter().enumerate() {
         for seat in seats::of_girder(history, girder) {
-            let orbit = seats::orbit(history, girder, &seat.ledge, POINTS);
+            let orbit = seats::orbit(history, girder, &seat, INTERVALS);
             let caption = format!(
                 "{}{}: both corners of the end over the seat, ground-fixed, each to scale; along the edge from the middle of the end, \
                  upwards what remains square to the front edge (red). Colour from light to dark through time, {:.1} s.",
@@ -117,7 +117,7 @@ impl<'a> Panel<'a> {
         line(svg, (left, bottom), (right, bottom), &edge);
         let (x, y) = self.at([self.low[0], high[1]]);
         text(svg, (x, y - 8.0), 12.0, "start", INK, &format!("{title}: remaining over along [mm]"));
-        text(svg, (right - 4.0, bottom + 13.0), 10.0, "end", EDGE, "front edge of the seat");
+        text(svg, (right - 4.0, bottom + 26.0), 10.0, "end", EDGE, "front edge of the seat");
     }
 
     fn orbit(&self, svg: &mut String, orbit: &[OrbitPoint], which: usize, end: f64) {

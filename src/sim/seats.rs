@@ -171,13 +171,15 @@ pub struct OrbitPoint {
     pub corners: [[f64; 2]; 2],
 }
 
-/// The way of both corners of an end over their seat, from look to look, in about `most` points.
-pub fn orbit(history: &History, girder: usize, ledge: &Ledge, most: usize) -> Vec<OrbitPoint> {
-    let times = touches::looks(history, girder);
-    let every = times.len().div_ceil(most.max(1)).max(1);
-    let last = times.last().copied();
-    let drawn = times.into_iter().step_by(every).chain(last);
-    drawn.map(|t| OrbitPoint { t, corners: corners_at(history, girder, ledge, t) }).collect()
+/// The way of both corners of an end over their seat: `count` intervals of equal time, and the instants where least remains and
+/// where a corner comes off.
+pub fn orbit(history: &History, girder: usize, seat: &Seat, count: u32) -> Vec<OrbitPoint> {
+    let end = history.end();
+    let even = (0..=count).map(|i| end * f64::from(i) / f64::from(count.max(1)));
+    let marked = seat.corners.into_iter().flat_map(|corner| [Some(corner.least.t), corner.off.map(|off| off.t)]);
+    let mut times: Vec<f64> = even.chain(marked.flatten()).collect();
+    times.sort_by(f64::total_cmp);
+    times.into_iter().map(|t| OrbitPoint { t, corners: corners_at(history, girder, &seat.ledge, t) }).collect()
 }
 
 /// Share of an end that stands on its seat where this remains at its corners, 0 to 1: what remains is linear along the edge.

@@ -42,8 +42,8 @@ pub struct SeatAnswer {
     pub orbit: Vec<OrbitPoint>,
 }
 
-/// Points of an orbit, about: they are drawn in every frame.
-const ORBIT_POINTS: usize = 600;
+/// Intervals of an orbit: they are drawn in every frame.
+const ORBIT_INTERVALS: u32 = 1000;
 
 /// Instants at which the models are compared.
 const COMPARED: u32 = 1000;
@@ -161,7 +161,7 @@ impl Answer {
     /// Every seat with what codes require of it and the orbit of its corners; reckoned when first asked for.
     pub fn seats(&self) -> &[SeatAnswer] {
         let of = |demands: SeatDemands| {
-            let orbit = seats::orbit(&self.history, demands.girder, &demands.seat.ledge, ORBIT_POINTS);
+            let orbit = seats::orbit(&self.history, demands.girder, &demands.seat, ORBIT_INTERVALS);
             SeatAnswer { demands, orbit }
         };
         self.seats.get_or_init(|| codes::of(&self.history).into_iter().map(of).collect())
