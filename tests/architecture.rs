@@ -77,6 +77,7 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
     ("integrator", &[]),
     ("locate", &[]),
     ("connection", &[]),
+    ("devices", &["connection"]),
     ("model", &["connection"]),
     ("free_flight", &["integrator", "model"]),
     ("trajectory", &["integrator", "model", "free_flight"]),

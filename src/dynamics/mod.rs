@@ -7,6 +7,7 @@
 //! | [`integrator`] | explicit and implicit methods, dense output, step control; no physics |
 //! | [`locate`] | the first zero of a function of time: conservative advancement, subdivision, bracketed root |
 //! | [`connection`] | forces between two points: what contacts, bearings and devices have in common; links |
+//! | [`devices`] | cables, bumpers, dampers, stoppers, bearings with hysteresis |
 //! | [`model`] | a scene compiled to constant data: bodies with their degrees of freedom, bearings, facing pairs, contact sites, rate bounds |
 //! | [`free_flight`] | closed-form free motion and bounds on it |
 //! | [`trajectory`] | trajectories as stored |
@@ -22,6 +23,7 @@
 pub mod closing;
 pub mod connection;
 pub mod contact_model;
+pub mod devices;
 pub mod event_loop;
 pub mod free_flight;
 pub mod impact2d;

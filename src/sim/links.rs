@@ -38,7 +38,7 @@ impl History {
         let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
         let (force, stored, dissipated) = if acts {
-            let force = link.axes * device.force(&phase, &motion);
+            let force = link.force(&phase, &motion, &frames[1]);
             (force, device.stored_energy(&phase, &motion), device.dissipated_power(&phase, &motion))
         } else {
             (DVec3::ZERO, device.stored_energy(&phase, &motion), 0.0)
@@ -58,8 +58,8 @@ impl History {
     }
 
     fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
-        let phase = self.link_logs.get(number)?.at(t)?;
-        let link = &self.model().links[number];
+        let link = self.model().links.get(number)?;
+        let phase = self.link_logs.get(number)?.evolved_at(t, |phase| link.device.evolves(phase))?;
         let frames = link.frames(|end| link.bodies[end].map(|body| self.frame(body, t)));
         let (motion, _) = link.motion([&frames[0], &frames[1]]);
         Some((link, phase, frames, motion))

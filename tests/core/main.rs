@@ -26,6 +26,7 @@ mod physics {
     mod bounds;
     mod cable;
     mod contact_laws;
+    mod devices;
     mod drift;
     mod edge_nodes;
     mod energy;

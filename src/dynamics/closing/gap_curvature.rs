@@ -62,6 +62,11 @@ impl GapCurvature {
         let acceleration = self.acceleration + sum(|b| b.spin_rate + b.spin * b.spin);
         SeparationBounds { distance: distance + speed * stretch, speed, acceleration }
     }
+
+    /// Such bounds in axes that turn with the second body.
+    pub(in crate::dynamics) fn carried(&self, bounds: SeparationBounds) -> SeparationBounds {
+        bounds.carried(self.sides[1].spin, self.sides[1].spin_rate)
+    }
 }
 
 /// Bounds on relative speed and acceleration of two bodies of one island; `None` for others.

@@ -8,7 +8,7 @@ use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPE
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
-use crate::dynamics::connection::{Separation, SeparationBounds};
+use crate::dynamics::connection::{Kinematics, Separation, SeparationBounds};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -19,6 +19,9 @@ use crate::dynamics::world::tracks::LinkTrack;
 /// Searches the beginning of the force of a link, which does not act, from `t` on and enters it in the link's track.
 pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
     world.links[link].begins = None;
+    if world.model.links[world.links[link].link].device.has_ended(&world.links[link].phase) {
+        return NextClosing::at(f64::INFINITY);
+    }
     let slots = world.links[link].slots;
     match first_step_end(world, slots) {
         Some(until) => {
@@ -73,6 +76,10 @@ fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
         speed: between.speed + sum(|bound| bound.spin),
         acceleration: between.acceleration + sum(|bound| bound.spin_rate + bound.spin * bound.spin),
     };
+    let bounds = match link.kinematics {
+        Kinematics::Carried => bounds.carried(sample.bounds[1].spin, sample.bounds[1].spin_rate),
+        Kinematics::Points | Kinematics::Linear => bounds,
+    };
     let [gap, rate] = link.device.gap(phase, &motion);
     let curvature = link.device.gap_curvature(phase, &bounds);
     BoundedGap { gap, rate, curvature, window: between.window, out_of_reach: link.device.stays_idle(phase, &bounds) }
@@ -102,6 +109,10 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         }
         let distance = motion(world, number, from.t).vector().length();
         let bounds = curvature.separation(link.arms.map(DVec3::length), distance, to - from.t);
+        let bounds = match link.kinematics {
+            Kinematics::Carried => curvature.carried(bounds),
+            Kinematics::Points | Kinematics::Linear => bounds,
+        };
         link.device.gap_curvature(phase, &bounds)
     };
     let first = gap(t);

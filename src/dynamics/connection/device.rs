@@ -39,7 +39,31 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     /// Number of switching functions of a phase in which a force acts.
     fn switches(&self, phase: &Phase) -> usize;
 
-    /// A switching function of such a phase, in the unit of the gap \[m\]: negative while the phase lasts.
+    /// Unit of a switching function.
+    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
+        let _ = (number, phase);
+        SwitchUnit::Length
+    }
+
+    /// Whether the first number that the law remembers changes while the phase lasts, by [`Device::evolution`].
+    fn evolves(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        false
+    }
+
+    /// How the first number that the law remembers changes.
+    fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
+        let _ = (phase, motion);
+        Evolution::default()
+    }
+
+    /// Whether no force can begin any more.
+    fn has_ended(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        false
+    }
+
+    /// A switching function of such a phase, in its [unit](Device::switch_unit): negative while the phase lasts.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64;
 
     /// Phase that begins where the gap closes (from a phase without force) or a switching function rises through 0; energy
@@ -51,6 +75,28 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         let _ = phase;
         ends.to_vec()
     }
+}
+
+/// Unit of a switching function: its rounding is that of the motion which it is a function of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SwitchUnit {
+    /// A length \[m\].
+    Length,
+    /// A speed \[m/s\].
+    Speed,
+}
+
+/// Equation of motion of the first number `m` that a law remembers: `ṁ = rate`, with `m` in a unit of the device.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evolution {
+    /// `ṁ` \[1/s per unit of m\].
+    pub rate: f64,
+    /// `∂ṁ/∂m` \[1/s\], not positive.
+    pub decay: f64,
+    /// Change of the force per unit of `m` \[N\], in the link's axes.
+    pub force: DVec3,
+    /// Change of `ṁ` per unit of relative velocity \[1/m\], in the link's axes.
+    pub drive: DVec3,
 }
 
 /// What ends a phase of a device.

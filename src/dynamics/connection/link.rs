@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::connection::{Device, Separation};
+use crate::dynamics::connection::{Device, Kinematics, Phase, Separation};
 
 /// One end of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,8 +42,10 @@ pub struct Link {
     pub arms: [DVec3; 2],
     /// Origins of its ends as placed: G, or the point of the ground \[m\].
     pub homes: [DVec3; 2],
-    /// Axes that the device sees its motion in, in the columns, in the world.
+    /// Axes that the device sees its motion in, in the columns, in the world as placed.
     pub axes: DMat3,
+    /// How that motion is measured.
+    pub kinematics: Kinematics,
     /// Law of the force.
     pub device: Arc<dyn Device>,
 }
@@ -60,9 +62,15 @@ impl Link {
         [0, 1].map(|i| frame(i).unwrap_or_else(|| Frame::fixed(self.homes[i])))
     }
 
-    /// Motion of its points with its ends in these poses since they were placed, and their arms, world axes.
+    /// Motion of its points with its ends in these poses since they were placed, and the arms of its force from both G, world
+    /// axes.
     pub fn motion(&self, frames: [&Frame; 2]) -> (Separation, [DVec3; 2]) {
-        Separation::between(frames, self.arms, self.placed(), &self.axes)
+        self.kinematics.motion(frames, self.arms, self.placed(), &self.axes)
+    }
+
+    /// Force of its device on the first point, world axes \[N\].
+    pub fn force(&self, phase: &Phase, motion: &Separation, second: &Frame) -> DVec3 {
+        self.kinematics.in_world(&self.axes, second, self.device.force(phase, motion))
     }
 
     /// Size that its coordinates round with \[m\].

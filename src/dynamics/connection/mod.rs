@@ -12,9 +12,9 @@ pub mod separation;
 
 use glam::DVec3;
 
-pub use device::{Device, Phase, Switch};
+pub use device::{Device, Evolution, Phase, Switch, SwitchUnit};
 pub use link::{Anchor, Link};
-pub use separation::{Separation, SeparationBounds};
+pub use separation::{Kinematics, Separation, SeparationBounds};
 
 /// A force between two points.
 pub trait Connection {

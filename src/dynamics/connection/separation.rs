@@ -35,6 +35,67 @@ impl Separation {
             Self { placed, moved: into_axes * (moved - other_moved), rate: into_axes * (rate - other_rate) };
         (separation, [arm, other_arm])
     }
+
+    /// The same, linear in the rotations about the vertical, with the arms as placed.
+    fn linear(frames: [&Frame; 2], arms: [DVec3; 2], placed: DVec3, axes: &DMat3) -> (Self, [DVec3; 2]) {
+        let [(moved, rate), (other_moved, other_rate)] = [0, 1].map(|i| {
+            let frame = frames[i];
+            let angle = frame.turned.x_axis.y.atan2(1.0 + frame.turned.x_axis.x);
+            let across = DVec3::Z.cross(arms[i]);
+            (frame.shift + across * angle, frame.velocity + across * frame.spin.z)
+        });
+        let into_axes = axes.transpose();
+        let separation =
+            Self { placed, moved: into_axes * (moved - other_moved), rate: into_axes * (rate - other_rate) };
+        (separation, arms)
+    }
+}
+
+/// How the motion of the first point against the second is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kinematics {
+    /// Points at their true places, axes fixed in the world.
+    #[default]
+    Points,
+    /// Points at their true places, axes that turn with the body of the second point.
+    Carried,
+    /// Linear in the rotation about the vertical, arms as placed: planar bearings (`docs/physics.md#bearings`). The rotation is
+    /// taken within half a turn.
+    Linear,
+}
+
+impl Kinematics {
+    /// Motion of two points at `arms` from G as placed, world axes, of bodies in these poses, and the arms from both G to
+    /// the point at which the force acts: the first point for both bodies, so that force and reaction share one line.
+    /// `placed` and the motion are in `axes`, whose columns are in the world as placed.
+    pub fn motion(
+        self,
+        frames: [&Frame; 2],
+        arms: [DVec3; 2],
+        placed: DVec3,
+        axes: &DMat3,
+    ) -> (Separation, [DVec3; 2]) {
+        if self == Self::Linear {
+            return Separation::linear(frames, arms, placed, axes);
+        }
+        let (separation, [arm, other]) = Separation::between(frames, arms, placed, axes);
+        let apart = axes * separation.vector();
+        let reaction = other + apart;
+        if self == Self::Points || frames[1].turned == DMat3::ZERO && frames[1].spin == DVec3::ZERO {
+            return (separation, [arm, reaction]);
+        }
+        // R = 1 + D of the second body: Rᵀ (p + Δ) − p = Dᵀ (p + Δ) + Δ.
+        let (back, into_axes) = (frames[1].turned.transpose(), axes.transpose());
+        let moved = into_axes * (back * apart) + separation.moved;
+        let rate = axes * separation.rate - frames[1].spin.cross(apart);
+        (Separation { placed, moved, rate: into_axes * (rate + back * rate) }, [arm, reaction])
+    }
+
+    /// A vector of the connection's axes in the world.
+    pub fn in_world(self, axes: &DMat3, second: &Frame, vector: DVec3) -> DVec3 {
+        let placed = axes * vector;
+        if self == Self::Carried { second.turn(placed) } else { placed }
+    }
 }
 
 /// Upper bounds on the motion of a connection's first point against its second over a stretch of time.
@@ -46,6 +107,17 @@ pub struct SeparationBounds {
     pub speed: f64,
     /// Relative acceleration \[m/s²\].
     pub acceleration: f64,
+}
+
+impl SeparationBounds {
+    /// The same in axes that turn with bounds `spin` \[rad/s\] and `spin_rate` \[rad/s²\]: of `Rᵀ x` with the first and second
+    /// derivatives `Rᵀ(ẋ − ω×x)` and `Rᵀ(ẍ − 2ω×ẋ − ω̇×x + ω×(ω×x))`.
+    #[must_use]
+    pub fn carried(&self, spin: f64, spin_rate: f64) -> Self {
+        let Self { distance, speed, acceleration } = *self;
+        let turning = (spin_rate + spin * spin) * distance;
+        Self { distance, speed: speed + spin * distance, acceleration: acceleration + 2.0 * spin * speed + turning }
+    }
 }
 
 #[cfg(test)]

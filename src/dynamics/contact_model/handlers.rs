@@ -31,6 +31,7 @@ impl ContactRun {
         for (number, &contact) in island.contacts.iter().enumerate() {
             self.world.contacts[contact].state = Contact::Closed(island.closed_at(number, t));
         }
+        self.remember_phases(&island, t);
         let mut alternates = false;
         for Due { number, reason } in std::mem::take(&mut island.due) {
             let contact = island.contacts[number];
@@ -128,6 +129,13 @@ impl ContactRun {
         (EventInstant::of(&self.world, slots, bases, states, t), pace)
     }
 
+    /// Enters in the tracks of an island's devices what their laws remember at `t`.
+    fn remember_phases(&mut self, island: &Island, t: f64) {
+        for (index, link) in island.system.links.iter().enumerate().filter(|(_, link)| link.evolving.is_some()) {
+            self.world.links[link.track].phase = island.phase_at(index, t);
+        }
+    }
+
     fn retire_islands(&mut self, slots: &[usize], t: f64) {
         let mut numbers = BTreeSet::new();
         for &slot in slots {
@@ -142,6 +150,7 @@ impl ContactRun {
                 for n in 0..island.contacts.len() {
                     self.world.contacts[island.contacts[n]].state = Contact::Closed(island.closed_at(n, t));
                 }
+                self.remember_phases(&island, t);
                 self.islands.take_back(number, &mut island);
             }
         }

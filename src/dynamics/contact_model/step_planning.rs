@@ -49,8 +49,16 @@ pub(in crate::dynamics) fn plan(world: &mut World, schedule: &mut Schedule, numb
 /// Enters in the island the first event within its planned step; its time. Of events of a contact and a device at
 /// equal times the contact's comes first; the device's is located at the start of the next step.
 fn find_due(model: &Model, effort: &mut Effort, island: &mut Island) -> Option<f64> {
-    let contacts = first_due(model, effort, island);
-    let link = link_events::first_due(model, island);
+    let mut contacts = first_due(model, effort, island);
+    let mut link = link_events::first_due(model, island);
+    if let Some((t, _)) = link
+        && contacts.as_ref().is_none_or(|(first, _)| t < *first)
+        && island.end_beyond(model, t)
+    {
+        effort.steps += 1;
+        contacts = first_due(model, effort, island);
+        link = link_events::first_due(model, island);
+    }
     match (contacts, link) {
         (Some((t, _)), Some((earlier, due))) if earlier < t => {
             island.link_due = Some(due);

@@ -94,6 +94,11 @@ impl StepStore {
                 world.contacts[contact].log.angles.push((from, angle));
             }
         }
+        for (index, link) in island.system.links.iter().enumerate() {
+            if let Some(memory) = island.memory_path(index) {
+                world.links[link.track].log.memories.push((from, memory));
+            }
+        }
     }
 
     /// An island's bodies with their reference poses, each either the end of a flight or stored.

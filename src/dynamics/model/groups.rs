@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use crate::dynamics::connection::{Anchor, Device, Link};
+use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
 use crate::dynamics::model::compiled_model::Model;
 use crate::scene::Kind;
 
@@ -35,6 +35,20 @@ impl Model {
         axes: DMat3,
         device: Arc<dyn Device>,
     ) -> Result<(), LinkError> {
+        self.link_by(name, ends, (axes, Kinematics::Points), device)
+    }
+
+    /// The same, with its motion measured in another way.
+    ///
+    /// # Errors
+    /// Those of [`Model::link`].
+    pub fn link_by(
+        &mut self,
+        name: &str,
+        ends: [Anchor; 2],
+        (axes, kinematics): (DMat3, Kinematics),
+        device: Arc<dyn Device>,
+    ) -> Result<(), LinkError> {
         let bodies = ends.map(|end| end.body());
         if let Some(missing) = bodies.into_iter().flatten().find(|&body| body >= self.bodies.len()) {
             return Err(LinkError::NoBody(missing));
@@ -43,10 +57,12 @@ impl Model {
             return Err(LinkError::SameBody);
         }
         let (homes, arms) = (ends.map(|end| self.home_of(&end)), ends.map(|end| self.arm_of(&end)));
-        let link = Link { name: name.into(), bodies, arms, homes, axes, device };
+        let link = Link { name: name.into(), bodies, arms, homes, axes, kinematics, device };
         if self.kind == Kind::Planar && (homes[0] + arms[0] - homes[1] - arms[1]).z != 0.0 {
             return Err(LinkError::OutOfPlane);
         }
+        // A device can drive its bodies off an axis.
+        bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
         self.links.push(link);
         self.regroup();
         Ok(())

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::connection::{Link, Phase, Separation};
+use crate::dynamics::connection::{Evolution, Link, Phase, Separation};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
@@ -20,8 +20,10 @@ pub(in crate::dynamics) struct ActiveLink {
     pub ends: [Option<usize>; 2],
     /// The first sections of these bodies among those of the island's bodies; 0 for the ground.
     pub sections: [usize; 2],
-    /// Present phase of the device.
+    /// Phase of the device, with what its law remembers at the start of the island.
     pub phase: Phase,
+    /// Index in the island's vector of the first number that the law remembers; `None` where that does not change.
+    pub evolving: Option<usize>,
 }
 
 impl ActiveLink {
@@ -48,21 +50,45 @@ impl ActiveLink {
         link.motion([&frames[0], &frames[1]])
     }
 
-    /// Adds its force to the wrenches of the island's bodies.
+    /// Phase with what its law remembers in the island's state `y`.
+    pub(in crate::dynamics) fn phase_in(&self, y: &[f64]) -> Phase {
+        let mut phase = self.phase;
+        if let Some(at) = self.evolving {
+            phase.memory[0] = y[at];
+        }
+        phase
+    }
+
+    /// Adds its force at the island's state `y` to the wrenches of the bodies; how what its law remembers changes, where that is
+    /// a state of the island.
     pub(in crate::dynamics) fn push(
         &self,
-        model: &Model,
-        bases: &[ReferencePose],
+        (model, bases): (&Model, &[ReferencePose]),
+        y: &[f64],
         frames: &[Frame],
         wrenches: &mut [Wrench],
-    ) {
-        let (link, (motion, arms)) = (self.of(model), self.motion(model, bases, frames));
-        let force = link.axes * link.device.force(&self.phase, &motion);
+    ) -> Option<(usize, Evolution)> {
+        let (link, (motion, arms), phase) = (self.of(model), self.motion(model, bases, frames), self.phase_in(y));
+        let force = self.in_world(model, bases, frames, link.device.force(&phase, &motion));
         for (end, force) in [force, -force].into_iter().enumerate() {
             if self.ends[end].is_some() {
                 wrenches[self.sections[end]].push(force, arms[end]);
             }
         }
+        self.evolving.map(|at| (at, link.device.evolution(&phase, &motion)))
+    }
+
+    /// A vector of the link's axes in the world.
+    pub(in crate::dynamics) fn in_world(
+        &self,
+        model: &Model,
+        bases: &[ReferencePose],
+        frames: &[Frame],
+        vector: DVec3,
+    ) -> DVec3 {
+        let link = self.of(model);
+        let second = self.ends[1].map(|body| bases[body].whole(&frames[self.sections[1]]));
+        link.kinematics.in_world(&link.axes, &second.unwrap_or_else(|| Frame::fixed(link.homes[1])), vector)
     }
 
     /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A point at a

@@ -31,7 +31,8 @@ pub(in crate::dynamics) struct CoupledSystem {
 }
 
 impl CoupledSystem {
-    /// Of bodies with their states in `y` relative to reference poses; the angles of slips that turn are appended to `y`.
+    /// Of bodies with their states in `y` relative to reference poses; the angles of slips that turn are appended to `y`,
+    /// then what the laws of devices remember and change.
     pub(in crate::dynamics) fn of(
         model: &Model,
         (bodies, bases): (Vec<usize>, Vec<ReferencePose>),
@@ -43,6 +44,10 @@ impl CoupledSystem {
                 a.angle = Some(y.len());
                 y.push(angle);
             }
+        }
+        for link in links.iter_mut().filter(|link| link.of(model).device.evolves(&link.phase)) {
+            link.evolving = Some(y.len());
+            y.push(link.phase.memory[0]);
         }
         let layout = StateLayout::of(bodies.iter().map(|&b| &model.bodies[b]));
         let states = bodies.iter().zip(layout.states(y));
@@ -76,6 +81,11 @@ impl CoupledSystem {
     /// Whether no force acts between its bodies, or on them from the ground, but those of their bearings.
     pub(in crate::dynamics) fn is_free(&self) -> bool {
         self.active.is_empty() && self.links.is_empty()
+    }
+
+    /// Devices whose memory is a state, in the order of their components.
+    pub(in crate::dynamics) fn evolving(&self) -> impl Iterator<Item = &ActiveLink> {
+        self.links.iter().filter(|link| link.evolving.is_some())
     }
 
     /// Number of connections whose force acts.

@@ -6,6 +6,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::dynamics::Model;
+use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::{ImplicitSystem, PositionBlock, RankOneTerm, System};
 use crate::dynamics::model::body::Point;
 use crate::dynamics::penalty3d::contact_force;
@@ -40,7 +41,7 @@ pub(in crate::dynamics) struct EquationsOfMotion<'a> {
     pub piece: LinearPiece,
     /// Error scale.
     pub scale: ErrorScale,
-    /// Allowed error of each slip angle \[rad\].
+    /// Allowed error of each slip angle \[rad\], then of each number that a device remembers.
     pub angles: &'a [f64],
     /// Workspace.
     pub workspace: &'a mut Workspace,
@@ -51,6 +52,33 @@ impl EquationsOfMotion<'_> {
         match &self.model.ground {
             Ground::Record { .. } => self.piece.acceleration(t),
             other => other.acceleration(t),
+        }
+    }
+}
+
+impl EquationsOfMotion<'_> {
+    /// The port of a device whose memory is a state: its first axis is that of the memory's force, its second that of the
+    /// relative velocity which changes the memory.
+    fn device_port(&self, number: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
+        let Some(link) = self.system.evolving().nth(number) else { return };
+        let mut frames = Vec::with_capacity(self.system.layout.section_count());
+        for (i, &body) in self.system.bodies.iter().enumerate() {
+            self.model.bodies[body].push_frames(&y[self.system.layout.range(i)], &mut frames);
+        }
+        let (motion, arms) = link.motion(self.model, &self.system.bases, &frames);
+        let Evolution { force, drive, .. } = link.of(self.model).device.evolution(&link.phase_in(y), &motion);
+        let n = push.len() / 2;
+        for (axis, along) in [force, drive].into_iter().enumerate() {
+            let along = link.in_world(self.model, &self.system.bases, &frames, along.normalize_or_zero());
+            for (end, sign) in [1.0, -1.0].into_iter().enumerate() {
+                let Some(i) = link.ends[end] else { continue };
+                let body = &self.model.bodies[self.system.bodies[i]];
+                let section = link.sections[end];
+                let here = self.system.bases[i].whole(&frames[section]);
+                let columns = [&mut *push, &mut *view].map(|all| &mut all[axis * n..][self.system.layout.range(i)]);
+                let own = section - self.system.layout.sections(i).start;
+                body.port(Point { section: own, frame: &here, arm: arms[end] }, along * sign, columns);
+            }
         }
     }
 }
@@ -98,7 +126,8 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn auxiliary_count(&self) -> usize {
-        self.system.active.iter().filter(|a| a.angle.is_some()).count()
+        let angles = self.system.active.iter().filter(|a| a.angle.is_some()).count();
+        angles + self.system.evolving().count()
     }
 
     fn auxiliary_rates(&self) -> &[f64] {
@@ -106,7 +135,7 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn port_count(&self) -> usize {
-        self.workspace.sliding.sliders.len()
+        self.workspace.sliding.sliders.len() + self.system.evolving().count()
     }
 
     fn rank_one_terms(&self) -> &[RankOneTerm] {
@@ -118,7 +147,11 @@ impl ImplicitSystem for EquationsOfMotion<'_> {
     }
 
     fn port(&self, slider: usize, y: &[f64], push: &mut [f64], view: &mut [f64]) {
-        let Some(active) = self.workspace.sliding.sliders.get(slider).map(|&i| &self.system.active[i]) else { return };
+        let sliders = &self.workspace.sliding.sliders;
+        if let Some(number) = slider.checked_sub(sliders.len()) {
+            return self.device_port(number, y, push, view);
+        }
+        let active = &self.system.active[sliders[slider]];
         // Faces of planar scenes have one direction of sliding.
         if self.model.kind == Kind::Planar {
             return;

@@ -62,10 +62,17 @@ impl Island {
                 self.angles.push(law.mu_k * law.normal.length(here.gap.abs() + inwards / omega, law.k_t));
             }
         }
+        let mut memories = Vec::new();
         for link in &self.system.links {
             let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
-            let [gap, rate] = link.of(model).device.gap(&link.phase, &motion);
+            let device = &link.of(model).device;
+            let phase = link.phase_in(&self.y);
+            let [gap, rate] = device.gap(&phase, &motion);
             speed2 = speed2.max((omega * gap).powi(2) + rate * rate);
+            if link.evolving.is_some() {
+                // Displacement that changes the force as much as a unit of the memory does.
+                memories.push(device.evolution(&phase, &motion).force.length() / device.stiffness_bound(&phase));
+            }
         }
         // From rest: speed acceleration in one radian from ground motion, weight and constant push.
         let rest = (model.ground.peak() + weight + pushed + LEAST_ACCELERATION) / omega;
@@ -83,6 +90,7 @@ impl Island {
         for stretch in &mut self.angles {
             *stretch = (speed / (omega * *stretch)).min(model.tolerance.sqrt());
         }
+        self.angles.extend(memories.iter().map(|length| speed / (omega * length)));
         ErrorScale { speed, omega, place }
     }
 

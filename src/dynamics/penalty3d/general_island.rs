@@ -26,14 +26,26 @@ pub(in crate::dynamics) fn rates(
     }
     workspace.wrenches.resize(workspace.frames.len(), Wrench::default());
     add_contacts(model, system, y, workspace, out);
-    for link in &system.links {
-        link.push(model, &system.bases, &workspace.frames, &mut workspace.wrenches);
-    }
+    add_devices(model, system, y, workspace, out);
     for (i, &body) in system.bodies.iter().enumerate() {
         let (part, sections) = (system.layout.range(i), system.layout.sections(i));
         let frames = &workspace.frames[sections.clone()];
         let now = Counted { base: &system.bases[i], frames, state: &y[part.clone()] };
         model.bodies[body].slope(now, &workspace.wrenches[sections], ground, &mut out[part]);
+    }
+}
+
+/// Adds the forces of devices to the wrenches on their bodies, and enters the rates of what their laws remember.
+fn add_devices(model: &Model, system: &CoupledSystem, y: &[f64], workspace: &mut Workspace, out: &mut [f64]) {
+    let mut port = workspace.sliding.sliders.len();
+    for link in &system.links {
+        let placing = (model, &system.bases[..]);
+        if let Some((at, evolution)) = link.push(placing, y, &workspace.frames, &mut workspace.wrenches) {
+            out[at] = evolution.rate;
+            workspace.rates.push(evolution.decay);
+            workspace.sliding.evolves([port, workspace.rates.len() - 1], &evolution);
+            port += 1;
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::contact::Mode;
 use crate::dynamics::Model;
+use crate::dynamics::connection::Phase;
 use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::integrator::radau_iia::Radau;
 use crate::dynamics::integrator::step_control::{ControllerState, StepController, StepLimits};
@@ -207,6 +208,22 @@ impl Island {
             closed.mode = Mode::Slip { direction: direction(angle[0]) };
         }
         closed
+    }
+
+    /// Phase of a device with what its law remembers at `t`.
+    pub(in crate::dynamics) fn phase_at(&self, index: usize, t: f64) -> Phase {
+        let link = &self.system.links[index];
+        let mut phase = link.phase_in(&self.y);
+        if let (Some(at), Some(dense)) = (link.evolving, &self.dense) {
+            dense.read(at..at + 1, t, &mut phase.memory[..1]);
+        }
+        phase
+    }
+
+    /// Dense output of the planned step for what a device remembers; `None` where that does not change.
+    pub(in crate::dynamics) fn memory_path(&self, index: usize) -> Option<DenseOutput> {
+        let at = self.system.links[index].evolving?;
+        self.dense.as_ref().map(|dense| dense.slice(at..at + 1))
     }
 
     /// Dense output of the planned step for one body.

@@ -1,7 +1,7 @@
 //! Ends of phases of devices within a planned step: zeros of their switching functions on the dense output.
 
-use crate::contact::Frame;
 use crate::dynamics::Model;
+use crate::dynamics::connection::{Separation, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
 use crate::dynamics::penalty3d::due::LinkDue;
@@ -23,14 +23,27 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         let link = active.of(model);
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
-        let size = motions.iter().map(|m| link.device.gap(&active.phase, m)[0].abs()).fold(0.0, f64::max);
-        let zero = ZERO_BAND * size + POSITION_ROUNDING * link.size();
+        let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);
         for number in 0..link.device.switches(&active.phase) {
-            let switch = |frames: &[Frame]| {
-                link.device.switch(number, &active.phase, &active.motion(model, &island.system.bases, frames).0)
+            // A phase that begins at a zero of the next one's function, with its rate 0 as well, is not ended by round-off.
+            let (zero, band) = match link.device.switch_unit(number, &active.phase) {
+                SwitchUnit::Length => {
+                    let length = size(&|m| link.device.gap(&active.phase, m)[0].abs());
+                    let band = POSITION_ROUNDING * (link.size() + length);
+                    (ZERO_BAND * length + band, band)
+                }
+                SwitchUnit::Speed => {
+                    let rounding = POSITION_ROUNDING * link.size() * island.omega();
+                    (ZERO_BAND * size(&|m| m.rate.length()) + rounding, 0.0)
+                }
             };
-            let values: Vec<f64> = motions.iter().map(|m| link.device.switch(number, &active.phase, m)).collect();
-            let value_at = |t: f64| switch(&island.frames_since(model, &[t]));
+            let switch =
+                |motion: &Separation, t: f64| link.device.switch(number, &island.phase_at(index, t), motion) - band;
+            let values: Vec<f64> = motions.iter().zip(&times).map(|(motion, &t)| switch(motion, t)).collect();
+            let value_at = |t: f64| {
+                let frames = island.frames_since(model, &[t]);
+                switch(&active.motion(model, &island.system.bases, &frames).0, t)
+            };
             let Some(t) = first_rise([&times, &values], zero, false, EarliestEvent::UNKNOWN, value_at) else {
                 continue;
             };

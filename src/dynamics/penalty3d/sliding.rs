@@ -4,6 +4,7 @@
 use glam::DVec2;
 
 use crate::contact::{Forces, Mode};
+use crate::dynamics::connection::Evolution;
 use crate::dynamics::integrator::system::RankOneTerm;
 use crate::dynamics::penalty3d::active_contact::ActiveContact;
 use crate::dynamics::penalty3d::constants::ANGLE_DIFFERENCE;
@@ -82,6 +83,14 @@ impl Sliding {
             output: direction.perp() / length,
             auxiliary: Some(follower),
         });
+    }
+
+    /// Rank-one term of a device whose memory is component `follower` of the auxiliary states: the relative velocity along the
+    /// port's second axis changes the memory, the memory the force along the first.
+    pub(in crate::dynamics) fn evolves(&mut self, [port, follower]: [usize; 2], evolution: &Evolution) {
+        let (force, drive) = (evolution.force.length(), evolution.drive.length());
+        let (input, output) = (DVec2::new(force, 0.0), DVec2::new(0.0, drive));
+        self.terms.push(RankOneTerm { port, input, output, auxiliary: Some(follower) });
     }
 
     /// Rank-one terms of friction along `V_t` (law `paper`): its turning with the direction, and its decrease below

@@ -1,12 +1,15 @@
 //! Phases of one device over time as stored in a history.
 
 use crate::dynamics::connection::Phase;
+use crate::dynamics::integrator::dense_output::DenseOutput;
 
 /// Phases in order of time.
 #[derive(Clone, Debug, Default)]
 pub struct LinkLog {
     phases: Vec<(f64, Phase)>,
     released: Vec<(f64, f64)>,
+    /// What the law remembers and changes, per step, with the beginning of the step \[s\].
+    pub(in crate::dynamics) memories: Vec<(f64, DenseOutput)>,
 }
 
 impl LinkLog {
@@ -22,6 +25,17 @@ impl LinkLog {
     pub fn at(&self, t: f64) -> Option<Phase> {
         let after = self.phases.partition_point(|(from, _)| *from <= t);
         self.phases.get(after.max(1) - 1).map(|(_, phase)| *phase)
+    }
+
+    /// The phase at `t` with what its law remembers then; `evolves` says whether that changes in a phase.
+    pub fn evolved_at(&self, t: f64, evolves: impl Fn(&Phase) -> bool) -> Option<Phase> {
+        let mut phase = self.at(t)?;
+        if evolves(&phase)
+            && let Some(i) = self.memories.partition_point(|(from, _)| *from <= t).checked_sub(1)
+        {
+            self.memories[i].1.read(0..1, t, &mut phase.memory[..1]);
+        }
+        Some(phase)
     }
 
     /// Phases with their beginnings \[s\].

@@ -1,0 +1,208 @@
+//! A bearing with hysteresis under a girder: lead rubber, a slider, a friction pendulum. Its link has the ground as its second
+//! end and the bearing's axes.
+//!
+//! Horizontal force `−(k₂ u + z) − c u̇`. Elastic `ż = k_t u̇`; plastic, per axis, `z = ±Q`, until the velocity turns; coupled,
+//! `z = Q (cos φ, sin φ)` with `φ̇ = (k_t/Q)(−sin φ u̇_x + cos φ u̇_y)`, the return map in continuous time, until `n·u̇` turns.
+
+use glam::{DVec2, DVec3};
+
+use crate::dynamics::connection::{
+    Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+};
+
+/// The hysteretic part of a bearing: a spring `k_t` up to the force `Q`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Play {
+    /// `k_t` = k₁ − k₂ \[N/m\].
+    pub stiffness: f64,
+    /// Q, the force at u = 0 of the upper line \[N\].
+    pub force: f64,
+}
+
+/// How the hysteretic parts along the two horizontal axes act together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hysteresis {
+    /// One yield circle `|z| ≤ Q`: round rubber, sliders.
+    Circle(Play),
+    /// Each axis for itself.
+    PerAxis([Play; 2]),
+}
+
+/// A bearing with hysteresis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HystereticBearing {
+    /// k₂ along both axes \[N/m\].
+    pub stiffness: DVec2,
+    /// c along both axes \[N·s/m\].
+    pub damping: DVec2,
+    /// Hysteretic part.
+    pub hysteresis: Hysteresis,
+}
+
+/// Law of a yield circle in yield; 0 is elastic.
+const YIELDING: u32 = 1;
+/// States of one axis: elastic, at +Q, at −Q.
+const STATES: u32 = 3;
+
+impl HystereticBearing {
+    /// State of an axis by [`STATES`].
+    fn state(phase: &Phase, axis: usize) -> u32 {
+        if axis == 0 { phase.law % STATES } else { phase.law / STATES }
+    }
+
+    /// z \[N\]. Elastic, the memory is `z − k_t u`; on the circle in yield, the angle φ \[rad\].
+    fn hysteretic_force(&self, phase: &Phase, motion: &Separation) -> DVec2 {
+        let moved = motion.moved.truncate();
+        let remembered = DVec2::new(phase.memory[0], phase.memory[1]);
+        match self.hysteresis {
+            Hysteresis::Circle(play) if phase.law == YIELDING => DVec2::from_angle(phase.memory[0]) * play.force,
+            Hysteresis::Circle(play) => remembered + moved * play.stiffness,
+            Hysteresis::PerAxis(plays) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
+                let Play { stiffness, force } = plays[axis];
+                match Self::state(phase, axis) {
+                    0 => remembered[axis] + stiffness * moved[axis],
+                    1 => force,
+                    _ => -force,
+                }
+            })),
+        }
+    }
+
+    fn plays(&self) -> [Play; 2] {
+        match self.hysteresis {
+            Hysteresis::Circle(play) => [play; 2],
+            Hysteresis::PerAxis(plays) => plays,
+        }
+    }
+
+    /// Phase of this law with z as it is now.
+    fn going_on(&self, law: u32, z: DVec2, motion: &Separation) -> Phase {
+        let plays = self.plays();
+        if matches!(self.hysteresis, Hysteresis::Circle(_)) && law == YIELDING {
+            return Phase { law, memory: [z.to_angle(), 0.0, 0.0] };
+        }
+        let elastic = [0, 1].map(|axis| z[axis] - plays[axis].stiffness * motion.moved[axis]);
+        Phase { law, memory: [elastic[0], elastic[1], 0.0] }
+    }
+}
+
+impl Connection for HystereticBearing {
+    type State = Phase;
+    type Motion = Separation;
+
+    fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        let linear = self.stiffness * motion.moved.truncate() + self.damping * motion.rate.truncate();
+        -(linear + self.hysteretic_force(phase, motion)).extend(0.0)
+    }
+
+    /// `k₂ u²/2 + z²/(2 k_t)`.
+    fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let (moved, z, plays) = (motion.moved.truncate(), self.hysteretic_force(phase, motion), self.plays());
+        let stiffness = DVec2::new(plays[0].stiffness, plays[1].stiffness);
+        0.5 * (moved.dot(self.stiffness * moved) + z.dot(z / stiffness))
+    }
+
+    fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let (rate, z) = (motion.rate.truncate(), self.hysteretic_force(phase, motion));
+        let yielding = match self.hysteresis {
+            Hysteresis::Circle(_) if phase.law == YIELDING => z.dot(rate),
+            Hysteresis::Circle(_) => 0.0,
+            Hysteresis::PerAxis(_) => {
+                (0..2).filter(|&axis| Self::state(phase, axis) != 0).map(|axis| z[axis] * rate[axis]).sum()
+            }
+        };
+        yielding + rate.dot(self.damping * rate)
+    }
+
+    fn stiffness_bound(&self, _: &Phase) -> f64 {
+        (0..2).map(|axis| self.stiffness[axis] + self.plays()[axis].stiffness).fold(0.0, f64::max)
+    }
+
+    fn damping_bound(&self, _: &Phase) -> f64 {
+        self.damping.max_element()
+    }
+}
+
+impl Device for HystereticBearing {
+    /// Elastic, its hysteretic part at rest as placed.
+    fn initial(&self, _: &Separation) -> Phase {
+        Phase::default()
+    }
+
+    fn acts(&self, _: &Phase) -> bool {
+        true
+    }
+
+    fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
+        [-motion.moved.truncate().length(), -motion.rate.truncate().length()]
+    }
+
+    fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
+        bounds.acceleration
+    }
+
+    fn evolves(&self, phase: &Phase) -> bool {
+        matches!(self.hysteresis, Hysteresis::Circle(_)) && phase.law == YIELDING
+    }
+
+    fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
+        let [Play { stiffness, force }, _] = self.plays();
+        let (outwards, rate) = (DVec2::from_angle(phase.memory[0]), motion.rate.truncate());
+        let along = outwards.perp();
+        Evolution {
+            rate: stiffness / force * along.dot(rate),
+            decay: -stiffness / force * outwards.dot(rate),
+            force: (along * -force).extend(0.0),
+            drive: (along * (stiffness / force)).extend(0.0),
+        }
+    }
+
+    fn switches(&self, _: &Phase) -> usize {
+        match self.hysteresis {
+            Hysteresis::Circle(_) => 1,
+            Hysteresis::PerAxis(_) => 4,
+        }
+    }
+
+    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
+        let yields = match self.hysteresis {
+            Hysteresis::Circle(_) => phase.law == YIELDING,
+            Hysteresis::PerAxis(_) => Self::state(phase, number / 2) != 0,
+        };
+        if yields { SwitchUnit::Speed } else { SwitchUnit::Length }
+    }
+
+    /// Circle: yield `(z² − Q²)/(2 Q k_t)`, or its end `−n·u̇`. Per axis two: yield on either side, or its end.
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
+        let (z, rate) = (self.hysteretic_force(phase, motion), motion.rate.truncate());
+        match self.hysteresis {
+            Hysteresis::Circle(_) if phase.law == YIELDING => -DVec2::from_angle(phase.memory[0]).dot(rate),
+            Hysteresis::Circle(Play { stiffness, force }) => {
+                (z.length_squared() - force * force) / (2.0 * force * stiffness)
+            }
+            Hysteresis::PerAxis(plays) => {
+                let (axis, side) = (number / 2, if number.is_multiple_of(2) { 1.0 } else { -1.0 });
+                match (Self::state(phase, axis), number % 2) {
+                    (0, _) => (side * z[axis] - plays[axis].force) / plays[axis].stiffness,
+                    (1, 0) | (2, 1) => -side * rate[axis],
+                    _ => -1.0,
+                }
+            }
+        }
+    }
+
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
+        let Switch::Function(number) = event else { return (*phase, 0.0) };
+        let z = self.hysteretic_force(phase, motion);
+        let law = match self.hysteresis {
+            Hysteresis::Circle(_) => YIELDING - phase.law,
+            Hysteresis::PerAxis(_) => {
+                let mut states = [0, 1].map(|axis| Self::state(phase, axis));
+                let side = if number.is_multiple_of(2) { 1 } else { 2 };
+                states[number / 2] = if states[number / 2] == 0 { side } else { 0 };
+                states[0] + STATES * states[1]
+            }
+        };
+        (self.going_on(law, z, motion), 0.0)
+    }
+}

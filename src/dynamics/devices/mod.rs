@@ -1,0 +1,20 @@
+//! Devices between two bodies, or a body and the ground: a law of force with its phases, one file each
+//! (`docs/physics.md#devices`).
+//!
+//! A device sees the motion of its first point against its second ([`Separation`](crate::dynamics::connection::Separation)) and
+//! gives the force on the first; a [`Link`](crate::dynamics::connection::Link) puts it between two points of a model.
+
+mod bumper;
+mod damper;
+mod hysteretic_bearing;
+mod line;
+mod maxwell_damper;
+mod restrainer;
+mod stopper;
+
+pub use bumper::Bumper;
+pub use damper::ViscousDamper;
+pub use hysteretic_bearing::{Hysteresis, HystereticBearing, Play};
+pub use maxwell_damper::MaxwellDamper;
+pub use restrainer::{Restrainer, Yielding};
+pub use stopper::{Failure, Stopper};

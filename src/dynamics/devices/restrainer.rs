@@ -1,0 +1,173 @@
+//! A restrainer cable: slack, taut, yielding, broken.
+//!
+//! With the elongation ε beyond the slack, `T = K (ε − ε_p)` on the first point towards the second; yield surface `T_y + H ε_p`,
+//! `H = K K₂/(K − K₂)`; in yield `ε̇_p = (1 − K₂/K) ε̇`, hence `T = T₀ + K₂ (ε − ε₀)` since the yield began at ε₀.
+
+use glam::DVec3;
+
+use super::line::Line;
+use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+
+/// A cable that pulls once its slack is used up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Restrainer {
+    /// Distance of its points as placed \[m\].
+    pub length: f64,
+    /// Elongation at which it is taut for the first time \[m\].
+    pub slack: f64,
+    /// K, the axial stiffness EA/ℓ \[N/m\].
+    pub stiffness: f64,
+    /// Yield; none for an elastic cable.
+    pub yielding: Option<Yielding>,
+    /// Elongation beyond the slack at which it breaks \[m\]; infinite for one that does not.
+    pub break_elongation: f64,
+}
+
+/// Yield of a cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Yielding {
+    /// `T_y`, force at the first yield \[N\].
+    pub force: f64,
+    /// K₂, stiffness in yield, less than K \[N/m\].
+    pub stiffness: f64,
+}
+
+const SLACK: u32 = 0;
+const TAUT: u32 = 1;
+const YIELD: u32 = 2;
+const BROKEN: u32 = 3;
+
+impl Restrainer {
+    /// ε beyond the slack \[m\].
+    fn elongation(&self, line: &Line) -> f64 {
+        line.elongation - self.slack
+    }
+
+    /// Length at which it becomes taut \[m\].
+    fn taut_length(&self, phase: &Phase) -> f64 {
+        self.length + self.slack + phase.memory[0]
+    }
+
+    /// K₂/K; 1 for an elastic cable, which has no plastic elongation.
+    fn ratio(&self) -> f64 {
+        self.yielding.map_or(1.0, |yielding| yielding.stiffness / self.stiffness)
+    }
+
+    /// `ε_p`: `memory` is `ε_p` at the beginning of the phase and, in yield, ε then.
+    fn plastic(&self, phase: &Phase, elongation: f64) -> f64 {
+        let [plastic, from, _] = phase.memory;
+        if phase.law == YIELD { plastic + (1.0 - self.ratio()) * (elongation - from) } else { plastic }
+    }
+
+    fn tension(&self, phase: &Phase, elongation: f64) -> f64 {
+        match phase.law {
+            TAUT | YIELD => self.stiffness * (elongation - self.plastic(phase, elongation)),
+            _ => 0.0,
+        }
+    }
+
+    /// Yield force at a plastic elongation \[N\].
+    fn yield_force(&self, plastic: f64) -> f64 {
+        self.yielding.map_or(f64::INFINITY, |Yielding { force, stiffness }| {
+            force + self.stiffness * stiffness / (self.stiffness - stiffness) * plastic
+        })
+    }
+}
+
+impl Connection for Restrainer {
+    type State = Phase;
+    type Motion = Separation;
+
+    fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        let line = Line::of(motion);
+        line.direction * -self.tension(phase, self.elongation(&line))
+    }
+
+    fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let tension = self.tension(phase, self.elongation(&Line::of(motion)));
+        tension * tension / (2.0 * self.stiffness)
+    }
+
+    fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
+        if phase.law != YIELD {
+            return 0.0;
+        }
+        let line = Line::of(motion);
+        self.tension(phase, self.elongation(&line)) * (1.0 - self.ratio()) * line.rate
+    }
+
+    fn stiffness_bound(&self, _: &Phase) -> f64 {
+        self.stiffness
+    }
+
+    fn damping_bound(&self, _: &Phase) -> f64 {
+        0.0
+    }
+}
+
+impl Device for Restrainer {
+    fn initial(&self, motion: &Separation) -> Phase {
+        let law = if self.elongation(&Line::of(motion)) > 0.0 { TAUT } else { SLACK };
+        Phase { law, ..Phase::default() }
+    }
+
+    fn acts(&self, phase: &Phase) -> bool {
+        matches!(phase.law, TAUT | YIELD)
+    }
+
+    fn has_ended(&self, phase: &Phase) -> bool {
+        phase.law == BROKEN
+    }
+
+    /// `(ℓ² − r²)/(2ℓ)` with the length ℓ at which it is taut: smooth where its points meet.
+    fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
+        let line = Line::of(motion);
+        let left = self.plastic(phase, self.elongation(&line)) + self.slack - line.elongation;
+        let (length, vector) = (self.taut_length(phase), motion.vector());
+        [left * (length + vector.length()) / (2.0 * length), -vector.dot(motion.rate) / length]
+    }
+
+    fn gap_curvature(&self, phase: &Phase, bounds: &SeparationBounds) -> f64 {
+        (bounds.speed * bounds.speed + bounds.distance * bounds.acceleration) / self.taut_length(phase)
+    }
+
+    fn stays_idle(&self, phase: &Phase, bounds: &SeparationBounds) -> bool {
+        bounds.distance < self.taut_length(phase)
+    }
+
+    fn switches(&self, _: &Phase) -> usize {
+        3
+    }
+
+    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
+        if number == 1 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
+    }
+
+    /// Slack again; yield, or its end; break.
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
+        let line = Line::of(motion);
+        let elongation = self.elongation(&line);
+        let plastic = self.plastic(phase, elongation);
+        match (number, phase.law) {
+            (0, _) => plastic - elongation,
+            (1, YIELD) => -line.rate,
+            (1, _) if self.yielding.is_none() => -1.0,
+            (1, _) => elongation - plastic - self.yield_force(plastic) / self.stiffness,
+            _ if self.break_elongation.is_infinite() => -1.0,
+            _ => elongation - self.break_elongation,
+        }
+    }
+
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
+        let elongation = self.elongation(&Line::of(motion));
+        let plastic = self.plastic(phase, elongation);
+        let law = match (event, phase.law) {
+            (Switch::Closing, _) | (Switch::Function(1), YIELD) => TAUT,
+            (Switch::Function(0), _) => SLACK,
+            (Switch::Function(1), _) => YIELD,
+            (Switch::Function(_), _) => BROKEN,
+        };
+        let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
+        (Phase { law, memory: [plastic, elongation, 0.0] }, released)
+    }
+}

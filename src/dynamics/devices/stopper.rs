@@ -1,0 +1,143 @@
+//! One side of a shear key or stopper: along a direction d fixed to the second body, the first axis of its link.
+//!
+//! With `w = (X_P − X_S)·d`, `p = w − gap − w_p` and the force `−K p d` on the first point while p > 0. A ductile one keeps p at
+//! `F_y/K` while w grows, `w_p` growing with it, and breaks at `w_p` = `w_u`; a brittle one breaks at `K p = F_u`.
+
+use glam::DVec3;
+
+use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch, SwitchUnit};
+
+/// One side of a stopper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopper {
+    /// w at which it touches for the first time \[m\].
+    pub gap: f64,
+    /// K \[N/m\].
+    pub stiffness: f64,
+    /// How it fails.
+    pub failure: Failure,
+}
+
+/// How a stopper fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Failure {
+    /// It does not.
+    Never,
+    /// It breaks at a force.
+    Brittle {
+        /// `F_u` \[N\].
+        force: f64,
+    },
+    /// It yields at a force and breaks at a plastic displacement.
+    Ductile {
+        /// `F_y` \[N\].
+        force: f64,
+        /// `w_u` \[m\]; infinite for one that does not break.
+        displacement: f64,
+    },
+}
+
+const OPEN: u32 = 0;
+const ON: u32 = 1;
+const YIELD: u32 = 2;
+const BROKEN: u32 = 3;
+
+impl Stopper {
+    /// p at yield or at the break \[m\]; infinite without either.
+    fn limit(&self) -> f64 {
+        match self.failure {
+            Failure::Never => f64::INFINITY,
+            Failure::Brittle { force } | Failure::Ductile { force, .. } => force / self.stiffness,
+        }
+    }
+
+    /// `w_p`: remembered, or in yield what leaves p at its limit.
+    fn plastic(&self, phase: &Phase, motion: &Separation) -> f64 {
+        if phase.law == YIELD { motion.vector().x - self.gap - self.limit() } else { phase.memory[0] }
+    }
+
+    /// p \[m\].
+    fn press(&self, phase: &Phase, motion: &Separation) -> f64 {
+        if phase.law == YIELD { self.limit() } else { motion.vector().x - self.gap - phase.memory[0] }
+    }
+}
+
+impl Connection for Stopper {
+    type State = Phase;
+    type Motion = Separation;
+
+    fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        if self.acts(phase) { DVec3::X * (-self.stiffness * self.press(phase, motion)) } else { DVec3::ZERO }
+    }
+
+    fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
+        if self.acts(phase) { 0.5 * self.stiffness * self.press(phase, motion).powi(2) } else { 0.0 }
+    }
+
+    fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
+        if phase.law == YIELD { self.stiffness * self.limit() * motion.rate.x } else { 0.0 }
+    }
+
+    fn stiffness_bound(&self, _: &Phase) -> f64 {
+        self.stiffness
+    }
+
+    fn damping_bound(&self, _: &Phase) -> f64 {
+        0.0
+    }
+}
+
+impl Device for Stopper {
+    fn initial(&self, motion: &Separation) -> Phase {
+        let law = if motion.vector().x > self.gap { ON } else { OPEN };
+        Phase { law, ..Phase::default() }
+    }
+
+    fn acts(&self, phase: &Phase) -> bool {
+        matches!(phase.law, ON | YIELD)
+    }
+
+    fn has_ended(&self, phase: &Phase) -> bool {
+        phase.law == BROKEN
+    }
+
+    fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
+        [-self.press(phase, motion), -motion.rate.x]
+    }
+
+    fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
+        bounds.acceleration
+    }
+
+    fn switches(&self, _: &Phase) -> usize {
+        2
+    }
+
+    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
+        if number == 0 && phase.law == YIELD { SwitchUnit::Speed } else { SwitchUnit::Length }
+    }
+
+    /// Opening, or in yield its end; yield or break.
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
+        match (number, phase.law, self.failure) {
+            (0, YIELD, _) => -motion.rate.x,
+            (0, ..) => -self.press(phase, motion),
+            (_, YIELD, Failure::Ductile { displacement, .. }) if displacement.is_finite() => {
+                self.plastic(phase, motion) - displacement
+            }
+            (_, YIELD, _) | (.., Failure::Never) => -1.0,
+            _ => self.press(phase, motion) - self.limit(),
+        }
+    }
+
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
+        let law = match (event, phase.law, self.failure) {
+            (Switch::Closing, ..) | (Switch::Function(0), YIELD, _) => ON,
+            (Switch::Function(0), ..) => OPEN,
+            (Switch::Function(_), ON, Failure::Ductile { .. }) => YIELD,
+            (Switch::Function(_), ..) => BROKEN,
+        };
+        let released = if law == BROKEN { self.stored_energy(phase, motion) } else { 0.0 };
+        (Phase { law, memory: [self.plastic(phase, motion), 0.0, 0.0] }, released)
+    }
+}

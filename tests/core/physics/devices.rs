@@ -1,0 +1,346 @@
+//! Restrainers, bumpers, dampers, stoppers and bearings with hysteresis through the solver: against closed forms, against an
+//! independent program, and against momentum and energy.
+
+use std::sync::Arc;
+
+use girderbench::dynamics::Model;
+use girderbench::dynamics::connection::{Anchor, Device, Kinematics};
+use girderbench::dynamics::devices::{
+    Bumper, Failure, Hysteresis, HystereticBearing, MaxwellDamper, Play, Restrainer, Stopper, ViscousDamper, Yielding,
+};
+use girderbench::scene::Scene;
+use girderbench::sim::{History, Session};
+use glam::{DMat3, DVec2, DVec3};
+
+use crate::support::reference::rows;
+use crate::support::{scene, within};
+
+/// A device between a point of the girder and the ground: the point in the girder's axes, the point of the ground \[m\], axes.
+type Placed = ([f64; 2], [f64; 2], DMat3, Kinematics, Arc<dyn Device>);
+
+const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// The model girder of 2 kg (190 × 70 mm) under a sine: skew \[°\], bearings and start in words, amplitude \[g\], frequency \[Hz\],
+/// angle \[°\], seconds.
+fn girder(skew: f64, words: &str, [amplitude, frequency, angle]: [f64; 3], duration: f64) -> Scene {
+    let amplitude = amplitude * STANDARD_GRAVITY;
+    scene(&format!(
+        r#"
+        name = "devices"
+        duration_s = {duration}
+        [[girder]]
+        name = "deck"
+        length_m = 0.19
+        width_m = 0.07
+        thickness_m = 0.02
+        mass_kg = 2.0
+        skew_deg = {skew}
+        {words}
+        [motion]
+        kind = "sine"
+        frequency_hz = {frequency}
+        amplitude_m_s2 = {amplitude}
+        angle_deg = {angle}
+        [solver]
+        tolerance = 1e-12
+        "#
+    ))
+}
+
+fn run(scene: &Scene, devices: Vec<Placed>) -> History {
+    let mut model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
+    for (number, (point, ground, axes, kinematics, device)) in devices.into_iter().enumerate() {
+        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, 0.0);
+        let ends = [Anchor::Body { body: 0, point: at(point) }, Anchor::Ground(at(ground))];
+        model.link_by(&format!("d{number}"), ends, (axes, kinematics), device).expect("a link");
+    }
+    let mut session = Session::of_model(scene, model);
+    session.advance(scene.duration, &mut |_| true);
+    let history = session.finish();
+    assert!(history.stop().is_none(), "{:?}", history.stop());
+    history
+}
+
+/// Largest difference of places from those of `tests/data/devices/NAME.csv.gz`, per largest displacement, and of rotations, per
+/// largest rotation (1 where that is 0).
+fn off(history: &History, name: &str) -> [f64; 2] {
+    let (mut off, mut largest) = ([0.0f64; 2], [0.0f64; 2]);
+    for row in rows(&format!("devices/{name}")) {
+        let motion = history.motion(0, row[0]);
+        let place = DVec2::new(row[1], row[2]);
+        off[0] = off[0].max((motion.displacement.truncate() - place).length());
+        off[1] = off[1].max((motion.theta - row[3]).abs());
+        largest = [largest[0].max(place.length()), largest[1].max(row[3].abs())];
+    }
+    [off[0] / largest[0], off[1] / largest[1]]
+}
+
+fn agrees(name: &str, scene: &Scene, devices: Vec<Placed>, tolerance: f64) -> History {
+    let history = run(scene, devices);
+    let [place, rotation] = off(&history, name);
+    within(&format!("{name}: places"), place, tolerance);
+    within(&format!("{name}: rotation"), rotation, tolerance);
+    let books = history.ledger(scene.duration);
+    within(&format!("{name}: ledger"), books.residual / books.scale, 1e-8);
+    history
+}
+
+const LEGS: [[f64; 2]; 4] = [
+    [0.084_433_756_729_740_66, 0.025],
+    [0.055_566_243_270_259_36, -0.025],
+    [-0.055_566_243_270_259_36, 0.025],
+    [-0.084_433_756_729_740_66, -0.025],
+];
+const STRAIGHT_LEGS: &str = "[[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]";
+
+/// Bearings of one k₂, c \[N/m, N·s/m\], and a Q, `u_y` each \[N, m\].
+fn hysteretic(numbers: [([f64; 2], [f64; 2]); 4], coupled: bool) -> Vec<Placed> {
+    let leg = |(place, ([stiffness, damping], [force, yields])): ([f64; 2], ([f64; 2], [f64; 2]))| {
+        let play = Play { stiffness: force / yields, force };
+        let hysteresis = if coupled { Hysteresis::Circle(play) } else { Hysteresis::PerAxis([play; 2]) };
+        let bearing =
+            HystereticBearing { stiffness: DVec2::splat(stiffness), damping: DVec2::splat(damping), hysteresis };
+        let device: Arc<dyn Device> = Arc::new(bearing);
+        (place, place, DMat3::IDENTITY, Kinematics::Linear, device)
+    };
+    LEGS.into_iter().zip(numbers).map(leg).collect()
+}
+
+fn supported(damping: f64) -> String {
+    format!("bearings = {{ frequency_hz = 2.4, damping_ratio = {damping}, at_m = {STRAIGHT_LEGS} }}")
+}
+
+#[test]
+fn lead_rubber_bearings_are_those_of_an_independent_program() {
+    for (name, coupled) in [("b_skew60_coupled", true), ("b_skew60_uncoupled", false)] {
+        let numbers = [0.5, 0.45, 0.3, 0.35].map(|force| ([28.424_460_675_137_35, 0.5], [force, 0.0015]));
+        let scene = girder(60.0, "", [0.2, 2.0, 30.0], 5.0);
+        let history = agrees(name, &scene, hysteretic(numbers, coupled), 1e-10);
+        if coupled {
+            assert_eq!((0..4).map(|leg| history.link_phases(leg).len() - 1).sum::<usize>(), 156, "changes of phase");
+        }
+    }
+}
+
+#[test]
+fn sliders_of_a_turning_girder_are_those_of_an_independent_program() {
+    let [outer, inner] = [([23.535_96, 0.0], [0.353_039_4, 0.000_25]), ([15.690_64, 0.0], [0.235_359_6, 0.000_25])];
+    let start = format!("initial = {{ spin_deg_s = {:?} }}", 1.5f64.to_degrees());
+    let scene = girder(60.0, &start, [0.2, 1.7, 30.0], 5.0);
+    agrees("b_sliding", &scene, hysteretic([outer, inner, inner, outer], true), 5e-9);
+}
+
+#[test]
+fn a_yielding_cable_and_a_bumper_are_those_of_an_independent_program() {
+    let (point, ground) = ([-0.095, 0.02], [-0.155, 0.03]);
+    let cable = Restrainer {
+        length: DVec2::from(point).distance(DVec2::from(ground)),
+        slack: 0.002,
+        stiffness: 2e4,
+        yielding: Some(Yielding { force: 25.0, stiffness: 1e3 }),
+        break_elongation: f64::INFINITY,
+    };
+    let bumper = Bumper::new(0.0, &[[0.0008, 10.0], [0.0018, 45.0]], 8.0).expect("rising");
+    let facing = DMat3::from_cols(-DVec3::X, -DVec3::Y, DVec3::Z);
+    let devices: Vec<Placed> = vec![
+        (point, ground, DMat3::IDENTITY, Kinematics::Points, Arc::new(cable)),
+        ([0.095, -0.02], [0.099, 0.0], facing, Kinematics::Carried, Arc::new(bumper)),
+    ];
+    let history = agrees("d_cable_bumper", &girder(90.0, &supported(0.05), [0.15, 2.4, 20.0], 5.0), devices, 1e-9);
+    let became = |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.law == law).count();
+    assert_eq!([became(0, 2), became(1, 1)], [6, 11], "the cable yields six times, the bumper lets go eleven times");
+}
+
+#[test]
+fn viscous_dampers_are_those_of_an_independent_program() {
+    let damper = ViscousDamper { coefficient: 10.0, exponent: 0.5, regularisation: 1e-4 };
+    let braced = MaxwellDamper { coefficient: 10.0, exponent: 0.5, stiffness: 2e4 };
+    let devices: [(&str, Arc<dyn Device>); 2] =
+        [("d_damper", Arc::new(damper)), ("d_damper_maxwell", Arc::new(braced))];
+    for (name, device) in devices {
+        let placed = ([-0.095, 0.0], [-0.195, 0.05], DMat3::IDENTITY, Kinematics::Points, device);
+        agrees(name, &girder(90.0, &supported(0.02), [0.15, 2.4, 25.0], 5.0), vec![placed], 1e-9);
+    }
+}
+
+#[test]
+fn stoppers_are_those_of_an_independent_program() {
+    let cases = [
+        ("d_stopper_brittle", Failure::Brittle { force: 18.0 }),
+        ("d_stopper_ductile", Failure::Ductile { force: 14.0, displacement: 0.006 }),
+    ];
+    for (name, failure) in cases {
+        let side = |towards: f64| -> Placed {
+            let axis = DVec3::Y * towards;
+            let axes = DMat3::from_cols(axis, DVec3::Z.cross(axis), DVec3::Z);
+            let stopper = Stopper { gap: 0.003, stiffness: 3e4, failure };
+            ([0.08, 0.0], [0.08, 0.0], axes, Kinematics::Carried, Arc::new(stopper))
+        };
+        agrees(name, &girder(90.0, &supported(0.2), [0.3, 2.4, 70.0], 5.0), vec![side(1.0), side(-1.0)], 1e-8);
+    }
+}
+
+/// Two free girders of 2 and 3 kg, the second out of reach of the first, which moves and turns.
+fn two_girders(velocity: f64) -> Scene {
+    scene(&format!(
+        r#"
+        name = "two"
+        duration_s = 1.0
+        [[girder]]
+        name = "one"
+        length_m = 0.19
+        width_m = 0.07
+        thickness_m = 0.02
+        mass_kg = 2.0
+        initial = {{ velocity_m_s = [{velocity}, 0.1], spin_deg_s = 60 }}
+        [[girder]]
+        name = "two"
+        length_m = 0.25
+        width_m = 0.09
+        thickness_m = 0.02
+        mass_kg = 3.0
+        position_m = [1.0, 0.3, 0.0]
+        [contact]
+        stiffness_n_per_m = 1.55e5
+        [solver]
+        tolerance = 1e-11
+        "#
+    ))
+}
+
+/// Momentum and angular momentum about the origin.
+fn momenta(history: &History, t: f64) -> [f64; 3] {
+    let bodies = &history.model().bodies;
+    let [one, two] = [0, 1].map(|girder| {
+        let (body, motion) = (&bodies[girder], history.motion(girder, t));
+        let momentum = motion.velocity * body.mass;
+        let spin = body.mass * body.gyration2 * motion.spin.z;
+        DVec3::new(momentum.x, momentum.y, motion.place.cross(momentum).z + spin)
+    });
+    (one + two).to_array()
+}
+
+#[test]
+fn a_device_between_two_free_girders_keeps_momentum_angular_momentum_and_energy() {
+    let (one, two) = ([0.09, 0.02], [-0.12, -0.03]);
+    let length = DVec2::new(one[0], one[1]).distance(DVec2::new(1.0 + two[0], 0.3 + two[1]));
+    let cable = Restrainer {
+        length,
+        slack: 0.001,
+        stiffness: 2e4,
+        yielding: Some(Yielding { force: 5.0, stiffness: 1e3 }),
+        break_elongation: 0.01,
+    };
+    let facing = DMat3::from_cols(-DVec3::X, -DVec3::Y, DVec3::Z);
+    let bumper = Bumper::new(-0.78, &[[0.001, 5.0], [0.002, 15.0]], 3.0).expect("rising");
+    let failure = Failure::Ductile { force: 6.0, displacement: 0.004 };
+    let cases: [(&str, DMat3, Kinematics, Arc<dyn Device>); 5] = [
+        ("cable", DMat3::IDENTITY, Kinematics::Points, Arc::new(cable)),
+        ("bumper", facing, Kinematics::Carried, Arc::new(bumper)),
+        ("stopper", DMat3::IDENTITY, Kinematics::Carried, Arc::new(Stopper { gap: -0.785, stiffness: 2e4, failure })),
+        (
+            "damper",
+            DMat3::IDENTITY,
+            Kinematics::Points,
+            Arc::new(ViscousDamper { coefficient: 4.0, exponent: 0.3, regularisation: 1e-4 }),
+        ),
+        (
+            "braced damper",
+            DMat3::IDENTITY,
+            Kinematics::Points,
+            Arc::new(MaxwellDamper { coefficient: 4.0, exponent: 0.5, stiffness: 1e4 }),
+        ),
+    ];
+    for (name, axes, kinematics, device) in cases {
+        // The cable is pulled, the others are pushed.
+        let scene = two_girders(if name == "cable" { -0.2 } else { 0.2 });
+        let mut model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+        let anchor = |body: usize, [x, y]: [f64; 2]| Anchor::Body { body, point: DVec3::new(x, y, 0.0) };
+        model.link_by(name, [anchor(0, one), anchor(1, two)], (axes, kinematics), device).expect("a link");
+        let mut session = Session::of_model(&scene, model);
+        session.advance(scene.duration, &mut |_| true);
+        let history = session.finish();
+        assert!(history.stop().is_none(), "{name}: {:?}", history.stop());
+        let pushed = history.motion(1, scene.duration);
+        assert!(pushed.velocity.length() > 1e-3 && pushed.spin.z.abs() > 1e-3, "{name}: a force acted");
+        let [before, after] = [0.0, scene.duration].map(|t| momenta(&history, t));
+        for n in 0..3 {
+            within(&format!("{name}: momentum {n}"), after[n] - before[n], 1e-10);
+        }
+        let books = history.ledger(scene.duration);
+        within(&format!("{name}: ledger"), books.residual / books.scale, 1e-8);
+    }
+}
+
+/// The girder of 2 kg without bearings, moving along x \[m/s\], without ground motion.
+fn free(velocity: f64, duration: f64) -> Scene {
+    girder(90.0, &format!("initial = {{ velocity_m_s = [{velocity}, 0.0] }}"), [0.0, 1.0, 0.0], duration)
+}
+
+#[test]
+fn a_mass_on_a_bearing_that_yields_keeps_to_its_closed_form() {
+    // k₁ = 65, k₂ = 10 N/m, Q = 0.55 N, from rest with 0.15 m/s: the first yield, the greatest displacement, u without force.
+    let play = Play { stiffness: 55.0, force: 0.55 };
+    for hysteresis in [Hysteresis::Circle(play), Hysteresis::PerAxis([play; 2])] {
+        let bearing = HystereticBearing { stiffness: DVec2::splat(10.0), damping: DVec2::ZERO, hysteresis };
+        let device: Arc<dyn Device> = Arc::new(bearing);
+        let placed = ([0.0; 2], [0.0; 2], DMat3::IDENTITY, Kinematics::Linear, device);
+        let history = run(&free(0.15, 0.6), vec![placed]);
+        let times: Vec<f64> = history.link_phases(0)[1..].iter().map(|(t, _)| *t).filter(|t| *t > 0.0).collect();
+        within("yield", times[0] - 0.068_385_882_714, 1e-11);
+        within("turn", times[1] - 0.409_238_666_524, 1e-11);
+        within("largest displacement", history.motion(0, times[1]).displacement.x - 0.034_861_003_778, 1e-11);
+    }
+}
+
+#[test]
+fn a_cable_that_yields_catches_a_mass_as_in_closed_form() {
+    let cable = Restrainer {
+        length: 0.1,
+        slack: 0.01,
+        stiffness: 2e4,
+        yielding: Some(Yielding { force: 40.0, stiffness: 1e3 }),
+        break_elongation: f64::INFINITY,
+    };
+    let placed = ([0.0; 2], [-0.1, 0.0], DMat3::IDENTITY, Kinematics::Points, Arc::new(cable) as Arc<dyn Device>);
+    let history = run(&free(0.3, 0.2), vec![placed]);
+    let turned = history.link_phases(0).windows(2).find(|two| two[0].1.law == 2).expect("it yields")[1].0;
+    let elongation = history.motion(0, turned).displacement.x - 0.01;
+    within("elongation", elongation - 3.231_056_256e-3, 1e-11);
+    let tension = -history.link(0, turned).expect("the cable").force.x;
+    within("tension", tension - 41.231_056_256, 1e-8);
+    within("rebound", -history.motion(0, 0.2).velocity.x - 0.206_155_281_281, 1e-10);
+}
+
+#[test]
+fn a_stopper_or_a_cable_that_breaks_releases_its_energy() {
+    let stopper = Stopper { gap: 0.01, stiffness: 3e4, failure: Failure::Brittle { force: 18.0 } };
+    let cable = Restrainer { length: 0.1, slack: 0.01, stiffness: 2e4, yielding: None, break_elongation: 5e-4 };
+    let cases: [([f64; 2], Arc<dyn Device>, f64); 2] = [
+        ([0.0; 2], Arc::new(stopper), 18.0 * 18.0 / (2.0 * 3e4)),
+        ([-0.1, 0.0], Arc::new(cable), 0.5 * 2e4 * 5e-4 * 5e-4),
+    ];
+    for (ground, device, energy) in cases {
+        let placed = ([0.0; 2], ground, DMat3::IDENTITY, Kinematics::Carried, device);
+        let history = run(&free(0.3, 0.2), vec![placed]);
+        let left = 0.3f64 * 0.3 - energy;
+        within("speed after the break", history.motion(0, 0.2).velocity.x - left.sqrt(), 1e-10);
+        let books = history.ledger(0.2);
+        within("released", books.jump_device.abs() - energy, 1e-12);
+        within("ledger", books.residual / books.scale, 1e-9);
+    }
+}
+
+#[test]
+fn a_damper_stops_a_mass_nearly_where_its_power_law_says() {
+    // m v₀^(2−α)/((2−α) c) in the limit of v_r → 0.
+    let exact = 0.021_908_902_300_2;
+    let reach = |regularisation: f64| {
+        let damper = ViscousDamper { coefficient: 10.0, exponent: 0.5, regularisation };
+        let placed = ([0.0; 2], [-0.1, 0.0], DMat3::IDENTITY, Kinematics::Points, Arc::new(damper) as Arc<dyn Device>);
+        run(&free(0.3, 0.5), vec![placed]).motion(0, 0.5).displacement.x / exact - 1.0
+    };
+    let [coarse, fine] = [1e-3, 1e-4].map(reach);
+    within("at 1e-4 m/s", fine, 1e-4);
+    assert!(coarse.abs() > 20.0 * fine.abs(), "by the power 1 + α of v_r: {coarse} and {fine}");
+}
