@@ -2,7 +2,7 @@
 //!
 //! Free motion: where its Fourier amplitude is largest, `f √(1 − 2h²)` of a lasting push and `f √(1 − h²)` of a decay. On shaking
 //! ground: where the ratio to the ground's Fourier amplitude is, among frequencies at which the ground has a share of
-//! [`SHAKEN`] of its largest.
+//! `SHAKEN` of its largest.
 
 use std::f64::consts::TAU;
 

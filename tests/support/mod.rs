@@ -81,3 +81,17 @@ pub(crate) fn free_pair() -> Scene {
         "#,
     )
 }
+
+/// Momentum along x and y \[N·s\] and angular momentum about the origin \[N·m·s\] of all girders.
+pub(crate) fn momenta(history: &History, t: f64) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (number, body) in history.model().bodies.iter().enumerate() {
+        let motion = history.motion(number, t);
+        let (place, velocity) = (motion.place, motion.velocity);
+        sum[0] += body.mass * velocity.x;
+        sum[1] += body.mass * velocity.y;
+        sum[2] +=
+            body.mass * (place.x * velocity.y - place.y * velocity.x) + body.mass * body.gyration2 * motion.spin.z;
+    }
+    sum
+}

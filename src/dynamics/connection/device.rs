@@ -36,8 +36,11 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
-    /// Number of switching functions of a phase in which a force acts.
-    fn switches(&self, phase: &Phase) -> usize;
+    /// Number of switching functions of a phase in which a force acts; none for a device of one phase.
+    fn switches(&self, phase: &Phase) -> usize {
+        let _ = phase;
+        0
+    }
 
     /// Unit of a switching function.
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
@@ -64,11 +67,17 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     }
 
     /// A switching function of such a phase, in its [unit](Device::switch_unit): negative while the phase lasts.
-    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64;
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
+        let _ = (number, phase, motion);
+        f64::NEG_INFINITY
+    }
 
     /// Phase that begins where the gap closes (from a phase without force) or a switching function rises through 0; energy
     /// that the change releases \[J\].
-    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64);
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
+        let _ = (event, motion);
+        (*phase, 0.0)
+    }
 
     /// Centre line for a drawing between its points, world axes \[m\]: a straight line unless the device hangs or bends.
     fn centre_line(&self, phase: &Phase, ends: [DVec3; 2]) -> Vec<DVec3> {

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use super::line::Line;
-use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds};
 
 /// A viscous damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,17 +69,5 @@ impl Device for ViscousDamper {
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
         bounds.acceleration
-    }
-
-    fn switches(&self, _: &Phase) -> usize {
-        0
-    }
-
-    fn switch(&self, _: usize, _: &Phase, _: &Separation) -> f64 {
-        -1.0
-    }
-
-    fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
-        (*phase, 0.0)
     }
 }

@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::line::Line;
-use crate::dynamics::connection::{Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Connection, Device, Evolution, Phase, Separation, SeparationBounds};
 
 /// A viscous damper and a spring in series.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,17 +81,5 @@ impl Device for MaxwellDamper {
             force: -line.direction,
             drive: line.direction * self.stiffness,
         }
-    }
-
-    fn switches(&self, _: &Phase) -> usize {
-        0
-    }
-
-    fn switch(&self, _: usize, _: &Phase, _: &Separation) -> f64 {
-        -1.0
-    }
-
-    fn next(&self, _: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
-        (*phase, 0.0)
     }
 }

@@ -1,6 +1,6 @@
 //! What a film of marks is worth: the error of measured motion against mark size, resolution, exposure, noise and quantisation.
 //!
-//! Pictures are made here from the places of the marks ([`picture`]), so that each influence can be had alone, and measured as those
+//! Pictures are made here from the places of the marks (`study/camera/picture.rs`), so that each influence can be had alone, and measured as those
 //! of a camera are. The film is the paper's: its 45° girder, driven along the axis at 0.40 g, hits and turns.
 
 mod page;

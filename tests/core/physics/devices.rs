@@ -13,7 +13,7 @@ use girderbench::sim::{History, Session};
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::support::reference::rows;
-use crate::support::{scene, within};
+use crate::support::{momenta, scene, within};
 
 /// A device between a point of the girder and the ground: the point in the girder's axes, the point of the ground \[m\], axes.
 type Placed = ([f64; 2], [f64; 2], DMat3, Kinematics, Arc<dyn Device>);
@@ -206,18 +206,6 @@ fn two_girders(velocity: f64) -> Scene {
         tolerance = 1e-11
         "#
     ))
-}
-
-/// Momentum and angular momentum about the origin.
-fn momenta(history: &History, t: f64) -> [f64; 3] {
-    let bodies = &history.model().bodies;
-    let [one, two] = [0, 1].map(|girder| {
-        let (body, motion) = (&bodies[girder], history.motion(girder, t));
-        let momentum = motion.velocity * body.mass;
-        let spin = body.mass * body.gyration2 * motion.spin.z;
-        DVec3::new(momentum.x, momentum.y, motion.place.cross(momentum).z + spin)
-    });
-    (one + two).to_array()
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! runs of 5 s against an independent program.
 
 use crate::support::reference::rows;
-use crate::support::{run, scene, within};
+use crate::support::{momenta, run, scene, within};
 use girderbench::scene::{Scene, overrides, presets};
 use girderbench::sim::History;
 
@@ -234,18 +234,4 @@ fn oblique(law: &str, friction: &str) -> String {
         tolerance = 1e-12
         "#
     )
-}
-
-/// Momentum along x and y \[N·s\] and angular momentum about the origin \[N·m·s\] of both girders.
-fn momenta(history: &History, t: f64) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (number, body) in history.model().bodies.iter().enumerate() {
-        let motion = history.motion(number, t);
-        let (place, velocity) = (motion.place, motion.velocity);
-        sum[0] += body.mass * velocity.x;
-        sum[1] += body.mass * velocity.y;
-        sum[2] +=
-            body.mass * (place.x * velocity.y - place.y * velocity.x) + body.mass * body.gyration2 * motion.spin.z;
-    }
-    sum
 }
