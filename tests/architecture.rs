@@ -78,7 +78,7 @@ const DYNAMICS_ROOMS: &[(&str, &[&str])] = &[
     ("locate", &[]),
     ("connection", &[]),
     ("devices", &["connection"]),
-    ("model", &["connection"]),
+    ("model", &["connection", "devices"]),
     ("free_flight", &["integrator", "model"]),
     ("trajectory", &["integrator", "model", "free_flight"]),
     ("penalty3d", &["integrator", "locate", "connection", "model", "free_flight", "trajectory"]),

@@ -66,7 +66,7 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
     match kind {
         ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
         ModelKind::Impact if !model.group_links[group].is_empty() => {
-            Box::new(ContactRun::refused(model, group, "the impact model knows no devices between girders"))
+            Box::new(ContactRun::refused(model, group, "the impact model knows no devices and no bearings that yield"))
         }
         ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
         ModelKind::Impact => {

@@ -7,7 +7,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::keys::{Fallback, Range, Stands, Stated, table};
+use super::keys::{Fallback, Keyed as _, Range, Stands, Stated, table};
 
 /// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -77,8 +77,45 @@ table! {
         #[serde(with = "super::two_or_three")]
         damping: [f64; 3] = "damping_n_s_per_m", Range::NotNegative, Fallback::Needed("must be given"),
             "[c_x, c_y] or [c_x, c_y, c_z], N·s/m";
+        yield_force: Option<f64> = "yield_force_n" as "Yield Q", Range::Positive, Fallback::Words("none: linear"),
+            "Q, force without displacement on the upper line of the loop (lead rubber; μN of a slider), N; stiffness_n_per_m is then that after yield";
+        yield_displacement: Option<f64> = "yield_displacement_m" as "Yields at", Range::Positive,
+            Fallback::Needed("must be given with yield_force_n"), "u_y = Q/(k₁ − k₂), m";
+        per_axis: Option<bool> = "yields_per_axis", Range::Switch, Fallback::Words("false"),
+            "whether it yields along x and y each for itself; otherwise on one circle";
         height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
+    }
+}
+
+impl Bearing {
+    /// A linear bearing at a place in the girder's frame \[m\], at the underside \[N/m, N·s/m\].
+    pub fn linear(at: [f64; 2], stiffness: [f64; 3], damping: [f64; 3]) -> Self {
+        Self { at, stiffness, damping, ..Self::by_default() }
+    }
+
+    /// Its yield, where it has both numbers of one.
+    pub fn yielding(&self) -> Option<BearingYield> {
+        let (force, displacement) = (self.yield_force?, self.yield_displacement?);
+        Some(BearingYield { force, displacement, per_axis: self.per_axis == Some(true) })
+    }
+}
+
+/// Yield of a bearing: a spring `Q/u_y` beside its own up to the force Q.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingYield {
+    /// Q \[N\].
+    pub force: f64,
+    /// `u_y` \[m\].
+    pub displacement: f64,
+    /// Whether each axis yields for itself; otherwise on one circle.
+    pub per_axis: bool,
+}
+
+impl BearingYield {
+    /// k₁ − k₂ \[N/m\].
+    pub fn stiffness(&self) -> f64 {
+        self.force / self.displacement
     }
 }
 

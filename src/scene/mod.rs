@@ -35,7 +35,7 @@ pub mod shown;
 pub mod validate;
 
 pub use abutment::Abutment;
-pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
+pub use bearing::{Bearing, BearingYield, Bearings, PerDirection, SharedBearings};
 pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,

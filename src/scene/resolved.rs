@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Bearings, Girder, Kind, SharedBearings};
+use super::{BearingYield, Bearings, Girder, Kind, SharedBearings};
 
 /// A bearing with everything filled in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +14,17 @@ pub struct ResolvedBearing {
     pub stiffness: [f64; 3],
     /// `c_x, c_y, c_z` along the girder's axes as placed \[N·s/m\].
     pub damping: [f64; 3],
+    /// Its yield; `stiffness` is then that after it.
+    pub yielding: Option<BearingYield>,
+}
+
+impl ResolvedBearing {
+    /// `k_x, k_y, k_z` before any yield \[N/m\].
+    pub fn initial_stiffness(&self) -> [f64; 3] {
+        let [x, y, z] = self.stiffness;
+        let beside = self.yielding.map_or(0.0, |yielding| yielding.stiffness());
+        [x + beside, y + beside, z]
+    }
 }
 
 impl SharedBearings {
@@ -52,12 +63,17 @@ impl Bearings {
                 let damping = modes.map(|(omega, h)| 2.0 * h * share * omega);
                 places
                     .into_iter()
-                    .map(|p| ResolvedBearing { place: at(p, shared.height), stiffness, damping })
+                    .map(|p| ResolvedBearing { place: at(p, shared.height), stiffness, damping, yielding: None })
                     .collect()
             }
             Self::Each(bearings) => bearings
                 .iter()
-                .map(|b| ResolvedBearing { place: at(b.at, b.height), stiffness: b.stiffness, damping: b.damping })
+                .map(|b| ResolvedBearing {
+                    place: at(b.at, b.height),
+                    stiffness: b.stiffness,
+                    damping: b.damping,
+                    yielding: b.yielding(),
+                })
                 .collect(),
         }
     }

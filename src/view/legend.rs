@@ -105,7 +105,7 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         rows.push(row(Sign::State(ContactState::Slip), "slip"));
         rows.push(row(Sign::State(ContactState::Open), "just opened"));
     }
-    if !moment.devices.is_empty() {
+    if moment.devices.iter().any(|device| !device.line.is_empty()) {
         rows.push(row(Sign::Device(true), "device whose force acts"));
         rows.push(row(Sign::Device(false), "idle device"));
     }

@@ -88,8 +88,8 @@ fn windows() -> Vec<Window> {
     let several = with(&planar, &["motion.kind=record", "motion.file=tests/data/records/csmip.V2", "motion.channel=2"]);
     let several = loaded(several);
     let metric_in_space = with(&deck, &["motion.amplitude_m_s2=4", "motion.vertical_amplitude_m_s2=2"]);
-    let each =
-        "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0] }]";
+    let each = "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0], \
+         yield_force_n = 1e5, yield_displacement_m = 0.01, yields_per_axis = true }]";
     let each = with(&deck, &[each]);
     let metric = with(&planar, &["motion.amplitude_m_s2=4"]);
     let corners = "[[0.2, -0.1, -0.03], [0.2, 0.1, -0.03], [0.2, 0.1, 0.03], [0.2, -0.1, 0.03]]";

@@ -18,7 +18,7 @@ mod table;
 pub(in crate::app) use choice::{choice, choice_line};
 pub(in crate::app) use form::Form;
 pub(in crate::app) use frame::{act, complain, mark, tag};
-pub(in crate::app) use number::{number, optional};
+pub(in crate::app) use number::{number, optional, switched};
 pub(in crate::app) use place::{CLICK, Change, Place};
 pub(in crate::app) use slider::slider_row;
 pub(in crate::app) use table::{Look, Without, number_at, rows, slider_at, slider_between, sliders};

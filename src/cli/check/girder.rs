@@ -14,7 +14,12 @@ pub(super) fn text(girder: &Girder, body: &Body, kind: Kind) -> String {
     let rotation = rotation(girder);
     [shape, place, start(&girder.initial), push(&girder.push), held(&girder.held), seats(girder.seat)]
         .into_iter()
-        .chain([bearings(&body.quantities(), body.bearings.len()), vertical(body, kind), rotation])
+        .chain([
+            bearings(&body.quantities(), body.bearings.len()),
+            yields(girder, kind),
+            vertical(body, kind),
+            rotation,
+        ])
         .collect()
 }
 
@@ -106,6 +111,24 @@ fn bearings(q: &BearingQuantities, count: usize) -> String {
         three(q.damping_ratio),
         two(q.stiffness_eccentricity),
         two(q.damping_eccentricity)
+    )
+}
+
+/// Bearings that yield: the sum of Q, and their stiffness before, which the frequencies are without.
+fn yields(girder: &Girder, kind: Kind) -> String {
+    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+    let yielding: Vec<_> = resolved.iter().filter_map(|b| b.yielding.map(|y| (y, b.initial_stiffness()))).collect();
+    if yielding.is_empty() {
+        return String::new();
+    }
+    let force: f64 = yielding.iter().map(|(y, _)| y.force).sum();
+    let stiffness = |axis: usize| six(yielding.iter().map(|(_, k)| k[axis]).sum::<f64>());
+    format!(
+        "  {} of them yield: Q = {} N, k_x, k_y before = {}, {} N/m; frequencies are those after yield\n",
+        yielding.len(),
+        six(force),
+        stiffness(0),
+        stiffness(1)
     )
 }
 

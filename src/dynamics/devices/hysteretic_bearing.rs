@@ -1,7 +1,7 @@
-//! A bearing with hysteresis under a girder: lead rubber, a slider, a friction pendulum. Its link has the ground as its second
-//! end and the bearing's axes.
+//! The hysteretic part of a bearing under a girder: lead rubber, a slider, a friction pendulum. Its link has the ground as its
+//! second end and the girder's axes as placed; spring and dashpot `k₂, c` are the girder's bearing.
 //!
-//! Horizontal force `−(k₂ u + z) − c u̇`. Elastic `ż = k_t u̇`; plastic, per axis, `z = ±Q`, until the velocity turns; coupled,
+//! Horizontal force `−z`. Elastic `ż = k_t u̇`; plastic, per axis, `z = ±Q`, until the velocity turns; coupled,
 //! `z = Q (cos φ, sin φ)` with `φ̇ = (k_t/Q)(−sin φ u̇_x + cos φ u̇_y)`, the return map in continuous time, until `n·u̇` turns.
 
 use glam::{DVec2, DVec3};
@@ -28,23 +28,12 @@ pub enum Hysteresis {
     PerAxis([Play; 2]),
 }
 
-/// A bearing with hysteresis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HystereticBearing {
-    /// k₂ along both axes \[N/m\].
-    pub stiffness: DVec2,
-    /// c along both axes \[N·s/m\].
-    pub damping: DVec2,
-    /// Hysteretic part.
-    pub hysteresis: Hysteresis,
-}
-
 /// Law of a yield circle in yield; 0 is elastic.
 const YIELDING: u32 = 1;
 /// States of one axis: elastic, at +Q, at −Q.
 const STATES: u32 = 3;
 
-impl HystereticBearing {
+impl Hysteresis {
     /// State of an axis by [`STATES`].
     fn state(phase: &Phase, axis: usize) -> u32 {
         if axis == 0 { phase.law % STATES } else { phase.law / STATES }
@@ -54,7 +43,7 @@ impl HystereticBearing {
     fn hysteretic_force(&self, phase: &Phase, motion: &Separation) -> DVec2 {
         let moved = motion.moved.truncate();
         let remembered = DVec2::new(phase.memory[0], phase.memory[1]);
-        match self.hysteresis {
+        match *self {
             Hysteresis::Circle(play) if phase.law == YIELDING => DVec2::from_angle(phase.memory[0]) * play.force,
             Hysteresis::Circle(play) => remembered + moved * play.stiffness,
             Hysteresis::PerAxis(plays) => DVec2::from(std::array::from_fn::<f64, 2, _>(|axis| {
@@ -69,7 +58,7 @@ impl HystereticBearing {
     }
 
     fn plays(&self) -> [Play; 2] {
-        match self.hysteresis {
+        match *self {
             Hysteresis::Circle(play) => [play; 2],
             Hysteresis::PerAxis(plays) => plays,
         }
@@ -78,7 +67,7 @@ impl HystereticBearing {
     /// Phase of this law with z as it is now.
     fn going_on(&self, law: u32, z: DVec2, motion: &Separation) -> Phase {
         let plays = self.plays();
-        if matches!(self.hysteresis, Hysteresis::Circle(_)) && law == YIELDING {
+        if matches!(self, Hysteresis::Circle(_)) && law == YIELDING {
             return Phase { law, memory: [z.to_angle(), 0.0, 0.0] };
         }
         let elastic = [0, 1].map(|axis| z[axis] - plays[axis].stiffness * motion.moved[axis]);
@@ -86,44 +75,42 @@ impl HystereticBearing {
     }
 }
 
-impl Connection for HystereticBearing {
+impl Connection for Hysteresis {
     type State = Phase;
     type Motion = Separation;
 
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        let linear = self.stiffness * motion.moved.truncate() + self.damping * motion.rate.truncate();
-        -(linear + self.hysteretic_force(phase, motion)).extend(0.0)
+        -self.hysteretic_force(phase, motion).extend(0.0)
     }
 
-    /// `k₂ u²/2 + z²/(2 k_t)`.
+    /// `z²/(2 k_t)`.
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
-        let (moved, z, plays) = (motion.moved.truncate(), self.hysteretic_force(phase, motion), self.plays());
+        let (z, plays) = (self.hysteretic_force(phase, motion), self.plays());
         let stiffness = DVec2::new(plays[0].stiffness, plays[1].stiffness);
-        0.5 * (moved.dot(self.stiffness * moved) + z.dot(z / stiffness))
+        0.5 * z.dot(z / stiffness)
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         let (rate, z) = (motion.rate.truncate(), self.hysteretic_force(phase, motion));
-        let yielding = match self.hysteresis {
+        match *self {
             Hysteresis::Circle(_) if phase.law == YIELDING => z.dot(rate),
             Hysteresis::Circle(_) => 0.0,
             Hysteresis::PerAxis(_) => {
                 (0..2).filter(|&axis| Self::state(phase, axis) != 0).map(|axis| z[axis] * rate[axis]).sum()
             }
-        };
-        yielding + rate.dot(self.damping * rate)
+        }
     }
 
     fn stiffness_bound(&self, _: &Phase) -> f64 {
-        (0..2).map(|axis| self.stiffness[axis] + self.plays()[axis].stiffness).fold(0.0, f64::max)
+        self.plays().map(|play| play.stiffness).into_iter().fold(0.0, f64::max)
     }
 
     fn damping_bound(&self, _: &Phase) -> f64 {
-        self.damping.max_element()
+        0.0
     }
 }
 
-impl Device for HystereticBearing {
+impl Device for Hysteresis {
     /// Elastic, its hysteretic part at rest as placed.
     fn initial(&self, _: &Separation) -> Phase {
         Phase::default()
@@ -137,12 +124,17 @@ impl Device for HystereticBearing {
         [-motion.moved.truncate().length(), -motion.rate.truncate().length()]
     }
 
+    /// No line: the bearing itself is drawn.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
+    }
+
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
         bounds.acceleration
     }
 
     fn evolves(&self, phase: &Phase) -> bool {
-        matches!(self.hysteresis, Hysteresis::Circle(_)) && phase.law == YIELDING
+        matches!(self, Hysteresis::Circle(_)) && phase.law == YIELDING
     }
 
     fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
@@ -158,14 +150,14 @@ impl Device for HystereticBearing {
     }
 
     fn switches(&self, _: &Phase) -> usize {
-        match self.hysteresis {
+        match *self {
             Hysteresis::Circle(_) => 1,
             Hysteresis::PerAxis(_) => 4,
         }
     }
 
     fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
-        let yields = match self.hysteresis {
+        let yields = match *self {
             Hysteresis::Circle(_) => phase.law == YIELDING,
             Hysteresis::PerAxis(_) => Self::state(phase, number / 2) != 0,
         };
@@ -175,7 +167,7 @@ impl Device for HystereticBearing {
     /// Circle: yield `(z² − Q²)/(2 Q k_t)`, or its end `−n·u̇`. Per axis two: yield on either side, or its end.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let (z, rate) = (self.hysteretic_force(phase, motion), motion.rate.truncate());
-        match self.hysteresis {
+        match *self {
             Hysteresis::Circle(_) if phase.law == YIELDING => -DVec2::from_angle(phase.memory[0]).dot(rate),
             Hysteresis::Circle(Play { stiffness, force }) => {
                 (z.length_squared() - force * force) / (2.0 * force * stiffness)
@@ -194,7 +186,7 @@ impl Device for HystereticBearing {
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let Switch::Function(number) = event else { return (*phase, 0.0) };
         let z = self.hysteretic_force(phase, motion);
-        let law = match self.hysteresis {
+        let law = match *self {
             Hysteresis::Circle(_) => YIELDING - phase.law,
             Hysteresis::PerAxis(_) => {
                 let mut states = [0, 1].map(|axis| Self::state(phase, axis));

@@ -14,7 +14,7 @@ mod stopper;
 
 pub use bumper::Bumper;
 pub use damper::ViscousDamper;
-pub use hysteretic_bearing::{Hysteresis, HystereticBearing, Play};
+pub use hysteretic_bearing::{Hysteresis, Play};
 pub use maxwell_damper::MaxwellDamper;
 pub use restrainer::{Restrainer, Yielding};
 pub use stopper::{Failure, Stopper};

@@ -76,6 +76,10 @@ impl Model {
             group_pairs: Vec::new(),
             group_links: Vec::new(),
         };
+        for (number, girder) in scene.girders.iter().enumerate() {
+            let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
+            model.add_yielding_bearings(number, &resolved);
+        }
         model.regroup();
         Ok(model)
     }

@@ -5,8 +5,10 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
+use crate::dynamics::devices::{Hysteresis, Play};
+use crate::dynamics::model::body::Body;
 use crate::dynamics::model::compiled_model::Model;
-use crate::scene::Kind;
+use crate::scene::{Kind, ResolvedBearing};
 
 /// Why a link cannot be put into a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -61,11 +63,38 @@ impl Model {
         if self.kind == Kind::Planar && (homes[0] + arms[0] - homes[1] - arms[1]).z != 0.0 {
             return Err(LinkError::OutOfPlane);
         }
-        // A device can drive its bodies off an axis.
-        bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
-        self.links.push(link);
+        self.add_link(link);
         self.regroup();
         Ok(())
+    }
+
+    /// Adds a link; its groups are formed later.
+    fn add_link(&mut self, link: Link) {
+        // A device can lead its bodies off an axis.
+        link.bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
+        self.links.push(link);
+    }
+
+    /// Adds the hysteretic parts of a body's bearings, each between its place and the ground below; their groups are formed
+    /// later.
+    pub(in crate::dynamics) fn add_yielding_bearings(&mut self, body: usize, bearings: &[ResolvedBearing]) {
+        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        for (number, bearing) in bearings.iter().enumerate() {
+            let Some(yielding) = bearing.yielding else { continue };
+            let play = Play { stiffness: yielding.stiffness(), force: yielding.force };
+            let device = if yielding.per_axis { Hysteresis::PerAxis([play; 2]) } else { Hysteresis::Circle(play) };
+            let Body { name, home, axes, .. } = &self.bodies[body];
+            let arm = *axes * bearing.place;
+            self.add_link(Link {
+                name: format!("{name}.bearing{}", number + 1),
+                bodies: [Some(body), None],
+                arms: [arm, DVec3::ZERO],
+                homes: [*home, *home + arm],
+                axes: *axes,
+                kinematics,
+                device: Arc::new(device),
+            });
+        }
     }
 
     fn home_of(&self, end: &Anchor) -> DVec3 {

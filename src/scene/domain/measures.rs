@@ -30,7 +30,7 @@ fn rate(bearings: &[ResolvedBearing], motion: impl Fn(DVec3) -> DVec3, inertia: 
         let each = bearings.iter().map(|b| (DVec3::from(of(b)) * motion(b.place)).dot(motion(b.place)));
         each.sum::<f64>() / inertia
     };
-    quotient(|b| b.stiffness).sqrt().max(quotient(|b| b.damping))
+    quotient(ResolvedBearing::initial_stiffness).sqrt().max(quotient(|b| b.damping))
 }
 
 /// Distance of the farthest bearing from G, in parts of that of the farthest corner; 0 without bearings.

@@ -189,12 +189,7 @@ fn a_displaced_start_counts_by_the_speed_that_it_leads_to() {
     assert_eq!(only(&found), ("girder.deck.initial.rotation_deg", 181.0, TURN));
     let long = alone(|g| {
         g.length = 40.0;
-        g.bearings = Some(Bearings::Each(vec![Bearing {
-            at: [20.0, 0.0],
-            stiffness: [0.0, 8e2, 0.0],
-            damping: [0.0; 3],
-            height: None,
-        }]));
+        g.bearings = Some(Bearings::Each(vec![Bearing::linear([20.0, 0.0], [0.0, 8e2, 0.0], [0.0; 3])]));
         g.initial.rotation_deg = 170.0;
     });
     assert_eq!((only(&long).0, only(&long).2), ("girder.deck.initial.rotation_deg", SPEED));
@@ -216,7 +211,7 @@ fn gravity_counts_in_a_spatial_scene() {
 #[test]
 fn a_bearings_rate_is_that_of_its_stiffness_its_damping_and_its_lever() {
     let bearings = |stiffness: [f64; 3], damping: [f64; 3]| {
-        let at = |x: f64| Bearing { at: [x, 0.0], stiffness, damping, height: None };
+        let at = |x: f64| Bearing::linear([x, 0.0], stiffness, damping);
         Some(Bearings::Each(vec![at(0.07), at(-0.07)]))
     };
     let mut girder = paper().girders.remove(0);

@@ -114,6 +114,16 @@ fn single(bearings: &[Bearing], needs_vertical: bool, kind: Kind, at: &mut At<'_
         let mut table = at.below(&key, keys::BEARING);
         table.all(bearing);
         table.fits(bearing, kind);
+        match (bearing.yield_force, bearing.yield_displacement) {
+            (Some(_), None) => {
+                table.add("yield_displacement_m", "nothing", "give the displacement at which the bearing yields, in m");
+            }
+            (None, Some(_)) => table.add("yield_force_n", "nothing", "give the force Q in N, or leave out both"),
+            _ => {}
+        }
+        if bearing.per_axis.is_some() && bearing.yield_force.is_none() {
+            table.add("yields_per_axis", "a switch", "give yield_force_n and yield_displacement_m, or leave it out");
+        }
     }
     if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
         let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";

@@ -118,7 +118,7 @@ fn uneven(dice: &mut Dice, girder: &mut Girder, kind: Kind) {
         let factor = dice.log(0.3, 3.0);
         let scaled = |v: [f64; 3]| v.map(|x| three_digits(x * factor));
         let at = [b.place.x, b.place.y].map(three_digits);
-        Bearing { at, stiffness: scaled(b.stiffness), damping: scaled(b.damping), height: None }
+        Bearing::linear(at, scaled(b.stiffness), scaled(b.damping))
     });
     girder.bearings = Some(Bearings::Each(each.collect()));
 }

@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Device, Kinematics};
-use girderbench::dynamics::devices::{
-    Bumper, Failure, Hysteresis, HystereticBearing, MaxwellDamper, Play, Restrainer, Stopper, ViscousDamper, Yielding,
-};
-use girderbench::scene::Scene;
+use girderbench::dynamics::devices::{Bumper, Failure, MaxwellDamper, Restrainer, Stopper, ViscousDamper, Yielding};
+use girderbench::scene::validate::validate;
+use girderbench::scene::{ModelKind, Scene};
 use girderbench::sim::{History, Session};
 use glam::{DMat3, DVec2, DVec3};
 
@@ -93,17 +92,17 @@ const LEGS: [[f64; 2]; 4] = [
 ];
 const STRAIGHT_LEGS: &str = "[[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]";
 
-/// Bearings of one k₂, c \[N/m, N·s/m\], and a Q, `u_y` each \[N, m\].
-fn hysteretic(numbers: [([f64; 2], [f64; 2]); 4], coupled: bool) -> Vec<Placed> {
-    let leg = |(place, ([stiffness, damping], [force, yields])): ([f64; 2], ([f64; 2], [f64; 2]))| {
-        let play = Play { stiffness: force / yields, force };
-        let hysteresis = if coupled { Hysteresis::Circle(play) } else { Hysteresis::PerAxis([play; 2]) };
-        let bearing =
-            HystereticBearing { stiffness: DVec2::splat(stiffness), damping: DVec2::splat(damping), hysteresis };
-        let device: Arc<dyn Device> = Arc::new(bearing);
-        (place, place, DMat3::IDENTITY, Kinematics::Linear, device)
+/// Bearings of one k₂, c \[N/m, N·s/m\], and a Q, `u_y` each \[N, m\], as in a scene.
+fn hysteretic(numbers: [([f64; 2], [f64; 2]); 4], per_axis: bool) -> String {
+    let leg = |([x, y], ([stiffness, damping], [force, yields])): ([f64; 2], ([f64; 2], [f64; 2]))| {
+        format!(
+            "{{ at_m = [{x:?}, {y:?}], stiffness_n_per_m = [{stiffness:?}, {stiffness:?}], \
+             damping_n_s_per_m = [{damping:?}, {damping:?}], yield_force_n = {force:?}, \
+             yield_displacement_m = {yields:?}, yields_per_axis = {per_axis} }}"
+        )
     };
-    LEGS.into_iter().zip(numbers).map(leg).collect()
+    let legs: Vec<String> = LEGS.into_iter().zip(numbers).map(leg).collect();
+    format!("bearings = [{}]", legs.join(", "))
 }
 
 fn supported(damping: f64) -> String {
@@ -112,11 +111,11 @@ fn supported(damping: f64) -> String {
 
 #[test]
 fn lead_rubber_bearings_are_those_of_an_independent_program() {
-    for (name, coupled) in [("b_skew60_coupled", true), ("b_skew60_uncoupled", false)] {
+    for (name, per_axis) in [("b_skew60_coupled", false), ("b_skew60_uncoupled", true)] {
         let numbers = [0.5, 0.45, 0.3, 0.35].map(|force| ([28.424_460_675_137_35, 0.5], [force, 0.0015]));
-        let scene = girder(60.0, "", [0.2, 2.0, 30.0], 5.0);
-        let history = agrees(name, &scene, hysteretic(numbers, coupled), 1e-10);
-        if coupled {
+        let scene = girder(60.0, &hysteretic(numbers, per_axis), [0.2, 2.0, 30.0], 5.0);
+        let history = agrees(name, &scene, Vec::new(), 1e-10);
+        if !per_axis {
             assert_eq!((0..4).map(|leg| history.link_phases(leg).len() - 1).sum::<usize>(), 156, "changes of phase");
         }
     }
@@ -125,9 +124,9 @@ fn lead_rubber_bearings_are_those_of_an_independent_program() {
 #[test]
 fn sliders_of_a_turning_girder_are_those_of_an_independent_program() {
     let [outer, inner] = [([23.535_96, 0.0], [0.353_039_4, 0.000_25]), ([15.690_64, 0.0], [0.235_359_6, 0.000_25])];
-    let start = format!("initial = {{ spin_deg_s = {:?} }}", 1.5f64.to_degrees());
-    let scene = girder(60.0, &start, [0.2, 1.7, 30.0], 5.0);
-    agrees("b_sliding", &scene, hysteretic([outer, inner, inner, outer], true), 5e-9);
+    let bearings = hysteretic([outer, inner, inner, outer], false);
+    let words = format!("initial = {{ spin_deg_s = {:?} }}\n{bearings}", 1.5f64.to_degrees());
+    agrees("b_sliding", &girder(60.0, &words, [0.2, 1.7, 30.0], 5.0), Vec::new(), 5e-9);
 }
 
 #[test]
@@ -267,13 +266,14 @@ fn free(velocity: f64, duration: f64) -> Scene {
 
 #[test]
 fn a_mass_on_a_bearing_that_yields_keeps_to_its_closed_form() {
-    // k₁ = 65, k₂ = 10 N/m, Q = 0.55 N, from rest with 0.15 m/s: the first yield, the greatest displacement, u without force.
-    let play = Play { stiffness: 55.0, force: 0.55 };
-    for hysteresis in [Hysteresis::Circle(play), Hysteresis::PerAxis([play; 2])] {
-        let bearing = HystereticBearing { stiffness: DVec2::splat(10.0), damping: DVec2::ZERO, hysteresis };
-        let device: Arc<dyn Device> = Arc::new(bearing);
-        let placed = ([0.0; 2], [0.0; 2], DMat3::IDENTITY, Kinematics::Linear, device);
-        let history = run(&free(0.15, 0.6), vec![placed]);
+    // k₁ = 65, k₂ = 10 N/m, Q = 0.55 N, from rest with 0.15 m/s: the first yield, the greatest displacement.
+    for per_axis in [false, true] {
+        let words = format!(
+            "initial = {{ velocity_m_s = [0.15, 0.0] }}\nbearings = [{{ at_m = [0.0, 0.0], \
+             stiffness_n_per_m = [10.0, 10.0], damping_n_s_per_m = [0.0, 0.0], yield_force_n = 0.55, \
+             yield_displacement_m = 0.01, yields_per_axis = {per_axis} }}]"
+        );
+        let history = run(&girder(90.0, &words, [0.0, 1.0, 0.0], 0.6), Vec::new());
         let times: Vec<f64> = history.link_phases(0)[1..].iter().map(|(t, _)| *t).filter(|t| *t > 0.0).collect();
         within("yield", times[0] - 0.068_385_882_714, 1e-11);
         within("turn", times[1] - 0.409_238_666_524, 1e-11);
@@ -331,4 +331,31 @@ fn a_damper_stops_a_mass_nearly_where_its_power_law_says() {
     let [coarse, fine] = [1e-3, 1e-4].map(reach);
     within("at 1e-4 m/s", fine, 1e-4);
     assert!(coarse.abs() > 20.0 * fine.abs(), "by the power 1 + α of v_r: {coarse} and {fine}");
+}
+
+#[test]
+fn half_a_yield_of_a_bearing_is_refused_and_the_impact_model_says_that_it_knows_none() {
+    let with = |yields: &str| {
+        format!(
+            "name = \"half\"\nduration_s = 0.1\n[[girder]]\nname = \"deck\"\nlength_m = 0.19\nwidth_m = 0.07\n\
+             thickness_m = 0.02\nmass_kg = 2.0\nbearings = [{{ at_m = [0.0, 0.0], stiffness_n_per_m = [9.0, 9.0], \
+             damping_n_s_per_m = [0.0, 0.0], {yields} }}]\n"
+        )
+    };
+    for (yields, key) in [
+        ("yield_force_n = 1.0", "yield_displacement_m"),
+        ("yield_displacement_m = 0.01", "yield_force_n"),
+        ("yields_per_axis = true", "yields_per_axis"),
+        ("yield_force_n = -1.0, yield_displacement_m = 0.01", "yield_force_n"),
+    ] {
+        let errors = validate(&scene(&with(yields))).expect_err(yields).to_string();
+        assert!(errors.contains(&format!("girder.deck.bearings[0].{key}")), "{yields}: {errors}");
+    }
+    let mut whole = scene(&with("yield_force_n = 1.0, yield_displacement_m = 0.01"));
+    whole.model.kind = ModelKind::Impact;
+    let mut session = Session::new(&whole).expect("a scene");
+    session.advance(whole.duration, &mut |_| true);
+    let history = session.finish();
+    let reason = &history.stop().expect("refused").reason;
+    assert!(reason.contains("bearings that yield"), "{reason}");
 }

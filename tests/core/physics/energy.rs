@@ -61,8 +61,7 @@ fn dashpots_alone_are_booked_over_a_long_flight() {
     let mut scene = presets::load("flush-free-hit").unwrap_or_else(|errors| panic!("{errors}"));
     scene.abutments.clear();
     scene.duration = 10.0;
-    let each =
-        girderbench::scene::Bearing { at: [0.0, 0.0], stiffness: [0.0; 3], damping: [100.0, 100.0, 0.0], height: None };
+    let each = girderbench::scene::Bearing::linear([0.0, 0.0], [0.0; 3], [100.0, 100.0, 0.0]);
     scene.girders[0].bearings = Some(girderbench::scene::Bearings::Each(vec![each]));
     let ledger = run(&scene).ledger(10.0);
     within("all of its energy is lost in the dashpots", ledger.loss_bearing / 0.25 - 1.0, 1e-11);

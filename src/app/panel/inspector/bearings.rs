@@ -3,10 +3,17 @@
 use egui::{RichText, Ui};
 
 use super::rows::{grid, note};
-use crate::app::field::{CLICK, Change, Place, act, number, optional, tag};
-use crate::app::unit::{HERTZ, PURE, Unit, damping_unit, length_unit, stiffness_unit};
+use crate::app::field::{CLICK, Change, Place, act, number, optional, switched, tag};
+use crate::app::unit::{HERTZ, PURE, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
-use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, SharedBearings};
+use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, SharedBearings};
+
+/// Q of all bearings per weight \[–\], and k₁/k₂ \[–\], of a lead-rubber bearing to begin with: usual Japanese values, from
+/// memory.
+const USUAL_FORCE: f64 = 0.07;
+const USUAL_RATIO: f64 = 6.5;
+/// Displacement at which a slider without a stiffness of its own yields to begin with \[m\].
+const SLIDER_YIELD: f64 = 5e-4;
 
 /// Shows a girder's bearings.
 pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
@@ -29,7 +36,8 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
             numbers.or(places).or(if each || gone { CLICK } else { None })
         }
         Some(Bearings::Each(each)) => {
-            let changed = list(ui, place, (kind, length, -0.5 * g.thickness), each);
+            let weight = g.mass * STANDARD_GRAVITY;
+            let changed = list(ui, place, (kind, length, -0.5 * g.thickness), weight, each);
             if each.is_empty() {
                 g.bearings = None;
             }
@@ -73,10 +81,8 @@ fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
         _ => None,
     };
     let single = |b: &crate::scene::ResolvedBearing| Bearing {
-        at: [b.place.x, b.place.y],
-        stiffness: b.stiffness,
-        damping: b.damping,
         height: height(g),
+        ..Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping)
     };
     Bearings::Each(resolved.iter().map(single).collect())
 }
@@ -143,14 +149,16 @@ fn list(
     ui: &mut Ui,
     place: Place<'_>,
     (kind, unit, underside): (Kind, Unit, f64),
+    weight: f64,
     each: &mut Vec<Bearing>,
 ) -> Option<Change> {
+    let first_yield = USUAL_FORCE * weight / each.len().max(1) as f64;
     let mut change = None;
     let mut gone = None;
     for (n, bearing) in each.iter_mut().enumerate() {
         super::rows::section(ui, &format!("{} {}", text::BEARING, n + 1), n == 0, |ui| {
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
-                let numbers = single(ui, place, kind, unit, n, bearing);
+                let numbers = single(ui, place, (kind, unit, first_yield), n, bearing);
                 let key = format!("bearings[{n}].height_m");
                 numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)))
             }));
@@ -171,7 +179,13 @@ fn list(
     change
 }
 
-fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &mut Bearing) -> Option<Change> {
+fn single(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (kind, unit, first_yield): (Kind, Unit, f64),
+    n: usize,
+    b: &mut Bearing,
+) -> Option<Change> {
     let at = format!("bearings[{n}].at_m");
     let [x, y] = &mut b.at;
     let mut changes =
@@ -184,7 +198,33 @@ fn single(ui: &mut Ui, place: Place<'_>, kind: Kind, unit: Unit, n: usize, b: &m
         changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k));
         changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c));
     }
+    changes.extend([yield_rows(ui, place, unit, n, b, first_yield)]);
     changes.into_iter().flatten().next()
+}
+
+/// Force and displacement of yield, if it has any, and whether each axis yields for itself. Both begin at `first`, as a bearing
+/// is commonly designed.
+fn yield_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, n: usize, b: &mut Bearing, first: f64) -> Option<Change> {
+    let key = |name: &str| format!("bearings[{n}].{name}");
+    let force = b.yield_force.unwrap_or(first);
+    let newton = force_unit(force / STANDARD_GRAVITY);
+    let yields = switched(ui, place, (&key("yield_force_n"), text::BEARING_YIELD), (&mut b.yield_force, first), newton);
+    if b.yield_force.is_none() {
+        (b.yield_displacement, b.per_axis) = (None, None);
+        return yields;
+    }
+    let elastic = (USUAL_RATIO - 1.0) * b.stiffness[0];
+    let at = b.yield_displacement.get_or_insert(if elastic > 0.0 { force / elastic } else { SLIDER_YIELD });
+    let moved = number(ui, place, (&key("yield_displacement_m"), text::BEARING_YIELDS_AT), at, unit);
+    let mut per_axis = b.per_axis == Some(true);
+    let response = ui.checkbox(&mut per_axis, text::BEARING_PER_AXIS);
+    let turned = tag(ui, &response, place, (&key("yields_per_axis"), text::BEARING_PER_AXIS)).changed();
+    ui.end_row();
+    if turned {
+        b.per_axis = per_axis.then_some(true);
+        return CLICK;
+    }
+    yields.or(moved)
 }
 
 /// Height of the attachment points, at the underside where it is not given; none in plan.
