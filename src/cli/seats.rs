@@ -70,11 +70,11 @@ fn turning(seat: &SeatReport) -> Option<String> {
     ))
 }
 
-fn row(demand: &DemandReport) -> String {
+fn row(DemandReport { demand, met, .. }: &DemandReport) -> String {
     let assumed = demand.inputs.iter().any(|input| input.source == Source::Assumed);
     let marks =
         [(!demand.confirmed, "*"), (assumed, "°")].map(|(marked, mark)| if marked { mark } else { "" }).concat();
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(|metres| 1e3 * metres);
-    let verdict = if demand.met { "" } else { "  too short" };
+    let verdict = if *met { "" } else { "  too short" };
     format!("    {:<39} {needed:>8.1} {there:>8.1} {used:>8.1}{verdict}\n", format!("{} {marks}", demand.rule))
 }

@@ -76,7 +76,7 @@ impl Input {
 }
 
 /// A length of seat that a code requires, square to the front edge of the seat.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Demand {
     /// Code and symbol.
     pub rule: &'static str,

@@ -21,6 +21,8 @@ pub struct Frame {
     pub shift: DVec3,
     /// Rotation since placed less the identity: `D` of `R = (1 + D) R₀` \[–\].
     pub turned: DMat3,
+    /// Rotation about the vertical since placed with its whole turns, of a motion in plan; 0 in space \[rad\].
+    pub heading: f64,
     /// Velocity of G \[m/s\].
     pub velocity: DVec3,
     /// Angular velocity \[rad/s\].
@@ -33,7 +35,7 @@ impl Frame {
     /// A body at rest as placed, with G at `home`.
     pub fn fixed(home: DVec3) -> Self {
         let still = DVec3::ZERO;
-        Self { home, shift: still, turned: DMat3::ZERO, velocity: still, spin: still, level: true }
+        Self { home, shift: still, turned: DMat3::ZERO, heading: 0.0, velocity: still, spin: still, level: true }
     }
 
     /// Position of G \[m\].

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
-use crate::scene::{ContactSettings, Kind, Limits};
+use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport};
@@ -80,12 +80,21 @@ pub(super) fn scene(history: &History) -> String {
             trimmed(girder.thickness),
             trimmed(girder.skew_deg),
             trimmed(girder.mass / 1e3),
-            body.bearings.len(),
+            bearings(girder, body.bearings.len()),
             seats.join(", ")
         );
     }
     html.push_str("</table>\n");
     html
+}
+
+/// How many bearings a girder has, and how many of them yield: its frequencies are those after yield.
+fn bearings(girder: &Girder, count: usize) -> String {
+    let Some(Bearings::Each(each)) = &girder.bearings else { return count.to_string() };
+    match each.iter().filter(|bearing| bearing.yielding().is_some()).count() {
+        0 => count.to_string(),
+        yielding => format!("{count}, {yielding} of them yield (frequencies: after yield)"),
+    }
 }
 
 /// What is assumed: of the model, numbers that stand at the program's default, inputs of codes that the scene does not give.
@@ -112,7 +121,7 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
         items.push("contact stiffness of a pair: E A/L of what touches, or its own; <b class=\"part\">assumed</b> where no number is given".to_owned());
     }
     let mut inputs: Vec<String> = Vec::new();
-    for demand in report.seats.iter().flat_map(|seat| &seat.codes) {
+    for DemandReport { demand, .. } in report.seats.iter().flat_map(|seat| &seat.codes) {
         let assumed = demand.inputs.iter().filter(|input| input.source == Source::Assumed);
         let values: Vec<String> = assumed.map(input_words).collect();
         let words = format!("{}: {} <b class=\"part\">assumed</b>", escape(demand.rule), values.join(", "));
@@ -229,7 +238,7 @@ fn input_words(input: &Input) -> String {
     format!("{} = {}{space}{}", escape(input.symbol), trimmed(input.value), input.unit)
 }
 
-fn demand_row(demand: &DemandReport) -> String {
+fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
     let inputs: Vec<String> = demand
         .inputs
         .iter()
@@ -238,8 +247,7 @@ fn demand_row(demand: &DemandReport) -> String {
             format!("{} <span class=\"{class}\">({})</span>", input_words(input), input.source.label())
         })
         .collect();
-    let verdict =
-        if demand.met { "<span class=\"yes\">long enough</span>" } else { "<span class=\"no\">too short</span>" };
+    let verdict = if *met { "<span class=\"yes\">long enough</span>" } else { "<span class=\"no\">too short</span>" };
     let confirmed = if demand.confirmed { "" } else { " <b class=\"part\">not confirmed: quoted from memory</b>" };
     format!(
         "<tr><td>{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td>\
@@ -248,7 +256,7 @@ fn demand_row(demand: &DemandReport) -> String {
         1e3 * demand.required,
         1e3 * demand.provided,
         1e3 * demand.used,
-        demand.ratio,
+        ratio,
         escape(demand.edition),
         escape(demand.formula),
         inputs.join(", "),

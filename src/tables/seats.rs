@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::codes::{self, Demand, Input, RotationCondition, SeatDemands, rotation_to_zero};
+use crate::codes::{self, Demand, RotationCondition, SeatDemands, rotation_to_zero};
 use crate::geometry::Prism;
 use crate::scene::Girder;
 use crate::sim::History;
@@ -44,27 +44,12 @@ pub struct SeatReport {
     pub codes: Vec<DemandReport>,
 }
 
-/// A length of seat that a code requires, square to the front edge.
+/// A length of seat that a code requires, square to the front edge, and what the run makes of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DemandReport {
-    /// Code and symbol.
-    pub rule: &'static str,
-    /// Edition that it is quoted from.
-    pub edition: &'static str,
-    /// The formula in a line.
-    pub formula: &'static str,
-    /// Whether the formula was read in that edition; otherwise it is quoted from memory.
-    pub confirmed: bool,
-    /// What direction and numbers rest on.
-    pub note: &'static str,
-    /// What it depends on, each value with where it is from.
-    pub inputs: Vec<Input>,
-    /// Required \[m\].
-    pub required: f64,
-    /// Provided: the seat as placed \[m\].
-    pub provided: f64,
-    /// Used: placed less least \[m\].
-    pub used: f64,
+    /// What is required, there and used.
+    #[serde(flatten)]
+    pub demand: Demand,
     /// Used in parts of required.
     pub ratio: f64,
     /// Whether as much is provided as is required.
@@ -129,19 +114,7 @@ impl SeatReport {
 
 impl DemandReport {
     fn of(demand: &Demand) -> Self {
-        Self {
-            rule: demand.rule,
-            edition: demand.edition,
-            formula: demand.formula,
-            confirmed: demand.confirmed,
-            note: demand.note,
-            inputs: demand.inputs.clone(),
-            required: demand.required,
-            provided: demand.provided,
-            used: demand.used,
-            ratio: demand.ratio(),
-            met: demand.is_met(),
-        }
+        Self { demand: demand.clone(), ratio: demand.ratio(), met: demand.is_met() }
     }
 }
 

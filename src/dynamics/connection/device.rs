@@ -98,13 +98,13 @@ pub enum SwitchUnit {
 /// Equation of motion of the first number `m` that a law remembers: `ṁ = rate`, with `m` in a unit of the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Evolution {
-    /// `ṁ` \[1/s per unit of m\].
+    /// `ṁ` \[unit of m/s\].
     pub rate: f64,
     /// `∂ṁ/∂m` \[1/s\], not positive.
     pub decay: f64,
-    /// Change of the force per unit of `m` \[N\], in the link's axes.
+    /// Change of the force per `m` \[N/unit of m\], in the link's axes.
     pub force: DVec3,
-    /// Change of `ṁ` per unit of relative velocity \[1/m\], in the link's axes.
+    /// Change of `ṁ` per relative velocity \[unit of m/m\], in the link's axes.
     pub drive: DVec3,
 }
 

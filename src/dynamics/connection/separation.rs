@@ -40,9 +40,8 @@ impl Separation {
     fn linear(frames: [&Frame; 2], arms: [DVec3; 2], placed: DVec3, axes: &DMat3) -> (Self, [DVec3; 2]) {
         let [(moved, rate), (other_moved, other_rate)] = [0, 1].map(|i| {
             let frame = frames[i];
-            let angle = frame.turned.x_axis.y.atan2(1.0 + frame.turned.x_axis.x);
             let across = DVec3::Z.cross(arms[i]);
-            (frame.shift + across * angle, frame.velocity + across * frame.spin.z)
+            (frame.shift + across * frame.heading, frame.velocity + across * frame.spin.z)
         });
         let into_axes = axes.transpose();
         let separation =
@@ -59,8 +58,7 @@ pub enum Kinematics {
     Points,
     /// Points at their true places, axes that turn with the body of the second point.
     Carried,
-    /// Linear in the rotation about the vertical, arms as placed: planar bearings (`docs/physics.md#bearings`). The rotation is
-    /// taken within half a turn.
+    /// Linear in the rotation about the vertical, arms as placed: planar bearings (`docs/physics.md#bearings`).
     Linear,
 }
 

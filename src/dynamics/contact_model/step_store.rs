@@ -4,6 +4,7 @@
 //! memory and microseconds to read. A run stores polynomials up to the memory limit of the model and initial states
 //! from then on.
 
+use crate::dynamics::integrator::dense_output::DenseOutput;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
@@ -96,6 +97,7 @@ impl StepStore {
         }
         for (index, link) in island.system.links.iter().enumerate() {
             if let Some(memory) = island.memory_path(index) {
+                self.polynomials += size_of::<(f64, DenseOutput)>() + size_of_val(memory.coefficients());
                 world.links[link.track].log.memories.push((from, memory));
             }
         }

@@ -63,8 +63,7 @@ impl Device for ViscousDamper {
     }
 
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
-        let line = Line::of(motion);
-        [-line.elongation.abs(), -line.rate.abs()]
+        Line::of(motion).gap()
     }
 
     fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {

@@ -24,6 +24,11 @@ impl Line {
         let elongation = motion.moved.dot(vector + motion.placed) / lengths.max(f64::MIN_POSITIVE);
         Self { direction, elongation, rate: direction.dot(motion.rate) }
     }
+
+    /// Gap of a device that acts at any length, less its deformation, and the rate of it \[m, m/s\].
+    pub(super) fn gap(&self) -> [f64; 2] {
+        [-self.elongation.abs(), -self.rate.abs()]
+    }
 }
 
 #[cfg(test)]

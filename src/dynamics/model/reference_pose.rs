@@ -58,7 +58,8 @@ impl ReferencePose {
 
     /// The pose there, at rest; all that is counted from it is independent of where the body was placed.
     pub(in crate::dynamics) fn pose(&self) -> Frame {
-        Frame { shift: self.shift, turned: self.turned, level: self.level, ..Frame::fixed(DVec3::ZERO) }
+        let (shift, turned, heading) = (self.shift, self.turned, self.angle);
+        Frame { shift, turned, heading, level: self.level, ..Frame::fixed(DVec3::ZERO) }
     }
 
     /// The pose since the body was placed, of one counted from here.
@@ -68,7 +69,7 @@ impl ReferencePose {
         let (here, before) = (&since.turned, &self.turned);
         // (1 + d)(1 + D) = 1 + D + d + d D.
         let turned = if *before == DMat3::ZERO { *here } else { *before + (*here + *here * *before) };
-        Frame { shift, turned, ..*since }
+        Frame { shift, turned, heading: self.angle + since.heading, ..*since }
     }
 
     /// How many numbers say where it is, unless it is where the body was placed.

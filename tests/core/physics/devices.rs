@@ -334,6 +334,28 @@ fn a_damper_stops_a_mass_nearly_where_its_power_law_says() {
 }
 
 #[test]
+fn a_bearing_that_does_not_reach_its_yield_is_linear_over_whole_turns() {
+    // k₂ = 90 N/m and Q/u_y = 1000 N/m against k = 1090 N/m, beside G, so that it is wound up by the rotation.
+    let with = |stiffness: f64, yields: &str| {
+        let words = format!(
+            "initial = {{ velocity_m_s = [0.1, 0.0], spin_deg_s = 9000 }}\nbearings = [{{ at_m = [0.02, 0.01], \
+             stiffness_n_per_m = [{stiffness}, {stiffness}], damping_n_s_per_m = [0.1, 0.1]{yields} }}]"
+        );
+        run(&girder(90.0, &words, [0.1, 2.0, 30.0], 1.0), Vec::new())
+    };
+    let linear = with(1090.0, "");
+    let elastic = with(90.0, ", yield_force_n = 1e6, yield_displacement_m = 1e3");
+    let turned = (0..=200).map(|i| linear.motion(0, 0.005 * f64::from(i)).theta.abs()).fold(0.0, f64::max);
+    assert!(turned > std::f64::consts::TAU, "more than a turn, {turned} rad");
+    for i in 0..=200 {
+        let t = 0.005 * f64::from(i);
+        let [one, other] = [&linear, &elastic].map(|history| history.motion(0, t));
+        within(&format!("place at {t}"), (one.displacement - other.displacement).length(), 1e-10);
+        within(&format!("rotation at {t}"), one.theta - other.theta, 1e-8);
+    }
+}
+
+#[test]
 fn half_a_yield_of_a_bearing_is_refused_and_the_impact_model_says_that_it_knows_none() {
     let with = |yields: &str| {
         format!(

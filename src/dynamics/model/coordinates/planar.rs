@@ -106,6 +106,7 @@ fn frame(home: DVec3, height: f64, [x, y, angle, u, v, spin]: &PlanarState) -> F
         home,
         shift: DVec3::new(*x, *y, height),
         turned: turned(*angle),
+        heading: *angle,
         velocity: DVec3::new(*u, *v, 0.0),
         spin: DVec3::new(0.0, 0.0, *spin),
         level: true,

@@ -107,6 +107,7 @@ impl Coordinates for Spatial {
             home: body.home,
             shift: DVec3::new(state[0], state[1], state[2]),
             turned: turned_by(turn(state)),
+            heading: 0.0,
             velocity: DVec3::from_slice(&state[VELOCITY]),
             spin: DVec3::from_slice(&state[SPIN]),
             level: false,
