@@ -14,6 +14,7 @@ mod crowd;
 mod devices;
 mod exaggerated;
 mod forces;
+mod framing;
 mod friction_circle;
 mod friction_cone;
 pub mod gap;
@@ -37,6 +38,7 @@ mod texts;
 
 pub use bounds::Bounds;
 pub use camera::{Basis, Camera, Projection};
+pub use framing::{InView, in_view};
 pub use input::{MOST_KEPT, Target, ViewInput};
 pub use list::{Background, DrawList};
 pub use moment::Moment;

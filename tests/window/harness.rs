@@ -12,6 +12,9 @@ use glam::DVec3;
 /// Time that one frame of the harness takes \[s\].
 pub(crate) const FRAME: f32 = 0.02;
 
+/// Frames in which the window comes to rest, a camera on its way among them.
+const MOST_FRAMES: u64 = 32;
+
 /// The workbench on a preset, its first run done, at 1280×720.
 pub(crate) fn open(preset: &str) -> Harness<'static, Workbench> {
     let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench(preset));
@@ -29,7 +32,7 @@ pub(crate) fn bench(preset: &str) -> Workbench {
 
 /// A harness whose inside is a window of this size: the harness itself keeps 8 points on every side.
 pub(crate) fn builder(size: [f32; 2]) -> egui_kittest::HarnessBuilder<Workbench> {
-    Harness::builder().with_size([size[0] + 16.0, size[1] + 16.0]).with_step_dt(FRAME)
+    Harness::builder().with_size([size[0] + 16.0, size[1] + 16.0]).with_step_dt(FRAME).with_max_steps(MOST_FRAMES)
 }
 
 /// The whole window.

@@ -13,6 +13,8 @@ mod files;
 #[cfg(feature = "ui-tests")]
 mod film;
 #[cfg(feature = "ui-tests")]
+mod framing;
+#[cfg(feature = "ui-tests")]
 #[path = "../pictures/golden.rs"]
 mod golden;
 #[cfg(feature = "ui-tests")]

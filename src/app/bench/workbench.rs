@@ -56,7 +56,7 @@ impl Workbench {
     /// Runs the scene if it is another one than before.
     pub(super) fn run(&mut self) {
         let document = &self.files.document;
-        self.replay.follow(document.revision(), document.scene());
+        self.replay.follow((document.revision(), document.work()), document.scene());
     }
 
     /// Tells who is to be woken when a thread has news; the window's event loop.

@@ -20,6 +20,8 @@ struct Origin {
     source: SceneSource,
     /// What is on the disk, unless something else is by now.
     saved: Option<Scene>,
+    /// Tells the scene that was opened from every other one; saving it goes on with it.
+    work: u64,
 }
 
 /// A scene with its past, and what is selected in it: nothing that the scene does not have.
@@ -36,7 +38,7 @@ pub struct Document {
 impl Document {
     /// A scene as it was read.
     pub(in crate::app) fn new(scene: Scene, source: SceneSource) -> Self {
-        let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()) }];
+        let origins = vec![Origin { id: 0, depth: 0, source, saved: Some(scene.clone()), work: 0 }];
         Self { scene, selection: Selection::default(), steps: UndoStack::default(), origins, begun: 1, revision: 0 }
     }
 
@@ -94,6 +96,11 @@ impl Document {
     /// Tells what this stretch of the past was opened from or saved to from every other.
     pub(in crate::app) fn origin_id(&self) -> u64 {
         self.origin().map_or(0, |o| o.id)
+    }
+
+    /// Tells the scene that is worked on from every other that was opened before or after it, wherever it is saved.
+    pub(in crate::app) fn work(&self) -> u64 {
+        self.origin().map_or(0, |o| o.work)
     }
 
     /// What undo would take back.
@@ -202,20 +209,20 @@ impl Document {
     pub(in crate::app) fn open(&mut self, scene: Scene, source: SceneSource) -> Result<(), EditError> {
         self.edit(Edit::Scene(Box::new(scene.clone())), None)?;
         self.selection.only(None);
-        self.begin(source, scene);
+        self.begin(source, scene, self.begun);
         Ok(())
     }
 
     /// It is on the disk now.
     pub(in crate::app) fn saved_as(&mut self, file: PathBuf) {
-        self.begin(SceneSource::File(file), self.scene.clone());
+        self.begin(SceneSource::File(file), self.scene.clone(), self.work());
         self.steps.seal();
     }
 
-    fn begin(&mut self, source: SceneSource, saved: Scene) {
+    fn begin(&mut self, source: SceneSource, saved: Scene, work: u64) {
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth < depth);
-        self.origins.push(Origin { id: self.begun, depth, source, saved: Some(saved) });
+        self.origins.push(Origin { id: self.begun, depth, source, saved: Some(saved), work });
         self.begun += 1;
     }
 }

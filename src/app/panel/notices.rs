@@ -33,7 +33,8 @@ pub(in crate::app) fn over_view(ui: &mut Ui, rect: Rect, (runner, tool): (&Runne
         plate(ui, rect, "progress", |ui| computing(ui, progress, out));
     } else if runner.is_stale() {
         plate(ui, rect, "cancelled", |ui| {
-            ui.add(egui::Label::new(text::CANCELLED).wrap());
+            let words = if runner.answer().is_some() { text::CANCELLED } else { text::CANCELLED_AT_ONCE };
+            ui.add(egui::Label::new(words).wrap());
         });
     } else if let Some(stop) = runner.answer().and_then(|a| a.history.stop()) {
         let words = format!("{} ({} s): {} — {}", text::STOPPED_EARLY, text::short(stop.t), stop.place, stop.reason);

@@ -184,6 +184,11 @@ impl Runner {
         Job { cancel, reached, duration, done }
     }
 
+    /// Lets go of the answer: another scene is about to be run.
+    pub(in crate::app) fn forget(&mut self) {
+        (self.answer, self.job, self.given_up) = (None, None, false);
+    }
+
     /// Stops the run on a thread; the last good answer stays, and is an older scene's.
     pub(in crate::app) fn cancel(&mut self) {
         self.given_up = self.job.take().is_some();

@@ -70,6 +70,7 @@ pub(super) const VIEW: &str = "3D view";
 pub(super) const COMPUTING: &str = "Computing";
 pub(super) const CANCEL: &str = "Cancel";
 pub(super) const CANCELLED: &str = "Stopped: the picture shows the last finished run. Change anything to run again.";
+pub(super) const CANCELLED_AT_ONCE: &str = "Stopped: the scene is shown as placed. Change anything to run again.";
 pub(super) const PROBLEM: &str = "This scene cannot be run; the last good answer is still shown";
 pub(super) const PROBLEM_AT_ONCE: &str = "This scene cannot be run";
 pub(super) const STOPPED_EARLY: &str = "The run ended early";

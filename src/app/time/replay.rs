@@ -12,15 +12,19 @@ pub struct Replay {
     pub runner: Runner,
     /// The time shown, and the window of time.
     pub playback: Playback,
-    /// Revision of the scene that was run last; none was.
-    run: Option<u64>,
+    /// Revision of the scene that was run last, and which scene it is of those that were opened; none was.
+    run: Option<(u64, u64)>,
 }
 
 impl Replay {
-    /// Runs a scene whose revision is another than the one that was run last, and keeps the time inside its answer.
-    pub(in crate::app) fn follow(&mut self, revision: u64, scene: &Scene) {
-        if self.run != Some(revision) {
-            self.run = Some(revision);
+    /// Runs a scene whose revision is another than the one that was run last, and keeps the time inside its answer. The
+    /// answer of another `work` is not shown over it meanwhile.
+    pub(in crate::app) fn follow(&mut self, (revision, work): (u64, u64), scene: &Scene) {
+        let run = self.run.replace((revision, work));
+        if run.is_none_or(|(before, _)| before != revision) {
+            if run.is_some_and(|(_, before)| before != work) {
+                self.runner.forget();
+            }
             self.runner.start(scene);
             self.playback.keep_inside(self.end());
         }
@@ -63,17 +67,17 @@ mod tests {
     fn a_scene_is_run_once_for_a_revision_and_the_time_stays_in_its_answer() {
         let scene = presets::load(presets::OPENING).expect("ships");
         let mut replay = Replay::default();
-        replay.follow(0, &scene);
+        replay.follow((0, 0), &scene);
         replay.runner.wait();
         let first = replay.runner.answer().expect("it runs").number;
-        replay.follow(0, &scene);
+        replay.follow((0, 0), &scene);
         assert_eq!(replay.runner.answer().map(|a| a.number), Some(first), "run already");
         replay.apply(TimeCommand::Seek(f64::INFINITY));
         assert_eq!(replay.t(), scene.duration, "no further than its end");
         let shorter = Scene { duration: 0.5 * scene.duration, ..scene };
-        replay.follow(1, &shorter);
+        replay.follow((1, 0), &shorter);
         replay.runner.wait();
-        replay.follow(2, &shorter);
+        replay.follow((2, 0), &shorter);
         assert_eq!((replay.end(), replay.t()), (shorter.duration, shorter.duration), "inside the shorter run");
         assert_eq!(replay.stretch(), [0.0, shorter.duration], "all of it");
     }
@@ -82,7 +86,7 @@ mod tests {
     fn without_an_answer_the_scene_says_how_long_it_is() {
         let scene = Scene { girders: Vec::new(), duration: 7.0, ..presets::load(presets::OPENING).expect("ships") };
         let mut replay = Replay::default();
-        replay.follow(0, &scene);
+        replay.follow((0, 0), &scene);
         assert!(replay.runner.answer().is_none() && replay.runner.problems().is_some(), "an abutment before nothing");
         assert_eq!(replay.end(), 7.0, "what the scene asks for");
         replay.advance(1.0);

@@ -4,6 +4,7 @@ pub(in crate::app) mod blit;
 pub(in crate::app) mod display;
 pub(in crate::app) mod eye;
 pub(in crate::app) mod gizmo;
+mod glide;
 pub(in crate::app) mod hand;
 pub(in crate::app) mod mouse;
 pub(in crate::app) mod picture;

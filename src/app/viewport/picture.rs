@@ -6,6 +6,7 @@ use egui::{Pos2, Rect};
 use glam::DVec3;
 
 use crate::app::viewport::eye::ndc;
+use crate::app::viewport::glide::Glide;
 use crate::app::viewport::hand::Hand;
 use crate::app::viewport::seen::Seen;
 use crate::scene::{Overlays, Scene, ViewPreset};
@@ -33,6 +34,7 @@ pub(super) struct Key {
 pub struct Viewport {
     pub(super) camera: Option<Camera>,
     wanted: Option<ViewPreset>,
+    glide: Glide,
     pub(super) picture: Option<(Key, Arc<DrawList>)>,
     pub(super) number: u64,
     pub(super) size: [u32; 2],
@@ -50,6 +52,7 @@ impl Viewport {
         Self {
             camera: None,
             wanted: Some(preset),
+            glide: Glide::default(),
             picture: None,
             number: 0,
             size: [1280, 720],
@@ -91,6 +94,7 @@ impl Viewport {
 
     /// Goes where the mouse has brought it.
     pub(in crate::app) fn set_camera(&mut self, camera: Camera) {
+        self.glide.stop();
         self.camera = Some(camera);
     }
 
@@ -107,13 +111,29 @@ impl Viewport {
     /// Frames a box without turning.
     pub(in crate::app) fn frame(&mut self, bounds: Bounds) {
         let aspect = self.aspect();
+        self.glide.stop();
         if let Some(camera) = &mut self.camera {
             camera.frame(bounds, aspect);
         }
     }
 
+    /// Goes out for `dt` \[s\] when an edit has taken the scene out of view, unless a hand holds something in it; whether
+    /// it is still on its way.
+    pub(super) fn keep_in_view(&mut self, seen: &Seen<'_>, dt: f64) -> bool {
+        let (Some(camera), aspect) = (self.camera, self.aspect()) else { return false };
+        // An older answer is shown with its own scene, which no edit has moved.
+        if self.hand.held.is_none() && (!seen.is_stale() || seen.answer().is_none()) {
+            self.glide.judge(&camera, (seen.scene, seen.revision), aspect);
+        }
+        if let Some(camera) = self.glide.advance(dt) {
+            self.camera = Some(camera);
+        }
+        self.glide.is_on_its_way()
+    }
+
     pub(super) fn go_where_wanted(&mut self, scene: &Scene, history: Option<&History>, t: f64) {
         let Some(preset) = self.wanted.take() else { return };
+        self.glide.begin_anew();
         let aspect = self.aspect();
         self.camera = Some(match (preset, history) {
             (ViewPreset::Contact, Some(history)) => Camera::contact(history, t, aspect),

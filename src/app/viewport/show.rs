@@ -36,6 +36,9 @@ pub(in crate::app) fn begin(
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, text::VIEW));
     viewport.size = pixels(rect, pixels_per_point)?;
     aim(viewport, seen);
+    if viewport.keep_in_view(seen, f64::from(ui.input(|i| i.stable_dt))) {
+        ui.request_repaint();
+    }
     mouse::interact(ui, &response, (viewport, seen), out);
     Some(response)
 }
