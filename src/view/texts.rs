@@ -136,7 +136,8 @@ pub(super) fn gap_values(
     dimensions.iter().filter_map(label).flat_map(|l| placer.place(&l)).collect()
 }
 
-/// The size of the force without dashpots at the hardest contacts, beside the tip of its arrow or the contact.
+/// The force at the hardest contacts, all of it, beside the tip of the arrow or the contact; where the arrow, without
+/// dashpots, is another, that is said too.
 pub(super) fn force_values(
     input: &ViewInput<'_>,
     moment: &Moment,
@@ -146,7 +147,7 @@ pub(super) fn force_values(
 ) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let mut hardest: Vec<_> = moment.contacts.iter().collect();
-    hardest.sort_by(|a, b| b.elastic_force().length().total_cmp(&a.elastic_force().length()));
+    hardest.sort_by(|a, b| b.force.length().total_cmp(&a.force.length()));
     let label = |c: &&crate::sim::ContactNow| {
         let tip = forces.arrows.iter().find(|a| a.contact == c.contact && a.kind == ArrowKind::Resultant);
         let node = pixel(input, c.point)?;
@@ -154,7 +155,9 @@ pub(super) fn force_values(
         // Beyond the tip, else beside it.
         let beyond = (at - node).try_normalize();
         let directions = beyond.into_iter().chain(BESIDE.iter().copied()).collect();
-        let text = format!("{}, {}", scale::force(c.elastic_force().length()), c.state.label());
+        let [whole, without] = [c.force, c.elastic_force()].map(|force| scale::force(force.length()));
+        let aside = if whole == without { String::new() } else { format!(" ({without} without dashpots)") };
+        let text = format!("{whole}, {}{aside}", c.state.label());
         let (color, plate) = (palette.ink, palette.plate);
         Some(Label { at, clear: 6.0 * ppp, text, size: TEXT * ppp, color, plate, directions })
     };

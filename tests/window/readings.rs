@@ -1,13 +1,14 @@
 //! Panels of any quantity, plots as files, limits and their flags, readings at the girder.
 
-use super::harness::{open, reach, settle};
+use super::harness::{open, press, reach, settle};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{EditCommand, FileCommand, SelectCommand, WindowCommand, Workbench};
+use girderbench::app::{EditCommand, FileCommand, SelectCommand, TimeCommand, WindowCommand, Workbench};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::{Limits, PlotSettings, presets};
+use girderbench::sim::quantity::{OfPair, Quantity};
 use girderbench::view::Target;
 
 type Window = Harness<'static, Workbench>;
@@ -151,4 +152,56 @@ fn seats_are_shown_with_codes_and_the_report_is_written() {
     }
     let text = std::fs::read_to_string(page).expect("written");
     assert!(text.contains("A corner comes off its seat: deck+x at "), "the run of the window");
+}
+
+/// What stands behind a name in a table of the panel.
+fn behind(harness: &Window, name: &str) -> String {
+    let labels = harness.root().children_recursive().map(|n| n.accesskit_node().value().or(n.accesskit_node().label()));
+    let labels: Vec<String> = labels.flatten().collect();
+    let at = labels.iter().position(|label| label == name).unwrap_or_else(|| panic!("no {name} in {labels:?}"));
+    labels[at..].iter().find(|label| *label != name).expect("something").clone()
+}
+
+/// The number of newtons that a text begins with.
+fn newtons(words: &str) -> f64 {
+    let mut parts = words.split([' ', ',']);
+    let number: f64 = parts.next().and_then(|n| n.parse().ok()).unwrap_or_else(|| panic!("no number: {words}"));
+    let unit = parts.next().unwrap_or_default();
+    number * [("N", 1.0), ("kN", 1e3), ("MN", 1e6)].iter().find(|(name, _)| *name == unit).expect("newtons").1
+}
+
+#[test]
+fn view_panel_and_plots_tell_one_force_and_name_the_other() {
+    let mut harness = open("deck-30m");
+    let answer = harness.state().replay.runner.answer().expect("run").clone();
+    // Just after it has closed the dashpot pushes hardest beside the spring.
+    let touch = *answer.history.hardest().expect("a hit");
+    let at = |i: u32| touch.start + (touch.end - touch.start) * f64::from(i) / 50.0;
+    let force = |t: f64| {
+        answer
+            .history
+            .contact_at(touch.contact, t)
+            .map_or([0.0; 2], |c| [c.force, c.elastic_force()].map(glam::DVec3::length))
+    };
+    let apart = |t: f64| force(t)[0] - force(t)[1];
+    let t = (1..50).map(at).max_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("instants");
+    let [whole, elastic] = force(t);
+    assert!(whole > 1.2 * elastic, "an instant at which they differ: {whole} N, {elastic} N");
+    harness.state_mut().apply(TimeCommand::Seek(t));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Contact(touch.contact))));
+    settle(&mut harness);
+    press(&mut harness, "Contact");
+    let same = |words: &str, wanted: f64| (newtons(words) / wanted - 1.0).abs() < 5e-3;
+    let list = harness.state().view.viewport.list().expect("shown").to_string();
+    let said = list.split('"').filter(|words| words.contains(" without dashpots)"));
+    let said: Vec<&str> = said.filter(|words| same(words, whole)).collect();
+    let said = said.first().unwrap_or_else(|| panic!("a label of {whole} N in the view: {list}"));
+    assert!(same(said.split('(').nth(1).expect("the other"), elastic), "and the other by its name: {said}");
+    assert!(same(&behind(&harness, "force |R|"), whole), "so in the panel: {}", behind(&harness, "force |R|"));
+    assert!(same(&behind(&harness, "without dashpots"), elastic), "and the other by its name");
+    let plotted = Quantity::Pair(touch.pair, OfPair::Force).at(&answer.history, t);
+    assert!(
+        plotted >= whole && (plotted / whole - 1.0).abs() < 0.2,
+        "the plot has the largest of the pair's: {plotted}"
+    );
 }

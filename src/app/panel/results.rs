@@ -108,18 +108,19 @@ pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize,
     touches(ui, answer, contact, t, out);
 }
 
-fn rows(c: &ContactNow) -> [(&'static str, String); 11] {
+fn rows(c: &ContactNow) -> [(&'static str, String); 12] {
     let newtons = text::force;
     let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
     let stretch = c.point + c.normal * c.penetration - c.anchor;
     [
         (text::STATE, c.state.label().to_owned()),
+        (text::WHOLE_FORCE, newtons(c.force.length())),
+        (text::ELASTIC_FORCE, newtons(c.elastic_force().length())),
         (text::NORMAL_SPRING, newtons(c.normal_force)),
         (text::TANGENTIAL_SPRING, newtons(c.tangential_force.length())),
         (text::FORCE_RATIO, text::one_of(&text::short(used), &text::short(c.mu_static))),
         (text::CONE_USED, format!("{} %", text::short(100.0 * c.cone_use()))),
         (text::DASHPOTS, newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
-        (text::WHOLE_FORCE, newtons(c.force.length())),
         (text::OVERLAP, format!("{} µm", text::short(c.penetration * 1e6))),
         (text::ANCHOR_OFF, format!("{} µm", text::short(stretch.length() * 1e6))),
         (text::CLOSING, format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),

@@ -100,7 +100,7 @@ pub(super) const ALL_TIME_HINT: &str = "Show the whole run (double click)";
 pub(super) const PLOT_PLACE: &str = "{x}x  {y}y  {}[mm]";
 pub(super) const PLOT_PLACE_BOTH: &str = "{x}x  {y}y  {}[mm]  dotted: impact model";
 pub(super) const PLOT_THETA: &str = "{t}θ  {}[°]";
-pub(super) const PLOT_FORCE: &str = "{f}contact force";
+pub(super) const PLOT_FORCE: &str = "{f}contact force |R|";
 
 // What is placed.
 pub(super) const OUTLINER: &str = "Placed";
@@ -220,7 +220,7 @@ pub(super) const AUTO_SCALE: &str = "Scale from peak";
 pub(super) const STATUS: [(&str, &str); 7] = [
     ("moves", "largest displacement of any girder"),
     ("turns", "largest rotation of any girder"),
-    ("peak", "largest force of any contact"),
+    ("peak", "largest force |R| of any contact, dashpots included"),
     ("hits", "touches of a pair, from the first closing to the last opening"),
     ("ledger", "what the energy balance leaves over, of the largest energy in play"),
     ("error", "largest displacement difference from a run at a hundredth of the tolerance"),
