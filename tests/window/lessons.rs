@@ -3,7 +3,7 @@
 use super::harness::{on_screen, open, press, settle, view};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{Command, EditCommand, FileCommand, Learn, Workbench, lessons};
 use girderbench::scene::{ViewPreset, presets};
 use glam::DVec3;
@@ -93,4 +93,20 @@ fn a_thing_to_try_finds_its_scene_again() {
     let mut tried = lessons()[0].scene().expect("good");
     lessons()[0].tries[0].edit().apply(&mut tried).expect("it fits");
     assert_eq!(*harness.state().files.document.scene(), tried, "the lesson's scene first, then what is tried");
+}
+
+#[test]
+fn a_touch_that_begins_with_the_run_has_its_bar_from_the_start() {
+    let mut harness = open(presets::OPENING);
+    learn(&mut harness, "Stick and slip");
+    let answer = harness.state().replay.runner.answer().expect("run").clone();
+    let (end, resting) = (answer.history.end(), answer.history.contacts(0.0).len());
+    assert!(resting > 0, "the block lies on its face from the beginning");
+    let told = harness.get_by_role_and_label(Role::Slider, "Timeline").accesskit_node().description();
+    assert_eq!(
+        told.as_deref(),
+        Some(format!("{resting} bars: {} s of stick, 0 s of slip", resting as f64 * end).as_str()),
+        "all stick"
+    );
+    assert!(answer.spans.iter().all(|bar| (bar.start, bar.end) == (0.0, end)), "each over all of the run");
 }

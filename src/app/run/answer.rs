@@ -224,9 +224,14 @@ fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
     (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
 }
 
-/// Turns events into stretches of one state.
+/// Turns events into stretches of one state; what touches from the beginning has no event for it.
 fn spans(history: &History) -> Vec<Span> {
     let mut open: Vec<Option<(ContactState, f64)>> = vec![None; history.model().contacts.len()];
+    for contact in history.contacts(0.0) {
+        if let Some(slot) = open.get_mut(contact.contact) {
+            *slot = Some((contact.state, 0.0));
+        }
+    }
     let mut spans = Vec::new();
     for event in history.events() {
         if matches!(event.kind, EventKind::Hit | EventKind::Moved) {
@@ -234,7 +239,7 @@ fn spans(history: &History) -> Vec<Span> {
             continue;
         }
         let Some(slot) = open.get_mut(event.contact()) else { continue };
-        if let Some((state, start)) = slot.take() {
+        if let Some((state, start)) = slot.take().filter(|(_, start)| event.t > *start) {
             let pair = history.model().contacts[event.contact()].pair;
             spans.push(Span { pair, state, start, end: event.t });
         }

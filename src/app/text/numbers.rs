@@ -153,6 +153,12 @@ pub(in crate::app) fn touches(count: usize) -> String {
     }
 }
 
+/// How many bars the timeline has, and how long contacts stick and slip in all of them \[s\].
+pub(in crate::app) fn bars(count: usize, stick: f64, slip: f64) -> String {
+    let bars = if count == 1 { "bar" } else { "bars" };
+    format!("{count} {bars}: {} s of stick, {} s of slip", short(stick), short(slip))
+}
+
 /// A touch in a line.
 pub(in crate::app) fn touch(start: f64, end: f64, peak: f64, impulse: f64) -> String {
     if impulse > 0.0 {

@@ -53,6 +53,8 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut V
         info.value = Some(t);
         info
     });
+    let bars = answer.map_or(&[][..], |answer| &answer.spans);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(told(bars)));
     let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), rect.max);
     let axis = TimeAxis::over(strip, playback.window, end);
     axis.interact(ui, &response, out);
@@ -72,6 +74,12 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut V
     let times = passed.iter().map(|flag| flag.t).chain(overlaps.iter().map(Overlap::first));
     flags(&painter, times, &axis, strip, &palette);
     playhead(&painter, &axis, strip, t, &palette);
+}
+
+/// The bars in words, for who does not see them.
+fn told(bars: &[Span]) -> String {
+    let time = |state| bars.iter().filter(|bar| bar.state == state).map(|bar| bar.end - bar.start).sum();
+    text::bars(bars.len(), time(ContactState::Stick), time(ContactState::Slip))
 }
 
 /// The stretch that is played: a bar over the ruler; what is not played is dimmed.
