@@ -8,6 +8,7 @@
 //! | [`locate`] | the first zero of a function of time: conservative advancement, subdivision, bracketed root |
 //! | [`connection`] | forces between two points: what contacts, bearings and devices have in common; links |
 //! | [`devices`] | cables, bumpers, dampers, stoppers, bearings with hysteresis |
+//! | [`elastic`] | a girder as a beam: modes, flexibility of its ends; no scene |
 //! | [`model`] | a scene compiled to constant data: bodies with their degrees of freedom, bearings, facing pairs, contact sites, rate bounds |
 //! | [`free_flight`] | closed-form free motion and bounds on it |
 //! | [`trajectory`] | trajectories as stored |
@@ -24,6 +25,7 @@ pub mod closing;
 pub mod connection;
 pub mod contact_model;
 pub mod devices;
+pub mod elastic;
 pub mod event_loop;
 pub mod free_flight;
 pub mod impact2d;
