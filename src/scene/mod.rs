@@ -23,6 +23,7 @@ mod synthetic;
 mod top;
 mod two_or_three;
 
+pub mod device;
 pub mod domain;
 pub mod edit;
 pub mod facing;
@@ -40,6 +41,7 @@ pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,
 };
+pub use device::{Bumper, Damper, Device, DeviceId, DeviceKind, Restrainer, Stopper};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
 pub use kind::Kind;
 pub use limits::Limits;

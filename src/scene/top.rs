@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::keys::{Fallback, Key, Range};
 use super::motion::STANDARD_GRAVITY;
 use super::{
-    Abutment, Codes, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, SolverSettings,
-    ViewSettings,
+    Abutment, Bumper, Codes, ContactSettings, Damper, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
+    Restrainer, SolverSettings, Stopper, ViewSettings,
 };
 
 /// The version of the format that is read and written.
@@ -42,6 +42,18 @@ pub struct Scene {
     /// Abutments, in the order of the file.
     #[serde(rename = "abutment", default, skip_serializing_if = "Vec::is_empty")]
     pub abutments: Vec<Abutment>,
+    /// Restrainer cables, in the order of the file.
+    #[serde(rename = "restrainer", default, skip_serializing_if = "Vec::is_empty")]
+    pub restrainers: Vec<Restrainer>,
+    /// Bumpers, in the order of the file.
+    #[serde(rename = "bumper", default, skip_serializing_if = "Vec::is_empty")]
+    pub bumpers: Vec<Bumper>,
+    /// Viscous dampers, in the order of the file.
+    #[serde(rename = "damper", default, skip_serializing_if = "Vec::is_empty")]
+    pub dampers: Vec<Damper>,
+    /// Stoppers, in the order of the file.
+    #[serde(rename = "stopper", default, skip_serializing_if = "Vec::is_empty")]
+    pub stoppers: Vec<Stopper>,
     /// Contact numbers and overrides for named pairs.
     #[serde(default)]
     pub contact: ContactSettings,
@@ -63,6 +75,34 @@ pub struct Scene {
     /// How it is first shown.
     #[serde(default, skip_serializing_if = "is_default")]
     pub view: ViewSettings,
+}
+
+impl Scene {
+    /// A scene with nothing in it, over still ground, of so many seconds.
+    pub fn empty(name: impl Into<String>, duration: f64) -> Self {
+        Self {
+            format: VERSION,
+            name: name.into(),
+            description: String::new(),
+            kind: Kind::default(),
+            duration,
+            gravity: STANDARD_GRAVITY,
+            model: ModelSettings::default(),
+            girders: Vec::new(),
+            abutments: Vec::new(),
+            restrainers: Vec::new(),
+            bumpers: Vec::new(),
+            dampers: Vec::new(),
+            stoppers: Vec::new(),
+            contact: ContactSettings::default(),
+            impact: ImpactSettings::default(),
+            motion: Motion::default(),
+            solver: SolverSettings::default(),
+            limits: Limits::default(),
+            codes: Codes::default(),
+            view: ViewSettings::default(),
+        }
+    }
 }
 
 fn format_version() -> u32 {
@@ -110,6 +150,10 @@ pub const TOP: &[Key] = &[
     .labelled("Gravity"),
     Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
     Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
+    Key::new("restrainer", Range::Free, Fallback::Words("none"), "[[restrainer]], see below"),
+    Key::new("bumper", Range::Free, Fallback::Words("none"), "[[bumper]], see below"),
+    Key::new("damper", Range::Free, Fallback::Words("none"), "[[damper]], see below"),
+    Key::new("stopper", Range::Free, Fallback::Words("none"), "[[stopper]], see below"),
     Key::new("model", Range::Free, Fallback::Words("as below"), "[model]"),
     Key::new("contact", Range::Free, Fallback::Words("as below"), "[contact] and [[contact.pair]]"),
     Key::new("impact", Range::Free, Fallback::Words("as below"), "[impact]"),

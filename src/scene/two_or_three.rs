@@ -36,3 +36,30 @@ impl<'de> Visitor<'de> for TwoOrThree {
         }
     }
 }
+
+/// The same of a list that may be left out.
+pub(super) mod optional {
+    use serde::{Deserializer, Serializer};
+
+    /// Writes what is given; what is not is left out before.
+    ///
+    /// # Errors
+    /// What the serializer answers.
+    #[expect(clippy::ref_option, reason = "serde passes fields by reference")]
+    pub(in crate::scene) fn serialize<S: Serializer>(v: &Option<[f64; 3]>, serializer: S) -> Result<S::Ok, S::Error> {
+        match v {
+            Some(v) => super::serialize(v, serializer),
+            None => serializer.serialize_none(),
+        }
+    }
+
+    /// Reads two or three numbers.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub(in crate::scene) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<[f64; 3]>, D::Error> {
+        super::deserialize(deserializer).map(Some)
+    }
+}

@@ -51,6 +51,7 @@ mod physics {
 mod scene {
     mod bad_input;
     mod data;
+    mod devices;
     mod domain;
     mod edits;
     mod facing;

@@ -6,6 +6,7 @@ pub(crate) mod rows;
 
 use girderbench::scene::{Scene, format};
 use girderbench::sim::History;
+use glam::DVec3;
 
 /// Asserts that a value is within a tolerance and says by how much it misses, or stays inside.
 #[expect(clippy::print_stdout, reason = "shown when a test fails, or with --nocapture")]
@@ -82,16 +83,19 @@ pub(crate) fn free_pair() -> Scene {
     )
 }
 
-/// Momentum along x and y \[N·s\] and angular momentum about the origin \[N·m·s\] of all girders.
+/// Momentum along x and y \[N·s\] and angular momentum about the vertical through the origin \[N·m·s\] of all girders.
 pub(crate) fn momenta(history: &History, t: f64) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (number, body) in history.model().bodies.iter().enumerate() {
+    let [linear, angular] = momenta_in_space(history, t);
+    [linear.x, linear.y, angular.z]
+}
+
+/// Momentum \[N·s\] and angular momentum about the origin \[N·m·s\] of all girders.
+pub(crate) fn momenta_in_space(history: &History, t: f64) -> [DVec3; 2] {
+    let bodies = history.model().bodies.iter().enumerate();
+    bodies.fold([DVec3::ZERO; 2], |[linear, angular], (number, body)| {
         let motion = history.motion(number, t);
-        let (place, velocity) = (motion.place, motion.velocity);
-        sum[0] += body.mass * velocity.x;
-        sum[1] += body.mass * velocity.y;
-        sum[2] +=
-            body.mass * (place.x * velocity.y - place.y * velocity.x) + body.mass * body.gyration2 * motion.spin.z;
-    }
-    sum
+        let momentum = motion.velocity * body.mass;
+        let spin = motion.attitude * (body.inertia[0] * (motion.attitude.inverse() * motion.spin));
+        [linear + momentum, angular + motion.place.cross(momentum) + spin]
+    })
 }

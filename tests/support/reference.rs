@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use girderbench::geometry::End;
 use girderbench::scene::{
-    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, Kind, Limits,
-    ModelKind, ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, SharedBearings, Sharing,
-    SineMotion, SolverSettings, Tension, ViewSettings,
+    Abutment, Bearings, ContactSettings, Direction, FrictionLaw, Girder, ImpactSettings, Initial, ModelKind,
+    ModelSettings, Motion, PairSettings, PerDirection, Push, RecordMotion, Scene, SharedBearings, Sharing, SineMotion,
+    SolverSettings, Tension,
 };
 use serde_json::Value;
 
@@ -90,22 +90,14 @@ fn scene(case: &Value) -> Scene {
     let abutments = case["walls"].as_array().expect("walls").iter().map(|w| wall(w, &girders)).collect();
     let pairs = case["pairs"].as_array().expect("pairs").iter().map(pair).collect();
     Scene {
-        format: 1,
-        name: text(&case["name"]).to_owned(),
-        description: String::new(),
-        kind: Kind::Planar,
-        duration: number(&case["T"]),
-        gravity: 9.806_65,
         contact: if case["K"].is_null() { ContactSettings::default() } else { contact(case, pairs) },
         model: model(case),
         impact: impact(case),
-        limits: Limits::default(),
-        codes: girderbench::scene::Codes::default(),
         motion: motion(&case["excitation"]),
         solver: SolverSettings { tolerance: 1e-12, ..SolverSettings::default() },
-        view: ViewSettings::default(),
         girders,
         abutments,
+        ..Scene::empty(text(&case["name"]), number(&case["T"]))
     }
 }
 

@@ -22,6 +22,10 @@ const NO_FIELD: &[(&str, &str, &str)] = &[
     ("motion kind = record", "unit", "needed to read a file that states none: written in the scene's file"),
     ("motion kind = record", "x_azimuth_deg", "of components"),
     ("motion kind = synthetic", "target_psa_g", "a list: written in the scene's file"),
+    ("restrainer", "", "written in the scene's file"),
+    ("bumper", "", "written in the scene's file"),
+    ("damper", "", "written in the scene's file"),
+    ("stopper", "", "written in the scene's file"),
     ("motion.component", "", "components are written in the scene's file, and shown"),
 ];
 

@@ -1,5 +1,6 @@
 //! `girderbench check`: validates a scene and prints what was understood.
 
+mod device;
 mod girder;
 
 use super::args::SceneArgs;
@@ -67,7 +68,7 @@ fn text(scene: &Scene, model: &Model) -> String {
         Between::Ends => "nothing can touch",
     };
     let none = model.pairs.is_empty().then(|| format!("no facing ends: {elsewhere}\n"));
-    std::iter::once(head(scene)).chain(girders).chain(pairs).chain(none).collect()
+    std::iter::once(head(scene)).chain(girders).chain(pairs).chain(none).chain(device::texts(scene)).collect()
 }
 
 /// What holds for the scene as a whole.

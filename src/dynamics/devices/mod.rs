@@ -9,6 +9,7 @@ mod damper;
 mod hysteretic_bearing;
 mod line;
 mod maxwell_damper;
+mod placed;
 mod restrainer;
 mod stopper;
 
@@ -16,5 +17,6 @@ pub use bumper::Bumper;
 pub use damper::ViscousDamper;
 pub use hysteretic_bearing::{Hysteresis, Play};
 pub use maxwell_damper::MaxwellDamper;
+pub use placed::{Law, laws};
 pub use restrainer::{Restrainer, Yielding};
 pub use stopper::{Failure, Stopper};

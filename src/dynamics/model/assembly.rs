@@ -72,6 +72,7 @@ impl Model {
             pairs,
             contacts,
             links: Vec::new(),
+            devices: Vec::new(),
             groups: Vec::new(),
             group_pairs: Vec::new(),
             group_links: Vec::new(),
@@ -80,6 +81,7 @@ impl Model {
             let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
             model.add_yielding_bearings(number, &resolved);
         }
+        model.add_devices(scene);
         model.regroup();
         Ok(model)
     }

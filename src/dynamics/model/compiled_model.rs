@@ -1,11 +1,13 @@
 //! A scene as constant data: what [`assembly`](crate::dynamics::model::assembly) compiles and every solver reads.
 
+use std::ops::Range;
+
 use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
 use crate::scene::facing::{self, SolidId};
-use crate::scene::{ImpactSettings, Kind};
+use crate::scene::{DeviceId, ImpactSettings, Kind};
 
 /// A scene, compiled.
 #[derive(Clone, Debug)]
@@ -34,12 +36,25 @@ pub struct Model {
     pub contacts: Vec<ContactSite>,
     /// Links: devices between two points.
     pub links: Vec<Link>,
+    /// Devices of the scene, in the order of [`Scene::devices`](crate::scene::Scene::devices).
+    pub devices: Vec<ModelDevice>,
     /// Groups of bodies that a chain of pairs and links joins, each in rising order; no force acts between two groups.
     pub groups: Vec<Vec<usize>>,
     /// Pairs of each group, in rising order.
     pub group_pairs: Vec<Vec<usize>>,
     /// Links of each group, in rising order.
     pub group_links: Vec<Vec<usize>>,
+}
+
+/// A device of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelDevice {
+    /// Which.
+    pub id: DeviceId,
+    /// Its name.
+    pub name: String,
+    /// Its links: one, or one a side.
+    pub links: Range<usize>,
 }
 
 impl Model {

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
-use crate::dynamics::devices::{Hysteresis, Play};
+use crate::dynamics::devices::{Hysteresis, Law, Play, laws};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::compiled_model::Model;
-use crate::scene::{Kind, ResolvedBearing};
+use crate::dynamics::model::compiled_model::{Model, ModelDevice};
+use crate::scene::device::Joint;
+use crate::scene::{Kind, ResolvedBearing, Scene};
 
 /// Why a link cannot be put into a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -95,6 +96,34 @@ impl Model {
                 device: Arc::new(device),
             });
         }
+    }
+
+    /// Adds the devices of a scene that has been checked; their groups are formed later.
+    pub(in crate::dynamics) fn add_devices(&mut self, scene: &Scene) {
+        for (id, part) in scene.devices() {
+            let (from, ends) = (self.links.len(), part.ends());
+            if let Some((joint, device)) = Joint::of(scene, &ends).zip(scene.device(id)) {
+                for law in laws(&device, &joint) {
+                    self.add_law(ends.name, &joint, law);
+                }
+            }
+            self.devices.push(ModelDevice { id, name: ends.name.to_owned(), links: from..self.links.len() });
+        }
+    }
+
+    fn add_law(&mut self, name: &str, joint: &Joint, law: Law) {
+        let Law { suffix, axes, kinematics, device } = law;
+        let first = self.bodies[joint.girder].home;
+        let second = joint.other.map_or(joint.points[1], |other| self.bodies[other].home);
+        self.add_link(Link {
+            name: format!("{name}{suffix}"),
+            bodies: [Some(joint.girder), joint.other],
+            arms: [joint.points[0] - first, joint.points[1] - second],
+            homes: [first, second],
+            axes,
+            kinematics,
+            device,
+        });
     }
 
     fn home_of(&self, end: &Anchor) -> DVec3 {

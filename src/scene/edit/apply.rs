@@ -4,7 +4,7 @@ use std::mem::replace;
 
 use super::names::is_named;
 use super::{Edit, EditError, General};
-use crate::scene::{Abutment, Girder, Scene, overrides};
+use crate::scene::{Abutment, Device, DeviceId, Girder, Scene, overrides};
 
 type Undone = Result<Edit, EditError>;
 
@@ -27,6 +27,12 @@ fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::AddAbutment(at, abutment) => whole(scene, |scene| add_abutment(scene, at, *abutment)),
         Edit::RemoveAbutment(at) => whole(scene, |scene| remove_abutment(scene, at)),
         Edit::ReplaceAbutment(at, abutment) => replace_abutment(scene, at, *abutment),
+        Edit::AddDevice(at, device) => whole(scene, |scene| add_device(scene, at, *device)),
+        Edit::RemoveDevice(id) => whole(scene, |scene| match scene.remove_device(id) {
+            Some(_) => Ok(()),
+            None => Err(no_device(scene, id)),
+        }),
+        Edit::ReplaceDevice(id, device) => replace_device(scene, id, *device),
         Edit::Rename(from, to) => whole(scene, |scene| rename(scene, &from, &to)),
         Edit::General(general) => Ok(set_general(scene, *general)),
         Edit::Contact(contact) => Ok(Edit::Contact(Box::new(replace(&mut scene.contact, *contact)))),
@@ -80,6 +86,35 @@ fn add_abutment(scene: &mut Scene, at: usize, abutment: Abutment) -> Result<(), 
     Ok(())
 }
 
+fn no_device(scene: &Scene, id: DeviceId) -> EditError {
+    missing(id.kind.label(), id.number, scene.count_of(id.kind))
+}
+
+fn add_device(scene: &mut Scene, at: usize, device: Device) -> Result<(), EditError> {
+    let count = scene.count_of(device.kind());
+    if at > count {
+        return Err(missing(device.kind().label(), at, count));
+    }
+    let name = device.part().ends().name.to_owned();
+    if is_named(scene, &name) {
+        return Err(EditError::NameTaken(name));
+    }
+    scene.insert_device(at, device);
+    Ok(())
+}
+
+/// Another device of one kind and name.
+fn replace_device(scene: &mut Scene, id: DeviceId, device: Device) -> Undone {
+    let here = scene.device(id).filter(|here| here.kind() == device.kind()).ok_or_else(|| no_device(scene, id))?;
+    let [old, new] = [&here, &device].map(|device| device.part().ends().name.to_owned());
+    if old != new {
+        return Err(EditError::OtherName(old, new));
+    }
+    scene.remove_device(id);
+    scene.insert_device(id.number, device);
+    Ok(Edit::ReplaceDevice(id, Box::new(here)))
+}
+
 /// Takes a girder out with everything that would be left referring to nobody.
 fn remove_girder(scene: &mut Scene, at: usize) -> Result<(), EditError> {
     if at >= scene.girders.len() {
@@ -89,7 +124,7 @@ fn remove_girder(scene: &mut Scene, at: usize) -> Result<(), EditError> {
     let facing = scene.abutments.iter().filter(|a| a.faces == name).map(|a| a.name.clone());
     let gone: Vec<String> = facing.chain([name.clone()]).collect();
     scene.abutments.retain(|a| a.faces != name);
-    drop_pairs(scene, &gone);
+    drop_references(scene, &gone);
     Ok(())
 }
 
@@ -98,12 +133,18 @@ fn remove_abutment(scene: &mut Scene, at: usize) -> Result<(), EditError> {
         return Err(missing("abutment", at, scene.abutments.len()));
     }
     let name = scene.abutments.remove(at).name;
-    drop_pairs(scene, &[name]);
+    drop_references(scene, &[name]);
     Ok(())
 }
 
-fn drop_pairs(scene: &mut Scene, gone: &[String]) {
+/// Takes out the pairs and the devices that name somebody who is gone.
+fn drop_references(scene: &mut Scene, gone: &[String]) {
     scene.contact.pairs.retain(|pair| !pair.between.iter().any(|name| gone.contains(name)));
+    let is_gone = |name: &str| gone.iter().any(|gone| gone == name);
+    scene.retain_devices(|device| {
+        let ends = device.ends();
+        !is_gone(ends.girder) && !ends.to.is_some_and(is_gone)
+    });
 }
 
 fn replace_girder(scene: &mut Scene, at: usize, girder: Girder) -> Undone {
@@ -143,6 +184,14 @@ fn rename(scene: &mut Scene, from: &str, to: &str) -> Result<(), EditError> {
     let pairs = scene.contact.pairs.iter_mut().flat_map(|pair| pair.between.iter_mut());
     for name in own.chain(abutments).chain(pairs).filter(|name| *name == from) {
         to.clone_into(name);
+    }
+    for device in scene.devices_mut() {
+        let ends = device.ends_mut();
+        for name in [Some(ends.name), Some(ends.girder), ends.to.as_mut()].into_iter().flatten() {
+            if name == from {
+                to.clone_into(name);
+            }
+        }
     }
     Ok(())
 }

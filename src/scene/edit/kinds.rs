@@ -1,8 +1,8 @@
 //! The changes that there are, and why one cannot be done.
 
 use crate::scene::{
-    Abutment, Codes, ContactSettings, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion, Scene, SceneErrors,
-    SolverSettings, ViewSettings,
+    Abutment, Codes, ContactSettings, Device, DeviceId, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
+    Scene, SceneErrors, SolverSettings, ViewSettings,
 };
 
 /// The single values at the top of a scene.
@@ -25,7 +25,7 @@ pub struct General {
 pub enum Edit {
     /// Puts a girder in at this number.
     AddGirder(usize, Box<Girder>),
-    /// Takes a girder out, and with it the abutments that face it and the contact pairs that name any of them.
+    /// Takes a girder out, and with it the abutments that face it and the contact pairs and devices that name any of them.
     RemoveGirder(usize),
     /// Makes the girder at this number another one, of the same name.
     ReplaceGirder(usize, Box<Girder>),
@@ -33,11 +33,17 @@ pub enum Edit {
     MoveGirder(usize, [f64; 3], f64),
     /// Puts an abutment in at this number.
     AddAbutment(usize, Box<Abutment>),
-    /// Takes an abutment out, and with it the contact pairs that name it.
+    /// Takes an abutment out, and with it the contact pairs and devices that name it.
     RemoveAbutment(usize),
     /// Makes the abutment at this number another one, of the same name.
     ReplaceAbutment(usize, Box<Abutment>),
-    /// Gives the girder or abutment of the first name the second name, wherever it is named.
+    /// Puts a device in at this number of its kind.
+    AddDevice(usize, Box<Device>),
+    /// Takes a device out.
+    RemoveDevice(DeviceId),
+    /// Makes the device of this number another one, of the same kind and name.
+    ReplaceDevice(DeviceId, Box<Device>),
+    /// Gives the girder, abutment or device of the first name the second name, wherever it is named.
     Rename(String, String),
     /// Name, kind, duration, gravity.
     General(Box<General>),
@@ -71,7 +77,7 @@ pub enum EditError {
     /// There is no such number.
     #[error("there is no {what} {index}: the scene has {count}")]
     Missing {
-        /// "girder" or "abutment".
+        /// "girder", "abutment" or a kind of device.
         what: &'static str,
         /// The number asked for, from 0.
         index: usize,
@@ -82,7 +88,7 @@ pub enum EditError {
     #[error("nobody is called \"{0}\"")]
     Nobody(String),
     /// The name is in use.
-    #[error("\"{0}\" is the name of another body: choose another")]
+    #[error("\"{0}\" is the name of another body or device: choose another")]
     NameTaken(String),
     /// A replacement comes with another name.
     #[error("\"{0}\" cannot become \"{1}\" by replacing it: rename it first")]
@@ -112,6 +118,8 @@ impl Edit {
                 | Self::RemoveGirder(_)
                 | Self::AddAbutment(..)
                 | Self::RemoveAbutment(_)
+                | Self::AddDevice(..)
+                | Self::RemoveDevice(_)
                 | Self::Rename(..)
                 | Self::Set(_)
                 | Self::Batch(_)
@@ -134,6 +142,7 @@ impl Edit {
             (Self::ReplaceGirder(a, _), Self::ReplaceGirder(b, _) | Self::MoveGirder(b, ..))
             | (Self::MoveGirder(a, ..), Self::MoveGirder(b, ..))
             | (Self::ReplaceAbutment(a, _), Self::ReplaceAbutment(b, _)) => a == b,
+            (Self::ReplaceDevice(a, _), Self::ReplaceDevice(b, _)) => a == b,
             _ => false,
         }
     }

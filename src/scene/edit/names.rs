@@ -3,10 +3,11 @@
 use crate::scene::Scene;
 
 pub(super) fn is_named(scene: &Scene, name: &str) -> bool {
-    scene.girders.iter().any(|g| g.name == name) || scene.abutments.iter().any(|a| a.name == name)
+    let named = |name: &str| scene.devices().iter().any(|(_, device)| device.ends().name == name);
+    scene.girders.iter().any(|g| g.name == name) || scene.abutments.iter().any(|a| a.name == name) || named(name)
 }
 
-/// A name that no girder and no abutment has: the stem itself, or the stem with the first free number from 2.
+/// A name that no girder, no abutment and no device has: the stem itself, or the stem with the first free number from 2.
 pub fn free_name(scene: &Scene, stem: &str) -> String {
     let numbered = (2..).map(|n: usize| format!("{stem}{n}"));
     std::iter::once(stem.to_owned()).chain(numbered).find(|name| !is_named(scene, name)).unwrap_or_default()

@@ -16,11 +16,12 @@ mod side;
 pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
 pub use end::LARGEST_TURN_DEG;
 pub use met::{between, bodies_met};
+pub(in crate::scene) use side::names;
 pub use side::{Flank, Rear, Side, SolidId};
 
 use super::{Scene, SceneError, SceneErrors, placed};
 use end::{EndFace, Walls};
-use side::{front, girder_named, names};
+use side::{front, girder_named};
 
 /// Two faces that can touch.
 #[derive(Clone, Debug, PartialEq)]

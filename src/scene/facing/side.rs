@@ -169,7 +169,7 @@ pub(super) fn girder_named(scene: &Scene, name: &str) -> Option<usize> {
 }
 
 /// Who there is, for complaints.
-pub(super) fn names(scene: &Scene) -> String {
+pub(in crate::scene) fn names(scene: &Scene) -> String {
     let list = |names: Vec<&str>| if names.is_empty() { "none".to_owned() } else { names.join(", ") };
     let girders = list(scene.girders.iter().map(|g| g.name.as_str()).collect());
     let abutments = list(scene.abutments.iter().map(|a| a.name.as_str()).collect());

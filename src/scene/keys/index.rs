@@ -2,9 +2,11 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BEARING, BEARINGS, CODES, COMPONENT, CONTACT, GIRDER, IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS,
-    PAIR, PLOT, PROCESSING, PUSH, RECORD, SEAT, SINE, SOLVER, SWEEP, SYNTHETIC, TOP, VIEW,
+    ABUTMENT, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, GIRDER, IMPACT, INITIAL, LIMITS, MODEL,
+    MOTION, OVERLAYS, PAIR, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC,
+    TOP, VIEW,
 };
+use crate::scene::DeviceKind;
 
 /// A table of the scene file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +29,10 @@ pub const TABLES: &[Table] = &[
     Table { path: "girder.push", keys: PUSH },
     Table { path: "girder.seat_m", keys: SEAT },
     Table { path: "abutment", keys: ABUTMENT },
+    Table { path: "restrainer", keys: RESTRAINER },
+    Table { path: "bumper", keys: BUMPER },
+    Table { path: "damper", keys: DAMPER },
+    Table { path: "stopper", keys: STOPPER },
     Table { path: "contact", keys: CONTACT },
     Table { path: "contact.pair", keys: PAIR },
     Table { path: "model", keys: MODEL },
@@ -55,7 +61,7 @@ pub fn find(keys: &'static [Key], name: &str) -> Option<&'static Key> {
 /// `contact.pair[2].mu_static`, `motion.angle_deg`.
 pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     let mut steps: Vec<&str> = place.split('.').collect();
-    if matches!(steps[0], "girder" | "abutment") && steps.len() > 1 {
+    if is_named(steps[0]) && steps.len() > 1 {
         steps.remove(1);
     }
     let last = steps.pop()?;
@@ -64,6 +70,11 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
     let way = way.join(".");
     let mut tables = TABLES.iter().filter(|t| t.path.split(" kind").next() == Some(way.as_str()));
     tables.find_map(|table| Some((table, find(table.keys, name)?)))
+}
+
+/// Whether a list of tables is walked by name.
+fn is_named(list: &str) -> bool {
+    matches!(list, "girder" | "abutment") || DeviceKind::ALL.iter().any(|kind| kind.label() == list)
 }
 
 /// `pair[2]` is a pair, `bearings[2]` a bearing of its own and not all of them.
@@ -87,6 +98,7 @@ mod tests {
             ("girder.deck.initial.displacement_m[1]", "girder.initial", "displacement_m"),
             ("girder.deck.bearings.at_skewed_m[3][0]", "girder.bearings", "at_skewed_m"),
             ("girder.deck.bearings[3].at_m", "girder.bearings[]", "at_m"),
+            ("damper.north.exponent", "damper", "exponent"),
             ("girder.deck.seat_m.+x", "girder.seat_m", "+x"),
             ("contact.pair[0].mu_static", "contact.pair", "mu_static"),
             ("motion.frequency_hz", "motion kind = sine", "frequency_hz"),

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod complaints;
+mod devices;
 mod numbers;
 mod placing;
 mod record;
@@ -38,6 +39,8 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     for abutment in &scene.abutments {
         bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));
     }
+    let sound = complaints.is_empty();
+    devices::devices(scene, sound, &mut complaints);
     numbers::contact(&scene.contact, &mut complaints);
     numbers::model(scene, &mut complaints);
     numbers::impact(&scene.impact, &mut complaints);

@@ -20,13 +20,15 @@ pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let girders = scene.girders.iter().enumerate().map(|(n, g)| ("girder", n, &g.name));
     let abutments = scene.abutments.iter().enumerate().map(|(n, a)| ("abutment", n, &a.name));
     let mut seen = BTreeSet::new();
-    for (kind, n, name) in girders.chain(abutments) {
+    let devices = scene.devices().into_iter().map(|(id, device)| (id.kind.label(), id.number, device.ends().name));
+    let bodies = girders.chain(abutments).map(|(kind, n, name)| (kind, n, name.as_str()));
+    for (kind, n, name) in bodies.chain(devices) {
         let fault = if name.trim().is_empty() {
             "give it a name"
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
             "tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside"
         } else if !seen.insert(name) {
-            "another body has this name: girders and abutments need a name each"
+            "another body has this name, or a device: girders, abutments and devices need a name each"
         } else {
             continue;
         };

@@ -1,8 +1,7 @@
 //! Rows of the paper's straight girder, end to end.
 
 use crate::scene::{
-    Bearings, ContactSettings, FrictionLaw, Girder, ImpactSettings, ModelSettings, Motion, PerDirection, Scene,
-    SharedBearings, SineMotion,
+    Bearings, ContactSettings, FrictionLaw, Girder, Motion, PerDirection, Scene, SharedBearings, SineMotion,
 };
 
 /// Gap between neighbours \[m\].
@@ -33,23 +32,12 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
         })
         .collect();
     Scene {
-        format: 1,
-        name: "row".into(),
-        description: String::new(),
-        kind: crate::scene::Kind::Planar,
-        duration: 1.0,
-        gravity: crate::scene::STANDARD_GRAVITY,
         girders,
-        abutments: Vec::new(),
         contact: ContactSettings {
             stiffness: Some(1.55e5),
             law: FrictionLaw::ReturnMapping,
             ..ContactSettings::default()
         },
-        model: ModelSettings::default(),
-        impact: ImpactSettings::default(),
-        limits: crate::scene::Limits::default(),
-        codes: crate::scene::Codes::default(),
         motion: Motion::Sine(SineMotion {
             amplitude_g: None,
             amplitude: Some(3.924),
@@ -60,8 +48,7 @@ fn row(girders: usize, gap: impl Fn(usize) -> f64, frequency: impl Fn(usize) -> 
             vertical_amplitude: None,
             vertical_phase_deg: None,
         }),
-        solver: crate::scene::SolverSettings::default(),
-        view: crate::scene::ViewSettings::default(),
+        ..Scene::empty("row", 1.0)
     }
 }
 

@@ -3,9 +3,8 @@
 use super::dice::{Dice, three_digits};
 use crate::geometry::End;
 use crate::scene::{
-    Abutment, Bearing, Bearings, Between, ContactSettings, FrictionLaw, Girder, ImpactSettings, Kind, ModelSettings,
-    Motion, PerDirection, RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, SolverSettings,
-    Tension, ViewSettings,
+    Abutment, Bearing, Bearings, Between, ContactSettings, FrictionLaw, Girder, Kind, Motion, PerDirection,
+    RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, Tension,
 };
 
 /// Contact stiffness \[N/m\].
@@ -27,24 +26,7 @@ const MOST_PERIODS: [f64; 2] = [2000.0, 150.0];
 
 /// A scene without anything in it.
 pub(super) fn blank(kind: Kind) -> Scene {
-    Scene {
-        format: crate::scene::format::VERSION,
-        name: String::new(),
-        description: String::new(),
-        kind,
-        duration: 1.0,
-        gravity: STANDARD_GRAVITY,
-        girders: Vec::new(),
-        abutments: Vec::new(),
-        contact: ContactSettings::default(),
-        model: ModelSettings::default(),
-        impact: ImpactSettings::default(),
-        limits: crate::scene::Limits::default(),
-        codes: crate::scene::Codes::default(),
-        motion: Motion::None,
-        solver: SolverSettings::default(),
-        view: ViewSettings::default(),
-    }
+    Scene { kind, motion: Motion::None, ..Scene::empty("", 1.0) }
 }
 
 /// Planar more often than spatial.

@@ -2,10 +2,7 @@
 
 use crate::support::within;
 use girderbench::dynamics::impact2d::State;
-use girderbench::scene::{
-    Abutment, ContactSettings, Direction, Flush, Girder, ImpactSettings, Kind, Limits, ModelKind, ModelSettings,
-    Motion, Scene, SolverSettings, ViewSettings,
-};
+use girderbench::scene::{Abutment, Direction, Flush, Girder, ImpactSettings, ModelKind, ModelSettings, Motion, Scene};
 use girderbench::sim::History;
 
 fn girder(length: f64, width: f64, skew_deg: f64) -> Girder {
@@ -25,22 +22,12 @@ fn scene(girder: Girder, gap: f64, duration: f64, impact: ImpactSettings) -> Sce
         depth: None,
     };
     Scene {
-        format: 1,
-        name: "closed form".to_owned(),
-        description: String::new(),
-        kind: Kind::Planar,
-        duration,
-        gravity: 9.806_65,
         model: ModelSettings { kind: ModelKind::Impact },
         girders: vec![girder],
         abutments: vec![wall],
-        contact: ContactSettings::default(),
         impact,
-        limits: Limits::default(),
-        codes: girderbench::scene::Codes::default(),
         motion: Motion::None,
-        solver: SolverSettings::default(),
-        view: ViewSettings::default(),
+        ..Scene::empty("closed form", duration)
     }
 }
 

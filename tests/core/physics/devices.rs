@@ -7,7 +7,7 @@ use girderbench::dynamics::Model;
 use girderbench::dynamics::connection::{Anchor, Device, Kinematics};
 use girderbench::dynamics::devices::{Bumper, Failure, MaxwellDamper, Restrainer, Stopper, ViscousDamper, Yielding};
 use girderbench::scene::validate::validate;
-use girderbench::scene::{ModelKind, Scene};
+use girderbench::scene::{ModelKind, Scene, overrides};
 use girderbench::sim::{History, Session};
 use glam::{DMat3, DVec2, DVec3};
 
@@ -129,53 +129,50 @@ fn sliders_of_a_turning_girder_are_those_of_an_independent_program() {
     agrees("b_sliding", &girder(60.0, &words, [0.2, 1.7, 30.0], 5.0), Vec::new(), 5e-9);
 }
 
+/// The straight girder with bearings of this damping, and devices.
+fn with_devices(damping: f64, devices: &str, ground: [f64; 3]) -> Scene {
+    let mut scene = girder(90.0, &supported(damping), ground, 5.0);
+    for line in devices.split(';').map(str::trim).filter(|line| !line.is_empty()) {
+        scene = overrides::apply(&scene, line).unwrap_or_else(|errors| panic!("{errors}"));
+    }
+    validate(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+    scene
+}
+
 #[test]
 fn a_yielding_cable_and_a_bumper_are_those_of_an_independent_program() {
-    let (point, ground) = ([-0.095, 0.02], [-0.155, 0.03]);
-    let cable = Restrainer {
-        length: DVec2::from(point).distance(DVec2::from(ground)),
-        slack: 0.002,
-        stiffness: 2e4,
-        yielding: Some(Yielding { force: 25.0, stiffness: 1e3 }),
-        break_elongation: f64::INFINITY,
-    };
-    let bumper = Bumper::new(0.0, &[[0.0008, 10.0], [0.0018, 45.0]], 8.0).expect("rising");
-    let facing = DMat3::from_cols(-DVec3::X, -DVec3::Y, DVec3::Z);
-    let devices: Vec<Placed> = vec![
-        (point, ground, DMat3::IDENTITY, Kinematics::Points, Arc::new(cable)),
-        ([0.095, -0.02], [0.099, 0.0], facing, Kinematics::Carried, Arc::new(bumper)),
-    ];
-    let history = agrees("d_cable_bumper", &girder(90.0, &supported(0.05), [0.15, 2.4, 20.0], 5.0), devices, 1e-9);
+    let devices = "restrainer=[{ name = \"cable\", girder = \"deck\", at_m = [-0.095, 0.02], to_m = [-0.155, 0.03], \
+                   slack_m = 0.002, stiffness_n_per_m = 2e4, yield_force_n = 25, post_yield_stiffness_n_per_m = 1e3 }];\
+                   bumper=[{ name = \"rubber\", girder = \"deck\", at_m = [0.095, -0.02], to_m = [0.099, 0], \
+                   normal = [-1, 0], depth_force_m_n = [[0.0008, 10], [0.0018, 45]], damping_n_s_per_m = 8 }]";
+    let history = agrees("d_cable_bumper", &with_devices(0.05, devices, [0.15, 2.4, 20.0]), Vec::new(), 1e-9);
     let became = |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.law == law).count();
     assert_eq!([became(0, 2), became(1, 1)], [6, 11], "the cable yields six times, the bumper lets go eleven times");
 }
 
 #[test]
 fn viscous_dampers_are_those_of_an_independent_program() {
-    let damper = ViscousDamper { coefficient: 10.0, exponent: 0.5, regularisation: 1e-4 };
-    let braced = MaxwellDamper { coefficient: 10.0, exponent: 0.5, stiffness: 2e4 };
-    let devices: [(&str, Arc<dyn Device>); 2] =
-        [("d_damper", Arc::new(damper)), ("d_damper_maxwell", Arc::new(braced))];
-    for (name, device) in devices {
-        let placed = ([-0.095, 0.0], [-0.195, 0.05], DMat3::IDENTITY, Kinematics::Points, device);
-        agrees(name, &girder(90.0, &supported(0.02), [0.15, 2.4, 25.0], 5.0), vec![placed], 1e-9);
+    for (name, brace) in [("d_damper", ""), ("d_damper_maxwell", ", brace_stiffness_n_per_m = 2e4")] {
+        let damper = format!(
+            "damper=[{{ name = \"damper\", girder = \"deck\", at_m = [-0.095, 0], to_m = [-0.195, 0.05], \
+             coefficient = 10, exponent = 0.5{brace} }}]"
+        );
+        agrees(name, &with_devices(0.02, &damper, [0.15, 2.4, 25.0]), Vec::new(), 1e-9);
     }
 }
 
 #[test]
 fn stoppers_are_those_of_an_independent_program() {
     let cases = [
-        ("d_stopper_brittle", Failure::Brittle { force: 18.0 }),
-        ("d_stopper_ductile", Failure::Ductile { force: 14.0, displacement: 0.006 }),
+        ("d_stopper_brittle", "break_force_n = 18"),
+        ("d_stopper_ductile", "yield_force_n = 14, break_displacement_m = 0.006"),
     ];
     for (name, failure) in cases {
-        let side = |towards: f64| -> Placed {
-            let axis = DVec3::Y * towards;
-            let axes = DMat3::from_cols(axis, DVec3::Z.cross(axis), DVec3::Z);
-            let stopper = Stopper { gap: 0.003, stiffness: 3e4, failure };
-            ([0.08, 0.0], [0.08, 0.0], axes, Kinematics::Carried, Arc::new(stopper))
-        };
-        agrees(name, &girder(90.0, &supported(0.2), [0.3, 2.4, 70.0], 5.0), vec![side(1.0), side(-1.0)], 1e-8);
+        let stopper = format!(
+            "stopper=[{{ name = \"key\", girder = \"deck\", at_m = [0.08, 0], gap_m = 0.003, \
+             stiffness_n_per_m = 3e4, {failure} }}]"
+        );
+        agrees(name, &with_devices(0.2, &stopper, [0.3, 2.4, 70.0]), Vec::new(), 1e-8);
     }
 }
 

@@ -3,8 +3,8 @@
 use girderbench::motion::format::FORMATS;
 use girderbench::scene::keys::{self, Editable as _, Fallback, Key, Range, Slot, TABLES};
 use girderbench::scene::{
-    ContactNumber, ContactSettings, FrictionLaw, PairSettings, Scene, SceneErrors, Tension, facing, format, overrides,
-    validate,
+    ContactNumber, ContactSettings, DeviceKind, FrictionLaw, PairSettings, Scene, SceneErrors, Tension, facing, format,
+    overrides, validate,
 };
 use toml::{Table, Value};
 
@@ -35,6 +35,31 @@ bearings = [{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_pe
 name = "wall"
 faces = "deck"
 gap_m = 0.05
+[[restrainer]]
+name = "cable"
+girder = "deck"
+to = "other"
+at_m = [-15, 0]
+to_m = [9, 0]
+stiffness_n_per_m = 1e7
+[[bumper]]
+name = "rubber"
+girder = "deck"
+to = "wall"
+at_m = [15, 0]
+to_m = [0, 0]
+stiffness_n_per_m = 1e8
+[[damper]]
+name = "dashpot"
+girder = "deck"
+at_m = [-15, 0]
+to_m = [9, 0]
+coefficient = 1e5
+[[stopper]]
+name = "key"
+girder = "deck"
+at_m = [0, 0]
+stiffness_n_per_m = 1e8
 [contact]
 mu_static = 0.3
 [[contact.pair]]
@@ -89,6 +114,10 @@ fn standing(table: &str) -> (Scene, String) {
         "girder.bearings[]" => "girder.other.bearings.0".to_owned(),
         "contact.pair" | "view.plot" | "motion.component" => format!("{table}.0"),
         "abutment" => "abutment.wall".to_owned(),
+        "restrainer" => "restrainer.cable".to_owned(),
+        "bumper" => "bumper.rubber".to_owned(),
+        "damper" => "damper.dashpot".to_owned(),
+        "stopper" => "stopper.key".to_owned(),
         _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
         _ => table.split(" kind").next().unwrap_or_default().to_owned(),
     };
@@ -182,13 +211,16 @@ fn range_in_words(range: Range) -> String {
 #[test]
 fn the_documentation_says_what_the_program_does() {
     let rows = documented();
-    for table in TABLES {
+    // The keys that every device begins with stand once.
+    let ends = keys::Table { path: "Devices", keys: keys::ENDS };
+    for table in TABLES.iter().chain([&ends]) {
         let own: Vec<&[String; 4]> = rows.iter().filter(|(t, _)| t == table.path).map(|(_, row)| row).collect();
         // A pair may have every key of `[contact]` but `pair` and `between`, which has a meaning of its own there: said in a
         // sentence.
         let said = table.keys.iter().filter(|key| {
             let own = key.name == "between" || keys::find(keys::CONTACT, key.name).is_none();
-            table.path != "contact.pair" || own
+            let shared = DeviceKind::ALL.iter().any(|kind| kind.label() == table.path) && keys::ENDS.contains(key);
+            (table.path != "contact.pair" || own) && !shared
         });
         let said: Vec<&Key> = said.collect();
         let names: Vec<&str> = own.iter().map(|row| row[0].as_str()).collect();
@@ -271,6 +303,9 @@ fn without(table: &str, key: &str) -> Scene {
     let (scene, path) = standing(table);
     let mut whole: Value = format::write(&scene).parse::<Table>().expect("as written").into();
     let steps = path.replace("deck", "0").replace("other", "1").replace("wall", "0");
+    let first =
+        |name: &str| matches!(name, "cable" | "rubber" | "dashpot" | "key").then_some("0").unwrap_or(name).to_owned();
+    let steps = steps.split('.').map(first).collect::<Vec<_>>().join(".");
     let mut here = &mut whole;
     for step in steps.split('.').filter(|step| !step.is_empty()) {
         here = match step.parse::<usize>() {

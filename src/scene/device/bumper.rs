@@ -1,0 +1,87 @@
+//! A bumper as placed.
+
+use glam::DVec3;
+
+use super::fault::{Fault, missing, written};
+use super::joint::{Joint, no_direction};
+use super::table::device_table;
+use crate::scene::keys::{Fallback, Range};
+
+device_table! {
+    /// A bumper or shock absorber: rubber that its first point is pushed against.
+    struct Bumper, BUMPER {
+        #[serde(default, with = "crate::scene::two_or_three::optional")]
+        normal: Option<[f64; 3]> = "normal" as "Normal", Range::Like("two or three numbers"),
+            Fallback::Words("out of the abutment's face; otherwise from to_m towards at_m"),
+            "direction of the force on the girder as placed, in its frame; it turns with the body of to_m";
+        gap: Option<f64> = "gap_m" as "Gap", Range::NotNegative, Fallback::Words("distance of at_m from the plane through to_m"),
+            "distance along the normal as placed before the force begins, m";
+        stiffness: Option<f64> = "stiffness_n_per_m" as "Stiffness", Range::Positive, Fallback::Needed("this or depth_force_m_n"),
+            "of a linear bumper, N/m";
+        table: Option<Vec<[f64; 2]>> = "depth_force_m_n", Range::Like("rising pairs"),
+            Fallback::Needed("this or stiffness_n_per_m"),
+            "[[depth, force], …] from (0, 0) on, joined by straight lines of which the last goes on, m and N";
+        #[serde(default)]
+        damping: f64 = "damping_n_s_per_m" as "Damping c", Range::NotNegative, Fallback::Number(0.0),
+            "c of the dashpot beside it, N·s/m";
+    }
+}
+
+impl Bumper {
+    /// Unit normal as placed, world axes: the direction of the force on the girder.
+    pub fn normal(&self, joint: &Joint) -> Option<DVec3> {
+        match self.normal {
+            Some(given) => joint.direction(given),
+            None => joint.face.or_else(|| joint.span().try_normalize()),
+        }
+    }
+
+    /// Distance as placed before the force begins, and of the first point from the plane through the second \[m\].
+    pub fn gaps(&self, joint: &Joint) -> Option<[f64; 2]> {
+        let distance = joint.span().dot(self.normal(joint)?);
+        Some([self.gap.unwrap_or(distance), distance])
+    }
+
+    /// Depths \[m\] and forces \[N\] beyond (0, 0).
+    pub fn depths_and_forces(&self) -> Vec<[f64; 2]> {
+        self.table.clone().or_else(|| self.stiffness.map(|k| vec![[1.0, k]])).unwrap_or_default()
+    }
+
+    fn own_faults(&self, joint: Option<&Joint>) -> Vec<Fault> {
+        let mut faults: Vec<Fault> = no_direction("normal", self.normal).into_iter().collect();
+        match (self.stiffness, &self.table) {
+            (None, None) => faults.push(missing("stiffness_n_per_m", "give it in N/m, or a table depth_force_m_n")),
+            (Some(_), Some(_)) => {
+                let both = "stiffness_n_per_m and depth_force_m_n".to_owned();
+                faults.push(("stiffness_n_per_m", both, "give one of the two".to_owned()));
+            }
+            (None, Some(table)) => faults.extend(unsteady(table)),
+            (Some(_), None) => {}
+        }
+        let Some(joint) = joint.filter(|_| faults.is_empty()) else { return faults };
+        match self.gaps(joint) {
+            None => faults.push(missing("normal", "its points coincide: give a normal, or to_m elsewhere")),
+            Some([gap, _]) if gap < 0.0 => {
+                let remedy =
+                    "at_m lies behind the plane through to_m as placed: turn the normal, move a point, or give gap_m";
+                faults.push(("to_m", format!("a distance of {gap:e} m along the normal"), remedy.to_owned()));
+            }
+            Some(_) => {}
+        }
+        faults
+    }
+}
+
+/// What is wrong with a table of depths and forces.
+fn unsteady(table: &[[f64; 2]]) -> Option<Fault> {
+    let mut before = [0.0; 2];
+    for point in table {
+        if !(point[0] > before[0] && point[1] > before[1]) {
+            let found = format!("[{}, {}]", written(point[0]), written(point[1]));
+            let remedy = "depth and force must both rise from (0, 0) on, line by line".to_owned();
+            return Some(("depth_force_m_n", found, remedy));
+        }
+        before = *point;
+    }
+    table.is_empty().then(|| ("depth_force_m_n", "[]".to_owned(), "give at least one [depth, force]".to_owned()))
+}

@@ -1,0 +1,55 @@
+//! The two points of a device as placed, and directions that it is given.
+
+use glam::{DMat3, DVec3};
+
+use super::fault::Fault;
+
+/// Shortest line between the two points of a device \[m\].
+const SHORTEST: f64 = 1e-6;
+
+/// The two points of a device as placed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Number of the girder of the first point.
+    pub girder: usize,
+    /// Number of the girder of the second point; none on an abutment or the ground.
+    pub other: Option<usize>,
+    /// The points, world axes \[m\].
+    pub points: [DVec3; 2],
+    /// Axes of the first girder as placed, in the columns.
+    pub axes: DMat3,
+    /// Outward normal of the abutment's face, where the second point is on one.
+    pub face: Option<DVec3>,
+}
+
+impl Joint {
+    /// Vector from the second point to the first as placed, world axes \[m\].
+    pub fn span(&self) -> DVec3 {
+        self.points[0] - self.points[1]
+    }
+
+    /// Distance of its points as placed \[m\].
+    pub fn length(&self) -> f64 {
+        self.span().length()
+    }
+
+    /// A direction given in the girder's frame as placed, as a unit vector in the world; `None` without length.
+    pub fn direction(&self, given: [f64; 3]) -> Option<DVec3> {
+        (self.axes * DVec3::from(given)).try_normalize()
+    }
+
+    /// What is wrong with the points of a device that acts along the line between them.
+    pub(super) fn too_short(&self) -> Option<Fault> {
+        let remedy =
+            "a cable or damper needs a length of 1e-6 m or more: give to_m so far from where at_m is as placed";
+        (self.length() < SHORTEST)
+            .then(|| ("to_m", format!("{:e} m between its points", self.length()), remedy.to_owned()))
+    }
+}
+
+/// What is wrong with a direction that is given.
+pub(super) fn no_direction(key: &'static str, given: Option<[f64; 3]>) -> Option<Fault> {
+    let vector = given?;
+    let short = DVec3::from(vector).try_normalize().is_none();
+    short.then(|| (key, format!("{vector:?}"), "give a vector with a length: [1, 0] along, [0, 1] across".to_owned()))
+}

@@ -1,0 +1,59 @@
+//! Devices: their numbers, the bodies that they name, their points.
+
+use super::complaints::{Complaints, numbers};
+use crate::scene::device::{DeviceKind, Ends, Joint, Part};
+use crate::scene::facing::names;
+use crate::scene::keys::{Keyed, Stated};
+use crate::scene::{Kind, Scene};
+
+/// Checks every device; `sound` says whether the bodies of the scene are.
+pub(super) fn devices(scene: &Scene, sound: bool, complaints: &mut Complaints) {
+    each(scene, sound, (DeviceKind::Restrainer, &scene.restrainers), complaints);
+    each(scene, sound, (DeviceKind::Bumper, &scene.bumpers), complaints);
+    each(scene, sound, (DeviceKind::Damper, &scene.dampers), complaints);
+    each(scene, sound, (DeviceKind::Stopper, &scene.stoppers), complaints);
+}
+
+fn each<T: Keyed + Part>(scene: &Scene, sound: bool, (kind, devices): (DeviceKind, &[T]), complaints: &mut Complaints) {
+    for device in devices {
+        let ends = device.ends();
+        let mut at = complaints.of(kind.label(), ends.name, kind.keys());
+        at.all(device);
+        let planar = scene.kind == Kind::Planar;
+        for (key, stated) in device.stated() {
+            // Points and directions.
+            if let Stated::Numbers(vector @ [_, _, up]) = stated
+                && planar
+                && *up != 0.0
+            {
+                let remedy = "a planar scene knows no vertical: give two numbers, or set kind = \"spatial\"";
+                at.add(key, numbers(vector), remedy);
+            }
+        }
+        let wrong_body = bodies(scene, &ends);
+        if let Some((key, value, remedy)) = &wrong_body {
+            at.add(key, value, remedy);
+        }
+        let joint = if sound && wrong_body.is_none() { Joint::of(scene, &ends) } else { None };
+        for (key, value, remedy) in device.faults(joint.as_ref()) {
+            at.add(key, value, remedy);
+        }
+    }
+}
+
+/// What is wrong with the bodies that a device names.
+fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, String, String)> {
+    let is_girder = |name: &str| scene.girders.iter().any(|g| g.name == name);
+    if !is_girder(ends.girder) {
+        let remedy = format!("no girder has this name; {}", names(scene));
+        return Some(("girder", format!("{:?}", ends.girder), remedy));
+    }
+    let to = ends.to?;
+    if to == ends.girder {
+        let remedy = "both points are on one girder: name another body, or leave it out for the ground";
+        return Some(("to", format!("{to:?}"), remedy.to_owned()));
+    }
+    let known = is_girder(to) || scene.abutments.iter().any(|a| a.name == to);
+    let remedy = || format!("nobody has this name: leave it out for the ground; {}", names(scene));
+    (!known).then(|| ("to", format!("{to:?}"), remedy()))
+}
