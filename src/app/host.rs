@@ -1,5 +1,6 @@
 //! What the window takes from the machine besides files: the time on the wall, threads, and a way for them to wake it.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Instant;
@@ -13,10 +14,25 @@ pub(in crate::app) fn now() -> Instant {
     Instant::now()
 }
 
+/// A sentence for the user, and the file or folder that it is about.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Told {
+    /// The sentence.
+    pub(in crate::app) words: String,
+    /// Where something was written.
+    pub(in crate::app) place: Option<PathBuf>,
+}
+
+impl<T: Into<String>> From<T> for Told {
+    fn from(words: T) -> Self {
+        Self { words: words.into(), place: None }
+    }
+}
+
 /// Work on threads that ends with one sentence for the user.
 pub(in crate::app) struct Background {
-    send: Sender<String>,
-    done: Receiver<String>,
+    send: Sender<Told>,
+    done: Receiver<Told>,
     wake: Wake,
 }
 
@@ -32,11 +48,11 @@ impl Background {
         self.wake = wake;
     }
 
-    /// Begins work; its result is a sentence, whether it succeeds or fails.
-    pub(in crate::app) fn run(&self, work: impl FnOnce() -> Result<String, String> + Send + 'static) {
+    /// Begins work; its result is a sentence, whether it succeeds or fails; an empty one is not told.
+    pub(in crate::app) fn run(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
         let (send, wake) = (self.send.clone(), self.wake.clone());
         std::thread::spawn(move || {
-            let words = work().unwrap_or_else(|problem| problem);
+            let words = work().unwrap_or_else(Told::from);
             // The window has closed, and with it the receiver: nothing to do then.
             let _ = send.send(words);
             wake();
@@ -44,8 +60,8 @@ impl Background {
     }
 
     /// The sentence of work that has ended, one at a time.
-    pub(in crate::app) fn take(&self) -> Option<String> {
-        self.done.try_recv().ok()
+    pub(in crate::app) fn take(&self) -> Option<Told> {
+        self.done.try_recv().ok().filter(|told| !told.words.is_empty())
     }
 }
 
@@ -59,7 +75,7 @@ mod tests {
         let background = Background::new(Arc::new(move || send.send(()).expect("the test listens")));
         background.run(|| Err("no place".to_owned()));
         woken.recv().expect("the window is woken");
-        assert_eq!(background.take().as_deref(), Some("no place"), "the reason");
+        assert_eq!(background.take(), Some(Told::from("no place")), "the reason");
         assert_eq!(background.take(), None, "once");
     }
 }

@@ -30,6 +30,8 @@ mod monkey;
 #[cfg(feature = "ui-tests")]
 mod numbers;
 #[cfg(feature = "ui-tests")]
+mod paths;
+#[cfg(feature = "ui-tests")]
 mod placing;
 #[cfg(feature = "ui-tests")]
 mod readings;

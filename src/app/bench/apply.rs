@@ -28,7 +28,7 @@ impl Workbench {
     fn state_shown(&self) -> impl PartialEq + use<> {
         let document = (self.files.document.revision(), self.files.document.selection().clone());
         let replay = (self.replay.playback.clone(), self.replay.runner.is_stale());
-        let beside = (self.files.session.seen(), self.tasks.films.plan, self.learning);
+        let beside = (self.files.session.seen(), self.tasks.films.plan, self.tasks.paths.seen(), self.learning);
         (document, replay, self.view.shown(), self.comparison.numbers(), self.window.clone(), beside)
     }
 

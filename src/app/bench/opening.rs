@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::workbench::Workbench;
-use crate::app::command::{Export, FileCommand, Keep, Learn};
+use crate::app::command::{Export, FileCommand, Keep, Learn, PathCommand, Wish};
 use crate::app::disk::record;
 use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
@@ -18,8 +18,8 @@ impl Workbench {
             FileCommand::OpenPreset(name) => self.open(&name),
             FileCommand::Open(path) => self.open(&path.to_string_lossy()),
             FileCommand::New => self.take_up(edits::empty(), SceneSource::New),
-            FileCommand::AskOpen => self.tasks.dialogs.open(),
-            FileCommand::AskRecord => self.tasks.dialogs.record(),
+            FileCommand::Ask(wish) => self.ask(wish),
+            FileCommand::Path(command) => self.apply_path(command),
             FileCommand::Record(path) => {
                 match record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion) {
                     Ok(motion) => self.edit(edits::motion(motion)),
@@ -28,11 +28,9 @@ impl Workbench {
             }
             FileCommand::Save => match self.files.document.file().map(Path::to_owned) {
                 Some(file) => self.save(&file),
-                None => self.ask_where_to_save(),
+                None => self.ask(Wish::Save),
             },
-            FileCommand::SaveAs => self.ask_where_to_save(),
             FileCommand::SaveTo(path) => self.save(&path),
-            FileCommand::AskExport(what) => self.tasks.dialogs.export(what, &self.files.document.scene().name),
             FileCommand::Export(Export::Picture, path) => {
                 let Some(list) = self.view.viewport.list().cloned() else { return };
                 let title = self.files.document.scene().name.clone();
@@ -46,12 +44,12 @@ impl Workbench {
                 let Some(answer) = self.replay.runner.answer().cloned() else { return };
                 self.tasks.export_report(answer, path);
             }
-            FileCommand::AskPlots(format) => self.tasks.dialogs.plots(format, &self.files.document.scene().name),
             FileCommand::Plots(path) => {
                 if let Some(work) = plot_files::writing(&self.plot_source(), path) {
                     self.tasks.begin(work);
                 }
             }
+            FileCommand::ShowFolder(folder) => self.tasks.show_folder(folder),
         }
     }
 
@@ -139,9 +137,22 @@ impl Workbench {
         }
     }
 
-    fn ask_where_to_save(&mut self) {
-        self.window.begin_saving();
-        self.tasks.dialogs.save(&self.files.document.scene().name);
+    /// Asks for a path.
+    fn ask(&mut self, wish: Wish) {
+        if wish == Wish::Save {
+            self.window.begin_saving();
+        }
+        let folder = self.files.folder_to_begin_in();
+        self.tasks.ask(wish, &self.files.document.scene().name, &folder);
+    }
+
+    fn apply_path(&mut self, command: PathCommand) {
+        if command == PathCommand::Leave {
+            self.window.stay_open();
+        }
+        if let Some(then) = self.tasks.paths.apply(command) {
+            self.apply(then);
+        }
     }
 
     /// Saves the scene with the view as it is seen.

@@ -1,6 +1,9 @@
 //! The window itself: its dialogs, its notice, whether it is about to close.
 
+use std::path::Path;
+
 use crate::app::command::{RowDraft, WindowCommand};
+use crate::app::host::Told;
 
 /// Whether the window is about to close.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,7 +26,7 @@ pub struct WindowState {
     pub help: bool,
     /// The row that is asked for, while its dialog is open.
     pub(in crate::app) row: Option<RowDraft>,
-    notice: Option<String>,
+    notice: Option<Told>,
     closing: Closing,
 }
 
@@ -40,7 +43,12 @@ impl WindowState {
 
     /// What has happened, until it has been read.
     pub fn notice(&self) -> Option<&str> {
-        self.notice.as_deref()
+        self.notice.as_ref().map(|told| told.words.as_str())
+    }
+
+    /// The file or folder that it is about.
+    pub(in crate::app) fn place(&self) -> Option<&Path> {
+        self.notice.as_ref()?.place.as_deref()
     }
 
     /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
@@ -59,7 +67,7 @@ impl WindowState {
     }
 
     /// Shows a notice.
-    pub(in crate::app) fn say(&mut self, words: impl Into<String>) {
+    pub(in crate::app) fn say(&mut self, words: impl Into<Told>) {
         self.notice = Some(words.into());
     }
 

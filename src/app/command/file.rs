@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::film::FilmFormat;
+
 /// Something to be written to a folder or file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Export {
@@ -13,6 +15,72 @@ pub enum Export {
     Report,
 }
 
+/// What a path is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// A scene to open.
+    Open,
+    /// A record that shakes the ground.
+    Record,
+    /// A file to save the scene in.
+    Save,
+    /// Where an export goes.
+    Export(Export),
+    /// Where the plots go, as `svg`, `png` or `csv`.
+    Plots(&'static str),
+    /// Where a film goes.
+    Film(FilmFormat),
+}
+
+impl Wish {
+    /// What a new file's name ends in; none for a folder, or for a file that is there.
+    pub(in crate::app) fn extension(self) -> Option<&'static str> {
+        match self {
+            Self::Open | Self::Record | Self::Export(Export::Tables) | Self::Film(FilmFormat::Png) => None,
+            Self::Save => Some("toml"),
+            Self::Export(Export::Picture) => Some("png"),
+            Self::Export(Export::Report) => Some("html"),
+            Self::Plots(format) => Some(format),
+            Self::Film(FilmFormat::Gif) => Some("gif"),
+        }
+    }
+
+    /// Whether it is for something that is there already.
+    pub(in crate::app) fn is_for_reading(self) -> bool {
+        matches!(self, Self::Open | Self::Record)
+    }
+
+    /// Whether it is for a folder.
+    pub(in crate::app) fn is_for_folder(self) -> bool {
+        self.extension().is_none() && !self.is_for_reading()
+    }
+
+    /// The path as it is meant: a new file has an extension.
+    pub(in crate::app) fn complete(self, path: PathBuf) -> PathBuf {
+        match self.extension() {
+            Some(extension) if path.extension().is_none() => path.with_extension(extension),
+            _ => path,
+        }
+    }
+}
+
+/// The path that is asked for in the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PathCommand {
+    /// Ask for one here: the system has no dialog for it.
+    Ask(Wish),
+    /// Another text.
+    Type(String),
+    /// It is good; asks first when something would be replaced.
+    Take,
+    /// Do it all the same.
+    Confirm,
+    /// Do not.
+    Leave,
+    /// Whether paths are asked for here from now on, rather than by the system.
+    Here(bool),
+}
+
 /// Scene files, records, exports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileCommand {
@@ -20,28 +88,24 @@ pub enum FileCommand {
     OpenPreset(String),
     /// Begin an empty scene.
     New,
-    /// Ask which file to open.
-    AskOpen,
+    /// Ask for a path, and do with it what it is asked for.
+    Ask(Wish),
+    /// The path that is asked for in the window.
+    Path(PathCommand),
     /// Open a file.
     Open(PathBuf),
-    /// Ask which record shakes the ground.
-    AskRecord,
     /// Shake the ground by the record in a file, given from the scene's own folder on.
     Record(PathBuf),
     /// Save where it came from, or ask.
     Save,
-    /// Ask where to save.
-    SaveAs,
     /// Save into a file.
     SaveTo(PathBuf),
-    /// Ask where to, and export.
-    AskExport(Export),
     /// Export to a file (picture, report) or folder (tables).
     Export(Export, PathBuf),
-    /// Ask where to, and write the plots as `svg`, `png` or `csv`.
-    AskPlots(&'static str),
     /// Write the plots into a file, in the format that its name ends in.
     Plots(PathBuf),
+    /// Show a folder in the system's own window of files.
+    ShowFolder(PathBuf),
 }
 
 /// What is kept beside the scene: recent files, unsaved work, a file changed by another program.

@@ -61,8 +61,6 @@ pub enum Filming {
     Plan(FilmPlan),
     /// Close the dialog.
     Never,
-    /// Ask where the film is to go.
-    Choose,
     /// Film into a folder (pictures) or file (GIF).
     Shoot(PathBuf),
     /// Stop filming; nothing stays.

@@ -16,7 +16,7 @@ mod window;
 
 pub use compare::CompareCommand;
 pub use edit::{EditCommand, Nudge, PlaceCommand, RowDraft};
-pub use file::{Export, FileCommand, Keep};
+pub use file::{Export, FileCommand, Keep, PathCommand, Wish};
 pub use film::{FilmFormat, FilmPlan, Filming};
 pub use hand::{Flank, Grip, HandCommand, HandKey};
 pub use learn::Learn;

@@ -1,15 +1,21 @@
 //! The system's file dialogs, on threads: the window goes on while one is open.
+//!
+//! A system without a dialog answers as one whose dialog was cancelled does, but at once: then the window asks itself.
 
 use std::future::Future;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
 
 use rfd::{AsyncFileDialog, FileHandle};
 
-use crate::app::command::{Command, Export, FileCommand, FilmFormat, Filming};
-use crate::app::host::Wake;
+use crate::app::command::{Command, FileCommand, Filming, PathCommand, Wish};
+use crate::app::host::{Wake, now};
 use crate::app::text;
 use crate::files::RECORD_FORMATS;
+
+/// Nobody reads a dialog and cancels it within this: none has come.
+const AT_ONCE: Duration = Duration::from_millis(400);
 
 /// Dialogs that are open, and what was chosen in them.
 pub(in crate::app) struct Dialogs {
@@ -37,85 +43,94 @@ impl Dialogs {
         self.chosen.try_iter().collect()
     }
 
-    /// Which scene to open.
-    pub(in crate::app) fn open(&self) {
-        self.wait(scenes().pick_file(), FileCommand::Open);
-    }
-
-    /// Which record shakes the ground.
-    pub(in crate::app) fn record(&self) {
-        let all: Vec<&str> = RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect();
-        let dialog = AsyncFileDialog::new().add_filter(text::RECORDS, &all);
-        let dialog = RECORD_FORMATS.iter().fold(dialog, |dialog, f| dialog.add_filter(f.name, f.extensions));
-        self.wait(dialog.pick_file(), FileCommand::Record);
-    }
-
-    /// Where to save the scene.
-    pub(in crate::app) fn save(&self, name: &str) {
-        self.wait(scenes().set_file_name(format!("{name}.toml")).save_file(), |path| {
-            FileCommand::SaveTo(with_extension(path, "toml"))
-        });
-    }
-
-    /// Where to export to.
-    pub(in crate::app) fn export(&self, what: Export, name: &str) {
-        match what {
-            Export::Picture => {
-                let dialog = AsyncFileDialog::new().add_filter("PNG", &["png"]).set_file_name(format!("{name}.png"));
-                self.wait(dialog.save_file(), move |path| FileCommand::Export(what, with_extension(path, "png")));
+    /// Asks for a path; a new file is called `name`.
+    pub(in crate::app) fn ask(&self, wish: Wish, name: &str) {
+        let dialog = AsyncFileDialog::new();
+        match (wish, wish.extension()) {
+            (Wish::Open, _) => self.wait(wish, scenes(dialog).pick_file()),
+            (Wish::Record, _) => {
+                let dialog = dialog.add_filter(text::RECORDS, &extensions(wish));
+                let dialog = RECORD_FORMATS.iter().fold(dialog, |dialog, f| dialog.add_filter(f.name, f.extensions));
+                self.wait(wish, dialog.pick_file());
             }
-            Export::Report => {
-                let dialog = AsyncFileDialog::new().add_filter("HTML", &["html"]).set_file_name(format!("{name}.html"));
-                self.wait(dialog.save_file(), move |path| FileCommand::Export(what, with_extension(path, "html")));
-            }
-            Export::Tables => {
-                self.wait(AsyncFileDialog::new().pick_folder(), move |path| FileCommand::Export(what, path));
+            (_, None) => self.wait(wish, dialog.pick_folder()),
+            (_, Some(extension)) => {
+                let dialog = if wish == Wish::Save {
+                    scenes(dialog)
+                } else {
+                    dialog.add_filter(extension.to_uppercase(), &[extension])
+                };
+                self.wait(wish, dialog.set_file_name(format!("{}.{extension}", file_stem(name))).save_file());
             }
         }
     }
 
-    /// Where to write the plots.
-    pub(in crate::app) fn plots(&self, format: &'static str, name: &str) {
-        let dialog = AsyncFileDialog::new().add_filter(format, &[format]).set_file_name(format!("{name}.{format}"));
-        self.wait(dialog.save_file(), move |path| FileCommand::Plots(with_extension(path, format)));
-    }
-
-    /// Where a film is to go.
-    pub(in crate::app) fn film(&self, format: FilmFormat, name: &str) {
-        let then = Filming::Shoot;
-        match format {
-            FilmFormat::Gif => {
-                let dialog = AsyncFileDialog::new().add_filter("GIF", &["gif"]).set_file_name(format!("{name}.gif"));
-                self.wait(dialog.save_file(), move |path| then(with_extension(path, "gif")));
-            }
-            FilmFormat::Png => self.wait(AsyncFileDialog::new().pick_folder(), then),
-        }
-    }
-
-    fn wait<C: Into<Command>>(
-        &self,
-        dialog: impl Future<Output = Option<FileHandle>> + Send + 'static,
-        then: impl FnOnce(PathBuf) -> C + Send + 'static,
-    ) {
+    fn wait(&self, wish: Wish, dialog: impl Future<Output = Option<FileHandle>> + Send + 'static) {
         if self.silent {
             return;
         }
         let (send, wake) = (self.send.clone(), self.wake.clone());
         std::thread::spawn(move || {
-            if let Some(file) = pollster::block_on(dialog) {
+            let begun = now();
+            let chosen = pollster::block_on(dialog).map(|file| file.path().to_owned());
+            if let Some(command) = after(wish, chosen, begun.elapsed()) {
                 // Nobody listens any more when the window has closed: nothing to do then.
-                let _ = send.send(then(file.path().to_owned()).into());
+                let _ = send.send(command);
                 wake();
             }
         });
     }
 }
 
-fn scenes() -> AsyncFileDialog {
-    AsyncFileDialog::new().add_filter("Girderbench scene", &["toml"])
+/// What follows from what a dialog has answered, and after how long.
+fn after(wish: Wish, chosen: Option<PathBuf>, time: Duration) -> Option<Command> {
+    let here = || FileCommand::Path(PathCommand::Ask(wish)).into();
+    chosen.map(|path| then(wish, path)).or_else(|| (time < AT_ONCE).then(here))
 }
 
-/// Some dialogs leave the extension to the program.
-fn with_extension(path: PathBuf, extension: &str) -> PathBuf {
-    if path.extension().is_some() { path } else { path.with_extension(extension) }
+/// What is done with a path that was asked for.
+pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
+    let path = wish.complete(path);
+    match wish {
+        Wish::Open => FileCommand::Open(path).into(),
+        Wish::Record => FileCommand::Record(path).into(),
+        Wish::Save => FileCommand::SaveTo(path).into(),
+        Wish::Export(what) => FileCommand::Export(what, path).into(),
+        Wish::Plots(_) => FileCommand::Plots(path).into(),
+        Wish::Film(_) => Filming::Shoot(path).into(),
+    }
+}
+
+/// What files that can be chosen end in; empty for a folder.
+pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
+    match wish {
+        Wish::Open => vec!["toml"],
+        Wish::Record => RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect(),
+        _ => wish.extension().into_iter().collect(),
+    }
+}
+
+/// A scene's name as a file's name can be.
+pub(super) fn file_stem(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
+}
+
+fn scenes(dialog: AsyncFileDialog) -> AsyncFileDialog {
+    dialog.add_filter("Girderbench scene", &["toml"])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_answer_of_nothing_at_once_is_no_dialog_and_a_later_one_is_a_cancel() {
+        let asked = after(Wish::Save, None, Duration::from_millis(3));
+        let here = FileCommand::Path(PathCommand::Ask(Wish::Save));
+        assert!(matches!(asked, Some(Command::File(command)) if command == here), "the window asks");
+        assert!(after(Wish::Save, None, Duration::from_secs(2)).is_none(), "cancelled");
+        let chosen = after(Wish::Save, Some("east".into()), Duration::from_millis(3));
+        let saved = FileCommand::SaveTo("east.toml".into());
+        assert!(matches!(chosen, Some(Command::File(command)) if command == saved), "with its extension");
+    }
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::app::host::Told;
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{FileSet, earlier_files, remove_files, write_atomic};
@@ -14,22 +15,27 @@ use crate::view::DrawList;
 ///
 /// # Errors
 /// In words: no adapter, or no place to write.
-pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path: &Path) -> Result<String, String> {
+pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path: &Path) -> Result<Told, String> {
     let gpu = Gpu::headless().map_err(|e| e.to_string())?;
     let image = Renderer::new(&gpu, Quality::FINE).picture(&gpu, list, size).map_err(|e| e.to_string())?;
     let texts = [("Title", title.to_owned()), ("Adapter", gpu.adapter.to_string())];
     write_atomic(path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
-    Ok(format!("{}: {}", text::PICTURE_WRITTEN, path.display()))
+    Ok(told(text::PICTURE_WRITTEN, path))
+}
+
+/// What was written, and where.
+pub(super) fn told(what: &str, path: &Path) -> Told {
+    Told { words: format!("{what}: {}", path.display()), place: Some(path.to_owned()) }
 }
 
 /// Writes the report of an answer.
 ///
 /// # Errors
 /// In words: no place to write.
-pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<String, String> {
+pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<Told, String> {
     let page = crate::report::html(&answer.history, &options(answer));
     write_atomic(path, page.as_bytes()).map_err(|e| e.to_string())?;
-    Ok(format!("{}: {}", text::REPORT_WRITTEN, path.display()))
+    Ok(told(text::REPORT_WRITTEN, path))
 }
 
 /// What tables cannot know from the answer alone.
@@ -43,7 +49,7 @@ fn options(answer: &Answer) -> TableOptions {
 ///
 /// # Errors
 /// In words: no place to write.
-pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<String, String> {
+pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<Told, String> {
     let options = options(answer);
     let mut tables = all(&answer.history, &options);
     if let Some(beside) = answer.history.beside() {
@@ -56,5 +62,6 @@ pub(in crate::app) fn tables(answer: &Arc<Answer>, folder: &Path) -> Result<Stri
     let earlier = earlier_files(folder, SUMMARIES, named_in);
     set.finish().map_err(|e| e.to_string())?;
     remove_files(folder, earlier.iter().map(String::as_str).filter(|name| !names.contains(name)));
-    Ok(format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", ")))
+    let words = format!("{} {}: {}", text::TABLES_WRITTEN, folder.display(), names.join(", "));
+    Ok(Told { words, place: Some(folder.to_owned()) })
 }

@@ -7,8 +7,8 @@ use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread::JoinHandle;
 
 use crate::app::command::{FilmFormat, FilmPlan, Filming};
-use crate::app::disk::dialogs::Dialogs;
-use crate::app::host::Wake;
+use crate::app::disk::dialogs::file_stem;
+use crate::app::host::{Told, Wake};
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{Draft, FileSet, WriteError};
@@ -25,8 +25,6 @@ pub(in crate::app) struct Source<'a> {
     pub(in crate::app) shot: Shot,
     /// What the scene is called.
     pub(in crate::app) name: &'a str,
-    /// The system's dialogs.
-    pub(in crate::app) dialogs: &'a Dialogs,
     /// Who is woken when the film has ended.
     pub(in crate::app) wake: Wake,
 }
@@ -40,17 +38,12 @@ struct Order {
     name: String,
 }
 
-/// A scene's name as a file's name can be.
-fn file_stem(name: &str) -> String {
-    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
-}
-
 /// A film on its way.
 struct Job {
     cancel: Arc<AtomicBool>,
     done: Arc<AtomicUsize>,
     count: u32,
-    told: Receiver<Result<String, Ended>>,
+    told: Receiver<Result<Told, Ended>>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -77,11 +70,6 @@ impl Films {
             Filming::Ask => self.plan = Some(FilmPlan::of(source.stretch[0], source.stretch[1])),
             Filming::Plan(plan) => self.plan = Some(plan),
             Filming::Never => self.plan = None,
-            Filming::Choose => {
-                if let Some(plan) = self.plan {
-                    source.dialogs.film(plan.format, &file_stem(source.name));
-                }
-            }
             Filming::Shoot(path) => self.shoot(source, path),
             Filming::Cancel => {
                 self.job = None;
@@ -111,15 +99,15 @@ impl Films {
     }
 
     /// What became of a film that has ended.
-    pub(in crate::app) fn poll(&mut self) -> Option<String> {
-        let words = match self.job.as_ref()?.told.try_recv() {
+    pub(in crate::app) fn poll(&mut self) -> Option<Told> {
+        let told = match self.job.as_ref()?.told.try_recv() {
             Err(TryRecvError::Empty) => return None,
-            Ok(Ok(words)) => words,
-            Ok(Err(ended)) => ended.to_string(),
-            Err(TryRecvError::Disconnected) => Ended::Cancelled.to_string(),
+            Ok(Ok(told)) => told,
+            Ok(Err(ended)) => Told::from(ended.to_string()),
+            Err(TryRecvError::Disconnected) => Told::from(Ended::Cancelled.to_string()),
         };
         self.job = None;
-        Some(words)
+        Some(told)
     }
 }
 
@@ -149,7 +137,7 @@ impl Watch {
     }
 }
 
-fn make(order: &Order, count: u32, path: &Path, watch: &Watch, told: &Sender<Result<String, Ended>>, wake: &Wake) {
+fn make(order: &Order, count: u32, path: &Path, watch: &Watch, told: &Sender<Result<Told, Ended>>, wake: &Wake) {
     let plan = &order.plan;
     let history = &order.answer.history;
     let camera = Some(order.shot.camera(history));
@@ -160,7 +148,8 @@ fn make(order: &Order, count: u32, path: &Path, watch: &Watch, told: &Sender<Res
         FilmFormat::Png => pictures(&mut studio, order, &shots, path, watch),
     });
     // Nobody listens any more when the window has closed: nothing to do then.
-    let _ = told.send(made.map(|()| format!("{} {}: {count}", text::FILM_WRITTEN, path.display())));
+    let words = || format!("{} {}: {count}", text::FILM_WRITTEN, path.display());
+    let _ = told.send(made.map(|()| Told { words: words(), place: Some(path.to_owned()) }));
     wake();
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Button, ComboBox, DragValue, Frame, Grid, Id, Modal, Order, ProgressBar, RichText, Ui, vec2};
 
-use crate::app::command::{Command, FilmFormat, FilmPlan, Filming};
+use crate::app::command::{Command, FileCommand, FilmFormat, FilmPlan, Filming, Wish};
 use crate::app::disk::film::Films;
 use crate::app::text;
 use crate::app::time::clock::SPEEDS;
@@ -63,7 +63,7 @@ fn dialog(ui: &mut Ui, scope: Scope, plan: FilmPlan, out: &mut Vec<Command>) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         if ui.add_enabled(frames.is_some(), Button::new(text::FILM_WHERE)).clicked() {
-            out.push(Command::Film(Filming::Choose));
+            out.push(FileCommand::Ask(Wish::Film(plan.format)).into());
         }
         if ui.button(text::CLOSE).clicked() {
             out.push(Command::Film(Filming::Never));

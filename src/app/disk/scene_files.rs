@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use crate::app::command::{Keep, SelectCommand};
+use crate::app::disk::export::told;
 use crate::app::disk::session_files::{Compared, SessionFiles};
 use crate::app::edits::Document;
-use crate::app::host::Wake;
+use crate::app::host::{Told, Wake};
 use crate::app::text;
 use crate::files::{Found, SceneSource, save_scene};
 use crate::scene::Scene;
@@ -16,7 +17,7 @@ use crate::scene::edit::{Edit, EditError};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Saved {
     /// It is on the disk; in words.
-    Done(String),
+    Done(Told),
     /// Another program has changed the file: first the question what to do about it.
     Question,
     /// It is not; in words.
@@ -67,6 +68,13 @@ impl SceneFiles {
         self.document.file().and_then(Path::parent).unwrap_or(Path::new(""))
     }
 
+    /// Where paths are asked for from: the file's own folder, else that of the file used last, else the current one.
+    pub(in crate::app) fn folder_to_begin_in(&self) -> PathBuf {
+        let own = Some(self.folder()).filter(|folder| !folder.as_os_str().is_empty());
+        let last = || self.session.recent().first().and_then(|file| file.parent());
+        own.or_else(last).map(Path::to_owned).or_else(|| std::env::current_dir().ok()).unwrap_or_default()
+    }
+
     /// Another scene from now on; the one before can be had back by undo.
     ///
     /// # Errors
@@ -91,7 +99,7 @@ impl SceneFiles {
         self.forget_work();
         self.document.saved_as(path.to_owned());
         self.session.opened(path, self.document.scene());
-        Saved::Done(format!("{}: {}", text::SAVED, path.display()))
+        Saved::Done(told(text::SAVED, path))
     }
 
     /// Compares the file with what was last seen of it.

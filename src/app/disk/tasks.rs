@@ -1,13 +1,15 @@
 //! What goes on beside the window on threads of its own: the system's dialogs, exports, films.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::app::command::{Command, Filming};
-use crate::app::disk::dialogs::Dialogs;
+use crate::app::command::{Command, Filming, Wish};
+use crate::app::disk::dialogs::{Dialogs, file_stem};
 use crate::app::disk::export;
 use crate::app::disk::film::{Films, Source};
-use crate::app::host::{Background, Wake};
+use crate::app::disk::path_field::PathField;
+use crate::app::disk::show_folder;
+use crate::app::host::{Background, Told, Wake};
 use crate::app::run::answer::Answer;
 use crate::snapshot::Shot;
 use crate::view::DrawList;
@@ -15,6 +17,8 @@ use crate::view::DrawList;
 /// Dialogs that are open, files that are written, and a film on its way.
 pub struct Tasks {
     pub(in crate::app) dialogs: Dialogs,
+    /// The path that is asked for in the window.
+    pub paths: PathField,
     /// The film dialog's plan, and the film that is being written.
     pub films: Films,
     background: Background,
@@ -26,6 +30,7 @@ impl Default for Tasks {
         let wake: Wake = Arc::new(|| ());
         Self {
             dialogs: Dialogs::new(wake.clone()),
+            paths: PathField::default(),
             films: Films::default(),
             background: Background::new(wake.clone()),
             wake,
@@ -50,18 +55,34 @@ impl Tasks {
         self.dialogs.silent = true;
     }
 
+    /// Asks for a path: by the system's dialog, or in the window where that is wanted or there is none. New files are called
+    /// `name`, and `folder` is where it begins.
+    pub(in crate::app) fn ask(&mut self, wish: Wish, name: &str, folder: &Path) {
+        self.paths.begin_in(folder, &file_stem(name));
+        if self.paths.is_here() {
+            self.paths.ask(wish);
+        } else {
+            self.dialogs.ask(wish, name);
+        }
+    }
+
+    /// Shows a folder in the system's own window of files; that there is none is told.
+    pub(in crate::app) fn show_folder(&self, folder: PathBuf) {
+        self.begin(move || show_folder::show(&folder));
+    }
+
     /// What was chosen in dialogs since the last time.
     pub(in crate::app) fn chosen(&self) -> Vec<Command> {
         self.dialogs.take()
     }
 
     /// What the user is told of work that has ended.
-    pub(in crate::app) fn ended(&mut self) -> Vec<String> {
+    pub(in crate::app) fn ended(&mut self) -> Vec<Told> {
         [self.background.take(), self.films.poll()].into_iter().flatten().collect()
     }
 
     /// Begins work that ends with a sentence for the user.
-    pub(in crate::app) fn begin(&self, work: impl FnOnce() -> Result<String, String> + Send + 'static) {
+    pub(in crate::app) fn begin(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
         self.background.run(work);
     }
 
@@ -88,7 +109,7 @@ impl Tasks {
         (answer, stretch): (Option<&Arc<Answer>>, [f64; 2]),
         (shot, name): (Shot, &str),
     ) -> Option<&'static str> {
-        let source = Source { answer, stretch, shot, name, dialogs: &self.dialogs, wake: self.wake.clone() };
+        let source = Source { answer, stretch, shot, name, wake: self.wake.clone() };
         self.films.apply(command, source)
     }
 }
@@ -105,9 +126,9 @@ mod tests {
         let (send, woken) = channel();
         let mut tasks = Tasks::default();
         tasks.set_wake(Arc::new(move || send.send(()).expect("the test listens")));
-        tasks.begin(|| Ok("written".to_owned()));
+        tasks.begin(|| Ok("written".into()));
         woken.recv().expect("the window is woken");
-        assert_eq!(tasks.ended(), ["written"], "once it has ended");
+        assert_eq!(tasks.ended(), [Told::from("written")], "once it has ended");
         assert!(tasks.ended().is_empty(), "once");
     }
 
@@ -117,7 +138,6 @@ mod tests {
         tasks.set_silent();
         let mut film = |command| tasks.apply(command, (None, [1.0, 3.0]), (Shot::default(), "deck"));
         assert_eq!(film(Filming::Ask), None, "nothing to tell");
-        assert_eq!(film(Filming::Choose), None, "nothing to tell");
         assert_eq!(film(Filming::Cancel), Some(text::FILM_CANCELLED), "it is said");
         let plan = tasks.films.plan.expect("the dialog is open");
         assert_eq!((plan.from, plan.to), (1.0, 3.0), "what is in view");

@@ -3,7 +3,7 @@
 use egui::{RichText, TextEdit, Ui};
 
 use super::record_of;
-use crate::app::command::{Command, EditCommand, FileCommand};
+use crate::app::command::{Command, EditCommand, FileCommand, Wish};
 use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
@@ -165,7 +165,7 @@ fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<
             }
         }
         if ui.button(text::CHOOSE).on_hover_text(formats_in_words()).clicked() {
-            out.push(FileCommand::AskRecord.into());
+            out.push(FileCommand::Ask(Wish::Record).into());
         }
     });
     if let Some(complaint) = place.complaint("file") {

@@ -7,7 +7,7 @@ use egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
 
 use crate::app::bench::Workbench;
 use crate::app::command::{Command, FileCommand};
-use crate::app::disk::film_dialog;
+use crate::app::disk::{film_dialog, path_dialog};
 use crate::app::learn::lesson_panel;
 use crate::app::panel::shortcuts::Keyboard;
 use crate::app::panel::{
@@ -64,6 +64,7 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     notices::over_all(ui, window, &mut out);
     let scope = film_dialog::Scope { end: bench.replay.end(), view: bench.view.viewport.size() };
     film_dialog::show(ui, &bench.tasks.films, scope, &mut out);
+    path_dialog::show(ui, &bench.tasks.paths, bench.files.session.recent(), &mut out);
     if !window.asks() {
         file_questions::show(ui, &bench.files, &mut out);
     }
@@ -73,6 +74,7 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
 /// Whether a question is open that takes the keys.
 fn dialog_is_open(bench: &Workbench) -> bool {
     let asked = bench.window.asks() || bench.files.session.asks();
+    let asked = asked || bench.tasks.paths.asked().is_some();
     asked || bench.tasks.films.plan.is_some() || bench.window.row.is_some()
 }
 
@@ -107,7 +109,9 @@ fn scene_view(bench: &mut Workbench, ui: &mut Ui) {
 fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     let Workbench { files, replay, view, learning, .. } = bench;
     let (document, display, plots) = (&files.document, &view.display, bench.plot_source());
-    Panel::top("bar").resizable(false).show(ui, |ui| menu::show(ui, files, (*learning, display.sight), out));
+    Panel::top("bar")
+        .resizable(false)
+        .show(ui, |ui| menu::show(ui, files, (*learning, display.sight, bench.tasks.paths.is_here()), out));
     let about = (document.scene().limits, view.adapter());
     Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, &replay.runner, about, out));
     let room = ui.available_height();

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use egui::{Button, MenuBar, Theme, Ui};
 
 use crate::app::command::{
-    Command, EditCommand, Export, FileCommand, Filming, PlaceCommand, SelectCommand, Sight, Tool, ViewCommand,
-    WindowCommand,
+    Command, EditCommand, Export, FileCommand, Filming, PathCommand, PlaceCommand, SelectCommand, Sight, Tool,
+    ViewCommand, WindowCommand, Wish,
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
@@ -20,13 +20,13 @@ use crate::scene::{Scene, ViewPreset, presets};
 pub(in crate::app) fn show(
     ui: &mut Ui,
     files: &SceneFiles,
-    (learning, sight): (Learning, Sight),
+    (learning, sight, paths_here): (Learning, Sight, bool),
     out: &mut Vec<Command>,
 ) {
     let document = &files.document;
     let some = document.selection().lead_body().is_some();
     MenuBar::new().ui(ui, |ui| {
-        ui.menu_button(text::FILE, |ui| file(ui, files.session.recent(), out));
+        ui.menu_button(text::FILE, |ui| file(ui, files.session.recent(), paths_here, out));
         ui.menu_button(text::EDIT, |ui| edit(ui, document.scene(), some, out));
         ui.menu_button(text::PRESETS, |ui| preset_list(ui, document.scene(), out));
         ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, learning, out));
@@ -53,22 +53,27 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
     }
 }
 
-fn file(ui: &mut Ui, used: &[PathBuf], out: &mut Vec<Command>) {
+fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Command>) {
     item(ui, text::NEW, "Ctrl N", Command::File(FileCommand::New), out);
-    item(ui, text::OPEN, "Ctrl O", Command::File(FileCommand::AskOpen), out);
+    item(ui, text::OPEN, "Ctrl O", Command::File(FileCommand::Ask(Wish::Open)), out);
     ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, used, out));
     let items = [
         (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
-        (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::SaveAs)),
-        (text::EXPORT_PICTURE, "", Command::File(FileCommand::AskExport(Export::Picture))),
+        (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::Ask(Wish::Save))),
+        (text::EXPORT_PICTURE, "", Command::File(FileCommand::Ask(Wish::Export(Export::Picture)))),
         (text::EXPORT_FILM, "", Command::Film(Filming::Ask)),
-        (text::EXPORT_TABLES, "", Command::File(FileCommand::AskExport(Export::Tables))),
-        (text::EXPORT_REPORT, "", Command::File(FileCommand::AskExport(Export::Report))),
-        (text::QUIT, "Ctrl Q", Command::Window(WindowCommand::Close)),
+        (text::EXPORT_TABLES, "", Command::File(FileCommand::Ask(Wish::Export(Export::Tables)))),
+        (text::EXPORT_REPORT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Report)))),
     ];
     for (words, keys, command) in items {
         item(ui, words, keys, command, out);
     }
+    ui.separator();
+    if ui.checkbox(&mut paths_here, text::PATHS_HERE).on_hover_text(text::PATHS_HERE_HINT).changed() {
+        out.push(FileCommand::Path(PathCommand::Here(paths_here)).into());
+    }
+    ui.separator();
+    item(ui, text::QUIT, "Ctrl Q", Command::Window(WindowCommand::Close), out);
 }
 
 fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {

@@ -72,6 +72,14 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
                     ui.label(notice);
+                    if let Some(place) = window.place() {
+                        if ui.button(text::SHOW_FOLDER).on_hover_text(text::SHOW_FOLDER_HINT).clicked() {
+                            out.push(FileCommand::ShowFolder(place.to_owned()).into());
+                        }
+                        if ui.button(text::COPY_PATH).clicked() {
+                            ui.copy_text(place.display().to_string());
+                        }
+                    }
                     if ui.button(text::DISMISS).clicked() {
                         out.push(WindowCommand::Dismiss.into());
                     }

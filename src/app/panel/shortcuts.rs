@@ -6,7 +6,7 @@ use egui::{Event, Key, Modifiers};
 
 use crate::app::command::{
     Command, CompareCommand, EditCommand, FileCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand, Tool,
-    ViewCommand, Way, WindowCommand,
+    ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::time::clock::Clock;
@@ -75,10 +75,10 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
         return None;
     }
     match (key, modifiers.shift) {
-        (Key::S, true) => Some(Command::File(FileCommand::SaveAs)),
+        (Key::S, true) => Some(Command::File(FileCommand::Ask(Wish::Save))),
         (Key::S, false) => Some(Command::File(FileCommand::Save)),
         (Key::N, _) => Some(Command::File(FileCommand::New)),
-        (Key::O, _) => Some(Command::File(FileCommand::AskOpen)),
+        (Key::O, _) => Some(Command::File(FileCommand::Ask(Wish::Open))),
         (Key::Q, _) => Some(Command::Window(WindowCommand::Close)),
         _ => None,
     }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::app::host::Told;
 use crate::app::plot::sampled::{self, Sampled};
 use crate::app::plot::source::Source;
 use crate::app::text;
@@ -18,7 +19,7 @@ const POINTS: usize = 2000;
 pub(in crate::app) fn writing(
     source: &Source<'_>,
     path: PathBuf,
-) -> Option<impl FnOnce() -> Result<String, String> + Send + 'static> {
+) -> Option<impl FnOnce() -> Result<Told, String> + Send + 'static> {
     let answer = source.answer.cloned()?;
     let window = source.playback.window.unwrap_or([0.0, source.end]);
     let mut plots = standing(&answer.history, source.girder);
@@ -45,7 +46,7 @@ fn standing(history: &History, girder: usize) -> Vec<PlotSettings> {
     ]
 }
 
-fn write(path: &Path, title: &str, plots: &[(PlotSettings, Sampled)]) -> Result<String, String> {
+fn write(path: &Path, title: &str, plots: &[(PlotSettings, Sampled)]) -> Result<Told, String> {
     let format = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
     let files: Vec<(PathBuf, Vec<u8>)> = match format.as_str() {
         "csv" => tables(path, plots),
@@ -59,7 +60,8 @@ fn write(path: &Path, title: &str, plots: &[(PlotSettings, Sampled)]) -> Result<
         write_atomic(path, bytes).map_err(|e| e.to_string())?;
     }
     let names: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
-    Ok(format!("{}: {}", text::PLOTS_WRITTEN, names.join(", ")))
+    let words = format!("{}: {}", text::PLOTS_WRITTEN, names.join(", "));
+    Ok(Told { words, place: files.first().map(|(path, _)| path.clone()) })
 }
 
 #[cfg(feature = "study")]

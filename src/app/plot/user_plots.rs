@@ -2,7 +2,7 @@
 
 use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::app::command::{Command, EditCommand, FileCommand};
+use crate::app::command::{Command, EditCommand, FileCommand, Wish};
 use crate::app::field::{Place, mark};
 use crate::app::plot::source::Source;
 use crate::app::text;
@@ -47,7 +47,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
             for (words, format) in [("SVG…", "svg"), ("PNG…", "png"), ("CSV…", "csv")] {
                 if ui.button(words).clicked() {
-                    out.push(FileCommand::AskPlots(format).into());
+                    out.push(FileCommand::Ask(Wish::Plots(format)).into());
                     ui.close();
                 }
             }

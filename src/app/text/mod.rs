@@ -4,12 +4,14 @@ mod edits;
 mod fields;
 mod handles;
 mod numbers;
+mod paths;
 mod readings;
 
 pub(super) use edits::*;
 pub(super) use fields::*;
 pub(super) use handles::*;
 pub(super) use numbers::*;
+pub(super) use paths::*;
 pub(super) use readings::*;
 
 /// The program's name, in the title.
