@@ -8,7 +8,7 @@ pub(in crate::app) const TURNED_TO: &str = "heading";
 pub(in crate::app) const LONG: &str = "length";
 pub(in crate::app) const WIDE: &str = "width";
 pub(in crate::app) const SKEWED: &str = "β";
-pub(in crate::app) const APART: &str = "gap";
+pub(in crate::app) const APART: &str = "gap as placed";
 pub(in crate::app) const SIDEWAYS: &str = "sideways";
 pub(in crate::app) const FACE_WIDE: &str = "face width";
 pub(in crate::app) const SHIFT_X: &str = "Δx";
@@ -47,6 +47,11 @@ pub(in crate::app) fn gap_handle(pair: &str) -> String {
 /// What is dragged and the value it has come to.
 pub(in crate::app) fn dragged(what: &str, value: &str) -> String {
     format!("{what} {value}")
+}
+
+/// The gap that the view shows, beside the one that is set.
+pub(in crate::app) fn gap_now(gap: &str, t: f64) -> String {
+    format!("gap {gap} at {t:.4} s")
 }
 
 pub(in crate::app) fn skewed_to(degrees: &str, end: End) -> String {

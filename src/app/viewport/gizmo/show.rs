@@ -10,10 +10,12 @@ use super::pull::{self, Pull};
 use super::snap;
 use crate::app::command::{Command, EditCommand, Grip};
 use crate::app::style::theme::Palette;
+use crate::app::text;
 use crate::app::viewport::eye::Eye;
 use crate::app::viewport::hand::Hand;
 use crate::app::viewport::seen::Seen;
-use crate::scene::placed;
+use crate::scene::{facing, placed};
+use crate::view::{Moment, gap};
 
 /// Side of the square in which a handle is taken \[points\].
 const HOLD: f32 = 18.0;
@@ -91,6 +93,9 @@ fn one(ui: &mut Ui, eye: &Eye, handle: &Handle, (hand, seen): (&mut Hand, &Seen<
     if held && response.dragged() {
         ui.set_cursor_icon(CursorIcon::Grabbing);
         out.extend(hand.drag(ui, eye));
+        if let (Grip::Gap(pair), Some(pulled)) = (handle.grip, &mut hand.pulled) {
+            pulled.words.extend(gap_now(seen, pair));
+        }
     } else if response.hovered() {
         ui.set_cursor_icon(CursorIcon::Grab);
     }
@@ -103,7 +108,24 @@ fn one(ui: &mut Ui, eye: &Eye, handle: &Handle, (hand, seen): (&mut Hand, &Seen<
         hand.focused = Some((handle.grip, handle.at));
         out.extend(keys(ui, seen, handle));
     }
-    response.on_hover_text(&handle.name);
+    if held {
+        let words = hand.pulled.as_ref().map(|pulled| pulled.words.join("\n")).unwrap_or_default();
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(words));
+    }
+    // What is read while something is dragged is its number.
+    if hand.held.is_none() && !response.dragged() {
+        response.on_hover_text(&handle.name);
+    }
+}
+
+/// The gap of a pair at the time shown, beside the one that is set.
+fn gap_now(seen: &Seen<'_>, pair: usize) -> Option<String> {
+    let history = &seen.answer()?.history;
+    let sides = facing::find(history.scene()).ok()?.into_iter().nth(pair)?;
+    let moment = Moment::at(history, seen.t());
+    let number = moment.facings.iter().position(|f| (f.first, f.second) == (sides.first, sides.second))?;
+    let gap = gap::gaps(history.scene(), &moment).get(number).copied().flatten()?;
+    Some(text::gap_now(&text::length(gap.gap), seen.t()))
 }
 
 /// The arrow keys pull a handle that has the focus: a small step, with Shift ten.
