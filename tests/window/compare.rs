@@ -49,3 +49,16 @@ fn four_runs_are_kept_and_a_fifth_is_refused_in_words() {
     press(&mut harness, "Unpin all");
     assert_eq!(harness.state().comparison.pins().len(), 0, "none");
 }
+
+#[test]
+fn runs_pinned_of_another_scene_are_put_aside() {
+    let mut harness = open(presets::OPENING);
+    harness.key_press(Key::P);
+    settle(&mut harness);
+    press(&mut harness, "Presets");
+    press(&mut harness, "straight-straight");
+    let list = harness.state().view.viewport.list().expect("shown").to_string();
+    assert!(!list.contains("ghost") && harness.query_by_label("unpin 1").is_none(), "no ghost of another scene");
+    press(&mut harness, "Undo");
+    assert!(harness.query_by_label("unpin 1").is_some(), "it comes back with its own");
+}

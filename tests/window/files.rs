@@ -119,7 +119,7 @@ fn unsaved_work_outlives_its_window() {
     assert_ne!(*harness.state().files.document.scene(), edited, "the file, to begin with");
     assert!(harness.query_by_label_contains("mine.toml, from less than a minute ago").is_some(), "asked, in words");
     press(&mut harness, "Keep for later");
-    assert!(harness.state().files.session.found_work().is_none(), "asked once");
+    assert!(harness.state().files.session.found_work().is_empty(), "asked once");
     open_file(&mut harness, &mine);
     press(&mut harness, "Recover");
     assert_eq!(*harness.state().files.document.scene(), edited, "all of it is back");
@@ -174,24 +174,67 @@ fn closing_and_undoing_leave_no_unsaved_work() {
     assert!(names(&unsaved).is_empty(), "given up");
 }
 
+/// Opens a preset through the menu.
+fn choose_preset(harness: &mut Harness<'_, Workbench>, name: &str) {
+    press(harness, "Presets");
+    press(harness, name);
+}
+
 #[test]
-fn work_left_behind_by_opening_another_scene_is_not_lost() {
+fn a_preset_replaces_unsaved_work_only_after_asking() {
     let folder = tempfile::tempdir().expect("a folder");
     let mine = file(folder.path(), "mine.toml");
     let mut harness = kept(folder.path());
     open_file(&mut harness, &mine);
-    harness.state_mut().files.session.set_autosave_delay(Duration::from_hours(1));
     slide(&mut harness, "Skew β", 75.0);
     let edited = harness.state().files.document.scene().clone();
-    harness.state_mut().apply(FileCommand::OpenPreset("straight-straight".into()));
+    choose_preset(&mut harness, "straight-straight");
+    assert!(harness.query_by_label("The scene has changes that are not saved.").is_some(), "asked");
+    assert_eq!(*harness.state().files.document.scene(), edited, "and nothing is replaced yet");
+    press(&mut harness, "Keep working");
+    assert_eq!(*harness.state().files.document.scene(), edited, "stays");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
     settle(&mut harness);
-    harness.state_mut().apply(WindowCommand::Close);
-    assert!(harness.state().window.closes(), "what is shown is saved");
-    crash(harness);
-    let mut harness = kept(folder.path());
+    press(&mut harness, "Save first");
+    assert_eq!(load_scene(&mine, &[]).expect("good"), edited, "saved");
+    assert!(harness.state().files.document.scene().girders.is_empty(), "then begun anew");
+
     open_file(&mut harness, &mine);
-    press(&mut harness, "Recover");
-    assert_eq!(*harness.state().files.document.scene(), edited, "what was left behind");
+    slide(&mut harness, "Skew β", 50.0);
+    choose_preset(&mut harness, "straight-straight");
+    press(&mut harness, "Go on without saving");
+    assert_eq!(harness.state().files.document.scene().name, "straight-straight", "opened");
+    harness.state().files.session.wait();
+    assert_eq!(names(folder.path()), ["mine.toml", "state"], "what was given up is not asked about at the next start");
+    press(&mut harness, "Undo");
+    assert_eq!(harness.state().files.document.scene().girders[0].skew_deg, 50.0, "undo brings it back");
+}
+
+#[test]
+fn all_unsaved_work_is_asked_about_at_once_each_by_its_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut scenes = Vec::new();
+    for (preset, skew) in [(presets::OPENING, 75.0), ("skew60-abutment", 50.0)] {
+        let mut harness = kept(folder.path());
+        if !scenes.is_empty() {
+            press(&mut harness, "Keep for later");
+        }
+        choose_preset(&mut harness, preset);
+        slide(&mut harness, "Skew β", skew);
+        scenes.push(harness.state().files.document.scene().clone());
+        crash(harness);
+    }
+    let mut harness = kept(folder.path());
+    for name in [presets::OPENING, "skew60-abutment"] {
+        let words = format!("{name}: without a file, from less than a minute ago.");
+        assert!(harness.query_by_label(&words).is_some(), "{words}");
+    }
+    let which = ["Recover 1: skew45-abutment", "Recover 2: skew45-abutment"];
+    let which = which.into_iter().find(|label| harness.query_by_role_and_label(Role::Button, label).is_some());
+    press(&mut harness, which.expect("one of them"));
+    assert_eq!(*harness.state().files.document.scene(), scenes[0], "the one that was chosen");
+    assert!(harness.state().files.session.found_work().is_empty(), "and no second question");
+    assert!(harness.query_by_label_contains("Bring it back?").is_none(), "none");
 }
 
 /// Changes the file as an editor would.

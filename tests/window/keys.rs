@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::harness::{bench, builder, open, settle, show};
-use egui::Key;
+use super::harness::{bench, builder, open, reach_as, settle, show};
 use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{SelectCommand, Workbench};
@@ -70,4 +70,57 @@ fn a_control_that_has_the_focus_is_pressed_by_enter_and_by_space() {
         assert_eq!(harness.state().files.document.scene().girders.len(), 2, "{key:?} presses it");
         assert!(!harness.state().replay.playback.clock.playing, "and nothing else");
     }
+}
+
+#[test]
+fn keys_typed_in_the_frame_of_a_click_into_a_field_go_to_the_field() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    settle(&mut harness);
+    reach_as(&mut harness, Role::SpinButton, "Mass m");
+    let at = harness.get_by_role_and_label(Role::SpinButton, "Mass m").rect().center();
+    harness.hover_at(at);
+    settle(&mut harness);
+    let before = harness.state().replay.playback.clone();
+    let press =
+        |pressed| Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE };
+    harness.event(press(true));
+    harness.event(press(false));
+    // A slow frame: the click and everything after it come at once.
+    for (key, text) in
+        [(Key::Num3, "3"), (Key::Space, " "), (Key::L, "l"), (Key::Backspace, ""), (Key::M, "m"), (Key::Backspace, "")]
+    {
+        harness.event(Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE });
+        if !text.is_empty() {
+            harness.event(Event::Text(text.into()));
+        }
+    }
+    harness.step();
+    settle(&mut harness);
+    assert!(harness.state().replay.playback == before, "nothing plays, loops or slows down");
+    assert_eq!(harness.state().files.document.scene().girders.len(), 1, "and nothing is removed");
+    harness.key_press(Key::Enter);
+    settle(&mut harness);
+    assert_eq!(harness.state().files.document.scene().girders[0].mass, 3.0, "all of it was typed into the field");
+}
+
+#[test]
+fn keys_in_the_frame_after_a_click_into_a_field_that_was_never_edited_are_typed_too() {
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    settle(&mut harness);
+    reach_as(&mut harness, Role::SpinButton, "Mass m");
+    harness.get_by_role_and_label(Role::SpinButton, "Mass m").click();
+    harness.step();
+    harness.event(Event::Key {
+        key: Key::Space,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    });
+    harness.event(Event::Text(" ".into()));
+    harness.step();
+    settle(&mut harness);
+    assert!(!harness.state().replay.playback.clock.playing, "typed text is never a shortcut");
 }

@@ -2,8 +2,11 @@
 
 use egui::Ui;
 
+use super::window_state::Next;
 use super::workbench::Workbench;
-use crate::app::command::{Command, CompareCommand, Filming, HandCommand, ViewCommand, WindowCommand};
+use crate::app::command::{
+    Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, ViewCommand, WindowCommand,
+};
 use crate::app::style::size::LECTURE;
 use crate::scene::edit::EditError;
 
@@ -48,9 +51,15 @@ impl Workbench {
             Command::Select(command) => self.files.document.select(command),
             Command::View(command) => self.view.apply(command, &self.files.document, &self.replay),
             Command::Compare(command) => self.apply_compare(command),
+            Command::File(command) if self.would_replace_work(&command) => {
+                self.window.ask_before(Next::File(command));
+            }
             Command::File(command) => self.apply_file(command),
             Command::Keep(command) => self.apply_keep(command),
             Command::Film(command) => self.apply_film(command),
+            Command::Learn(command @ Learn::Open(_)) if self.is_left_unsaved() => {
+                self.window.ask_before(Next::Learn(command));
+            }
             Command::Learn(command) => self.apply_learn(command),
             Command::Window(command) => self.apply_window(command),
         }
@@ -86,10 +95,34 @@ impl Workbench {
         if command == WindowCommand::CancelRun {
             self.replay.runner.cancel();
         }
+        if command == WindowCommand::GiveUp {
+            // Undo brings it back, and then it is kept again.
+            self.files.forget_work();
+            self.go_on();
+        }
         if self.window.apply(command, self.files.document.is_dirty()) {
             // Saved, or given up.
             self.files.forget_work();
         }
+    }
+
+    /// Does what has waited for the scene to be saved or given up.
+    pub(super) fn go_on(&mut self) {
+        match self.window.go_on() {
+            Some(Next::File(command)) => self.apply_file(command),
+            Some(Next::Learn(command)) => self.apply_learn(command),
+            Some(Next::Close) | None => {}
+        }
+    }
+
+    /// Whether unsaved work would be left: what was tried in a lesson is none.
+    fn is_left_unsaved(&self) -> bool {
+        self.files.document.is_dirty() && self.learning.lesson().is_none()
+    }
+
+    fn would_replace_work(&self, command: &FileCommand) -> bool {
+        self.is_left_unsaved()
+            && matches!(command, FileCommand::OpenPreset(_) | FileCommand::Open(_) | FileCommand::New)
     }
 }
 

@@ -5,5 +5,5 @@ mod opening;
 mod window_state;
 mod workbench;
 
-pub(in crate::app) use window_state::WindowState;
+pub(in crate::app) use window_state::{Next, WindowState};
 pub use workbench::Workbench;

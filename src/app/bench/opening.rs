@@ -58,10 +58,9 @@ impl Workbench {
             Ok(Left::Nothing) => {}
             Ok(Left::Recover(found)) => self.recover(&found),
             Ok(Left::Reload(file)) => {
-                let mine = self.files.document.origin_id();
-                self.open(&file.to_string_lossy());
                 // Given up; undo brings it back, and then it is kept again.
-                self.files.session.forget_work(mine);
+                self.files.forget_work();
+                self.open(&file.to_string_lossy());
             }
             Err(problem) => self.window.say(problem),
         }
@@ -114,7 +113,10 @@ impl Workbench {
 
     /// Goes on with another scene; undo brings the one before back.
     fn take_up(&mut self, scene: Scene, source: SceneSource) {
-        self.keep_work_now();
+        if self.learning.lesson().is_some() {
+            // What was tried in a lesson is no work.
+            self.files.forget_work();
+        }
         self.learning.close();
         self.view.look_as(&scene);
         self.replay.playback.rewind();
@@ -161,7 +163,7 @@ impl Workbench {
         match self.files.save(&as_seen, path) {
             Saved::Done(words) => {
                 self.window.say(words);
-                self.window.saved();
+                self.go_on();
             }
             Saved::Question => self.window.stay_open(),
             Saved::Failed(words) => {

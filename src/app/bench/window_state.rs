@@ -2,21 +2,32 @@
 
 use std::path::Path;
 
-use crate::app::command::{RowDraft, WindowCommand};
+use crate::app::command::{FileCommand, Learn, RowDraft, WindowCommand};
 use crate::app::host::Told;
 
-/// Whether the window is about to close.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Closing {
+/// What would leave the scene that is worked on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Next {
+    /// The window closes.
+    Close,
+    /// Another scene is opened.
+    File(FileCommand),
+    /// A lesson is opened.
+    Learn(Learn),
+}
+
+/// Whether the scene that is worked on is about to be left.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+enum Leaving {
     /// No.
     #[default]
-    Open,
+    Not,
     /// Something is not saved: the user is asked.
-    Asking,
+    Asking(Next),
     /// It is being saved first.
-    Saving,
-    /// Yes.
-    Now,
+    Saving(Next),
+    /// The window closes now.
+    Closed,
 }
 
 /// Dialogs, notice, closing.
@@ -27,18 +38,23 @@ pub struct WindowState {
     /// The row that is asked for, while its dialog is open.
     pub(in crate::app) row: Option<RowDraft>,
     notice: Option<Told>,
-    closing: Closing,
+    leaving: Leaving,
 }
 
 impl WindowState {
     /// Whether the window is to close now.
     pub fn closes(&self) -> bool {
-        self.closing == Closing::Now
+        self.leaving == Leaving::Closed
     }
 
     /// Whether the question about unsaved changes is open.
     pub fn asks(&self) -> bool {
-        self.closing == Closing::Asking
+        self.asked_before().is_some()
+    }
+
+    /// What the question about unsaved changes is asked before, while it is open.
+    pub(in crate::app) fn asked_before(&self) -> Option<&Next> {
+        if let Leaving::Asking(next) = &self.leaving { Some(next) } else { None }
     }
 
     /// What has happened, until it has been read.
@@ -54,14 +70,14 @@ impl WindowState {
     /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
     pub(super) fn apply(&mut self, command: WindowCommand, dirty: bool) -> bool {
         match command {
-            // The context of egui keeps theme and size, the runner the run.
-            WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun => {}
+            // The context of egui keeps theme and size, the runner the run; the workbench gives up.
+            WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun | WindowCommand::GiveUp => {}
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,
             WindowCommand::Dismiss => self.notice = None,
-            WindowCommand::Close => self.closing = if dirty { Closing::Asking } else { Closing::Now },
-            WindowCommand::CloseAnyway => self.closing = Closing::Now,
-            WindowCommand::KeepOpen => self.closing = Closing::Open,
+            WindowCommand::Close if dirty => self.ask_before(Next::Close),
+            WindowCommand::Close | WindowCommand::CloseAnyway => self.leaving = Leaving::Closed,
+            WindowCommand::KeepOpen => self.leaving = Leaving::Not,
         }
         self.closes()
     }
@@ -78,22 +94,32 @@ impl WindowState {
         }
     }
 
-    /// Does not close after all.
-    pub(in crate::app) fn stay_open(&mut self) {
-        self.closing = Closing::Open;
+    /// Asks what becomes of unsaved work before something else is opened.
+    pub(in crate::app) fn ask_before(&mut self, next: Next) {
+        self.leaving = Leaving::Asking(next);
     }
 
-    /// The user is asked where to save; a window that asked whether to close waits for it.
+    /// Stays with the scene after all.
+    pub(in crate::app) fn stay_open(&mut self) {
+        self.leaving = Leaving::Not;
+    }
+
+    /// The user is asked where to save; what was asked before waits for it.
     pub(in crate::app) fn begin_saving(&mut self) {
-        if self.closing == Closing::Asking {
-            self.closing = Closing::Saving;
+        if let Leaving::Asking(next) = std::mem::take(&mut self.leaving) {
+            self.leaving = Leaving::Saving(next);
         }
     }
 
-    /// The scene has been saved: a window that waited for it closes.
-    pub(in crate::app) fn saved(&mut self) {
-        if matches!(self.closing, Closing::Asking | Closing::Saving) {
-            self.closing = Closing::Now;
+    /// The scene has been saved, or is given up: what waited for that, unless it is that the window closes now.
+    pub(in crate::app) fn go_on(&mut self) -> Option<Next> {
+        match std::mem::take(&mut self.leaving) {
+            Leaving::Asking(Next::Close) | Leaving::Saving(Next::Close) | Leaving::Closed => {
+                self.leaving = Leaving::Closed;
+                None
+            }
+            Leaving::Asking(next) | Leaving::Saving(next) => Some(next),
+            Leaving::Not => None,
         }
     }
 }
@@ -107,20 +133,30 @@ mod tests {
         let mut window = WindowState::default();
         assert!(!window.apply(WindowCommand::Close, true), "asked first");
         window.begin_saving();
-        window.saved();
-        assert!(window.closes(), "saved, then closed");
+        assert!(window.go_on().is_none() && window.closes(), "saved, then closed");
     }
 
     #[test]
     fn saving_alone_closes_nothing() {
         let mut window = WindowState::default();
         window.begin_saving();
-        window.saved();
-        assert!(!window.closes() && !window.asks(), "only saved");
+        assert!(window.go_on().is_none() && !window.closes() && !window.asks(), "only saved");
         window.apply(WindowCommand::Close, true);
         window.apply(WindowCommand::KeepOpen, true);
-        window.saved();
-        assert!(!window.closes() && !window.asks(), "kept open");
+        assert!(window.go_on().is_none() && !window.closes() && !window.asks(), "kept open");
         assert!(window.apply(WindowCommand::Close, false), "nothing to lose");
+    }
+
+    #[test]
+    fn what_would_replace_unsaved_work_waits_until_it_is_saved() {
+        let mut window = WindowState::default();
+        window.ask_before(Next::Learn(Learn::Open(1)));
+        assert!(window.asks() && !window.closes(), "asked first");
+        window.begin_saving();
+        assert_eq!(window.go_on(), Some(Next::Learn(Learn::Open(1))), "then the lesson");
+        assert_eq!(window.go_on(), None, "once");
+        window.ask_before(Next::File(FileCommand::New));
+        window.stay_open();
+        assert_eq!(window.go_on(), None, "stayed");
     }
 }

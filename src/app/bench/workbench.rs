@@ -57,6 +57,7 @@ impl Workbench {
     pub(super) fn run(&mut self) {
         let document = &self.files.document;
         self.replay.follow((document.revision(), document.work()), document.scene());
+        self.comparison.turn_to(document.work());
     }
 
     /// Tells who is to be woken when a thread has news; the window's event loop.

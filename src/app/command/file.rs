@@ -111,11 +111,11 @@ pub enum FileCommand {
 /// What is kept beside the scene: recent files, unsaved work, a file changed by another program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// Bring back the unsaved work that was found.
-    Recover,
+    /// Bring back unsaved work that was found, by its number; the rest is asked about the next time.
+    Recover(usize),
     /// Throw it away.
-    Discard,
-    /// Leave it where it is and ask again the next time.
+    Discard(usize),
+    /// Leave all of it where it is and ask again the next time.
     Later,
     /// Read the file again that another program has changed.
     Reload,

@@ -21,6 +21,8 @@ pub enum WindowCommand {
     Close,
     /// Close the window and lose what is not saved.
     CloseAnyway,
-    /// Do not close.
+    /// Open what was about to be opened, and lose what is not saved.
+    GiveUp,
+    /// Stay with the scene: do not close, open nothing.
     KeepOpen,
 }

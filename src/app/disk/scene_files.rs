@@ -113,9 +113,11 @@ impl SceneFiles {
     /// In words: a file that cannot be removed or written.
     pub(in crate::app) fn apply(&mut self, command: Keep) -> Result<Left, String> {
         match command {
-            Keep::Recover => return Ok(self.session.take_found().map_or(Left::Nothing, Left::Recover)),
-            Keep::Discard => self.session.discard().map_err(|e| e.to_string())?,
-            Keep::Later => drop(self.session.take_found()),
+            Keep::Recover(number) => {
+                return Ok(self.session.take_found(number).map_or(Left::Nothing, Left::Recover));
+            }
+            Keep::Discard(number) => self.session.discard(number).map_err(|e| e.to_string())?,
+            Keep::Later => self.session.leave_found(),
             Keep::Reload => {
                 self.session.keep_mine(&mut self.document);
                 return Ok(self.document.file().map_or(Left::Nothing, |file| Left::Reload(file.to_owned())));
@@ -207,7 +209,7 @@ mod tests {
         left.session.wait();
         drop(left);
         let mut files = opened(SceneSource::New);
-        let Ok(Left::Recover(found)) = files.apply(Keep::Recover) else { panic!("it was left") };
+        let Ok(Left::Recover(found)) = files.apply(Keep::Recover(0)) else { panic!("it was left") };
         let unsaved = crate::files::load_unsaved(&found.path).expect("a scene");
         assert!(files.recover(&found, unsaved, Scene::clone).expect("fits"), "another scene");
         let path = folder.path().join("saved.toml");

@@ -3,7 +3,7 @@
 //! Nothing is kept unless [`SessionFiles::keep_in`] says where, so that a test or a picture of the window leaves the
 //! user's files alone. The disk is looked at while a frame is drawn anyway, at most once a second: an idle window sleeps.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -23,10 +23,27 @@ pub struct SessionFiles {
     folder: Option<PathBuf>,
     recent: Recent,
     autosave: Option<Autosave>,
-    found: VecDeque<Found>,
+    found: Vec<FoundWork>,
     stamps: BTreeMap<PathBuf, Option<Stamp>>,
     looked: Option<Instant>,
     changed: bool,
+}
+
+/// Unsaved work that was found, and what its scene is called.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FoundWork {
+    /// Where it is.
+    pub found: Found,
+    /// The scene's name; of work that cannot be read, the side file's.
+    pub name: String,
+}
+
+impl FoundWork {
+    fn of(found: Found) -> Self {
+        let file = || found.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = load_unsaved(&found.path).map_or_else(|_| file(), |scene| scene.name);
+        Self { found, name }
+    }
 }
 
 /// How a file compares with what was last seen of it.
@@ -51,7 +68,7 @@ impl SessionFiles {
     pub(in crate::app) fn keep_in(&mut self, folder: &Path, wake: Wake) {
         self.recent = Recent::open(folder.join("recent.toml"));
         self.autosave = Some(Autosave::new(wake));
-        self.found = find_in(&folder.join("unsaved")).into();
+        self.found = find_in(&folder.join("unsaved")).into_iter().map(FoundWork::of).collect();
         self.folder = Some(folder.to_owned());
     }
 
@@ -77,7 +94,7 @@ impl SessionFiles {
 
     /// Whether a question about files is open.
     pub(in crate::app) fn asks(&self) -> bool {
-        self.found_work().is_some() || self.file_has_changed()
+        !self.found.is_empty() || self.file_has_changed()
     }
 
     /// Files that were used last.
@@ -86,8 +103,8 @@ impl SessionFiles {
     }
 
     /// Unsaved work that is asked about.
-    pub fn found_work(&self) -> Option<&Found> {
-        self.found.front()
+    pub fn found_work(&self) -> &[FoundWork] {
+        &self.found
     }
 
     /// Whether another program has changed the file, and nothing was chosen about it yet.
@@ -100,16 +117,18 @@ impl SessionFiles {
         if self.folder.is_none() {
             return;
         }
+        // What was just saved or given up is no longer beside it.
+        self.wait();
         self.stamp(file);
         // A list that cannot be written is no reason to disturb the work.
         let _ = self.recent.add(file);
-        let known: Vec<PathBuf> = self.found.iter().map(|f| f.path.clone()).collect();
+        let known: Vec<PathBuf> = self.found.iter().map(|work| work.found.path.clone()).collect();
         for found in find_beside(file).into_iter().rev().filter(|f| !known.contains(&f.path)) {
             if load_unsaved(&found.path).is_ok_and(|unsaved| unsaved == *scene) {
                 // It is what the file says: nothing would be lost.
                 let _ = std::fs::remove_file(&found.path);
             } else {
-                self.found.push_front(found);
+                self.found.insert(0, FoundWork::of(found));
             }
         }
     }
@@ -160,17 +179,25 @@ impl SessionFiles {
         self.autosave.iter_mut().for_each(|autosave| autosave.adopt(origin, revision, found.to_owned()));
     }
 
-    /// Takes the found work that is asked about off the list.
-    pub(in crate::app) fn take_found(&mut self) -> Option<Found> {
-        self.found.pop_front()
+    /// Takes found work to bring it back; the rest is not asked about again.
+    pub(in crate::app) fn take_found(&mut self, number: usize) -> Option<Found> {
+        std::mem::take(&mut self.found).into_iter().nth(number).map(|work| work.found)
     }
 
-    /// Throws the found work away that is asked about.
+    /// Leaves all found work where it is.
+    pub(in crate::app) fn leave_found(&mut self) {
+        self.found.clear();
+    }
+
+    /// Throws found work away.
     ///
     /// # Errors
     /// The side file cannot be removed.
-    pub(in crate::app) fn discard(&mut self) -> std::io::Result<()> {
-        self.found.pop_front().map_or(Ok(()), |found| std::fs::remove_file(found.path))
+    pub(in crate::app) fn discard(&mut self, number: usize) -> std::io::Result<()> {
+        if number >= self.found.len() {
+            return Ok(());
+        }
+        std::fs::remove_file(self.found.remove(number).found.path)
     }
 
     /// Takes a file from the list of recent ones.

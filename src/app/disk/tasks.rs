@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::app::command::{Command, Filming, Wish};
-use crate::app::disk::dialogs::{Dialogs, file_stem};
+use crate::app::disk::dialogs::Dialogs;
 use crate::app::disk::export;
 use crate::app::disk::film::{Films, Source};
 use crate::app::disk::path_field::PathField;
@@ -50,7 +50,7 @@ impl Tasks {
         self.wake.clone()
     }
 
-    /// Opens no dialogs of the system's: there is no user to answer them.
+    /// Asks for no paths: there is no user to answer.
     pub fn set_silent(&mut self) {
         self.dialogs.silent = true;
     }
@@ -58,7 +58,10 @@ impl Tasks {
     /// Asks for a path: by the system's dialog, or in the window where that is wanted or there is none. New files are called
     /// `name`, and `folder` is where it begins.
     pub(in crate::app) fn ask(&mut self, wish: Wish, name: &str, folder: &Path) {
-        self.paths.begin_in(folder, &file_stem(name));
+        self.paths.begin_in(folder, name);
+        if self.dialogs.silent {
+            return;
+        }
         if self.paths.is_here() {
             self.paths.ask(wish);
         } else {

@@ -28,6 +28,7 @@ const PROGRESS: Duration = Duration::from_millis(50);
 /// Shows everything and does what is asked.
 pub fn show(bench: &mut Workbench, ui: &mut Ui) {
     theme::install(ui.ctx());
+    shortcuts::wait_for_focus(ui);
     listen(bench, ui);
     let returned = ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true)));
     if bench.files.session.is_time_to_look(returned)
@@ -46,12 +47,7 @@ pub fn show(bench: &mut Workbench, ui: &mut Ui) {
 fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     let mut out = Vec::new();
     let (document, window) = (&bench.files.document, &bench.window);
-    if !dialog_is_open(bench) {
-        let (display, hand) = (&bench.view.display, &bench.view.viewport.hand);
-        let clock = &bench.replay.playback.clock;
-        let on = Keyboard { help: window.help, hand, tool: display.tool, clock, scene: document.scene() };
-        shortcuts::keys(ui, on, &mut out);
-    }
+    let typing = ui.text_edit_focused();
     if bench.view.display.sight.lecture {
         lecture_panels(bench, ui, &mut out);
     } else {
@@ -67,6 +63,12 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     path_dialog::show(ui, &bench.tasks.paths, bench.files.session.recent(), &mut out);
     if !window.asks() {
         file_questions::show(ui, &bench.files, &mut out);
+    }
+    if !dialog_is_open(bench) {
+        let (display, hand) = (&bench.view.display, &bench.view.viewport.hand);
+        let clock = &bench.replay.playback.clock;
+        let on = Keyboard { typing, help: window.help, hand, tool: display.tool, clock, scene: document.scene() };
+        shortcuts::keys(ui, on, &mut out);
     }
     out
 }

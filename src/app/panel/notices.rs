@@ -2,7 +2,7 @@
 
 use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText, Ui, vec2};
 
-use crate::app::bench::WindowState;
+use crate::app::bench::{Next, WindowState};
 use crate::app::command::{Command, FileCommand, Tool, WindowCommand};
 use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
@@ -87,13 +87,17 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
             });
         });
     }
-    if window.asks() {
+    if let Some(next) = window.asked_before() {
+        let anyway = match next {
+            Next::Close => (text::CLOSE_ANYWAY, WindowCommand::CloseAnyway),
+            Next::File(_) | Next::Learn(_) => (text::GIVE_UP, WindowCommand::GiveUp),
+        };
         egui::Modal::new(Id::unique("unsaved")).show(ui, |ui| {
             ui.label(text::UNSAVED_QUESTION);
             ui.horizontal(|ui| {
                 for (words, command) in [
                     (text::SAVE_FIRST, Command::File(FileCommand::Save)),
-                    (text::CLOSE_ANYWAY, Command::Window(WindowCommand::CloseAnyway)),
+                    (anyway.0, Command::Window(anyway.1)),
                     (text::KEEP_OPEN, Command::Window(WindowCommand::KeepOpen)),
                 ] {
                     if ui.button(words).clicked() {

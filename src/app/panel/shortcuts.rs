@@ -1,6 +1,8 @@
 //! Keys of the whole window.
 //!
-//! Keys act when no text is being typed; a slider that has the focus keeps its arrows.
+//! Keys act when no text is being typed; a slider that has the focus keeps its arrows. They are looked at when the panels
+//! have been shown: a field that was pressed in the frame before takes text from then on. Keys that come in one frame
+//! with a press of the mouse wait for the next, in which what was pressed has the focus.
 
 use egui::{Event, Key, Modifiers};
 
@@ -16,6 +18,8 @@ use crate::scene::{Scene, ViewPreset};
 /// What keys act on.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Keyboard<'a> {
+    /// Whether a text had the focus when the frame began: it may have been left by one of its keys.
+    pub(in crate::app) typing: bool,
     /// Whether the help is open: keys close it then, and do nothing else.
     pub(in crate::app) help: bool,
     /// What is held in the view: a number that is typed is its own.
@@ -28,12 +32,32 @@ pub(in crate::app) struct Keyboard<'a> {
     pub(in crate::app) scene: &'a Scene,
 }
 
+/// Lets keys that came after a press of the mouse in this frame wait for the next.
+pub(in crate::app) fn wait_for_focus(ui: &egui::Ui) {
+    let id = egui::Id::unique("keys that wait");
+    let waited: Vec<Event> = ui.data_mut(|data| data.remove_temp(id)).unwrap_or_default();
+    let waits = ui.input_mut(|input| {
+        let pressed = input.events.iter().position(|event| matches!(event, Event::PointerButton { .. }));
+        let is_key =
+            |event: &Event| matches!(event, Event::Key { .. } | Event::Text(_) | Event::Paste(_) | Event::Ime(_));
+        let after = pressed.map_or_else(Vec::new, |at| input.events.split_off(at));
+        let (waits, stays): (Vec<Event>, Vec<Event>) = after.into_iter().partition(is_key);
+        input.events.extend(stays);
+        input.events.splice(0..0, waited);
+        waits
+    });
+    if !waits.is_empty() {
+        ui.data_mut(|data| data.insert_temp(id, waits));
+        ui.request_repaint();
+    }
+}
+
 /// Commands for the keys pressed in this frame.
 pub(in crate::app) fn keys(ui: &egui::Ui, on: Keyboard<'_>, out: &mut Vec<Command>) {
     if !on.help && on.hand.keys(ui, out) {
         return;
     }
-    let typing = ui.text_edit_focused();
+    let typing = on.typing || ui.text_edit_focused();
     let focused = ui.memory(|m| m.focused().is_some());
     let events = ui.input(|i| i.events.clone());
     for event in events {

@@ -1,5 +1,6 @@
 //! Runs that are kept to compare with.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::app::command::CompareCommand;
@@ -27,12 +28,25 @@ pub struct Comparison {
     pins: Vec<Pin>,
     /// How many have been kept since the window was opened.
     count: usize,
+    /// Which of the scenes that were opened they are of.
+    work: u64,
+    /// Those of other scenes, which are shown again when undo leads back to them.
+    aside: BTreeMap<u64, Vec<Pin>>,
 }
 
 impl Comparison {
     /// All of them.
     pub fn pins(&self) -> &[Pin] {
         &self.pins
+    }
+
+    /// Goes over to another of the scenes that were opened: its runs are shown, and those of the one before are not.
+    pub(in crate::app) fn turn_to(&mut self, work: u64) {
+        if self.work != work {
+            let others = self.aside.remove(&work).unwrap_or_default();
+            let mine = std::mem::replace(&mut self.pins, others);
+            self.aside.insert(std::mem::replace(&mut self.work, work), mine);
+        }
     }
 
     /// Numbers of their answers.
@@ -115,5 +129,16 @@ mod tests {
         kept.unpin(99);
         kept.pin(&runs[MOST], "gap").expect("room again");
         assert_eq!(kept.pins().last().map(|p| p.color), Some(1), "the colour that became free");
+    }
+
+    #[test]
+    fn runs_of_another_scene_are_put_aside_and_come_back_with_it() {
+        let mut kept = Comparison::default();
+        kept.pin(&answer(0.1), "gap").expect("room for it");
+        kept.turn_to(1);
+        assert!(kept.pins().is_empty(), "nothing of the scene before");
+        kept.pin(&answer(0.1), "gap").expect("another scene's");
+        kept.turn_to(0);
+        assert_eq!(kept.pins().first().map(|p| p.name.as_str()), Some("run 1: gap"), "its own again");
     }
 }

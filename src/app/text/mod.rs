@@ -263,14 +263,14 @@ pub(super) const FILM_WRITTEN: &str = "Film written, frames in";
 // Questions and notices.
 pub(super) const UNSAVED_QUESTION: &str = "The scene has changes that are not saved.";
 pub(super) const CLOSE_ANYWAY: &str = "Close without saving";
+pub(super) const GIVE_UP: &str = "Go on without saving";
 pub(super) const SAVE_FIRST: &str = "Save first";
 pub(super) const KEEP_OPEN: &str = "Keep working";
 pub(super) const DISMISS: &str = "Dismiss";
 pub(super) const CLOSE: &str = "Close";
-pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended";
-pub(super) const WITHOUT_FILE: &str = "a scene without a file";
+pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended. Bring it back?";
+pub(super) const WITHOUT_FILE: &str = "without a file";
 pub(super) const WORK_IS_OLDER: &str = " The file has been written since then.";
-pub(super) const BRING_BACK: &str = "Bring it back?";
 pub(super) const RECOVER: &str = "Recover";
 pub(super) const DISCARD: &str = "Discard";
 pub(super) const LATER: &str = "Keep for later";

@@ -215,6 +215,11 @@ pub(in crate::app) fn film_length(frames: u32, seconds: f64) -> String {
     format!("{frames} frames, plays for {} s", short(seconds))
 }
 
+/// A button about one of several pieces of unsaved work.
+pub(in crate::app) fn of_work(what: &str, number: usize, name: &str) -> String {
+    format!("{what} {number}: {name}")
+}
+
 /// How long ago, roughly.
 pub(in crate::app) fn ago(time: std::time::Duration) -> String {
     let (count, unit) = match time.as_secs() {
