@@ -131,6 +131,17 @@ fn answer(report: &Report) -> Vec<Line> {
         let value = format!("law {}, {} touches, peak {}", pair.law, pair.touches, force(pair.peak_force));
         line(&format!("pair {}", pair.name), value)
     }));
+    lines.extend(report.backfill.iter().map(|soil| {
+        let value = format!(
+            "pushed {} mm at {:.4} s with {}, {:.0} % of its ultimate force; a gap of {} mm stays",
+            millimetres(soil.push),
+            soil.t,
+            force(soil.force),
+            100.0 * soil.force / soil.ultimate,
+            millimetres(soil.remaining_gap)
+        );
+        line(&format!("soil {}", escaped(&soil.abutment)), value)
+    }));
     lines.extend(report.seats.iter().flat_map(seats::lines));
     lines
 }

@@ -65,9 +65,11 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
         model.groups[group].iter().all(|&body| matches!(model.bodies[body].coordinates, BodyCoordinates::Planar));
     match kind {
         ModelKind::Contact | ModelKind::Both => Box::new(ContactRun::new(model, group)),
-        ModelKind::Impact if !model.group_links[group].is_empty() => {
-            Box::new(ContactRun::refused(model, group, "the impact model knows no devices and no bearings that yield"))
-        }
+        ModelKind::Impact if !model.group_links[group].is_empty() => Box::new(ContactRun::refused(
+            model,
+            group,
+            "the impact model knows no devices, no bearings that yield and no backwalls that move",
+        )),
         ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
         ModelKind::Impact => {
             Box::new(ContactRun::refused(model, group, "the impact model knows rigid girders in plan only"))

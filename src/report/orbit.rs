@@ -24,7 +24,7 @@ const MARKS: usize = 6;
 /// Every seat of a run: caption and picture of both corners.
 pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     let mut all = Vec::new();
-    for (girder, body) in history.model().bodies.iter().enumerate() {
+    for (girder, body) in history.model().girders().iter().enumerate() {
         for seat in seats::of_girder(history, girder) {
             let orbit = seats::orbit(history, girder, &seat, INTERVALS);
             let caption = format!(

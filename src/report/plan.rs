@@ -113,7 +113,7 @@ impl<'a> Plan<'a> {
                 }
             }
         }
-        for girder in 0..self.history.model().bodies.len() {
+        for girder in 0..self.history.model().girders().len() {
             self.girder(&mut svg, girder);
         }
         self.forces(&mut svg);
@@ -249,7 +249,7 @@ fn abutment_plan(scene: &Scene, abutment: &Abutment) -> Option<[DVec2; 4]> {
 /// What holds every girder as placed and every abutment, with some air.
 fn window(history: &History) -> [DVec2; 2] {
     let scene = history.scene();
-    let girders: Vec<DVec2> = (0..history.model().bodies.len()).flat_map(|number| placed(history, number)).collect();
+    let girders: Vec<DVec2> = (0..history.model().girders().len()).flat_map(|number| placed(history, number)).collect();
     let around = girders.iter().fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[a, b], p| [a.min(*p), b.max(*p)]);
     let air = 0.12 * (around[1].y - around[0].y);
     let walls = scene.abutments.iter().filter_map(|abutment| abutment_plan(scene, abutment)).flatten();

@@ -147,7 +147,7 @@ pub(super) fn readings(history: &History, report: &Report) -> String {
         "<table><tr><th>girder</th><th>rotation</th><th>drift of corners 1–4 [mm]</th><th>least gap [mm]</th>\
          <th>largest force [kN]</th></tr>\n",
     );
-    for (number, body) in history.model().bodies.iter().enumerate() {
+    for (number, body) in history.model().girders().iter().enumerate() {
         let reading = readings::reading(history, number);
         let drift = reading.drift.map(|e| format!("{:.1}", 1e3 * e.value)).join(", ");
         let gap = reading.gap.map_or("–".to_owned(), |e| format!("{:.2} at {:.3} s", 1e3 * e.value, e.t));

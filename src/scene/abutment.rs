@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Backfill;
 use super::keys::{Fallback, Range, table};
 use crate::geometry::End;
 
 table! {
-    /// A fixed backwall: either it faces the end of a girder, or its face is given as a polygon.
+    /// A backwall, fixed unless there is backfill: either it faces the end of a girder, or its face is given as a polygon.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Abutment, ABUTMENT {
         name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
@@ -28,6 +29,8 @@ table! {
              whose first and third sides are parallel";
         depth: Option<f64> = "depth_m" as "Depth", Range::Positive, Fallback::Words("the girder's length"),
             "how far it reaches behind its face, m";
+        backfill: Option<Backfill> = "backfill", Range::Free, Fallback::Words("none: the backwall is fixed"),
+            "soil behind a backwall that can move, see below";
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod abutment;
 mod angle;
+mod backfill;
 mod bearing;
 mod codes;
 mod contact;
@@ -18,6 +19,7 @@ mod processing;
 mod record;
 mod resolved;
 mod settings;
+mod soil;
 mod sweep;
 mod synthetic;
 mod top;
@@ -36,6 +38,7 @@ pub mod shown;
 pub mod validate;
 
 pub use abutment::Abutment;
+pub use backfill::{Backfill, BackfillLaw};
 pub use bearing::{Bearing, BearingYield, Bearings, PerDirection, SharedBearings};
 pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
@@ -51,6 +54,7 @@ pub use processing::{Baseline, Processing};
 pub use record::{Component, Heading, RecordMotion};
 pub use resolved::ResolvedBearing;
 pub use settings::{Layer, Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use soil::ResolvedBackfill;
 pub use sweep::{SweepMotion, SweepRate};
 pub use synthetic::SyntheticMotion;
 pub use top::Scene;

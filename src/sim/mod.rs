@@ -4,6 +4,7 @@
 //! that the run left, never from samples.
 
 mod acting;
+mod backfill;
 mod balance;
 mod books;
 mod digest;
@@ -23,6 +24,7 @@ mod session;
 mod summary;
 mod touches;
 
+pub use backfill::{BackfillReading, WallNow};
 pub use balance::Balance;
 pub use history::History;
 pub use law_sense::{Dropped, TooDeep};

@@ -128,7 +128,7 @@ fn first(times: &[f64], end: f64, value: impl Fn(f64) -> f64) -> Option<f64> {
 pub fn passed(history: &History) -> Vec<Passed> {
     let limits = history.scene().limits;
     let mut all = Vec::new();
-    for (girder, body) in history.model().bodies.iter().enumerate() {
+    for (girder, body) in history.model().girders().iter().enumerate() {
         let watched = [limits.rotation_deg.is_some(), limits.drift.is_some(), limits.remaining_seat.is_some()];
         if watched.contains(&true) {
             of_girder(history, girder, &body.name, &mut all);

@@ -17,7 +17,9 @@ pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use impact::{hits, transitions};
 pub use seats::{CornerReport, DemandReport, SeatReport};
-pub use summary::{DroppedReport, OutsideReport, OverlapReport, PairReport, Report, TooDeepReport, Versions};
+pub use summary::{
+    BackfillReport, DroppedReport, OutsideReport, OverlapReport, PairReport, Report, TooDeepReport, Versions,
+};
 pub use trajectory::{trajectory, trajectory_columns};
 
 use std::io::Write;

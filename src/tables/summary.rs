@@ -6,7 +6,7 @@ use super::TableOptions;
 use super::events::law_of;
 use super::seats::{self, SeatReport};
 use crate::scene::{Kind, Scene, domain};
-use crate::sim::{History, Ledger, Overlap, Stop, Summary, TooDeep, readings};
+use crate::sim::{BackfillReading, History, Ledger, Overlap, Stop, Summary, TooDeep, readings};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,6 +30,8 @@ pub struct Report {
     pub pairs: Vec<PairReport>,
     /// What remains of the seats that the scene gives.
     pub seats: Vec<SeatReport>,
+    /// What the run did to the soil behind backwalls that move.
+    pub backfill: Vec<BackfillReport>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
     /// Overlaps of two bodies that no contact carries, the earliest first.
@@ -86,6 +88,23 @@ pub struct PassedReport {
     pub t: f64,
     /// How far at the most, in the unit of the limit.
     pub reached: f64,
+}
+
+/// Soil behind one backwall.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BackfillReport {
+    /// The abutment's name.
+    pub abutment: String,
+    /// Greatest push of the wall into the soil \[m\].
+    pub push: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// Greatest resistance of the soil \[N\].
+    pub force: f64,
+    /// Its ultimate force `F_ult` \[N\].
+    pub ultimate: f64,
+    /// Gap that stays between the wall as placed and the soil \[m\].
+    pub remaining_gap: f64,
 }
 
 /// An overlap that no contact carries, in short.
@@ -179,6 +198,7 @@ impl Report {
             numbers: history.summary(),
             pairs: pairs(history),
             seats: seats::of(history),
+            backfill: backfill(history),
             limits_passed: passed(history),
             overlaps: overlaps(history),
             too_deep: too_deep(history),
@@ -218,6 +238,14 @@ fn pairs(history: &History) -> Vec<PairReport> {
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
+}
+
+fn backfill(history: &History) -> Vec<BackfillReport> {
+    let report = |BackfillReading { abutment, push, t, force, ultimate, remaining_gap }: BackfillReading| {
+        let abutment = history.scene().abutments[abutment].name.clone();
+        BackfillReport { abutment, push, t, force, ultimate, remaining_gap }
+    };
+    history.backfill().into_iter().map(report).collect()
 }
 
 /// Limits of the scene that were passed.

@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, walls};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -65,10 +65,15 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
     let girders: Vec<_> =
         input.scene.girders.iter().zip(&moment.motions).map(|(g, m)| moved_girder_block(g, m)).collect();
     for (i, abutment) in input.scene.abutments.iter().enumerate() {
-        if let Some(block) = abutment_block(input.scene, abutment) {
+        if let Some(block) = walls::block(input.scene, i, moment.wall(i)) {
             let selected = input.selected.contains(&Target::Abutment(i));
             let color = palette.abutment.fainter(solidity(&block, &girders, input.camera));
             out.add(input, &block, &abutment.name, color, palette.edge, selected);
+        }
+        if let Some(soil) = moment.wall(i).and_then(|wall| walls::soil(input.scene, i, wall)) {
+            let color = palette.soil.fainter(solidity(&soil, &girders, input.camera));
+            out.add(input, &soil, &format!("{} soil", abutment.name), color, palette.edge, false);
+            out.lines.extend(walls::failure_lines(input, &soil, palette));
         }
     }
     for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {

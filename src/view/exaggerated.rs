@@ -37,6 +37,9 @@ impl Moment {
                 *own = motion(body, own, factor);
             }
         }
+        for wall in self.walls.iter_mut().flatten() {
+            (wall.displacement, wall.soil) = (wall.displacement * factor, wall.soil * factor);
+        }
         let moved = &self.motions;
         let place = |contact: usize, point: DVec3| {
             let site = &model.contacts[contact];

@@ -3,10 +3,11 @@
 use glam::DVec3;
 
 use super::ViewInput;
-use super::block::{abutment_block, moved_girder_block};
+use super::block::moved_girder_block;
 use super::list::Line;
 use super::moment::Moment;
 use super::palette::Palette;
+use super::walls;
 use crate::geometry::End;
 use crate::scene::Scene;
 use crate::scene::facing::Side;
@@ -26,7 +27,7 @@ pub struct GapNow {
 fn face_of(scene: &Scene, moment: &Moment, side: Side) -> Option<(DVec3, DVec3)> {
     let corners = match side {
         Side::Girder(i, end) => end_corners(scene, moment, i, end)?,
-        Side::Abutment(i) => abutment_block(scene, scene.abutments.get(i)?)?.face,
+        Side::Abutment(i) => walls::block(scene, i, moment.wall(i))?.face,
         Side::Flank(..) | Side::Rear(..) => return None,
     };
     let [a, b, c, d] = corners;

@@ -109,6 +109,9 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         rows.push(row(Sign::Device(true), "device whose force acts"));
         rows.push(row(Sign::Device(false), "idle device"));
     }
+    if moment.walls.iter().any(Option::is_some) {
+        rows.push(row(Sign::None, "brown: soil, with its failure surface"));
+    }
     if !moment.overlaps.is_empty() {
         rows.push(row(Sign::Overlap, "overlap that no contact carries"));
     }

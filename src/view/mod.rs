@@ -35,6 +35,7 @@ mod print;
 pub mod scale;
 mod scale_bar;
 mod texts;
+mod walls;
 
 pub use bounds::Bounds;
 pub use camera::{Basis, Camera, Projection};

@@ -4,6 +4,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::ViewInput;
 use super::scale::{auto_force_scale, auto_impulse_scale};
+use super::walls::{self, Wall};
 use crate::geometry::{End, Prism};
 use crate::scene::facing::{self, Side};
 use crate::scene::{FrictionLaw, Girder, Motion as GroundMotion, Scene, placed};
@@ -79,6 +80,8 @@ pub struct Moment {
     pub facings: Vec<Facing>,
     /// Closed contacts.
     pub contacts: Vec<ContactNow>,
+    /// Backwalls by abutment; `None` for those that stand, none where all do.
+    pub walls: Vec<Option<Wall>>,
     /// Devices between two points.
     pub devices: Vec<LinkNow>,
     /// Overlaps that no contact carries.
@@ -104,6 +107,11 @@ pub struct Moment {
 }
 
 impl Moment {
+    /// The backwall of an abutment that moves.
+    pub(super) fn wall(&self, abutment: usize) -> Option<&Wall> {
+        self.walls.get(abutment)?.as_ref()
+    }
+
     /// What `input` asks for: the history at `t`, or the scene as placed.
     pub fn of(input: &ViewInput<'_>) -> Self {
         let mut moment = match input.history {
@@ -126,13 +134,13 @@ impl Moment {
         Self {
             ghosts: history
                 .beside()
-                .map_or(Vec::new(), |beside| (0..model.bodies.len()).map(|i| beside.motion(i, t)).collect()),
+                .map_or(Vec::new(), |beside| (0..model.girders().len()).map(|i| beside.motion(i, t)).collect()),
             states: record
-                .map_or(Vec::new(), |record| (0..model.bodies.len()).map(|body| record.state(body, t)).collect()),
+                .map_or(Vec::new(), |record| (0..model.girders().len()).map(|body| record.state(body, t)).collect()),
             impulses: by_impulses.map_or(Vec::new(), fading),
             impulse_scale: by_impulses.and_then(auto_impulse_scale),
             t: Some(t),
-            motions: (0..model.bodies.len()).map(|i| history.motion(i, t)).collect(),
+            motions: (0..model.girders().len()).map(|i| history.motion(i, t)).collect(),
             facings: model
                 .pairs
                 .iter()
@@ -141,6 +149,7 @@ impl Moment {
                 .collect(),
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
+            walls: walls::at(scene, Some((history, t))),
             devices: history.links(t),
             overlaps: overlaps(history, t),
             off_seat: off_seat(history, t),
@@ -161,6 +170,7 @@ impl Moment {
             motions: scene.girders.iter().map(at_rest).collect(),
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
+            walls: walls::at(scene, None),
             devices: Vec::new(),
             overlaps: Vec::new(),
             off_seat: Vec::new(),
@@ -185,7 +195,7 @@ fn overlaps(history: &History, t: f64) -> Vec<OverlapNow> {
 
 /// Ends of which a corner is off its seat at an instant.
 fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
-    let ends = (0..history.model().bodies.len()).flat_map(|girder| End::BOTH.map(|end| (girder, end)));
+    let ends = (0..history.model().girders().len()).flat_map(|girder| End::BOTH.map(|end| (girder, end)));
     ends.filter_map(|(girder, end)| {
         let ledge = Ledge::of(history, girder, end)?;
         let remaining = corners_at(history, girder, &ledge, t).map(|[_, remaining]| remaining);

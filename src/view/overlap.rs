@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use glam::{DVec2, DVec3};
 
 use super::ViewInput;
-use super::block::{Block, abutment_block};
+use super::block::Block;
 use super::gap::girder_block_at;
 use super::labels::{BESIDE, Label, Placer};
 use super::list::{Line, Mark};
@@ -13,6 +13,7 @@ use super::moment::{Moment, OverlapNow};
 use super::palette::{OVERLAP, Palette};
 use super::scale;
 use super::texts::{TEXT, pixel};
+use super::walls;
 use crate::geometry::shape::{common_area, common_centre};
 use crate::sim::SolidId;
 
@@ -60,7 +61,7 @@ pub(super) fn labels(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, 
 fn block(input: &ViewInput<'_>, moment: &Moment, body: SolidId) -> Option<Block> {
     match body {
         SolidId::Girder(number) => girder_block_at(input.scene, moment, number),
-        SolidId::Abutment(number) => abutment_block(input.scene, input.scene.abutments.get(number)?),
+        SolidId::Abutment(number) => walls::block(input.scene, number, moment.wall(number)),
     }
 }
 

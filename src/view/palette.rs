@@ -22,6 +22,8 @@ pub(super) struct Palette {
     pub(super) girder: Rgba,
     /// Abutments.
     pub(super) abutment: Rgba,
+    /// Soil behind backwalls that move.
+    pub(super) soil: Rgba,
     /// Bearings.
     pub(super) bearing: Rgba,
     /// Edges of bodies.
@@ -77,6 +79,7 @@ const LIGHT: Palette = Palette {
     shadow: Rgba::new(0x20, 0x2c, 0x38, 0x4c),
     girder: Rgba::rgb(0xd9, 0xd5, 0xcc),
     abutment: Rgba::rgb(0xb3, 0xb8, 0xbd),
+    soil: Rgba::rgb(0xc8, 0xb0, 0x8c),
     bearing: Rgba::rgb(0x6e, 0x7b, 0x88),
     edge: Rgba::rgb(0x3c, 0x46, 0x50),
     dimension: Rgba::rgb(0x24, 0x2e, 0x38),
@@ -96,6 +99,7 @@ const DARK: Palette = Palette {
     shadow: Rgba::new(0x00, 0x00, 0x00, 0x78),
     girder: Rgba::rgb(0x8b, 0x88, 0x82),
     abutment: Rgba::rgb(0x55, 0x5d, 0x66),
+    soil: Rgba::rgb(0x6d, 0x5c, 0x45),
     bearing: Rgba::rgb(0x45, 0x52, 0x5f),
     edge: Rgba::rgb(0x0c, 0x10, 0x14),
     dimension: Rgba::rgb(0xe6, 0xea, 0xee),

@@ -23,6 +23,7 @@ mod impact {
 }
 
 mod physics {
+    mod backfill;
     mod bounds;
     mod cable;
     mod contact_laws;

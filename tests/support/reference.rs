@@ -148,6 +148,7 @@ fn wall(wall: &Value, girders: &[Girder]) -> Abutment {
     let body = usize::try_from(wall["body"].as_u64().expect("body")).expect("small");
     let label = text(&wall["end"]);
     Abutment {
+        backfill: None,
         name: format!("wall{label}"),
         faces: girders[body].name.clone(),
         end: end(label),

@@ -30,8 +30,16 @@ const NO_FIELD: &[(&str, &str, &str)] = &[
 ];
 
 /// Sections that are folded away at first.
-const FOLDED: [&str; 7] =
-    ["Start, push, held", "Seats", "Design codes", "Contact of all pairs", "Pairs by name", "Samples", "Processing"];
+const FOLDED: [&str; 8] = [
+    "Start, push, held",
+    "Seats",
+    "Design codes",
+    "Contact of all pairs",
+    "Pairs by name",
+    "Samples",
+    "Processing",
+    "Soil behind the wall",
+];
 
 fn show(scene: Scene, select: Option<Target>) -> Window {
     let mut harness = open(presets::OPENING);
@@ -98,6 +106,8 @@ fn windows() -> Vec<Window> {
     let metric = with(&planar, &["motion.amplitude_m_s2=4"]);
     let corners = "[[0.2, -0.1, -0.03], [0.2, 0.1, -0.03], [0.2, 0.1, 0.03], [0.2, -0.1, 0.03]]";
     let corners = with(&planar, &["girder.deck.skew_deg=90", &format!("abutment.wall.polygon_m={corners}")]);
+    let soil = "abutment.wall.backfill={ fuse_stiffness_n_per_m = 1e5, fuse_force_n = 10 }";
+    let soil = with(&planar, &[soil]);
     let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
     vec![
         show(both.clone(), None),
@@ -115,6 +125,7 @@ fn windows() -> Vec<Window> {
         show(metric, None),
         show(corners, Some(Target::Abutment(0))),
         show(places, Some(Target::Girder(0))),
+        show(soil, Some(Target::Abutment(0))),
     ]
 }
 

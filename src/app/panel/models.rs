@@ -51,7 +51,7 @@ fn states(ui: &mut Ui, replay: &Replay) {
     let t = replay.t();
     let by_impulses = answer.history.beside().unwrap_or(&answer.history);
     let Some(record) = by_impulses.impact() else { return };
-    for (number, body) in answer.history.model().bodies.iter().enumerate() {
+    for (number, body) in answer.history.model().girders().iter().enumerate() {
         let state = record.state(number, t);
         let paper = paper_name(ui, state);
         ui.label(format!("{}: {} {}{paper}", body.name, state.letter(), state.label())).on_hover_text(text::STATE_HINT);

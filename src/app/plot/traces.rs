@@ -117,7 +117,7 @@ fn kept(pin: &Pin, girder: &str, window: [f64; 2], points: usize) -> Option<([Cu
 
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
     let history = &answer.history;
-    let girders = history.model().bodies.len();
+    let girders = history.model().girders().len();
     let pairs = history.listed_pairs();
     let mut traces = Traces {
         x: vec![Vec::with_capacity(points); girders],

@@ -154,7 +154,8 @@ impl Answer {
 
     /// What is read off a girder; reckoned when first asked for.
     pub fn reading(&self, girder: usize) -> Option<&Reading> {
-        let all = self.readings.get_or_init(|| self.history.model().bodies.iter().map(|_| OnceLock::new()).collect());
+        let all =
+            self.readings.get_or_init(|| self.history.model().girders().iter().map(|_| OnceLock::new()).collect());
         Some(all.get(girder)?.get_or_init(|| readings::reading(&self.history, girder)))
     }
 
@@ -220,7 +221,7 @@ fn apart_at(one: &History, other: &History, t: f64) -> [f64; 2] {
         let (a, b) = (one.motion(i, t), other.motion(i, t));
         [(a.displacement - b.displacement).length(), (a.theta - b.theta).abs()]
     };
-    let both = one.model().bodies.len().min(other.model().bodies.len());
+    let both = one.model().girders().len().min(other.model().bodies.len());
     (0..both).map(girder).fold([0.0; 2], |a, b| [0, 1].map(|i| f64::max(a[i], b[i])))
 }
 

@@ -135,6 +135,12 @@ pub(super) const AT_SKEWED: &str = "Places, from the middle, x along the skewed 
 pub(super) const AT_FOLLOWS: &str = "Places go with the skew";
 pub(super) const START_SECTION: &str = "Start, push, held";
 pub(super) const HELD: &str = "Held";
+pub(super) const BACKFILL_SECTION: &str = "Soil behind the wall";
+pub(super) const BACKFILL_NONE: &str = "The backwall is fixed.";
+pub(super) const BACKFILL_ADD: &str = "Let it move against soil";
+pub(super) const BACKFILL_REMOVE: &str = "Fix the backwall";
+pub(super) const BACKFILL_ASSUMED: &str =
+    "What is not ticked is assumed from the deck's width, the wall's height and the skew.";
 pub(super) const SEAT_SECTION: &str = "Seats";
 pub(super) const CODES_SECTION: &str = "Design codes";
 pub(super) const SCENE_SECTION: &str = "Scene";

@@ -159,7 +159,7 @@ fn corners_of(seen: &Seen<'_>, target: Target) -> Vec<DVec3> {
     let (scene, history) = seen.shown();
     let t = seen.t();
     match target {
-        Target::Girder(i) => match (scene.girders.get(i), history.filter(|h| i < h.model().bodies.len())) {
+        Target::Girder(i) => match (scene.girders.get(i), history.filter(|h| i < h.model().girders().len())) {
             (Some(girder), Some(history)) => block::moved_girder_block(girder, &history.motion(i, t)).corners().into(),
             (Some(girder), None) => block::girder_block(girder).corners().into(),
             (None, _) => Vec::new(),

@@ -1,5 +1,6 @@
 //! `girderbench check`: validates a scene and prints what was understood.
 
+mod backfill;
 mod device;
 mod girder;
 
@@ -68,7 +69,14 @@ fn text(scene: &Scene, model: &Model) -> String {
         Between::Ends => "nothing can touch",
     };
     let none = model.pairs.is_empty().then(|| format!("no facing ends: {elsewhere}\n"));
-    std::iter::once(head(scene)).chain(girders).chain(pairs).chain(none).chain(device::texts(scene)).collect()
+    let soil = scene.abutments.iter().filter_map(|abutment| backfill::text(scene, abutment));
+    std::iter::once(head(scene))
+        .chain(girders)
+        .chain(soil)
+        .chain(pairs)
+        .chain(none)
+        .chain(device::texts(scene))
+        .collect()
 }
 
 /// What holds for the scene as a whole.

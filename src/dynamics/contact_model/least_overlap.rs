@@ -140,6 +140,6 @@ impl AtInstant<'_> {
     /// The face of a contact.
     fn face_of(&self, contact: usize) -> Side {
         let pair = &self.world.model.pairs[self.world.pairs[self.world.contacts[contact].pair].pair];
-        if pair.first.girder() == self.site(contact).face_body { pair.first } else { pair.second }
+        if pair.bodies[0] == self.site(contact).face_body { pair.first } else { pair.second }
     }
 }

@@ -4,6 +4,7 @@
 //! A device sees the motion of its first point against its second ([`Separation`](crate::dynamics::connection::Separation)) and
 //! gives the force on the first; a [`Link`](crate::dynamics::connection::Link) puts it between two points of a model.
 
+mod backfill;
 mod bumper;
 mod damper;
 mod hysteretic_bearing;
@@ -13,6 +14,7 @@ mod placed;
 mod restrainer;
 mod stopper;
 
+pub use backfill::{Backfill, Envelope};
 pub use bumper::Bumper;
 pub use damper::ViscousDamper;
 pub use hysteretic_bearing::{Hysteresis, Play};

@@ -5,14 +5,14 @@ use glam::DVec3;
 use crate::contact::law_of_pair;
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
-use crate::dynamics::model::compiled_model::Model;
+use crate::dynamics::model::compiled_model::{Backwall, Model};
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
-use crate::dynamics::model::{contact_sites, edge_sites};
+use crate::dynamics::model::{backwall, contact_sites, edge_sites};
 use crate::motion::Ground;
-use crate::scene::facing::{Facing, Side};
+use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
     Direction, Girder, Kind, Motion, RecordMotion, Scene, SceneErrors, SyntheticMotion, facing, placed,
 };
@@ -42,7 +42,9 @@ impl Model {
             body.straight = [0, 1].map(|axis| single_axis::is_decoupled(&body, &ground, axis));
             body
         };
-        let bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
+        let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
+        let mut links = Vec::new();
+        let walls = backwall::add(scene, &mut bodies, &mut links)?;
         let mut pairs = Vec::with_capacity(facings.len());
         let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
         let met = facing::bodies_met(facings.iter().filter(|f| f.met).map(|f| (f.first, f.second)));
@@ -52,7 +54,7 @@ impl Model {
             let have_met = met.binary_search(&[facing.first.solid(), facing.second.solid()]).is_ok();
             contact_sites::contacts(scene, &bodies, &facing, (number, have_met), &mut contacts)?;
             let vertical = contacts[from..].iter().all(|site: &ContactSite| site.face.normal.z.abs() <= 1e-9);
-            pairs.push(pair(scene.kind, vertical, &bodies, facing, from..contacts.len()));
+            pairs.push(pair(scene.kind, vertical, (&bodies, &walls), facing, from..contacts.len()));
         }
         for (number, pair) in pairs.iter_mut().enumerate() {
             let from = contacts.len();
@@ -69,9 +71,10 @@ impl Model {
             gravity: if scene.kind == Kind::Spatial { scene.gravity } else { 0.0 },
             ground,
             bodies,
+            walls,
             pairs,
             contacts,
-            links: Vec::new(),
+            links,
             devices: Vec::new(),
             groups: Vec::new(),
             group_pairs: Vec::new(),
@@ -202,8 +205,17 @@ fn free_directions(kind: Kind, held: &[Direction]) -> [bool; 6] {
     })
 }
 
-fn pair(kind: Kind, vertical: bool, bodies: &[Body], facing: facing::Facing, contacts: std::ops::Range<usize>) -> Pair {
-    let sides = [facing.first, facing.second].map(Side::girder);
+fn pair(
+    kind: Kind,
+    vertical: bool,
+    (bodies, walls): (&[Body], &[Option<Backwall>]),
+    facing: facing::Facing,
+    contacts: std::ops::Range<usize>,
+) -> Pair {
+    let sides = [facing.first, facing.second].map(|side| match side.solid() {
+        SolidId::Girder(number) => Some(number),
+        SolidId::Abutment(number) => walls[number].map(|wall| wall.body),
+    });
     let numbers = &facing.contact;
     let flat = |side: Option<usize>| {
         side.is_none_or(|b| bodies[b].free[2..5] == [false; 3] && bodies[b].start[3..5] == [0.0; 2])

@@ -2,12 +2,25 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
+
 use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
-use crate::scene::facing::{self, SolidId};
+use crate::scene::facing::{self, Side, SolidId};
 use crate::scene::{DeviceId, ImpactSettings, Kind};
+
+/// A backwall that moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Backwall {
+    /// Its number among the bodies.
+    pub body: usize,
+    /// Number of the link that is the soil behind it.
+    pub soil: usize,
+    /// Unit vector into the soil, world axes.
+    pub inward: DVec3,
+}
 
 /// A scene, compiled.
 #[derive(Clone, Debug)]
@@ -28,8 +41,10 @@ pub struct Model {
     pub gravity: f64,
     /// Ground motion.
     pub ground: Ground,
-    /// Girders, as numbered in the scene.
+    /// Girders, as numbered in the scene; then backwalls that move.
     pub bodies: Vec<Body>,
+    /// For each abutment of the scene its backwall; `None` for one that stands.
+    pub walls: Vec<Option<Backwall>>,
     /// Facing pairs.
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.
@@ -58,6 +73,24 @@ pub struct ModelDevice {
 }
 
 impl Model {
+    /// The girders, as numbered in the scene.
+    pub fn girders(&self) -> &[Body] {
+        &self.bodies[..self.bodies.len() - self.walls.iter().flatten().count()]
+    }
+
+    /// The body that a side belongs to; `None` for an abutment that stands.
+    pub fn body_of(&self, side: Side) -> Option<usize> {
+        self.body_of_solid(side.solid())
+    }
+
+    /// The body that a solid is; `None` for an abutment that stands.
+    pub fn body_of_solid(&self, solid: SolidId) -> Option<usize> {
+        match solid {
+            SolidId::Girder(number) => Some(number),
+            SolidId::Abutment(number) => self.walls.get(number)?.map(|wall| wall.body),
+        }
+    }
+
     /// The same with corners alone as contact points, without edge nodes: for a method that has none of its own.
     #[must_use]
     pub fn of_corners(mut self) -> Self {

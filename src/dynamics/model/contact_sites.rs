@@ -6,11 +6,12 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::contact::{Frame, Home};
+use crate::dynamics::model::backwall;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::pair::{ContactSite, CornerFaces};
 use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
-use crate::scene::facing::{Facing, Flank, Rear, Side};
+use crate::scene::facing::{Facing, Flank, Rear, Side, SolidId};
 use crate::scene::{Kind, Scene, SceneError, SceneErrors, placed};
 
 /// What a planar girder's nodes are called after it.
@@ -61,7 +62,7 @@ pub(in crate::dynamics) fn contacts(
 ) -> Result<(), SceneErrors> {
     let mut first = facade(scene, bodies, facing.first)?;
     let mut second = facade(scene, bodies, facing.second)?;
-    if let (Some(girder), None, false) = (first.body, second.body, met) {
+    if let (Some(girder), SolidId::Abutment(_), false) = (first.body, second.side.solid(), met) {
         let fixed = second.fixed;
         second.nodes.retain(|node| can_enter(&bodies[girder], &first.face, fixed + node.point));
     }
@@ -255,7 +256,7 @@ fn abutment_facade(scene: &Scene, number: usize, side: Side) -> Result<PairSide,
         }
     };
     let name = [&abutment.name, side.label()].concat();
-    Ok(PairSide { side, name: name.into(), body: None, nodes, face, fixed })
+    Ok(PairSide { side, name: name.into(), body: backwall::number(scene, number), nodes, face, fixed })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The contact numbers in force for a pair: `[contact]`, overridden by every `[[contact.pair]]` between the two.
 
-use super::side::Side;
+use super::side::{Side, SolidId};
 use crate::contact::calibration::linear_stiffness;
 use crate::contact::parameters::reduced_mass;
 use crate::scene::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
@@ -29,9 +29,12 @@ pub(super) fn in_force(scene: &Scene, first: Side, second: Side) -> PairContact 
     settings.in_force(stiffness(scene, &settings, first, second))
 }
 
-/// Reduced mass of the bodies of a pair \[kg\]; an abutment has infinite mass.
+/// Reduced mass of the bodies of a pair \[kg\]; an abutment that stands has infinite mass.
 pub(super) fn mass_of(scene: &Scene, first: Side, second: Side) -> f64 {
-    let mass = |side: Side| side.girder().map_or(f64::INFINITY, |n| scene.girders[n].mass);
+    let mass = |side: Side| match side.solid() {
+        SolidId::Girder(n) => scene.girders[n].mass,
+        SolidId::Abutment(n) => scene.abutments[n].soil(scene).map_or(f64::INFINITY, |soil| soil.mass),
+    };
     reduced_mass(mass(first), mass(second))
 }
 

@@ -2,9 +2,9 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, GIRDER, IMPACT, INITIAL, LIMITS, MODEL,
-    MOTION, OVERLAYS, PAIR, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER, SWEEP, SYNTHETIC,
-    TOP, VIEW,
+    ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, GIRDER, IMPACT, INITIAL, LIMITS,
+    MODEL, MOTION, OVERLAYS, PAIR, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER, SWEEP,
+    SYNTHETIC, TOP, VIEW,
 };
 use crate::scene::DeviceKind;
 
@@ -29,6 +29,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "girder.push", keys: PUSH },
     Table { path: "girder.seat_m", keys: SEAT },
     Table { path: "abutment", keys: ABUTMENT },
+    Table { path: "abutment.backfill", keys: BACKFILL },
     Table { path: "restrainer", keys: RESTRAINER },
     Table { path: "bumper", keys: BUMPER },
     Table { path: "damper", keys: DAMPER },

@@ -10,6 +10,7 @@ mod slot;
 mod table;
 
 pub use super::abutment::ABUTMENT;
+pub use super::backfill::BACKFILL;
 pub use super::bearing::{BEARING, BEARINGS};
 pub use super::codes::CODES;
 pub use super::contact::{CONTACT, PAIR};

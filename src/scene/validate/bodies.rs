@@ -133,6 +133,17 @@ fn single(bearings: &[Bearing], needs_vertical: bool, kind: Kind, at: &mut At<'_
 
 pub(super) fn abutment(abutment: &Abutment, at: &mut At<'_>) {
     at.all(abutment);
+    if let Some(backfill) = &abutment.backfill {
+        let mut at = at.below("backfill", keys::BACKFILL);
+        at.all(backfill);
+        match (backfill.fuse_stiffness, backfill.fuse_force) {
+            (Some(stiffness), None) => {
+                at.add("fuse_stiffness_n_per_m", stiffness, "give fuse_force_n as well, or neither");
+            }
+            (None, Some(force)) => at.add("fuse_force_n", force, "give fuse_stiffness_n_per_m as well, or neither"),
+            _ => {}
+        }
+    }
     match (abutment.gap, &abutment.polygon) {
         (None, None) => at.add("gap_m", "nothing", "give gap_m, or the face's corners as polygon_m"),
         (Some(_), Some(_)) => at.add("gap_m", "gap_m and polygon_m", "give one of the two"),

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use glam::DVec3;
 
-use super::complaints::{Complaints, numbers};
+use super::complaints::{At, Complaints, numbers};
 use crate::geometry::Face;
 use crate::geometry::broad;
 use crate::geometry::shape::{self, AlignedBox, Convex, Stand};
-use crate::scene::{Abutment, Kind, Scene, facing, keys, placed};
+use crate::scene::{Abutment, BackfillLaw, Kind, ResolvedBackfill, Scene, facing, keys, placed};
 
 /// Bodies may reach this part of their size into each other: placing by hand touches to rounding.
 const TOUCHING: f64 = 1e-9;
@@ -78,12 +78,34 @@ fn backwall(scene: &Scene, abutment: &Abutment, complaints: &mut Complaints) {
                     "a planar girder cannot slide up a leaning face: make it vertical, or kind = \"spatial\"",
                 );
             }
+            if let Some(soil) = abutment.soil(scene) {
+                backfill(&soil, face.normal.z, &mut at.below("backfill", keys::BACKFILL));
+            }
             if face.normal.dot(outward) >= 0.0 {
                 let remedy =
                     format!("it faces away from {}: list the corners anticlockwise as seen from there", girder.name);
                 at.add(key, value(), remedy);
             }
         }
+    }
+}
+
+/// Numbers of soil that follow from each other.
+fn backfill(soil: &ResolvedBackfill, leaning: f64, at: &mut At<'_>) {
+    if leaning.abs() > 1e-9 {
+        at.add(
+            "",
+            "a leaning backwall",
+            "a backwall that moves is upright: make its face vertical, or leave out backfill",
+        );
+    }
+    if soil.law == BackfillLaw::MeanStiffness && soil.stiffness * soil.limit <= soil.ultimate {
+        let remedy =
+            format!("the ultimate force {:?} N is not reached at {:?} m: raise either", soil.ultimate, soil.limit);
+        at.add("stiffness_n_per_m", format!("{:?}", soil.stiffness), remedy);
+    } else if soil.unloading < soil.first_slope() {
+        let remedy = format!("soil does not unload softer than it loads: give {:?} or more", soil.first_slope());
+        at.add("unloading_stiffness_n_per_m", format!("{:?}", soil.unloading), remedy);
     }
 }
 

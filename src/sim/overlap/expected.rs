@@ -54,7 +54,8 @@ pub fn unjoined(scene: &Scene, model: &Model) -> Vec<Unjoined> {
 
 /// How far the corners of a body move without contact \[m\].
 fn reach(solids: &Solids, model: &Model, number: usize) -> f64 {
-    let Some(girder) = solids.girder(number) else { return 0.0 };
+    // A backwall that moves is held by the ground unless something hits it.
+    let Some(girder) = solids.body(number).filter(|&body| body < model.girders().len()) else { return 0.0 };
     // In space, too, the motion in plan decides what comes near.
     let body = Body { coordinates: BodyCoordinates::Planar, ..model.bodies[girder].clone() };
     let Some(motion) = BodyMotion::of(&body, &model.ground, model.duration) else { return 0.0 };

@@ -195,7 +195,7 @@ impl Meeting<'_> {
 
     /// Bound on how fast the two bodies come nearer, from `t` on.
     fn bounds(&self, t: f64) -> Approach {
-        let girders = self.pair.into_iter().filter_map(|number| Some((self.solids.girder(number)?, number)));
+        let girders = self.pair.into_iter().filter_map(|number| Some((self.solids.body(number)?, number)));
         let bounds = girders.map(|(girder, number)| bound(self.history, girder, self.solids.radius(number), t));
         bounds.fold(Approach { from: t, until: f64::INFINITY, speed: 0.0 }, |both, one| Approach {
             until: both.until.min(one.until),

@@ -16,11 +16,13 @@ use crate::sim::report::SolidId;
 #[derive(Debug)]
 struct Solid {
     id: SolidId,
-    /// Corners, about G in the girder's axes, or in the world for an abutment \[m\].
+    /// Its number among the bodies of the run; `None` for an abutment that stands.
+    body: Option<usize>,
+    /// Corners, about the origin of its body in its axes, or in the world for an abutment that stands \[m\].
     corners: [DVec3; 8],
     /// The same as a convex body; only in space.
     convex: Option<Convex>,
-    /// Largest distance of a corner from G; 0 for what does not turn \[m\].
+    /// Largest distance of a corner from the origin of its body; 0 for what stands \[m\].
     radius: f64,
     /// Shortest edge \[m\].
     least_side: f64,
@@ -63,7 +65,7 @@ pub(super) struct Placed {
 impl Solids {
     /// Of a scene: girders, then abutments.
     pub(super) fn of(scene: &Scene, model: &Model) -> Self {
-        let girders = (0..model.bodies.len()).map(SolidId::Girder);
+        let girders = (0..model.girders().len()).map(SolidId::Girder);
         let ids = girders.chain((0..scene.abutments.len()).map(SolidId::Abutment));
         Self { all: ids.filter_map(|id| Solid::of(scene, model, id)).collect(), kind: scene.kind }
     }
@@ -82,16 +84,13 @@ impl Solids {
         self.all[number].id
     }
 
-    /// Number of the girder, if the body is one.
-    pub(super) fn girder(&self, number: usize) -> Option<usize> {
-        match self.all[number].id {
-            SolidId::Girder(girder) => Some(girder),
-            SolidId::Abutment(_) => None,
-        }
+    /// Number among the bodies of the run, if it moves.
+    pub(super) fn body(&self, number: usize) -> Option<usize> {
+        self.all[number].body
     }
 
     pub(super) fn moves(&self, number: usize) -> bool {
-        self.girder(number).is_some()
+        self.body(number).is_some()
     }
 
     /// Largest distance of a corner from G \[m\].
@@ -129,8 +128,8 @@ impl Solids {
     }
 
     fn home(&self, model: &Model, number: usize) -> Stand {
-        self.girder(number).map_or(Stand::WORLD, |girder| {
-            let body = &model.bodies[girder];
+        self.body(number).map_or(Stand::WORLD, |body| {
+            let body = &model.bodies[body];
             Stand { place: body.home, attitude: DQuat::from_mat3(&body.axes) }
         })
     }
@@ -141,8 +140,8 @@ impl Solids {
     }
 
     fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
-        self.girder(number).map_or(Stand::WORLD, |girder| {
-            let motion = history.motion(girder, t);
+        self.body(number).map_or(Stand::WORLD, |body| {
+            let motion = history.motion(body, t);
             Stand { place: motion.place, attitude: motion.attitude }
         })
     }
@@ -163,7 +162,7 @@ impl Solids {
     pub(super) fn node(&self, history: &History, pair: [usize; 2], contact: usize, t: f64) -> [f64; 2] {
         let site = &history.model().contacts[contact];
         let [node, face] = history.sides(contact, t);
-        let owner = |&number: &usize| self.girder(number) == site.face_body;
+        let owner = |&number: &usize| self.body(number) == site.face_body;
         let Some(other) = pair.into_iter().find(owner).map(|number| &self.all[number]) else {
             return [f64::INFINITY; 2];
         };
@@ -192,18 +191,23 @@ impl Solid {
         match id {
             SolidId::Girder(number) => {
                 let body = &model.bodies[number];
-                Some(Self::new(id, body.prism.corners(), body.radius, model.kind))
+                Some(Self::new((id, Some(number)), body.prism.corners(), body.radius, model.kind))
             }
             SolidId::Abutment(number) => {
                 let abutment = &scene.abutments[number];
                 let block =
                     block_behind(placed::abutment_face(scene, abutment)?, placed::abutment_depth(scene, abutment));
-                Some(Self::new(id, block, 0.0, model.kind))
+                let Some(wall) = model.body_of_solid(id) else {
+                    return Some(Self::new((id, None), block, 0.0, model.kind));
+                };
+                let corners = block.map(|corner| corner - model.bodies[wall].home);
+                let radius = corners.iter().map(|corner| corner.length()).fold(0.0, f64::max);
+                Some(Self::new((id, Some(wall)), corners, radius, model.kind))
             }
         }
     }
 
-    fn new(id: SolidId, corners: [DVec3; 8], radius: f64, kind: Kind) -> Self {
+    fn new((id, body): (SolidId, Option<usize>), corners: [DVec3; 8], radius: f64, kind: Kind) -> Self {
         let edges = [corners[1] - corners[0], corners[3] - corners[0], corners[4] - corners[0]].map(DVec3::length);
         // Heights have no meaning in plan: of a girder the third edge, of an abutment the second.
         let counts = |&(i, _): &(usize, f64)| match (kind, id) {
@@ -214,7 +218,7 @@ impl Solid {
         let least_side =
             edges.into_iter().enumerate().filter(counts).map(|(_, edge)| edge).fold(f64::INFINITY, f64::min);
         let convex = (kind == Kind::Spatial).then(|| Convex::between(corners)).flatten();
-        Self { id, corners, convex, radius, least_side }
+        Self { id, body, corners, convex, radius, least_side }
     }
 
     /// Corners in plan, in the world, one after another along the outline \[m\].
@@ -223,7 +227,7 @@ impl Solid {
         self.outline().map(|corner| (stand.place + turn(corner)).truncate())
     }
 
-    /// Corners one after another along the outline in plan, in the girder's axes, or the world for an abutment \[m\].
+    /// Corners one after another along the outline in plan, in the axes of its body, or the world for an abutment that stands \[m\].
     fn outline(&self) -> [DVec3; 4] {
         let outline = match self.id {
             SolidId::Girder(_) => [0, 1, 2, 3],

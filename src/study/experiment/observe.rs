@@ -63,7 +63,7 @@ impl Observed {
     /// Of a run.
     pub fn of(history: &History) -> Self {
         Self {
-            girders: (0..history.model().bodies.len()).map(|girder| girder_seen(history, girder)).collect(),
+            girders: (0..history.model().girders().len()).map(|girder| girder_seen(history, girder)).collect(),
             ..Self::without_histories(history)
         }
     }
@@ -74,7 +74,7 @@ impl Observed {
             end: history.end(),
             stopped: history.stop().map(|stop| format!("{}: {}", stop.place, stop.reason)),
             hits: hits(history),
-            girders: (0..history.model().bodies.len()).map(|girder| extremes(history, girder)).collect(),
+            girders: (0..history.model().girders().len()).map(|girder| extremes(history, girder)).collect(),
         }
     }
 

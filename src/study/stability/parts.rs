@@ -110,6 +110,7 @@ pub(super) fn wall(scene: &mut Scene, end: End, gap: f64) {
     let girder = if end == End::Plus { scene.girders.last() } else { scene.girders.first() };
     let Some(girder) = girder else { return };
     scene.abutments.push(Abutment {
+        backfill: None,
         name: if end == End::Plus { "east".to_owned() } else { "west".to_owned() },
         faces: girder.name.clone(),
         end,

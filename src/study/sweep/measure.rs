@@ -137,12 +137,12 @@ pub const MEASURES: &[Measure] = &[
 
 /// The numbers of every girder.
 fn girders(run: &History) -> impl Iterator<Item = readings::Reading> {
-    (0..run.model().bodies.len()).map(|girder| readings::reading(run, girder))
+    (0..run.model().girders().len()).map(|girder| readings::reading(run, girder))
 }
 
 /// Every seat of every girder.
 fn seats(run: &History) -> impl Iterator<Item = seats::Seat> {
-    (0..run.model().bodies.len()).flat_map(|girder| seats::of_girder(run, girder))
+    (0..run.model().girders().len()).flat_map(|girder| seats::of_girder(run, girder))
 }
 
 impl Measure {

@@ -15,13 +15,13 @@ use crate::support::reference::rows;
 use crate::support::{momenta, scene, within};
 
 /// A device between a point of the girder and the ground: the point in the girder's axes, the point of the ground \[m\], axes.
-type Placed = ([f64; 2], [f64; 2], DMat3, Kinematics, Arc<dyn Device>);
+pub(super) type Placed = ([f64; 2], [f64; 2], DMat3, Kinematics, Arc<dyn Device>);
 
 const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// The model girder of 2 kg (190 × 70 mm) under a sine: skew \[°\], bearings and start in words, amplitude \[g\], frequency \[Hz\],
 /// angle \[°\], seconds.
-fn girder(skew: f64, words: &str, [amplitude, frequency, angle]: [f64; 3], duration: f64) -> Scene {
+pub(super) fn girder(skew: f64, words: &str, [amplitude, frequency, angle]: [f64; 3], duration: f64) -> Scene {
     let amplitude = amplitude * STANDARD_GRAVITY;
     scene(&format!(
         r#"
@@ -46,7 +46,7 @@ fn girder(skew: f64, words: &str, [amplitude, frequency, angle]: [f64; 3], durat
     ))
 }
 
-fn run(scene: &Scene, devices: Vec<Placed>) -> History {
+pub(super) fn run(scene: &Scene, devices: Vec<Placed>) -> History {
     let mut model = Model::compile(scene).unwrap_or_else(|errors| panic!("{errors}"));
     for (number, (point, ground, axes, kinematics, device)) in devices.into_iter().enumerate() {
         let at = |[x, y]: [f64; 2]| DVec3::new(x, y, 0.0);
@@ -71,10 +71,10 @@ fn off(history: &History, name: &str) -> [f64; 2] {
         off[1] = off[1].max((motion.theta - row[3]).abs());
         largest = [largest[0].max(place.length()), largest[1].max(row[3].abs())];
     }
-    [off[0] / largest[0], off[1] / largest[1]]
+    [off[0] / largest[0], off[1] / if largest[1] > 0.0 { largest[1] } else { 1.0 }]
 }
 
-fn agrees(name: &str, scene: &Scene, devices: Vec<Placed>, tolerance: f64) -> History {
+pub(super) fn agrees(name: &str, scene: &Scene, devices: Vec<Placed>, tolerance: f64) -> History {
     let history = run(scene, devices);
     let [place, rotation] = off(&history, name);
     within(&format!("{name}: places"), place, tolerance);
@@ -105,7 +105,7 @@ fn hysteretic(numbers: [([f64; 2], [f64; 2]); 4], per_axis: bool) -> String {
     format!("bearings = [{}]", legs.join(", "))
 }
 
-fn supported(damping: f64) -> String {
+pub(super) fn supported(damping: f64) -> String {
     format!("bearings = {{ frequency_hz = 2.4, damping_ratio = {damping}, at_m = {STRAIGHT_LEGS} }}")
 }
 
@@ -257,7 +257,7 @@ fn a_device_between_two_free_girders_keeps_momentum_angular_momentum_and_energy(
 }
 
 /// The girder of 2 kg without bearings, moving along x \[m/s\], without ground motion.
-fn free(velocity: f64, duration: f64) -> Scene {
+pub(super) fn free(velocity: f64, duration: f64) -> Scene {
     girder(90.0, &format!("initial = {{ velocity_m_s = [{velocity}, 0.0] }}"), [0.0, 1.0, 0.0], duration)
 }
 

@@ -35,6 +35,7 @@ bearings = [{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_pe
 name = "wall"
 faces = "deck"
 gap_m = 0.05
+backfill = { base_friction = 0.5 }
 [[restrainer]]
 name = "cable"
 girder = "deck"
@@ -113,11 +114,11 @@ fn standing(table: &str) -> (Scene, String) {
     let path = match table {
         "girder.bearings[]" => "girder.other.bearings.0".to_owned(),
         "contact.pair" | "view.plot" | "motion.component" => format!("{table}.0"),
-        "abutment" => "abutment.wall".to_owned(),
         "restrainer" => "restrainer.cable".to_owned(),
         "bumper" => "bumper.rubber".to_owned(),
         "damper" => "damper.dashpot".to_owned(),
         "stopper" => "stopper.key".to_owned(),
+        _ if table.starts_with("abutment") => table.replacen("abutment", "abutment.wall", 1),
         _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
         _ => table.split(" kind").next().unwrap_or_default().to_owned(),
     };
@@ -176,6 +177,7 @@ fn documented() -> Vec<(String, [String; 4])> {
             "Top of the file" => String::new(),
             "bearings" if seen_at == 2 => "girder.bearings[]".into(),
             "bearings" | "initial" | "push" | "seat_m" => format!("girder.{heading}"),
+            "backfill" => "abutment.backfill".into(),
             other => other.to_owned(),
         };
         rows.push((table, cells));

@@ -2,7 +2,8 @@
 
 use egui::{ComboBox, Ui};
 
-use super::rows::{grid, push};
+use super::backfill;
+use super::rows::{grid, push, section};
 use crate::app::command::Command;
 use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, number, rows, tag};
 use crate::app::panel::name_field;
@@ -31,6 +32,8 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, o
         faces.or(corners).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
     let change = change.or(way_of_face(ui, place, scene, &mut new));
+    let soil = section(ui, text::BACKFILL_SECTION, false, |ui| backfill::show(ui, form, place, size, &mut new));
+    let change = change.or(soil.flatten());
     push(change, out, || edits::abutment(i, new));
 }
 

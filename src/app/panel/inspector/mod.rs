@@ -1,6 +1,7 @@
 //! The numbers of what is selected, typed or dragged, and what follows from them; of the scene, where nothing is.
 
 mod abutment;
+mod backfill;
 mod bearings;
 mod declared;
 mod girder;

@@ -32,7 +32,7 @@ pub(in crate::app) fn say(ui: &Ui, eye: &Eye, at: Pos2, words: &[String]) {
 fn stance<'a>(seen: &'a Seen<'_>) -> impl Fn(usize) -> Stance + 'a {
     let history = seen.answer().map(|a| &a.history).filter(|_| !seen.is_stale());
     move |i| {
-        if let Some(history) = history.filter(|h| i < h.model().bodies.len()) {
+        if let Some(history) = history.filter(|h| i < h.model().girders().len()) {
             let motion = history.motion(i, seen.t());
             return Stance { place: motion.place, attitude: motion.attitude };
         }

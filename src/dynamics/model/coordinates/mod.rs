@@ -3,6 +3,7 @@
 //! [`Coordinates`] says what is asked of them; here a [`Body`] answers by those that it has. A rigid girder has those of
 //! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
 
+pub(in crate::dynamics) mod guided;
 pub mod planar;
 pub mod spatial;
 pub(in crate::dynamics) mod state_layout;

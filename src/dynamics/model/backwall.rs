@@ -1,0 +1,146 @@
+//! Backwalls with backfill: bodies that move square to their face, on a slider and against the soil
+//! (`docs/physics.md#backfill`).
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::dynamics::connection::{Device, Kinematics, Link};
+use crate::dynamics::devices::{Backfill, Envelope, Failure, Hysteresis, Play, Stopper};
+use crate::dynamics::model::bearing::{PlanarBearings, Standing};
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::compiled_model::Backwall;
+use crate::dynamics::model::coordinates::guided::Guided;
+use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::geometry::Prism;
+use crate::scene::{Abutment, BackfillLaw, ResolvedBackfill, Scene, SceneError, SceneErrors, placed};
+
+/// The number among the bodies of an abutment's wall, behind the girders; `None` for one that stands.
+pub(super) fn number(scene: &Scene, abutment: usize) -> Option<usize> {
+    let moves = |abutment: &Abutment| abutment.soil(scene).is_some();
+    let before = || scene.abutments[..abutment].iter().filter(|wall| moves(wall)).count();
+    moves(&scene.abutments[abutment]).then(|| scene.girders.len() + before())
+}
+
+/// Adds the walls of a scene that move to its bodies and links, and says which abutment's each is.
+///
+/// # Errors
+/// Soil that unloads softer than it loads.
+pub(super) fn add(
+    scene: &Scene,
+    bodies: &mut Vec<Body>,
+    links: &mut Vec<Link>,
+) -> Result<Vec<Option<Backwall>>, SceneErrors> {
+    let mut add = |abutment: &Abutment| {
+        let Some((soil, face)) = abutment.soil(scene).zip(placed::abutment_face(scene, abutment)) else {
+            return Ok(None);
+        };
+        let frame = WallFrame::of(face);
+        let (wall, body) =
+            (Backwall { body: bodies.len(), soil: links.len(), inward: frame.inward }, frame.body(abutment, &soil));
+        links.extend(frame.links(wall.body, &body, &soil).ok_or_else(|| complaint(abutment))?);
+        bodies.push(body);
+        Ok(Some(wall))
+    };
+    scene.abutments.iter().map(&mut add).collect()
+}
+
+fn complaint(abutment: &Abutment) -> SceneErrors {
+    SceneErrors::from(SceneError {
+        file: "scene".to_owned(),
+        place: format!("abutment.{}.backfill", abutment.name),
+        value: "no soil".to_owned(),
+        remedy: "give unloading_stiffness_n_per_m not below the slope at no push, and stiffness_n_per_m times \
+                 failing_push_m above ultimate_n"
+            .to_owned(),
+    })
+}
+
+/// A wall's face: corner a, the outward direction into the soil, and the direction along the face.
+struct WallFrame {
+    corner: DVec3,
+    centre: DVec3,
+    /// Unit vector along the face, from its first corner to the second.
+    side: DVec3,
+    /// Unit vector into the soil.
+    inward: DVec3,
+    length: f64,
+    height: f64,
+}
+
+impl WallFrame {
+    fn of([a, b, c, d]: [DVec3; 4]) -> Self {
+        let (along, up) = (b - a, d - a);
+        let side = along.normalize_or_zero();
+        // The face looks along side × up.
+        let inward = up.cross(side).with_z(0.0).normalize_or_zero();
+        Self { corner: a, centre: 0.25 * (a + b + c + d), side, inward, length: along.length(), height: up.length() }
+    }
+
+    /// The wall, free to move into the soil and out of it; its frame stands at the face's first corner.
+    fn body(&self, abutment: &Abutment, soil: &ResolvedBackfill) -> Body {
+        let prism = Prism {
+            length: soil.thickness,
+            width: self.length,
+            thickness: self.height,
+            skew: std::f64::consts::FRAC_PI_2,
+        };
+        let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
+        let free = [true, true, false, false, false, false];
+        let per_mass = prism.inertia_per_mass();
+        let inertia = per_mass * soil.mass;
+        Body {
+            name: abutment.name.clone(),
+            coordinates: BodyCoordinates::Custom(Arc::new(Guided { along: self.inward })),
+            home: self.corner,
+            axes: DMat3::IDENTITY,
+            mass: soil.mass,
+            gyration2: per_mass.z_axis.z,
+            inertia: [inertia, inertia.inverse()],
+            rate_bounds: RateBounds { mobility: 1.0 / soil.mass, stiffest: 0.0 },
+            radius,
+            prism,
+            bearings: Vec::new(),
+            standing: Standing::default(),
+            planar: PlanarBearings::gather(&[], DMat3::IDENTITY),
+            free,
+            push: DVec3::ZERO,
+            moment: DVec3::ZERO,
+            straight: [false; 2],
+            start: [0.0; 6],
+            start_rate: [0.0; 6],
+        }
+    }
+
+    /// Soil, slider and fuse between the wall, as body `number`, and the ground.
+    fn links(&self, number: usize, body: &Body, soil: &ResolvedBackfill) -> Option<Vec<Link>> {
+        let axes = DMat3::from_cols(self.inward, -self.side, DVec3::Z);
+        let arm = self.centre - self.corner;
+        let link = |what: &str, device: Arc<dyn Device>| Link {
+            name: format!("{}.{what}", body.name),
+            bodies: [Some(number), None],
+            arms: [arm, DVec3::ZERO],
+            homes: [self.corner, self.centre],
+            axes,
+            kinematics: Kinematics::Points,
+            device,
+        };
+        let mut links = vec![link("soil", Arc::new(Backfill::new(0.0, envelope(soil)?, soil.unloading)?))];
+        if let Some([force, displacement]) = soil.base {
+            let play = Play { stiffness: force / displacement, force };
+            links.push(link("base", Arc::new(Hysteresis::PerAxis([play; 2]))));
+        }
+        if let Some([stiffness, force]) = soil.fuse {
+            links.push(link("fuse", Arc::new(Stopper { gap: 0.0, stiffness, failure: Failure::Brittle { force } })));
+        }
+        Some(links)
+    }
+}
+
+fn envelope(soil: &ResolvedBackfill) -> Option<Envelope> {
+    match soil.law {
+        BackfillLaw::Hyperbolic => Some(Envelope::hyperbolic(soil.stiffness, soil.failure_ratio, soil.ultimate)),
+        BackfillLaw::Bilinear => Some(Envelope::bilinear(soil.stiffness, soil.ultimate)),
+        BackfillLaw::MeanStiffness => Envelope::of_mean_stiffness(soil.ultimate, soil.stiffness, soil.limit),
+    }
+}

@@ -1,0 +1,50 @@
+//! Soil behind an abutment's backwall, and the backwall as a body that is pushed into it (`docs/physics.md#backfill`).
+
+use serde::{Deserialize, Serialize};
+
+use super::keys::{Fallback, Range, table, words};
+
+words! {
+    /// Envelope of the soil's resistance F over the push y.
+    BackfillLaw, by default Bilinear {
+        /// `F = y/(1/K + R_f y/F_ult)`.
+        Hyperbolic = "hyperbolic",
+        /// The hyperbola through `F_ult/2` at `F_ult/(2K)` and `F_ult` at `y_max`, constant from there.
+        MeanStiffness = "mean-stiffness",
+        /// `K y` up to `F_ult`, constant from there.
+        Bilinear = "bilinear",
+    }
+}
+
+table! {
+    /// `[abutment.backfill]`: soil behind a backwall that can move.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    default struct Backfill, BACKFILL {
+        law: BackfillLaw = "law" as "Soil", Range::Words(BackfillLaw::WORDS), BackfillLaw::FALLBACK,
+            "envelope of the resistance over the push";
+        height: Option<f64> = "height_m" as "Wall height h", Range::Positive, Fallback::Words("the girder's thickness"),
+            "height of the wall that presses on the soil, m";
+        stiffness: Option<f64> = "stiffness_n_per_m" as "Soil stiffness K", Range::Positive,
+            Fallback::Words("by the law, b₀ and h"), "slope at no push; of mean-stiffness that through F_ult/2, N/m";
+        ultimate: Option<f64> = "ultimate_n" as "Ultimate force", Range::Positive,
+            Fallback::Words("by the law, b₀ and h, times exp(-skew/45°)"), "F_ult, N";
+        failure_ratio: Option<f64> = "failure_ratio" as "Failure ratio", Range::Between([0.0, 1.0]), Fallback::Words("0.7"),
+            "R_f of the hyperbolic law";
+        limit: Option<f64> = "failing_push_m" as "Fails at push", Range::Positive, Fallback::Words("0.05 h"),
+            "y_max of mean-stiffness, m";
+        unloading: Option<f64> = "unloading_stiffness_n_per_m" as "Unloading stiffness", Range::Positive,
+            Fallback::Words("the slope at no push"), "K_ur, N/m";
+        reduces_stiffness: bool = "skew_reduces_stiffness" as "Skew reduces stiffness", Range::Switch, Fallback::Switch(false),
+            "whether exp(-skew/45°) reduces the stiffness that is not given as well";
+        mass: Option<f64> = "wall_mass_kg" as "Wall mass", Range::Positive, Fallback::Words("of concrete, h/4 thick"),
+            "mass of the backwall that moves, kg";
+        friction: Option<f64> = "base_friction" as "Base friction", Range::NotNegative, Fallback::Words("0.6"),
+            "friction coefficient below the wall";
+        base_displacement: Option<f64> = "base_displacement_m" as "Base slides at", Range::Positive,
+            Fallback::Words("0.0001"), "displacement at which that friction is fully there, m";
+        fuse_stiffness: Option<f64> = "fuse_stiffness_n_per_m" as "Fuse stiffness", Range::Positive,
+            Fallback::Words("no fuse"), "of what holds the wall at its foot until it breaks, N/m";
+        fuse_force: Option<f64> = "fuse_force_n" as "Fuse breaks at", Range::Positive,
+            Fallback::Needed("must be given with fuse_stiffness_n_per_m"), "force at which that breaks, N";
+    }
+}

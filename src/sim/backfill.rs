@@ -1,0 +1,69 @@
+//! What a run did to the soil behind backwalls.
+
+use glam::DVec3;
+
+use super::History;
+use crate::dynamics::model::compiled_model::Backwall;
+
+/// A backwall and its soil at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallNow {
+    /// Displacement of the wall \[m\].
+    pub displacement: DVec3,
+    /// Displacement of the soil's front \[m\].
+    pub soil: DVec3,
+    /// Resistance of the soil \[N\].
+    pub force: f64,
+}
+
+/// What a run did to the soil behind one abutment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BackfillReading {
+    /// Number of the abutment in the scene.
+    pub abutment: usize,
+    /// Greatest push into the soil \[m\].
+    pub push: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// Resistance there, the greatest of the run \[N\].
+    pub force: f64,
+    /// `F_ult` \[N\].
+    pub ultimate: f64,
+    /// Gap that stays between the wall as placed and the soil, unloaded, at the end \[m\].
+    pub remaining_gap: f64,
+}
+
+impl History {
+    /// The backwall of an abutment and its soil at `t`, clamped to what was computed; `None` for one that stands.
+    pub fn wall(&self, abutment: usize, t: f64) -> Option<WallNow> {
+        let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
+        let (soil, displacement) = (self.link(soil, t)?, self.motion(body, t).displacement);
+        // The soil's front is at the wall, or stays where the wall has left it.
+        Some(WallNow { displacement, soil: displacement + inward * soil.gap.max(0.0), force: -soil.force.dot(inward) })
+    }
+
+    /// What the run did to the soil behind every backwall that moves.
+    pub fn backfill(&self) -> Vec<BackfillReading> {
+        (0..self.model().walls.len()).filter_map(|abutment| self.backfill_of(abutment)).collect()
+    }
+
+    fn backfill_of(&self, abutment: usize) -> Option<BackfillReading> {
+        let Backwall { body, soil, inward } = (*self.model().walls.get(abutment)?)?;
+        let ultimate = self.scene().abutments.get(abutment)?.soil(self.scene())?.ultimate;
+        let push = |t: f64| self.motion(body, t).displacement.dot(inward);
+        // The push on the envelope grows until the phase ends.
+        let ends = self.link_phases(soil).iter().map(|(t, _)| *t).chain([self.end()]);
+        let (t, push) = ends.map(|t| (t, push(t))).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (then, now) = (self.link(soil, t)?, self.link(soil, self.end())?);
+        // F²/(2 K_ur) is stored: unloading by F/K_ur leaves the gap.
+        let elastic = if now.acts { 2.0 * now.stored / now.force.length().max(f64::MIN_POSITIVE) } else { -now.gap };
+        Some(BackfillReading {
+            abutment,
+            push: push.max(0.0),
+            t,
+            force: -then.force.dot(inward),
+            ultimate,
+            remaining_gap: (self.motion(body, self.end()).displacement.dot(inward) - elastic).max(0.0),
+        })
+    }
+}

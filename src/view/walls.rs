@@ -1,0 +1,103 @@
+//! Backwalls that move and the soil behind them.
+
+use glam::DVec3;
+
+use super::ViewInput;
+use super::block::{Block, abutment_block};
+use super::list::{Line, Rgba};
+use super::palette::Palette;
+use crate::scene::{Abutment, Scene};
+use crate::sim::History;
+
+/// Slope of the failure surface that is indicated behind a wall, run over rise: 30° from the horizontal, passive failure of soil
+/// with an angle of friction of 30°.
+const FAILURE_RUN: f64 = 1.732;
+
+/// A backwall that moves, at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// Its thickness \[m\].
+    pub thickness: f64,
+    /// Its displacement \[m\].
+    pub displacement: DVec3,
+    /// Displacement of the soil's front \[m\].
+    pub soil: DVec3,
+}
+
+/// The backwalls of a scene by abutment, as placed or at `t` of a run; `None` for those that stand.
+pub(super) fn at(scene: &Scene, run: Option<(&History, f64)>) -> Vec<Option<Wall>> {
+    if scene.abutments.iter().all(|abutment| abutment.backfill.is_none()) {
+        return Vec::new();
+    }
+    let wall = |(number, abutment): (usize, &Abutment)| {
+        let thickness = abutment.soil(scene)?.thickness;
+        let now = run.and_then(|(history, t)| history.wall(number, t));
+        let [displacement, soil] = now.map_or([DVec3::ZERO; 2], |now| [now.displacement, now.soil]);
+        Some(Wall { thickness, displacement, soil })
+    };
+    scene.abutments.iter().enumerate().map(wall).collect()
+}
+
+/// An abutment: the block that stands, or the wall alone where that moves.
+pub(super) fn block(scene: &Scene, number: usize, wall: Option<&Wall>) -> Option<Block> {
+    let whole = abutment_block(scene, scene.abutments.get(number)?)?;
+    Some(match wall {
+        Some(wall) => parted(&whole, wall)[0],
+        None => whole,
+    })
+}
+
+/// The soil behind a wall that moves.
+pub(super) fn soil(scene: &Scene, number: usize, wall: &Wall) -> Option<Block> {
+    let whole = abutment_block(scene, scene.abutments.get(number)?)?;
+    Some(parted(&whole, wall)[1])
+}
+
+/// Wall and soil of an abutment; a thin shallow block keeps half of its depth for the soil.
+fn parted(whole: &Block, wall: &Wall) -> [Block; 2] {
+    let inward = whole.sweep.normalize_or_zero();
+    let thickness = inward * wall.thickness.min(0.5 * whole.sweep.length());
+    let front = Block { face: whole.face.map(|corner| corner + wall.displacement), sweep: thickness };
+    let soil = thickness + wall.soil;
+    [front, Block { face: whole.face.map(|corner| corner + soil), sweep: whole.sweep - soil }]
+}
+
+/// Where soil behind a wall would fail, as lines on the sides and the top of its block.
+pub(super) fn failure_lines(input: &ViewInput<'_>, soil: &Block, palette: &Palette) -> Vec<Line> {
+    let [a, b, c, d] = soil.face;
+    let inward = soil.sweep.normalize_or_zero();
+    let back = |foot: DVec3, top: DVec3| {
+        let run = (FAILURE_RUN * (top - foot).length()).min(soil.sweep.length());
+        foot.lerp(top, run / (FAILURE_RUN * (top - foot).length()).max(f64::MIN_POSITIVE)) + inward * run
+    };
+    let (one, other) = (back(a, d), back(b, c));
+    let line = |from: DVec3, to: DVec3| Line {
+        group: "soil",
+        from: from.as_vec3(),
+        to: to.as_vec3(),
+        width: 1.3 * input.pixels_per_point,
+        color: faint(palette.edge),
+    };
+    vec![line(a, one), line(b, other), line(one, other)]
+}
+
+fn faint(color: Rgba) -> Rgba {
+    let Rgba([r, g, b, a]) = color;
+    Rgba::new(r, g, b, a / 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_opens_between_a_wall_that_came_back_and_its_soil() {
+        let face = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 2.0], [0.0, -1.0, 2.0]].map(DVec3::from);
+        let whole = Block { face, sweep: DVec3::X * 5.0 };
+        let wall = Wall { thickness: 0.5, displacement: DVec3::X * 0.1, soil: DVec3::X * 0.3 };
+        let [front, soil] = parted(&whole, &wall);
+        assert_eq!(front.face[0].x, 0.1, "the face where the wall is");
+        assert!((front.face[0] + front.sweep).x < soil.face[0].x, "a gap behind it");
+        assert!(((soil.face[0] + soil.sweep).x - 5.0).abs() < 1e-12, "the far end stands");
+    }
+}
