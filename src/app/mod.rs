@@ -45,9 +45,9 @@ mod viewport;
 
 pub use bench::Workbench;
 pub use command::{
-    Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank, Follow, Grip,
-    HandCommand, HandKey, Keep, Learn, Nudge, PathCommand, PlaceCommand, RowDraft, SelectCommand, Sight, TimeCommand,
-    Tool, ViewCommand, Way, WindowCommand, Wish,
+    BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank,
+    Follow, Grip, HandCommand, HandKey, Keep, Learn, Nudge, PathCommand, PlaceCommand, RowDraft, SelectCommand, Sight,
+    TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};

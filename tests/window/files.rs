@@ -63,6 +63,35 @@ fn new_is_empty_and_undo_brings_the_old_scene_back() {
     assert_eq!(*harness.state().files.document.scene(), before, "the old one, exactly");
 }
 
+#[test]
+fn an_empty_scene_offers_a_bridge_by_its_numbers_and_no_complaint() {
+    let mut harness = open(presets::OPENING);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    settle(&mut harness);
+    assert!(harness.query_by_label_contains("[[girder]]").is_none(), "no complaint about what was not begun");
+    assert!(harness.query_by_label_contains("Assumed until you say otherwise").is_some(), "what is assumed is said");
+    for (label, typed) in
+        [("Span length", "40"), ("Deck width", "12"), ("Skew angle β", "50"), ("Number of spans", "3")]
+    {
+        harness.get_by_role_and_label(Role::SpinButton, label).click();
+        settle(&mut harness);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(Event::Text(typed.into()));
+        settle(&mut harness);
+        harness.key_press(Key::Enter);
+        settle(&mut harness);
+    }
+    press(&mut harness, "Build the bridge");
+    let scene = harness.state().files.document.scene();
+    let spans: Vec<_> = scene.girders.iter().map(|g| (g.length, g.width, g.skew_deg)).collect();
+    assert_eq!(spans, [(40.0, 12.0, 50.0); 3], "as asked for");
+    assert_eq!((scene.abutments.len(), harness.state().replay.runner.problems()), (2, None), "and it runs");
+    let rect = harness.get_by_role_and_label(Role::Canvas, "3D view").rect();
+    let camera = harness.state().view.viewport.camera().expect("shown");
+    let seen = girderbench::view::in_view(scene, camera, f64::from(rect.width() / rect.height()));
+    assert_eq!(seen, girderbench::view::InView::Whole, "and all of it is in view");
+}
+
 /// Opens the list of recent files in the file menu.
 fn open_recent(harness: &mut Harness<'_, Workbench>) {
     press(harness, "File");

@@ -207,6 +207,9 @@ fn girders_and_abutments_are_added_and_removed() {
     press(&mut harness, "Add girder");
     assert_eq!(harness.state().files.document.scene().girders.len(), 2, "one more");
     assert_eq!(harness.state().replay.runner.problems(), None, "placed where it overlaps nobody");
+    let scene = harness.state().files.document.scene();
+    assert_eq!(scene.abutments[0].faces, scene.girders[1].name, "a span: the abutment stands at the row's end");
+    assert!(scene.girders[1].position[0] - scene.girders[0].position[0] < 1.1 * scene.girders[0].length, "beside it");
     assert_eq!(harness.state().files.document.selection().lead(), Some(Target::Girder(1)), "and selected");
     press(&mut harness, "Add abutment");
     assert_eq!(harness.state().files.document.scene().abutments.len(), 2, "a wall before a free end");

@@ -122,7 +122,10 @@ impl Workbench {
 
     fn would_replace_work(&self, command: &FileCommand) -> bool {
         self.is_left_unsaved()
-            && matches!(command, FileCommand::OpenPreset(_) | FileCommand::Open(_) | FileCommand::New)
+            && matches!(
+                command,
+                FileCommand::OpenPreset(_) | FileCommand::Open(_) | FileCommand::New | FileCommand::Build(_)
+            )
     }
 }
 

@@ -18,6 +18,10 @@ impl Workbench {
             FileCommand::OpenPreset(name) => self.open(&name),
             FileCommand::Open(path) => self.open(&path.to_string_lossy()),
             FileCommand::New => self.take_up(edits::empty(), SceneSource::New),
+            FileCommand::Build(draft) => match edits::bridge(draft) {
+                Ok((scene, source)) => self.take_up(scene, source),
+                Err(errors) => self.window.say(errors.to_string()),
+            },
             FileCommand::Ask(wish) => self.ask(wish),
             FileCommand::Path(command) => self.apply_path(command),
             FileCommand::Record(path) => {
@@ -177,7 +181,7 @@ impl Workbench {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::command::{Command, EditCommand, PlaceCommand};
+    use crate::app::command::{Command, EditCommand, PlaceCommand, WindowCommand};
     use crate::app::learn::lessons::lessons;
     use crate::scene::presets;
 
@@ -195,6 +199,8 @@ mod tests {
         assert!(!bench.files.document.selection().all().is_empty(), "the new one");
         let other = presets::all().iter().find(|p| p.name != presets::OPENING).expect("there are several");
         bench.apply(FileCommand::OpenPreset(other.name.into()));
+        assert!(bench.window.asks(), "the new girder is not saved");
+        bench.apply(WindowCommand::GiveUp);
         bench.replay.runner.wait();
         assert_eq!(bench.files.document.scene().name, other.name, "opened");
         assert!(bench.files.document.selection().all().is_empty(), "nothing of the scene before");

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use crate::app::command::{FileCommand, Learn, RowDraft, WindowCommand};
+use crate::app::command::{BridgeDraft, FileCommand, Learn, RowDraft, WindowCommand};
 use crate::app::host::Told;
 
 /// What would leave the scene that is worked on.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) enum Next {
     /// The window closes.
     Close,
@@ -17,7 +17,7 @@ pub(in crate::app) enum Next {
 }
 
 /// Whether the scene that is worked on is about to be left.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 enum Leaving {
     /// No.
     #[default]
@@ -37,6 +37,8 @@ pub struct WindowState {
     pub help: bool,
     /// The row that is asked for, while its dialog is open.
     pub(in crate::app) row: Option<RowDraft>,
+    /// Numbers that a new bridge begins with.
+    pub(in crate::app) bridge: BridgeDraft,
     notice: Option<Told>,
     leaving: Leaving,
 }
@@ -74,6 +76,7 @@ impl WindowState {
             WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun | WindowCommand::GiveUp => {}
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,
+            WindowCommand::Bridge(draft) => self.bridge = draft,
             WindowCommand::Dismiss => self.notice = None,
             WindowCommand::Close if dirty => self.ask_before(Next::Close),
             WindowCommand::Close | WindowCommand::CloseAnyway => self.leaving = Leaving::Closed,

@@ -49,6 +49,25 @@ pub struct Nudge {
     pub turn_deg: f64,
 }
 
+/// Numbers that a new bridge begins with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BridgeDraft {
+    /// Length of each span \[m\].
+    pub span: f64,
+    /// Width of the deck, square to its axis \[m\].
+    pub width: f64,
+    /// Angle between axis and support line; 90 is straight \[degrees\].
+    pub skew_deg: f64,
+    /// Spans between two abutments.
+    pub spans: usize,
+}
+
+impl Default for BridgeDraft {
+    fn default() -> Self {
+        Self { span: 30.0, width: 10.0, skew_deg: 60.0, spans: 2 }
+    }
+}
+
 /// Numbers of a row of equal spans.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowDraft {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::edit::BridgeDraft;
 use super::film::FilmFormat;
 
 /// Something to be written to a folder or file.
@@ -82,12 +83,14 @@ pub enum PathCommand {
 }
 
 /// Scene files, records, exports.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum FileCommand {
     /// Open a preset.
     OpenPreset(String),
     /// Begin an empty scene.
     New,
+    /// Begin a bridge.
+    Build(BridgeDraft),
     /// Ask for a path, and do with it what it is asked for.
     Ask(Wish),
     /// The path that is asked for in the window.

@@ -15,7 +15,7 @@ mod view;
 mod window;
 
 pub use compare::CompareCommand;
-pub use edit::{EditCommand, Nudge, PlaceCommand, RowDraft};
+pub use edit::{BridgeDraft, EditCommand, Nudge, PlaceCommand, RowDraft};
 pub use file::{Export, FileCommand, Keep, PathCommand, Wish};
 pub use film::{FilmFormat, FilmPlan, Filming};
 pub use hand::{Flank, Grip, HandCommand, HandKey};

@@ -1,6 +1,6 @@
 //! Commands about the window itself.
 
-use crate::app::command::edit::RowDraft;
+use crate::app::command::edit::{BridgeDraft, RowDraft};
 
 /// The window itself: its size, its dialogs, its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub enum WindowCommand {
     Help(bool),
     /// Ask for the numbers of a row, or stop asking.
     AskRow(Option<RowDraft>),
+    /// Other numbers for a new bridge.
+    Bridge(BridgeDraft),
     /// Stop computing.
     CancelRun,
     /// The notice at the bottom has been read.

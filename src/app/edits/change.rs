@@ -182,6 +182,25 @@ pub(in crate::app) fn add_girder(scene: &Scene, like: Option<usize>) -> Edit {
     Edit::AddGirder(scene.girders.len(), Box::new(new))
 }
 
+/// One more span beyond the `+x` end of the row. The abutment that stood before that end stands before the new span's.
+pub(in crate::app) fn add_span(scene: &Scene, like: Option<usize>) -> Edit {
+    let added = add_girder(scene, like);
+    let Edit::AddGirder(at, mut new) = added else { return added };
+    let along = placed::axes(&new).x_axis;
+    let reach = |girder: &Girder| DVec3::from(girder.position).dot(along) + girder.length / 2.0;
+    let last = scene.girders.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
+    let stands = |last: &Girder, wall: &Abutment| {
+        wall.faces == last.name && wall.end == End::Plus && wall.polygon.is_none() && placed::axes(last).x_axis == along
+    };
+    let wall = last.and_then(|last| scene.abutments.iter().position(|wall| stands(last, wall)));
+    let Some((last, number)) = last.zip(wall) else { return Edit::AddGirder(at, new) };
+    let gap = gap_of(scene).unwrap_or(0.0).max(new.length * 1e-3);
+    let place = DVec3::from(last.position) + along * (f64::midpoint(last.length, new.length) + gap);
+    new.position = tidy(place);
+    let moved = Abutment { faces: new.name.clone(), ..scene.abutments[number].clone() };
+    Edit::Batch(vec![Edit::AddGirder(at, new), abutment(number, moved)])
+}
+
 /// Copies of a girder in a row beyond its `+x` end: so many spans, the first of them itself, `gap` apart \[m\]. The
 /// abutment that stood before that end stands before the row's end then.
 pub(in crate::app) fn array(scene: &Scene, first: usize, spans: usize, gap: f64) -> Edit {
@@ -269,7 +288,7 @@ pub(in crate::app) fn abutment_before(scene: &Scene, girder: usize, end: End) ->
         name: free_name(scene, "abutment"),
         faces: scene.girders[girder].name.clone(),
         end,
-        gap: Some(gap_of(scene).unwrap_or(scene.girders[girder].length * 0.016)),
+        gap: Some(gap_of(scene).unwrap_or(scene.girders[girder].length / 600.0)),
         width: None,
         height: None,
         offset: None,

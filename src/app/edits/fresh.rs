@@ -1,5 +1,7 @@
 //! What is there before anything has been placed.
 
+use super::bridge::bridge;
+use crate::app::command::BridgeDraft;
 use crate::scene::{Girder, Scene};
 
 /// A scene with nothing in it.
@@ -7,7 +9,10 @@ pub(in crate::app) fn empty() -> Scene {
     Scene::empty(crate::app::text::UNTITLED, 5.0)
 }
 
-/// The paper's straight girder, where nothing is placed that could be copied.
+/// A straight span of a bridge on its bearings, where nothing is placed that could be copied.
 pub(super) fn first_girder() -> Girder {
-    Girder::straight("girder", [0.190, 0.070, 0.020], 2.0)
+    let draft = BridgeDraft { skew_deg: 90.0, spans: 1, ..BridgeDraft::default() };
+    let span = bridge(draft).ok().and_then(|(scene, _)| scene.girders.into_iter().next());
+    let new = span.unwrap_or_else(|| Girder::straight("", [draft.span, draft.width, 1.5], 6e5));
+    Girder { name: "girder".to_owned(), ..new }
 }

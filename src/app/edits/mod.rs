@@ -1,5 +1,6 @@
 //! The scene that is worked on: the document with its past, what is selected, and the edits that the window makes.
 
+mod bridge;
 mod change;
 mod document;
 mod fresh;
@@ -7,6 +8,7 @@ mod pairs;
 mod placing;
 mod selection;
 
+pub(in crate::app) use bridge::{assumed, bridge, sound};
 pub(in crate::app) use change::*;
 pub(in crate::app) use document::Document;
 pub(in crate::app) use fresh::empty;

@@ -1,6 +1,6 @@
 //! Adds, copies, arrays, nudges and removes: from a command and what is selected to an edit.
 
-use super::change::{add_abutment, add_girder, array, gap_of, remove, shifted};
+use super::change::{add_abutment, add_girder, add_span, array, gap_of, remove, shifted};
 use super::selection::Selection;
 use crate::app::command::{Nudge, PlaceCommand, RowDraft};
 use crate::scene::Scene;
@@ -35,7 +35,7 @@ pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection
             };
             (edit, Some(vec![new]))
         }
-        PlaceCommand::AddGirder => (add_girder(scene, girder), Some(vec![Target::Girder(scene.girders.len())])),
+        PlaceCommand::AddGirder => (add_span(scene, girder), Some(vec![Target::Girder(scene.girders.len())])),
         PlaceCommand::AddAbutment => {
             (add_abutment(scene, girder)?, Some(vec![Target::Abutment(scene.abutments.len())]))
         }

@@ -11,7 +11,7 @@ use crate::app::disk::{film_dialog, path_dialog};
 use crate::app::learn::lesson_panel;
 use crate::app::panel::shortcuts::Keyboard;
 use crate::app::panel::{
-    file_questions, help, inspector, menu, notices, outliner, row_dialog, shortcuts, status, view_menu, whatif,
+    file_questions, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu, whatif,
 };
 use crate::app::plot::plots;
 use crate::app::style::theme::{self, Palette};
@@ -104,7 +104,12 @@ fn scene_view(bench: &mut Workbench, ui: &mut Ui) {
     let mut out = Vec::new();
     let (viewport, seen) = bench.view_and_seen();
     show::finish(ui, &response, (viewport, &seen), &mut out);
-    notices::over_view(ui, response.rect, (&bench.replay.runner, bench.view.display.tool), &mut out);
+    let scene = bench.files.document.scene();
+    if scene.girders.is_empty() && scene.abutments.is_empty() {
+        start::show(ui, response.rect, (&bench.files, bench.window.bridge), &mut out);
+    } else {
+        notices::over_view(ui, response.rect, (&bench.replay.runner, bench.view.display.tool), &mut out);
+    }
     bench.apply_all(ui, out);
 }
 
@@ -114,7 +119,9 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     Panel::top("bar")
         .resizable(false)
         .show(ui, |ui| menu::show(ui, files, (*learning, display.sight, bench.tasks.paths.is_here()), out));
-    let about = (document.scene().limits, view.adapter());
+    let scene = document.scene();
+    let empty = scene.girders.is_empty() && scene.abutments.is_empty();
+    let about = (scene.limits, empty, view.adapter());
     Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, &replay.runner, about, out));
     let room = ui.available_height();
     let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);

@@ -18,6 +18,7 @@ mod results;
 pub(in crate::app) mod row_dialog;
 mod seat_orbit;
 pub(in crate::app) mod shortcuts;
+pub(in crate::app) mod start;
 pub(in crate::app) mod status;
 pub(in crate::app) mod view_menu;
 pub(in crate::app) mod whatif;

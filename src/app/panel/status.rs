@@ -11,10 +11,17 @@ use crate::scene::Limits;
 use crate::sim::readings::Passed;
 
 /// Shows the line: what became of the scene's run, limits that it passes, what draws.
-pub(in crate::app) fn show(ui: &mut Ui, runner: &Runner, (limits, adapter): (Limits, &str), out: &mut Vec<Command>) {
+pub(in crate::app) fn show(
+    ui: &mut Ui,
+    runner: &Runner,
+    (limits, empty, adapter): (Limits, bool, &str),
+    out: &mut Vec<Command>,
+) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 14.0;
-        if let Some(problems) = runner.problems() {
+        if empty {
+            ui.label(RichText::new(text::START_NOTHING).weak());
+        } else if let Some(problems) = runner.problems() {
             let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = runner.answer() {

@@ -67,6 +67,15 @@ pub(super) const VIEW_CONTACT: &str = "Contact";
 pub(super) const VIEW_FRAME: &str = "Frame";
 pub(super) const FRAME_HINT: &str = "Frame what is selected, or everything (F)";
 
+// An empty scene.
+pub(super) const START_BRIDGE: &str = "A bridge";
+pub(super) const START_SPAN: &str = "Span length";
+pub(super) const START_WIDTH: &str = "Deck width";
+pub(super) const START_SKEW: &str = "Skew angle β";
+pub(super) const START_SPANS: &str = "Number of spans";
+pub(super) const START_BUILD: &str = "Build the bridge";
+pub(super) const START_NOTHING: &str = "an empty scene";
+
 // The view.
 pub(super) const VIEW: &str = "3D view";
 pub(super) const COMPUTING: &str = "Computing";

@@ -159,6 +159,20 @@ pub(in crate::app) fn bars(count: usize, stick: f64, slip: f64) -> String {
     format!("{count} {bars}: {} s of stick, {} s of slip", short(stick), short(slip))
 }
 
+/// What is assumed of a new bridge: depth, gap and seat \[m\], mass of a span \[kg\], contact \[N/m\], bearings \[Hz\].
+pub(in crate::app) fn assumed([depth, gap, seat]: [f64; 3], mass: f64, k: f64, frequency: f64) -> String {
+    format!(
+        "Assumed until you say otherwise: depth {}, {} t a span, gaps {}, seats {}, contact K {}, bearings {} Hz with 10 % \
+         damping, a sine of 0.4 g at 0.8 Hz. The file says so beside each.",
+        length(depth),
+        short(mass / 1e3),
+        length(gap),
+        length(seat),
+        stiffness(k),
+        short(frequency)
+    )
+}
+
 /// A touch in a line.
 pub(in crate::app) fn touch(start: f64, end: f64, peak: f64, impulse: f64) -> String {
     if impulse > 0.0 {

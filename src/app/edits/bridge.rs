@@ -1,0 +1,159 @@
+//! A bridge to begin with: spans between two abutments, and values that fit its size, each said to be assumed.
+//!
+//! It is written as a scene file, so that what is saved says beside every assumed value that it is one.
+
+use std::fmt::Write as _;
+
+use crate::app::command::BridgeDraft;
+use crate::files::SceneSource;
+use crate::scene::{Scene, SceneErrors, format};
+
+/// Ranges of the numbers that are asked for: span and width \[m\], skew \[degrees\], spans.
+const RANGES: [[f64; 2]; 3] = [[5.0, 200.0], [3.0, 60.0], [20.0, 160.0]];
+const MOST_SPANS: usize = 20;
+
+/// Mass of a deck over its area, as that of the preset `deck-30m` \[kg/m²\].
+const MASS_PER_AREA: f64 = 2000.0;
+/// Stiffness of the contact of a section of a square metre over a metre of length: with it a deck as that preset's has its
+/// 1e9 N/m \[N/m\].
+const STIFFNESS: f64 = 1e9 * 30.0 / 15.0;
+
+/// What is assumed of a bridge of these numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Assumed {
+    /// Depth of the deck, a twentieth of the span \[m\].
+    pub(in crate::app) thickness: f64,
+    /// Mass of a span \[kg\].
+    pub(in crate::app) mass: f64,
+    /// Every gap \[m\].
+    pub(in crate::app) gap: f64,
+    /// Length of every seat: 0.7 m and 5 mm a metre of span \[m\].
+    pub(in crate::app) seat: f64,
+    /// Of a contact \[N/m\].
+    pub(in crate::app) stiffness: f64,
+    /// Of a span on its bearings \[Hz\].
+    pub(in crate::app) frequency: f64,
+}
+
+/// Numbers that a bridge can have.
+pub(in crate::app) fn sound(draft: BridgeDraft) -> BridgeDraft {
+    let default = BridgeDraft::default();
+    let [span, width, skew_deg] =
+        [(draft.span, default.span), (draft.width, default.width), (draft.skew_deg, default.skew_deg)]
+            .map(|(number, default)| if number.is_finite() { number } else { default });
+    let within = |number: f64, [least, most]: [f64; 2]| number.clamp(least, most);
+    BridgeDraft {
+        span: within(span, RANGES[0]),
+        width: within(width, RANGES[1]),
+        skew_deg: within(skew_deg, RANGES[2]),
+        spans: draft.spans.clamp(1, MOST_SPANS),
+    }
+}
+
+/// What is assumed of a bridge of these numbers.
+pub(in crate::app) fn assumed(draft: BridgeDraft) -> Assumed {
+    let BridgeDraft { span, width, .. } = sound(draft);
+    let to = |value: f64, step: f64| (value / step).round().max(1.0) * step;
+    let thickness = tidy(to(span / 20.0, 0.05));
+    Assumed {
+        thickness,
+        mass: to(MASS_PER_AREA * span * width, 1000.0),
+        gap: tidy(to(span / 600.0, 0.005)),
+        seat: tidy(0.7 + to(0.005 * span, 0.01)),
+        stiffness: to(STIFFNESS * width * thickness / span, 1e7),
+        frequency: 0.8,
+    }
+}
+
+/// To whole millimetres \[m\].
+fn tidy(metres: f64) -> f64 {
+    (metres * 1e3).round() / 1e3
+}
+
+/// A bridge, and the text that it is read from.
+///
+/// # Errors
+/// As [`format::read`]: none for [`sound`] numbers.
+pub(in crate::app) fn bridge(draft: BridgeDraft) -> Result<(Scene, SceneSource), SceneErrors> {
+    let text = text(sound(draft));
+    Ok((format::read(&text, "bridge")?, SceneSource::Text(text.into())))
+}
+
+fn text(draft: BridgeDraft) -> String {
+    let BridgeDraft { span, width, skew_deg, spans } = draft;
+    let Assumed { thickness, mass, gap, seat, stiffness, frequency } = assumed(draft);
+    let mut text = String::from(
+        "# What is marked ASSUMED was not given: it fits the size of the bridge, and is to be replaced.\n\
+         format = 1\nname = \"bridge\"\nkind = \"planar\"\nduration_s = 10.0\n",
+    );
+    let (end, side) = (tidy(0.5 * span - span / 30.0), tidy(0.4 * width));
+    for number in 0..spans {
+        let x = tidy((number as f64 - (spans as f64 - 1.0) / 2.0) * (span + gap));
+        // Writing into memory cannot fail.
+        let _ = write!(
+            text,
+            "\n[[girder]]\nname = \"span-{}\"\nlength_m = {span:?}\nwidth_m = {width:?}\nthickness_m = {thickness:?} # ASSUMED\n\
+             skew_deg = {skew_deg:?}\nmass_kg = {mass:?} # ASSUMED\nposition_m = [{x:?}, 0.0, 0.0]\n\
+             seat_m = {{ \"+x\" = {seat:?}, \"-x\" = {seat:?} }} # ASSUMED\n\
+             [girder.bearings] # ASSUMED\nfrequency_hz = {frequency:?}\ndamping_ratio = 0.1\n\
+             at_skewed_m = [[{end:?}, {side:?}], [{end:?}, -{side:?}], [-{end:?}, {side:?}], [-{end:?}, -{side:?}]]\n",
+            number + 1
+        );
+    }
+    for (name, faces, at) in [("east", spans, "+x"), ("west", 1, "-x")] {
+        let wall = tidy(2.4 * width);
+        let _ = write!(
+            text,
+            "\n[[abutment]]\nname = \"{name}\"\nfaces = \"span-{faces}\"\nend = \"{at}\"\ngap_m = {gap:?} # ASSUMED\n\
+             width_m = {wall:?} # ASSUMED\nheight_m = {:?} # ASSUMED\n",
+            tidy(3.0 * thickness)
+        );
+    }
+    let _ = write!(
+        text,
+        "\n[contact]\nstiffness_n_per_m = {stiffness:?} # ASSUMED\nmu_static = 0.2 # ASSUMED\nmu_kinetic = 0.15 # ASSUMED\n\
+         \n[motion] # ASSUMED\nkind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 0.8\n"
+    );
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{facing, presets};
+    use crate::sim::History;
+
+    #[test]
+    fn a_bridge_of_the_presets_size_has_the_presets_numbers() {
+        let preset = presets::load("deck-30m").expect("ships");
+        let deck = &preset.girders[0];
+        let got = assumed(BridgeDraft { span: deck.length, width: deck.width, skew_deg: deck.skew_deg, spans: 1 });
+        assert_eq!((got.thickness, got.mass), (deck.thickness, deck.mass), "depth and mass");
+        assert_eq!(
+            (Some(got.gap), Some(got.stiffness)),
+            (preset.abutments[0].gap, preset.contact.stiffness),
+            "gap and stiffness"
+        );
+    }
+
+    #[test]
+    fn every_bridge_that_can_be_asked_for_stands_free_and_runs() {
+        for (span, width, skew_deg, spans) in
+            [(30.0, 10.0, 60.0, 2), (5.0, 60.0, 20.0, 1), (200.0, 3.0, 160.0, 3), (f64::NAN, -1.0, 900.0, 0)]
+        {
+            let draft = BridgeDraft { span, width, skew_deg, spans };
+            let (mut scene, source) = bridge(draft).expect("a scene");
+            assert_eq!(scene.girders.len(), spans.max(1), "spans");
+            let pairs = facing::find(&scene).expect("pairs");
+            assert_eq!(pairs.len(), scene.girders.len() + 1, "a gap at every end: {draft:?}");
+            let gap = assumed(draft).gap;
+            assert!(pairs.iter().all(|pair| (pair.gap - gap).abs() < 2e-3), "as assumed: {pairs:?}");
+            scene.duration = 0.1;
+            assert!(History::of(&scene).is_ok(), "runs: {draft:?}");
+            assert!(
+                matches!(&source, SceneSource::Text(text) if text.matches("ASSUMED").count() > 8),
+                "each is said to be assumed"
+            );
+        }
+    }
+}

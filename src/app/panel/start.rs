@@ -1,0 +1,89 @@
+//! What stands over an empty scene: a bridge by its numbers, presets, files used last, lessons.
+
+use egui::{Align2, Area, Button, Frame, Grid, Id, Order, Rect, RichText, ScrollArea, Ui};
+
+use crate::app::command::{BridgeDraft, Command, FileCommand, Learn, WindowCommand};
+use crate::app::disk::recent;
+use crate::app::disk::scene_files::SceneFiles;
+use crate::app::edits;
+use crate::app::field::{Place, number};
+use crate::app::learn::lessons::lessons;
+use crate::app::text;
+use crate::app::unit::{DEGREES, PURE, Unit, length_unit};
+use crate::scene::presets;
+
+/// Widest that it is \[points\].
+const WIDTH: f32 = 560.0;
+
+/// Shows it in the middle of the view.
+pub(in crate::app) fn show(ui: &Ui, view: Rect, (files, draft): (&SceneFiles, BridgeDraft), out: &mut Vec<Command>) {
+    let room = view.shrink(12.0);
+    if room.width() < 200.0 || room.height() < 80.0 {
+        return;
+    }
+    let area =
+        Area::new(Id::unique("start")).order(Order::Middle).pivot(Align2::CENTER_CENTER).fixed_pos(room.center());
+    area.constrain_to(room).show(ui.ctx(), |ui| {
+        Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_width(WIDTH.min(room.width() - 16.0));
+            ScrollArea::vertical().id_salt("start").max_height(room.height() - 24.0).show(ui, |ui| {
+                ui.columns(2, |columns| {
+                    bridge(&mut columns[0], draft, out);
+                    others(&mut columns[1], files, out);
+                });
+            });
+        });
+    });
+}
+
+fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
+    ui.label(RichText::new(text::START_BRIDGE).heading());
+    let (mut new, mut spans) = (draft, draft.spans as f64);
+    let place = Place { problems: None, table: "" };
+    Grid::new("bridge").num_columns(2).show(ui, |ui| {
+        let metres = length_unit(100.0);
+        number(ui, place, ("", text::START_SPAN), &mut new.span, metres);
+        number(ui, place, ("", text::START_WIDTH), &mut new.width, metres);
+        number(ui, place, ("", text::START_SKEW), &mut new.skew_deg, DEGREES);
+        number(ui, place, ("", text::START_SPANS), &mut spans, Unit { speed: 0.05, ..PURE });
+    });
+    let new = edits::sound(BridgeDraft { spans: whole(spans), ..new });
+    if new != draft {
+        out.push(WindowCommand::Bridge(new).into());
+    }
+    ui.add_space(4.0);
+    let a = edits::assumed(new);
+    let words = text::assumed([a.thickness, a.gap, a.seat], a.mass, a.stiffness, a.frequency);
+    ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+    ui.add_space(4.0);
+    if ui.button(text::START_BUILD).clicked() {
+        out.push(FileCommand::Build(new).into());
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a small whole number")]
+fn whole(spans: f64) -> usize {
+    spans.round().clamp(0.0, 1e3) as usize
+}
+
+fn others(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Command>) {
+    ui.label(RichText::new(text::PRESETS).strong());
+    for preset in presets::all() {
+        let words = format!("{}: {}", preset.name, preset.summary);
+        if ui.add(Button::new(words).frame(false).truncate()).on_hover_text(preset.summary).clicked() {
+            out.push(FileCommand::OpenPreset(preset.name.to_owned()).into());
+        }
+    }
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::LEARN).strong());
+    for (number, lesson) in lessons().iter().enumerate() {
+        if ui.add(Button::new(&lesson.title).frame(false).truncate()).clicked() {
+            out.push(Learn::Open(number).into());
+        }
+    }
+    if !files.session.recent().is_empty() {
+        ui.add_space(4.0);
+        ui.label(RichText::new(text::OPEN_RECENT).strong());
+        recent::show(ui, files.session.recent(), out);
+    }
+}
