@@ -2,7 +2,7 @@
 
 use super::seats;
 use crate::scene::shown::{escaped, shown};
-use crate::tables::{OutsideReport, OverlapReport, Report};
+use crate::tables::{OutsideReport, OverlapReport, PierReport, Report};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -37,6 +37,20 @@ fn head(report: &Report) -> Vec<Line> {
     let gave_up =
         gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
     model.into_iter().chain(gave_up).chain(outside).chain(overlaps(&report.overlaps)).chain(law_sense(report)).collect()
+}
+
+/// What the run did to a pier.
+fn pier(pier: &PierReport) -> Line {
+    let [along, across] = pier.periods;
+    let yielded = pier.yielded_at.map_or(String::new(), |t| format!("; it yields from {t:.4} s on"));
+    let value = format!(
+        "T {along:.3} s along, {across:.3} s across; drift {} mm at {:.4} s, base shear {} at {:.4} s{yielded}",
+        millimetres(pier.drift),
+        pier.drift_t,
+        force(pier.shear),
+        pier.shear_t
+    );
+    line(&format!("pier {}", escaped(&pier.name)), value)
 }
 
 /// Bodies that are inside each other where no contact carries it, a line for every two.
@@ -142,6 +156,7 @@ fn answer(report: &Report) -> Vec<Line> {
         );
         line(&format!("soil {}", escaped(&soil.abutment)), value)
     }));
+    lines.extend(report.piers.iter().map(pier));
     lines.extend(report.seats.iter().flat_map(seats::lines));
     lines
 }

@@ -68,7 +68,7 @@ pub fn start(model: &Arc<Model>, group: usize, kind: ModelKind) -> Box<dyn Run> 
         ModelKind::Impact if !model.group_links[group].is_empty() => Box::new(ContactRun::refused(
             model,
             group,
-            "the impact model knows no devices, no bearings that yield and no backwalls that move",
+            "the impact model knows no devices, no piers, no bearings that yield and no backwalls that move",
         )),
         ModelKind::Impact if planar => Box::new(impact2d::engine::Engine::new(model, group)),
         ModelKind::Impact => {

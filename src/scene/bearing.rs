@@ -62,12 +62,16 @@ table! {
             "places before skewing, m: y cot β is added to x, so that they follow the skew";
         height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
+        on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier"), Fallback::Words("the ground"),
+            "the pier under the bearings of the -x half";
+        on_plus_x: Option<String> = "on_plus_x", Range::Like("a pier"), Fallback::Words("the ground"),
+            "the pier under the bearings of the +x half";
     }
 }
 
 table! {
     /// One bearing with its own springs and dashpots, along and across the girder as placed, and vertical.
-    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Bearing, BEARING {
         at: [f64; 2] = "at_m", Range::Like("[x, y]"), Fallback::Needed("must be given"),
             "place in the girder's frame, m";
@@ -85,6 +89,7 @@ table! {
             "whether it yields along x and y each for itself; otherwise on one circle";
         height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
+        on: Option<String> = "on", Range::Like("a pier"), Fallback::Words("the ground"), "the pier that it stands on";
     }
 }
 

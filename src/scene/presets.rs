@@ -26,7 +26,7 @@ macro_rules! preset {
     };
 }
 
-static PRESETS: [Preset; 9] = [
+static PRESETS: [Preset; 10] = [
     preset!("straight-abutment", "paper: straight girder head-on against an abutment, 2.4 Hz, 0.40 g"),
     preset!("skew60-abutment", "paper: 60° girder against an abutment, 2.6 Hz, 0.40 g"),
     preset!("skew45-abutment", "paper: 45° girder against an abutment, 2.6 Hz, 0.40 g"),
@@ -36,6 +36,7 @@ static PRESETS: [Preset; 9] = [
     preset!("el-centro-45", "45° girder under a synthetic earthquake with the peak of El Centro, 0.313 g"),
     preset!("two-components", "45° girder under two horizontal components of a synthetic earthquake at once"),
     preset!("row-of-5", "five 30 m girders of different period in a row, 50 mm apart: neighbours pound"),
+    preset!("viaduct-5", "five 30 m spans of 60° skew on four piers between abutments, two components"),
 ];
 
 /// Every preset, the paper's first.

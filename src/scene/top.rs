@@ -6,7 +6,7 @@ use super::keys::{Fallback, Key, Range};
 use super::motion::STANDARD_GRAVITY;
 use super::{
     Abutment, Bumper, Codes, ContactSettings, Damper, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
-    Restrainer, SolverSettings, Stopper, ViewSettings,
+    Pier, Restrainer, SolverSettings, Stopper, ViewSettings,
 };
 
 /// The version of the format that is read and written.
@@ -42,6 +42,9 @@ pub struct Scene {
     /// Abutments, in the order of the file.
     #[serde(rename = "abutment", default, skip_serializing_if = "Vec::is_empty")]
     pub abutments: Vec<Abutment>,
+    /// Piers, in the order of the file.
+    #[serde(rename = "pier", default, skip_serializing_if = "Vec::is_empty")]
+    pub piers: Vec<Pier>,
     /// Restrainer cables, in the order of the file.
     #[serde(rename = "restrainer", default, skip_serializing_if = "Vec::is_empty")]
     pub restrainers: Vec<Restrainer>,
@@ -90,6 +93,7 @@ impl Scene {
             model: ModelSettings::default(),
             girders: Vec::new(),
             abutments: Vec::new(),
+            piers: Vec::new(),
             restrainers: Vec::new(),
             bumpers: Vec::new(),
             dampers: Vec::new(),
@@ -150,6 +154,7 @@ pub const TOP: &[Key] = &[
     .labelled("Gravity"),
     Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
     Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
+    Key::new("pier", Range::Free, Fallback::Words("none"), "[[pier]], see below"),
     Key::new("restrainer", Range::Free, Fallback::Words("none"), "[[restrainer]], see below"),
     Key::new("bumper", Range::Free, Fallback::Words("none"), "[[bumper]], see below"),
     Key::new("damper", Range::Free, Fallback::Words("none"), "[[damper]], see below"),

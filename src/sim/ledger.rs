@@ -63,7 +63,8 @@ impl Books {
         }
         for (link, account) in self.devices.iter().enumerate() {
             let [loss] = account.at(t, |a, b| integrate(a, b, |s| [history.link_power(link, s)]));
-            ledger.loss_device += loss;
+            let entry = if is_bearing(history, link) { &mut ledger.loss_bearing } else { &mut ledger.loss_device };
+            *entry += loss;
             ledger.jump_device += history.link_logs[link].released(t);
         }
         if let Some(record) = history.impact() {
@@ -93,9 +94,17 @@ impl Books {
                 ledger.contact += closed.law.strain(&action.here, &action.forces);
             }
         }
-        ledger.device = (0..history.link_logs.len()).map(|link| history.link_energy(link, t)).sum();
+        for link in 0..history.link_logs.len() {
+            let entry = if is_bearing(history, link) { &mut ledger.bearing } else { &mut ledger.device };
+            *entry += history.link_energy(link, t);
+        }
         ledger
     }
+}
+
+/// Whether a link is a bearing between a girder and a pier.
+fn is_bearing(history: &History, link: usize) -> bool {
+    history.model().links[link].device.is_linear()
 }
 
 fn jumps(history: &History, t: f64, ledger: &mut Ledger) {

@@ -49,6 +49,15 @@ pub enum OfGirder {
     Omega,
 }
 
+/// What of a pier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfPier {
+    /// Displacement of its cap against its foot, in plan.
+    Drift,
+    /// Base shear, in plan.
+    Shear,
+}
+
 /// What of a corner of a girder in plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfCorner {
@@ -124,6 +133,8 @@ pub enum Quantity {
     Corner(usize, usize, OfCorner),
     /// What remains of a seat under the end of a girder, along the axis; of a seat without length, how far the end has moved off, negative.
     Seat(usize, End),
+    /// Of a pier, by its number.
+    Pier(usize, OfPier),
     /// Of a facing pair, by its number.
     Pair(usize, OfPair),
     /// Of a contact, by its number.
@@ -143,6 +154,7 @@ const OF_GIRDER: [(&str, OfGirder); 7] = [
     ("vy", OfGirder::Vy),
     ("omega", OfGirder::Omega),
 ];
+const OF_PIER: [(&str, OfPier); 2] = [("drift", OfPier::Drift), ("shear", OfPier::Shear)];
 const OF_CORNER: [(&str, OfCorner); 3] = [("x", OfCorner::X), ("y", OfCorner::Y), ("drift", OfCorner::Drift)];
 const OF_PAIR: [(&str, OfPair); 2] = [("force", OfPair::Force), ("gap", OfPair::Gap)];
 const OF_CONTACT: [(&str, OfContact); 7] = [
@@ -173,8 +185,16 @@ impl Quantity {
     pub fn all(history: &History) -> Vec<(String, Self)> {
         let model = history.model();
         let mut all = Vec::new();
+        let pier = |body: usize| model.piers.iter().position(|pier| pier.body == body);
         for (i, body) in model.bodies.iter().enumerate() {
             let name = &body.name;
+            if let Some(number) = pier(i) {
+                // It moves in plan.
+                let of_body = OF_GIRDER.into_iter().filter(|(_, what)| *what != OfGirder::Z);
+                all.extend(of_body.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
+                all.extend(OF_PIER.map(|(of, what)| (format!("{name}.{of}"), Self::Pier(number, what))));
+                continue;
+            }
             all.extend(OF_GIRDER.map(|(of, what)| (format!("{name}.{of}"), Self::Girder(i, what))));
             for corner in 0..4 {
                 let of_corner = OF_CORNER
@@ -198,8 +218,9 @@ impl Quantity {
             let name = format!("{}|{}{by}", site.node, site.face_name);
             all.extend(OF_CONTACT.map(|(of, what)| (format!("{name}.{of}"), Self::Contact(i, what))));
         }
+        let has_devices = model.links.iter().any(|link| !link.device.is_linear());
         let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
-        let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || !model.links.is_empty());
+        let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || has_devices);
         all.extend(energies.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
         let axes = if model.kind == Kind::Spatial { 3 } else { 2 };
         let names = ["ground.x", "ground.y", "ground.z"].map(str::to_owned);
@@ -219,12 +240,15 @@ impl Quantity {
             Self::Girder(_, G::X | G::Y | G::Z)
             | Self::Corner(..)
             | Self::Seat(..)
+            | Self::Pier(_, OfPier::Drift)
             | Self::Pair(_, P::Gap)
             | Self::Contact(_, C::Penetration) => Unit::Metre,
             Self::Girder(_, G::Theta) => Unit::Radian,
             Self::Girder(_, G::Vx | G::Vy) | Self::Contact(_, C::Sliding) => Unit::MetrePerSecond,
             Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
-            Self::Pair(_, P::Force) | Self::Contact(_, C::Normal | C::Tangential | C::Force) => Unit::Newton,
+            Self::Pair(_, P::Force)
+            | Self::Pier(_, OfPier::Shear)
+            | Self::Contact(_, C::Normal | C::Tangential | C::Force) => Unit::Newton,
             Self::Contact(_, C::Use | C::State) => Unit::One,
             Self::Energy(_) => Unit::Joule,
             Self::Ground(_) => Unit::MetrePerSecond2,
@@ -245,6 +269,10 @@ impl Quantity {
                 }
             }
             Self::Seat(i, end) if i < model.bodies.len() => seats::remaining_along_axis(history, i, end, t),
+            Self::Pier(i, what) => history.pier(i, t).map_or(0.0, |now| {
+                let vector = if what == OfPier::Drift { now.displacement } else { now.shear };
+                vector.truncate().length()
+            }),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Force => model.pairs[i]

@@ -4,7 +4,7 @@
 //! Values are read off the continuous history. Extremes and zeros are searched between looks that neither bearings nor ground
 //! can outrun, and every low point that may reach 0 between two looks is closed in on.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::report::Extreme;
 use super::{History, Motion, touches};
@@ -15,7 +15,7 @@ use crate::geometry::{End, Prism};
 /// fastest motion, a peak rises by less than a hundredth of the range.
 const NEAR: f64 = 0.1;
 
-/// The seat of an end as placed, fixed to the ground: a strip behind the front edge, which is parallel to the end.
+/// The seat of an end as placed, fixed to the ground or to the pier under the end: a strip behind the front edge, which is parallel to the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ledge {
     /// Which end of the girder.
@@ -32,6 +32,8 @@ pub struct Ledge {
     pub half_end: f64,
     /// By how much the seat is wider than the end at either side, along the edge; `None` where the scene does not give it \[m\].
     pub side: Option<f64>,
+    /// Number among the bodies of the pier that it is on; `None` on the ground.
+    pub pier: Option<usize>,
 }
 
 impl Ledge {
@@ -51,6 +53,8 @@ impl Ledge {
         let [from, to] = Prism::end_corners(end).map(|corner| body.prism.plan_corners()[corner]);
         let way = (to - from) / body.prism.end_length();
         let normal = way.perp() * -end.sign();
+        let scene = history.scene();
+        let pier = scene.pier_under(&scene.girders[girder], end);
         Self {
             end,
             length: 0.0,
@@ -59,6 +63,7 @@ impl Ledge {
             along: body.axes * way.extend(0.0),
             half_end: 0.5 * body.prism.end_length(),
             side: None,
+            pier: pier.and_then(|number| history.model().piers.get(number)).map(|pier| pier.body),
         }
     }
 
@@ -149,15 +154,15 @@ pub(super) fn length(history: &History, girder: usize, end: End) -> Option<f64> 
 /// \[m\].
 pub(super) fn remaining_along_axis(history: &History, girder: usize, end: End, t: f64) -> f64 {
     let ledge = Ledge::of(history, girder, end).unwrap_or_else(|| Ledge::without_length(history, girder, end));
-    let motion = history.motion(girder, t);
-    let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(shift(history, girder, corner, &motion)));
+    let over = Over::at(history, girder, &ledge, t);
+    let remaining = Prism::end_corners(end).map(|corner| ledge.remaining(over.shift(history, corner)));
     remaining[0].min(remaining[1]) / ledge.sine
 }
 
 /// What remains at both corners of an end, square to the edge, and where they are along it, at a time \[m\].
 pub fn corners_at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> [[f64; 2]; 2] {
-    let motion = history.motion(girder, t);
-    let corners = Prism::end_corners(ledge.end).map(|corner| shift(history, girder, corner, &motion));
+    let over = Over::at(history, girder, ledge, t);
+    let corners = Prism::end_corners(ledge.end).map(|corner| over.shift(history, corner));
     [0, 1].map(|which| [ledge.place_along(which, corners[which]), ledge.remaining(corners[which])])
 }
 
@@ -192,11 +197,38 @@ pub fn seated_share([one, other]: [f64; 2]) -> f64 {
     }
 }
 
-/// Displacement of a corner at the underside from where it was placed \[m\].
-fn shift(history: &History, girder: usize, corner: usize, motion: &Motion) -> DVec3 {
-    let body = &history.model().bodies[girder];
-    let here = body.prism.corners()[corner];
-    motion.displacement + motion.attitude * here - body.axes * here
+/// A girder over what its end stands on, at one instant.
+#[derive(Clone, Copy, Debug)]
+struct Over {
+    girder: usize,
+    motion: Motion,
+    /// Number among the bodies and motion of the pier; `None` on the ground.
+    pier: Option<(usize, Motion)>,
+}
+
+impl Over {
+    fn at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> Self {
+        Self::of((girder, history.motion(girder, t)), history, ledge, t)
+    }
+
+    fn of((girder, motion): (usize, Motion), history: &History, ledge: &Ledge, t: f64) -> Self {
+        Self { girder, motion, pier: ledge.pier.map(|pier| (pier, history.motion(pier, t))) }
+    }
+
+    /// Displacement of a corner at the underside from where it was placed, seen from the seat \[m\]: on a pier with cap at
+    /// displacement u and rotation R, `Rᵀ (l + s − u) − l` with the corner's displacement s and place l from the pier's axis.
+    fn shift(&self, history: &History, corner: usize) -> DVec3 {
+        let body = &history.model().bodies[self.girder];
+        let here = body.prism.corners()[corner];
+        let shift = self.motion.displacement + self.motion.attitude * here - body.axes * here;
+        let Some((pier, cap)) = self.pier else { return shift };
+        let lever = body.home + body.axes * here - history.model().bodies[pier].home;
+        let (apart, half) = (shift - cap.displacement, (0.5 * cap.theta).sin());
+        // Rᵀ l − l without loss at small rotations.
+        let turned_back =
+            DVec3::new(lever.y, -lever.x, 0.0) * cap.theta.sin() - lever.with_z(0.0) * (2.0 * half * half);
+        DMat3::from_rotation_z(-cap.theta) * apart + turned_back
+    }
 }
 
 /// A girder at every look of a run.
@@ -222,18 +254,22 @@ pub fn of_girder(history: &History, girder: usize) -> Vec<Seat> {
 impl Looks<'_> {
     fn seat(&self, ledge: Ledge) -> Seat {
         let numbers = Prism::end_corners(ledge.end);
-        let shift = |which: usize, motion: &Motion| shift(self.history, self.girder, numbers[which], motion);
-        let remaining = |which: usize, motion: &Motion| ledge.remaining(shift(which, motion));
-        let both = |motion: &Motion| [remaining(0, motion), remaining(1, motion)];
+        let looks = self.times.iter().zip(&self.motions);
+        let over: Vec<Over> =
+            looks.map(|(&t, motion)| Over::of((self.girder, *motion), self.history, &ledge, t)).collect();
+        let scan = |quantity: &dyn Fn(&Over) -> f64| self.scan(&ledge, &over, quantity);
+        let shift = |which: usize, over: &Over| over.shift(self.history, numbers[which]);
+        let remaining = |which: usize, over: &Over| ledge.remaining(shift(which, over));
+        let both = |over: &Over| [remaining(0, over), remaining(1, over)];
         let corner = |which: usize| {
-            let front = self.scan(&|motion| remaining(which, motion));
+            let front = scan(&|over| remaining(which, over));
             let departure = |t: f64| {
-                let along = ledge.place_along(which, shift(which, &self.history.motion(self.girder, t)));
+                let along = ledge.place_along(which, shift(which, &Over::at(self.history, self.girder, &ledge, t)));
                 Departure { t, along }
             };
-            let beside = ledge.side.map(|side| {
-                self.scan(&|motion| ledge.half_end + side - ledge.place_along(which, shift(which, motion)).abs())
-            });
+            let beside = ledge
+                .side
+                .map(|side| scan(&|over| ledge.half_end + side - ledge.place_along(which, shift(which, over)).abs()));
             SeatCorner {
                 corner: numbers[which],
                 least: front.least,
@@ -245,15 +281,15 @@ impl Looks<'_> {
         Seat {
             ledge,
             corners: [corner(0), corner(1)],
-            least_share: self.scan(&|motion| seated_share(both(motion))).least,
-            lost_at: self.scan(&|motion| both(motion).into_iter().fold(f64::NEG_INFINITY, f64::max)).zero,
+            least_share: scan(&|over| seated_share(both(over))).least,
+            lost_at: scan(&|over| both(over).into_iter().fold(f64::NEG_INFINITY, f64::max)).zero,
         }
     }
 
     /// The least value of a quantity and its first zero from above.
-    fn scan(&self, quantity: &dyn Fn(&Motion) -> f64) -> Scanned {
-        let values: Vec<f64> = self.motions.iter().map(quantity).collect();
-        let at = |t: f64| quantity(&self.history.motion(self.girder, t));
+    fn scan(&self, ledge: &Ledge, over: &[Over], quantity: &dyn Fn(&Over) -> f64) -> Scanned {
+        let values: Vec<f64> = over.iter().map(quantity).collect();
+        let at = |t: f64| quantity(&Over::at(self.history, self.girder, ledge, t));
         scan(&self.times, &values, &at)
     }
 }

@@ -77,6 +77,6 @@ impl History {
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.
     fn largest(&self, value: impl Fn(usize, f64) -> f64) -> f64 {
         let of = |body| touches::largest(&touches::looks(self, body), |t| value(body, t));
-        (0..self.model().bodies.len()).map(of).fold(0.0, f64::max)
+        (0..self.model().girders().len()).map(of).fold(0.0, f64::max)
     }
 }

@@ -123,11 +123,17 @@ pub(super) fn golden(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f6
 /// Largest value over `times`, in rising order, and about every look that is higher than both its neighbours and comes
 /// near the highest: between looks a peak rises by a few per cent at the most.
 pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> f64 {
+    first_largest(times, value).1
+}
+
+/// The same, and when it is reached first.
+pub(super) fn first_largest(times: &[f64], value: impl Fn(f64) -> f64) -> (f64, f64) {
     let values: Vec<f64> = times.iter().map(|&t| value(t)).collect();
-    let seen = values.iter().copied().fold(0.0, f64::max);
+    let higher = |best: (f64, f64), next: (f64, f64)| if next.1 > best.1 { next } else { best };
+    let seen = times.iter().copied().zip(values.iter().copied()).fold((0.0, 0.0), higher);
     let peaks = values.windows(3).zip(times.windows(3));
-    let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen);
-    peaks.map(|(_, t)| golden(&value, t[0], t[2]).1).fold(seen, f64::max)
+    let peaks = peaks.filter(|(v, _)| v[1] >= v[0] && v[1] >= v[2] && v[1] > 0.9 * seen.1);
+    peaks.map(|(_, t)| golden(&value, t[0], t[2])).fold(seen, higher)
 }
 
 /// Touches of pairs: contacts of one pair whose touches overlap in time are one hit.

@@ -18,7 +18,8 @@ pub use events::events;
 pub use impact::{hits, transitions};
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
-    BackfillReport, DroppedReport, OutsideReport, OverlapReport, PairReport, Report, TooDeepReport, Versions,
+    BackfillReport, DroppedReport, OutsideReport, OverlapReport, PairReport, PierReport, Report, TooDeepReport,
+    Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};
 

@@ -6,7 +6,7 @@ use super::TableOptions;
 use super::events::law_of;
 use super::seats::{self, SeatReport};
 use crate::scene::{Kind, Scene, domain};
-use crate::sim::{BackfillReading, History, Ledger, Overlap, Stop, Summary, TooDeep, readings};
+use crate::sim::{BackfillReading, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -32,6 +32,8 @@ pub struct Report {
     pub seats: Vec<SeatReport>,
     /// What the run did to the soil behind backwalls that move.
     pub backfill: Vec<BackfillReport>,
+    /// What the run did to piers.
+    pub piers: Vec<PierReport>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
     /// Overlaps of two bodies that no contact carries, the earliest first.
@@ -105,6 +107,29 @@ pub struct BackfillReport {
     pub ultimate: f64,
     /// Gap that stays between the wall as placed and the soil \[m\].
     pub remaining_gap: f64,
+}
+
+/// A pier.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PierReport {
+    /// Its name.
+    pub name: String,
+    /// Undamped periods of the pier alone along and across \[s\].
+    pub periods: [f64; 2],
+    /// Largest displacement of its cap against its foot, in plan \[m\].
+    pub drift: f64,
+    /// When \[s\].
+    pub drift_t: f64,
+    /// Largest base shear \[N\].
+    pub shear: f64,
+    /// When \[s\].
+    pub shear_t: f64,
+    /// The same times its height \[N·m\].
+    pub moment: f64,
+    /// Largest rotation of its cap in plan \[rad\].
+    pub rotation: f64,
+    /// When its base yielded for the first time \[s\].
+    pub yielded_at: Option<f64>,
 }
 
 /// An overlap that no contact carries, in short.
@@ -199,6 +224,7 @@ impl Report {
             pairs: pairs(history),
             seats: seats::of(history),
             backfill: backfill(history),
+            piers: piers(history),
             limits_passed: passed(history),
             overlaps: overlaps(history),
             too_deep: too_deep(history),
@@ -246,6 +272,21 @@ fn backfill(history: &History) -> Vec<BackfillReport> {
         BackfillReport { abutment, push, t, force, ultimate, remaining_gap }
     };
     history.backfill().into_iter().map(report).collect()
+}
+
+fn piers(history: &History) -> Vec<PierReport> {
+    let report = |PierReading { pier, periods, drift, shear, moment, turn, yielded_at }: PierReading| PierReport {
+        name: history.scene().piers[pier].name.clone(),
+        periods,
+        drift: drift.value,
+        drift_t: drift.t,
+        shear: shear.value,
+        shear_t: shear.t,
+        moment,
+        rotation: turn,
+        yielded_at,
+    };
+    history.piers().into_iter().map(report).collect()
 }
 
 /// Limits of the scene that were passed.

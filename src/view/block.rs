@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::End;
-use crate::scene::{Abutment, Girder, Scene, placed};
+use crate::scene::{Abutment, Girder, ResolvedPier, Scene, placed};
 use crate::sim::Motion;
 
 /// A flat four-sided face swept along a vector: every body of a scene is one.
@@ -75,6 +75,15 @@ pub fn moved_girder_block(girder: &Girder, motion: &Motion) -> Block {
     let prism = girder.prism();
     let face = prism.end_face(End::Plus).map(|corner| motion.place + motion.attitude * corner);
     Block { face, sweep: motion.attitude * DVec3::new(-prism.length, 0.0, 0.0) }
+}
+
+/// A pier as placed, from its foot to the top of its cap and as wide as that.
+pub fn pier_block(pier: &ResolvedPier) -> Block {
+    let [length, width, _] = pier.cap;
+    let (u, v) = (pier.axes.x_axis * (0.5 * length), pier.axes.y_axis * (0.5 * width));
+    let foot = pier.top - DVec3::Z * pier.height;
+    // Seen from below, against the clock seen from above.
+    Block { face: [foot - u - v, foot - u + v, foot + u + v, foot + u - v], sweep: DVec3::Z * pier.height }
 }
 
 /// An abutment's backwall with the block behind its face; `None` while it names no girder.

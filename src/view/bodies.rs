@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, walls};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, piers, walls};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -32,11 +32,12 @@ pub(super) struct Bodies {
     pub(super) outline: Vec<Line>,
 }
 
-/// How high the ground lies: at the foot of the abutments, and below every girder \[m\].
+/// How high the ground lies: at the foot of the abutments and of the piers, and below every girder \[m\].
 pub(super) fn ground_level(scene: &Scene) -> f64 {
     let walls = scene.abutments.iter().filter_map(|a| abutment_block(scene, a)).flat_map(|b| b.corners());
     let girders = scene.girders.iter().map(|g| g.position[2] - g.thickness * (0.5 + PAD_HEIGHT));
-    let lowest = walls.map(|p| p.z).chain(girders).filter(|z| z.is_finite()).fold(f64::INFINITY, f64::min);
+    let piers = (0..scene.piers.len()).map(|number| piers::foot(&scene.pier(number)));
+    let lowest = walls.map(|p| p.z).chain(girders).chain(piers).filter(|z| z.is_finite()).fold(f64::INFINITY, f64::min);
     if lowest.is_finite() { lowest } else { 0.0 }
 }
 
@@ -66,6 +67,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
         input.scene.girders.iter().zip(&moment.motions).map(|(g, m)| moved_girder_block(g, m)).collect();
     for (i, abutment) in input.scene.abutments.iter().enumerate() {
         if let Some(block) = walls::block(input.scene, i, moment.wall(i)) {
+            let block = if moment.piers.is_empty() { block } else { piers::to_the_ground(&block, level) };
             let selected = input.selected.contains(&Target::Abutment(i));
             let color = palette.abutment.fainter(solidity(&block, &girders, input.camera));
             out.add(input, &block, &abutment.name, color, palette.edge, selected);
@@ -76,9 +78,13 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
             out.lines.extend(walls::failure_lines(input, &soil, palette));
         }
     }
+    out.add_piers(input, moment, palette);
     for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {
+        if !moment.piers.is_empty() {
+            out.add_viaduct(input, (girder, motion), level, palette);
+        }
         if input.overlays.bearings {
-            for (k, pad) in pads(girder, motion, level).iter().enumerate() {
+            for (k, pad) in pads(input.scene, girder, (motion, moment), level).iter().enumerate() {
                 out.add(
                     input,
                     pad,
@@ -113,6 +119,43 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
 }
 
 impl Bodies {
+    /// Piers: footings, columns, caps.
+    fn add_piers(&mut self, input: &ViewInput<'_>, moment: &Moment, palette: &Palette) {
+        for (i, (placed, pier)) in input.scene.piers.iter().zip(&moment.piers).enumerate() {
+            let selected = input.selected.contains(&Target::Pier(i));
+            let name = |part: &str| format!("{} {part}", placed.name);
+            for footing in pier.footings() {
+                self.add(input, &footing, &name("footing"), palette.abutment, palette.edge, false);
+            }
+            let (strips, lines) = pier.columns();
+            for strip in &strips {
+                let (face, sweep) = (strip.face.map(DVec3::as_vec3), strip.sweep.as_vec3());
+                self.solids.push(Solid { name: name("column"), face, sweep, color: palette.abutment });
+            }
+            let (width, color) = (1.3 * input.pixels_per_point, palette.edge);
+            let line =
+                |[from, to]: [DVec3; 2]| Line { group: "edges", from: from.as_vec3(), to: to.as_vec3(), width, color };
+            self.lines.extend(lines.into_iter().map(line));
+            self.add(input, &pier.cap(), &placed.name, palette.abutment, palette.edge, selected);
+        }
+    }
+
+    /// What a deck has in a viaduct: parapets, and the seats of its ends on the ground.
+    fn add_viaduct(
+        &mut self,
+        input: &ViewInput<'_>,
+        (girder, motion): (&Girder, &Motion),
+        level: f64,
+        palette: &Palette,
+    ) {
+        for seat in piers::seats(input.scene, girder, level) {
+            self.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
+        }
+        for parapet in piers::parapets(girder, motion) {
+            self.add(input, &parapet, &format!("{} parapet", girder.name), palette.girder, palette.edge, false);
+        }
+    }
+
     /// A girder by the other model: dashed edges seen through everything. A fill would fight with the girder's own faces.
     /// `drawn` is the share of each dash that is drawn.
     fn add_ghost(&mut self, input: &ViewInput<'_>, block: &Block, color: Rgba, drawn: f64) {
@@ -143,16 +186,24 @@ impl Bodies {
     }
 }
 
-/// A girder's bearings: pads that stand where they were placed and follow the girder with their top.
-fn pads(girder: &Girder, motion: &Motion, level: f64) -> Vec<Block> {
+/// A girder's bearings: pads that stand where they were placed, or on the pier that moves, and follow the girder with their top.
+fn pads(scene: &Scene, girder: &Girder, (motion, moment): (&Motion, &Moment), level: f64) -> Vec<Block> {
+    let supports = scene.supports(girder);
     let underside = -girder.thickness / 2.0;
     let half = PAD_SIDE * girder.thickness / 2.0;
     let home = super::moment::at_rest(girder);
+    let below = |place: DVec3, pier: Option<usize>| match pier.and_then(|number| moment.piers.get(number)) {
+        Some(pier) => pier.moved(place) - DVec3::Z * piers::pad(scene),
+        // At the end of a viaduct it stands on a seat.
+        None if !moment.piers.is_empty() => place - DVec3::Z * piers::pad(scene),
+        None => place.with_z(level),
+    };
     bearing_places(girder)
         .into_iter()
-        .map(|[x, y]| {
+        .zip(supports)
+        .map(|([x, y], pier)| {
             let at = DVec3::new(x, y, underside);
-            let foot = (home.place + home.attitude * at).with_z(level);
+            let foot = below(home.place + home.attitude * at, pier);
             let top = motion.place + motion.attitude * at;
             let (u, v) = (home.attitude * DVec3::X * half, home.attitude * DVec3::Y * half);
             // Seen from below, against the clock seen from above.

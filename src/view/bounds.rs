@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::block::{abutment_block, girder_block};
+use super::piers::foot;
 use crate::scene::Scene;
 
 /// How much of a long backwall counts, beside the girders, as a share of their extent.
@@ -32,7 +33,9 @@ impl Bounds {
     ///
     /// A backwall counts only near the girders: a long one must not make the girders small.
     pub fn of_scene(scene: &Scene) -> Self {
-        let own = Self::of_points(scene.girders.iter().flat_map(|g| girder_block(g).corners()));
+        let piers = (0..scene.piers.len()).map(|number| scene.pier(number));
+        let feet = piers.map(|pier| pier.top.with_z(foot(&pier)));
+        let own = Self::of_points(scene.girders.iter().flat_map(|g| girder_block(g).corners()).chain(feet));
         let walls = scene.abutments.iter().filter_map(|a| abutment_block(scene, a)).flat_map(|b| b.corners());
         if scene.girders.is_empty() {
             return Self::of_points(walls);

@@ -40,6 +40,9 @@ impl Moment {
         for wall in self.walls.iter_mut().flatten() {
             (wall.displacement, wall.soil) = (wall.displacement * factor, wall.soil * factor);
         }
+        for pier in &mut self.piers {
+            (pier.displacement, pier.theta) = (pier.displacement * factor, pier.theta * factor);
+        }
         let moved = &self.motions;
         let place = |contact: usize, point: DVec3| {
             let site = &model.contacts[contact];

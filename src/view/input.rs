@@ -14,6 +14,8 @@ pub enum Target {
     Girder(usize),
     /// An abutment of the scene.
     Abutment(usize),
+    /// A pier of the scene.
+    Pier(usize),
     /// A contact of the run's model.
     Contact(usize),
 }

@@ -31,6 +31,7 @@ mod off_seat;
 mod overlap;
 mod palette;
 mod pick;
+mod piers;
 mod print;
 pub mod scale;
 mod scale_bar;

@@ -3,6 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::ViewInput;
+use super::piers::{self, Pier};
 use super::scale::{auto_force_scale, auto_impulse_scale};
 use super::walls::{self, Wall};
 use crate::geometry::{End, Prism};
@@ -82,6 +83,8 @@ pub struct Moment {
     pub contacts: Vec<ContactNow>,
     /// Backwalls by abutment; `None` for those that stand, none where all do.
     pub walls: Vec<Option<Wall>>,
+    /// Piers.
+    pub piers: Vec<Pier>,
     /// Devices between two points.
     pub devices: Vec<LinkNow>,
     /// Overlaps that no contact carries.
@@ -150,6 +153,7 @@ impl Moment {
             opened: just_opened(history, t, linger(scene), &contacts),
             contacts,
             walls: walls::at(scene, Some((history, t))),
+            piers: piers::at(scene, Some((history, t))),
             devices: history.links(t),
             overlaps: overlaps(history, t),
             off_seat: off_seat(history, t),
@@ -171,6 +175,7 @@ impl Moment {
             facings: pairs.iter().map(|p| Facing { first: p.first, second: p.second }).collect(),
             contacts: Vec::new(),
             walls: walls::at(scene, None),
+            piers: piers::at(scene, None),
             devices: Vec::new(),
             overlaps: Vec::new(),
             off_seat: Vec::new(),
@@ -202,9 +207,19 @@ fn off_seat(history: &History, t: f64) -> Vec<OffSeat> {
         let body = &history.model().bodies[girder];
         let back = ledge.normal * ledge.placed();
         let edge = Prism::end_corners(end).map(|corner| body.home + body.axes * body.prism.corners()[corner] - back);
+        let edge = match ledge.pier {
+            Some(pier) => edge.map(|place| carried(history, pier, place, t)),
+            None => edge,
+        };
         (remaining[0].min(remaining[1]) < 0.0).then_some(OffSeat { girder, end, edge, remaining })
     })
     .collect()
+}
+
+/// Where a place as placed is at `t`, carried by a body that turns in plan alone.
+fn carried(history: &History, body: usize, place: DVec3, t: f64) -> DVec3 {
+    let (home, motion) = (history.model().bodies[body].home, history.motion(body, t));
+    home + motion.displacement + DMat3::from_rotation_z(motion.theta) * (place - home)
 }
 
 /// What the user asked for, then what the scene asks for, then what suits the run.

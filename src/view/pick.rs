@@ -42,5 +42,10 @@ fn pick_body(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Ta
         let wall = Convex::behind(face, placed::abutment_depth(input.scene, abutment))?;
         Some((wall.pick(Stand::WORLD, from, along)?, Target::Abutment(i)))
     });
-    girders.chain(walls).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, target)| target)
+    let piers = moment.piers.iter().enumerate().filter_map(|(i, pier)| {
+        let blocks = [pier.cap()].into_iter().chain(pier.columns().0);
+        let nearest = blocks.filter_map(|block| block.entry(from, along)).reduce(f64::min)?;
+        Some((nearest, Target::Pier(i)))
+    });
+    girders.chain(walls).chain(piers).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, target)| target)
 }

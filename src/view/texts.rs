@@ -101,9 +101,11 @@ pub(super) fn names(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, p
     let girders =
         girders.filter_map(|(i, g)| Some((with_state(&g.name, moment, i), girder_block_at(input.scene, moment, i)?)));
     let walls = input.scene.abutments.iter().filter_map(|a| Some((a.name.clone(), abutment_block(input.scene, a)?)));
+    let piers = input.scene.piers.iter().zip(&moment.piers).map(|(pier, now)| (pier.name.clone(), now.cap()));
     let size = TEXT * input.pixels_per_point;
     girders
         .chain(walls)
+        .chain(piers)
         .filter_map(|(name, block)| {
             let at = pixel(input, top_of(&block))?;
             let text = one_line(&name);

@@ -37,6 +37,7 @@ mod physics {
     mod meeting;
     mod normal_laws;
     mod overlap;
+    mod piers;
     mod reference;
     mod rows;
     mod spatial;
@@ -47,6 +48,7 @@ mod physics {
     mod turns;
     mod two_coordinates;
     mod two_sections;
+    mod viaduct;
 }
 
 mod scene {
@@ -59,6 +61,7 @@ mod scene {
     mod keys;
     mod mutations;
     mod overrides;
+    mod piers;
     mod presets;
     mod runs;
     mod text;

@@ -112,6 +112,8 @@ fn girder(index: usize, body: &Value) -> Girder {
             damping_ratio: PerDirection::Both(number(&body["hx"])),
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
+            on_minus_x: None,
+            on_plus_x: None,
             at_skewed: None,
             height: None,
             at: Some(legs),

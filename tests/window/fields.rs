@@ -30,7 +30,7 @@ const NO_FIELD: &[(&str, &str, &str)] = &[
 ];
 
 /// Sections that are folded away at first.
-const FOLDED: [&str; 8] = [
+const FOLDED: [&str; 9] = [
     "Start, push, held",
     "Seats",
     "Design codes",
@@ -39,6 +39,7 @@ const FOLDED: [&str; 8] = [
     "Samples",
     "Processing",
     "Soil behind the wall",
+    "Damping, yield, place, cap",
 ];
 
 fn show(scene: Scene, select: Option<Target>) -> Window {
@@ -108,6 +109,8 @@ fn windows() -> Vec<Window> {
     let corners = with(&planar, &["girder.deck.skew_deg=90", &format!("abutment.wall.polygon_m={corners}")]);
     let soil = "abutment.wall.backfill={ fuse_stiffness_n_per_m = 1e5, fuse_force_n = 10 }";
     let soil = with(&planar, &[soil]);
+    let viaduct = presets::load("viaduct-5").expect("ships");
+    let one_by_one = "girder.g1.bearings=[{ at_m = [14, 0], stiffness_n_per_m = [1e7, 1e7], damping_n_s_per_m = [0, 0], on = \"p1\" }]";
     let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
     vec![
         show(both.clone(), None),
@@ -126,6 +129,11 @@ fn windows() -> Vec<Window> {
         show(corners, Some(Target::Abutment(0))),
         show(places, Some(Target::Girder(0))),
         show(soil, Some(Target::Abutment(0))),
+        show(viaduct.clone(), Some(Target::Girder(0))),
+        show(viaduct.clone(), Some(Target::Pier(0))),
+        show(with(&viaduct, &["pier.p1.frequency_hz=2"]), Some(Target::Pier(0))),
+        show(with(&viaduct, &["pier.p1.stiffness_n_per_m=5e7", "pier.p1.yield_force_n=1e6"]), Some(Target::Pier(0))),
+        show(with(&viaduct, &[one_by_one]), Some(Target::Girder(0))),
     ]
 }
 

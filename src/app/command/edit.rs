@@ -30,6 +30,8 @@ pub enum PlaceCommand {
     AddGirder,
     /// Put an abutment before a free end.
     AddAbutment,
+    /// Put a pier under a joint.
+    AddPier,
     /// Put a copy of what is selected beside it.
     Duplicate,
     /// Make a row of the girder that is selected.

@@ -7,7 +7,7 @@ use crate::geometry::End;
 use crate::scene::edit::{Edit, General, free_name};
 use crate::scene::facing::{self, Side};
 use crate::scene::keys::Editable as _;
-use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Scene, placed};
+use crate::scene::{Abutment, ContactSettings, Girder, Initial, Motion, Pier, Scene, placed};
 use crate::view::Target;
 use crate::view::block::abutment_block;
 
@@ -144,6 +144,7 @@ pub(in crate::app) fn rename(scene: &Scene, target: Target, name: String) -> Opt
     let old = match target {
         Target::Girder(i) => scene.girders.get(i).map(|g| g.name.clone()),
         Target::Abutment(i) => scene.abutments.get(i).map(|a| a.name.clone()),
+        Target::Pier(i) => scene.piers.get(i).map(|p| p.name.clone()),
         Target::Contact(_) => None,
     };
     old.map(|old| Edit::Rename(old, name))
@@ -154,12 +155,13 @@ pub(in crate::app) fn remove(target: Target) -> Option<Edit> {
     match target {
         Target::Girder(i) => Some(Edit::RemoveGirder(i)),
         Target::Abutment(i) => Some(Edit::RemoveAbutment(i)),
+        Target::Pier(i) => Some(Edit::RemovePier(i)),
         Target::Contact(_) => None,
     }
 }
 
 /// The name without the number at its end, so that copies count on.
-fn stem(name: &str) -> &str {
+pub(super) fn stem(name: &str) -> &str {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if stem.is_empty() { name } else { stem }
 }
@@ -232,8 +234,20 @@ pub(in crate::app) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2],
             Some(Edit::MoveGirder(i, tidy(DVec3::new(x + dx, y + dy, z)), girder.heading_deg + turn_deg))
         }
         Target::Abutment(i) => shifted_abutment(scene, i, glam::DVec2::new(dx, dy)),
+        Target::Pier(i) => shifted_pier(scene, i, [dx, dy], turn_deg),
         Target::Contact(_) => None,
     }
+}
+
+/// A pier stands where it is put, no longer in the middle of its bearings.
+fn shifted_pier(scene: &Scene, number: usize, [dx, dy]: [f64; 2], turn_deg: f64) -> Option<Edit> {
+    let old = scene.piers.get(number)?;
+    let here = scene.pier(number);
+    let position = Some([here.top.x + dx, here.top.y + dy].map(micrometres));
+    let along = here.axes.x_axis;
+    let turned = || old.heading_deg.unwrap_or(along.y.atan2(along.x).to_degrees()) + turn_deg;
+    let heading_deg = if turn_deg == 0.0 { old.heading_deg } else { Some(turned()) };
+    Some(Edit::ReplacePier(number, Box::new(Pier { position, heading_deg, ..old.clone() })))
 }
 
 /// An abutment follows its gap and its offset, or its corners.

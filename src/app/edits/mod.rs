@@ -5,6 +5,7 @@ mod change;
 mod document;
 mod fresh;
 mod pairs;
+mod piers;
 mod placing;
 mod selection;
 
@@ -13,5 +14,6 @@ pub(in crate::app) use change::*;
 pub(in crate::app) use document::Document;
 pub(in crate::app) use fresh::empty;
 pub(in crate::app) use pairs::{elastic, names_of, new_pair, optional, pair_between, pair_entry};
+pub(in crate::app) use piers::pier;
 pub(in crate::app) use placing::{MOST_SPANS, offered_row};
 pub(in crate::app) use selection::Selection;

@@ -1,6 +1,7 @@
 //! Adds, copies, arrays, nudges and removes: from a command and what is selected to an edit.
 
 use super::change::{add_abutment, add_girder, add_span, array, gap_of, remove, shifted};
+use super::piers::{add_pier, add_pier_like};
 use super::selection::Selection;
 use crate::app::command::{Nudge, PlaceCommand, RowDraft};
 use crate::scene::Scene;
@@ -31,6 +32,7 @@ pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection
         PlaceCommand::Put(edit) => {
             let new = match &edit {
                 Edit::AddGirder(i, _) => Target::Girder(*i),
+                Edit::AddPier(i, _) => Target::Pier(*i),
                 _ => Target::Abutment(scene.abutments.len()),
             };
             (edit, Some(vec![new]))
@@ -39,6 +41,7 @@ pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection
         PlaceCommand::AddAbutment => {
             (add_abutment(scene, girder)?, Some(vec![Target::Abutment(scene.abutments.len())]))
         }
+        PlaceCommand::AddPier => (add_pier(scene, girder)?, Some(vec![Target::Pier(scene.piers.len())])),
         PlaceCommand::Duplicate => return duplicates(scene, selection),
         PlaceCommand::Array(row) => return row_of(scene, selection, row),
         PlaceCommand::Remove => (removal(selection)?, Some(Vec::new())),
@@ -53,6 +56,7 @@ fn duplicates(scene: &Scene, selection: &Selection) -> Option<Placed> {
     for target in selection.bodies() {
         let (edit, copy) = match target {
             Target::Girder(i) => (Some(add_girder(&scene, Some(i))), Target::Girder(scene.girders.len())),
+            Target::Pier(i) => (add_pier_like(&scene, i), Target::Pier(scene.piers.len())),
             _ => (add_abutment(&scene, None), Target::Abutment(scene.abutments.len())),
         };
         let Some(edit) = edit.filter(|e| e.clone().apply(&mut scene).is_ok()) else { continue };

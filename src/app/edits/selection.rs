@@ -65,13 +65,14 @@ impl Selection {
         self.0.iter().filter_map(|t| if let Target::Girder(i) = t { Some(*i) } else { None })
     }
 
-    /// Selects every girder and abutment.
+    /// Selects every girder, abutment and pier.
     fn everything(&mut self, scene: &Scene) {
         let girders = (0..scene.girders.len()).map(Target::Girder);
-        self.these(girders.chain((0..scene.abutments.len()).map(Target::Abutment)));
+        let abutments = (0..scene.abutments.len()).map(Target::Abutment);
+        self.these(girders.chain(abutments).chain((0..scene.piers.len()).map(Target::Pier)));
     }
 
-    /// The girder or abutment that leads.
+    /// The girder, abutment or pier that leads.
     pub(in crate::app) fn lead_body(&self) -> Option<Target> {
         self.lead().filter(|t| is_body(*t))
     }
@@ -93,6 +94,7 @@ impl Selection {
         self.0.retain(|t| match t {
             Target::Girder(i) => *i < scene.girders.len(),
             Target::Abutment(i) => *i < scene.abutments.len(),
+            Target::Pier(i) => *i < scene.piers.len(),
             Target::Contact(_) => false,
         });
     }

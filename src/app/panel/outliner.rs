@@ -15,6 +15,11 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Comma
         ui.label(RichText::new(text::OUTLINER).strong());
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let top = Place { problems: None, table: "" };
+            let add = ui.small_button(text::ADD_PIER).on_hover_text("Shift P");
+            mark(&add, top, ("pier", text::ADD_PIER));
+            if add.clicked() {
+                out.push(PlaceCommand::AddPier.into());
+            }
             let add = ui.small_button(text::ADD_ABUTMENT).on_hover_text("B");
             mark(&add, top, ("abutment", text::ADD_ABUTMENT));
             if add.clicked() {
@@ -36,10 +41,19 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Comma
             let about = format!("{} {} {}", text::BEFORE, abutment.faces, abutment.end.label());
             row(ui, selection, Target::Abutment(i), &abutment.name, &about, out);
         }
+        for (i, pier) in scene.piers.iter().enumerate() {
+            let about = format!("T {} s", unit::trimmed(rounded(scene.pier(i).frequencies()[0])));
+            row(ui, selection, Target::Pier(i), &pier.name, &about, out);
+        }
         if scene.girders.is_empty() && scene.abutments.is_empty() {
             ui.label(text::EMPTY);
         }
     });
+}
+
+/// A period in hundredths of a second \[s\].
+fn rounded(omega: f64) -> f64 {
+    (100.0 * std::f64::consts::TAU / omega).round() / 100.0
 }
 
 fn row(ui: &mut Ui, selection: &Selection, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {

@@ -130,6 +130,7 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::Period => Some(Command::Time(TimeCommand::StepSpeed(1))),
         Key::L => Some(Command::Time(TimeCommand::Loop(!on.clock.looping))),
         Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!on.clock.slow_at_hits))),
+        Key::P if modifiers.shift => Some(Command::Place(PlaceCommand::AddPier)),
         Key::P => Some(Command::Compare(CompareCommand::Pin)),
         Key::I => Some(Command::Time(TimeCommand::SpanFrom)),
         Key::O => Some(Command::Time(TimeCommand::SpanTo)),

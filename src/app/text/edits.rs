@@ -7,10 +7,14 @@ use crate::scene::edit::Edit;
 pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
     let girder = |i: &usize| scene.girders.get(*i).map_or("girder", |g| g.name.as_str());
     let abutment = |i: &usize| scene.abutments.get(*i).map_or("abutment", |a| a.name.as_str());
+    let pier = |i: &usize| scene.piers.get(*i).map_or("pier", |p| p.name.as_str());
     let device = |id| scene.device(id).map_or_else(|| "device".to_owned(), |d| d.part().ends().name.to_owned());
     match edit {
         Edit::AddGirder(_, new) => format!("add {}", new.name),
         Edit::AddAbutment(_, new) => format!("add {}", new.name),
+        Edit::AddPier(_, new) => format!("add {}", new.name),
+        Edit::RemovePier(i) => format!("remove {}", pier(i)),
+        Edit::ReplacePier(_, new) => format!("change {}", new.name),
         Edit::AddDevice(_, new) => format!("add {}", new.part().ends().name),
         Edit::RemoveDevice(id) => format!("remove {}", device(*id)),
         Edit::ReplaceDevice(_, new) => format!("change {}", new.part().ends().name),

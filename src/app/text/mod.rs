@@ -43,6 +43,7 @@ pub(super) const UNDO: &str = "Undo";
 pub(super) const REDO: &str = "Redo";
 pub(super) const ADD_GIRDER: &str = "Add girder";
 pub(super) const ADD_ABUTMENT: &str = "Add abutment";
+pub(super) const ADD_PIER: &str = "Add pier";
 pub(super) const DUPLICATE: &str = "Duplicate";
 pub(super) const REMOVE: &str = "Remove";
 pub(super) const EDIT: &str = "Edit";
@@ -150,6 +151,31 @@ pub(super) const BACKFILL_ADD: &str = "Let it move against soil";
 pub(super) const BACKFILL_REMOVE: &str = "Fix the backwall";
 pub(super) const BACKFILL_ASSUMED: &str =
     "What is not ticked is assumed from the deck's width, the wall's height and the skew.";
+pub(super) const ON_MINUS: &str = "-x half on";
+pub(super) const ON_PLUS: &str = "+x half on";
+pub(super) const ON_PIER: &str = "Stands on";
+pub(super) const ON_GROUND: &str = "ground";
+pub(super) const PIER_MORE: &str = "Damping, yield, place, cap";
+pub(super) const PIER_WAY: &str = "Stiffness from";
+pub(super) const PIER_BY_STIFFNESS: &str = "its number";
+pub(super) const PIER_BY_FREQUENCY: &str = "its frequency";
+pub(super) const PIER_BY_COLUMN: &str = "its columns";
+pub(super) const PIER_K_ALONG: &str = "Stiffness along";
+pub(super) const PIER_K_ACROSS: &str = "Stiffness across";
+pub(super) const PIER_F_ALONG: &str = "Frequency along";
+pub(super) const PIER_F_ACROSS: &str = "Frequency across";
+pub(super) const PIER_COLUMN_ALONG: &str = "Column along";
+pub(super) const PIER_COLUMN_ACROSS: &str = "Column across";
+pub(super) const PIER_YIELD: &str = "Base yields at";
+pub(super) const PIER_X: &str = "Place x";
+pub(super) const PIER_Y: &str = "Place y";
+pub(super) const PIER_CAP_ALONG: &str = "Cap along";
+pub(super) const PIER_CAP_ACROSS: &str = "Cap across";
+pub(super) const PIER_CAP_DEPTH: &str = "Cap depth";
+pub(super) const PIER_PERIODS: &str = "Alone its periods along and across are";
+pub(super) const PIER_DRIFT: &str = "In the run: drift";
+pub(super) const PIER_SHEAR: &str = "base shear";
+pub(super) const PIER_YIELDS: &str = "it yields at";
 pub(super) const SEAT_SECTION: &str = "Seats";
 pub(super) const CODES_SECTION: &str = "Design codes";
 pub(super) const SCENE_SECTION: &str = "Scene";
@@ -311,6 +337,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl Left Right", "previous, next contact event"),
     ("Home End", "to the start, to the end"),
     (", .", "slower, faster (down to 1/1000)"),
+    ("Shift P", "add a pier under a joint"),
     ("P", "pin this run to compare with"),
     ("I  O  X", "play from here, play up to here, play everything"),
     ("L", "begin again at the end, or stop"),

@@ -66,6 +66,7 @@ fn height(scene: &Scene, target: Target) -> f64 {
     let girder = match target {
         Target::Girder(i) => scene.girders.get(i),
         Target::Abutment(i) => scene.abutments.get(i).and_then(|a| scene.girders.iter().find(|g| g.name == a.faces)),
+        Target::Pier(i) => return scene.piers.get(i).map_or(0.0, |_| scene.pier(i).top.z),
         Target::Contact(_) => None,
     };
     girder.map_or(0.0, |g| g.position[2])

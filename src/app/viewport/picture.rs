@@ -168,6 +168,8 @@ fn corners_of(seen: &Seen<'_>, target: Target) -> Vec<DVec3> {
             let block = scene.abutments.get(i).and_then(|a| block::abutment_block(scene, a));
             block.map(|b| b.face.into()).unwrap_or_default()
         }
+        Target::Pier(i) if i < scene.piers.len() => block::pier_block(&scene.pier(i)).corners().into(),
+        Target::Pier(_) => Vec::new(),
         Target::Contact(number) => {
             let contacts = history.map(|h| h.contacts(t)).unwrap_or_default();
             let here = contacts.iter().find(|c| c.contact == number).map(|c| c.point);

@@ -4,20 +4,24 @@ use std::f64::consts::TAU;
 
 use crate::cli::digits::{list, six};
 use crate::dynamics::Body;
-use crate::dynamics::model::bearing::BearingQuantities;
-use crate::scene::{Direction, Girder, Initial, Kind, Push, Seat};
+use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
+use crate::scene::shown::escaped;
+use crate::scene::{Direction, Girder, Initial, Kind, Push, ResolvedBearing, Scene, Seat};
 
 /// All of it, a fact a line.
-pub(super) fn text(girder: &Girder, body: &Body, kind: Kind) -> String {
+pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
+    let kind = scene.kind;
+    let own = bearings_of(girder, body, kind);
     let shape = shape(girder, body);
     let place = format!("  at {} m, heading {}°\n", list(&girder.position), six(girder.heading_deg));
     let rotation = rotation(girder);
     [shape, place, start(&girder.initial), push(&girder.push), held(&girder.held), seats(girder.seat)]
         .into_iter()
         .chain([
-            bearings(&body.quantities(), body.bearings.len()),
+            bearings(&BearingQuantities::of(&own, body.mass, body.gyration2), own.len()),
+            on_piers(scene, girder),
             yields(girder, kind),
-            vertical(body, kind),
+            vertical(body, &own, kind),
             rotation,
         ])
         .collect()
@@ -114,6 +118,30 @@ fn bearings(q: &BearingQuantities, count: usize) -> String {
     )
 }
 
+/// Its bearings as on ground, wherever they stand.
+fn bearings_of(girder: &Girder, body: &Body, kind: Kind) -> Vec<Bearing> {
+    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+    let as_given = |(own, given): (&Bearing, ResolvedBearing)| Bearing {
+        stiffness: given.stiffness.into(),
+        damping: given.damping.into(),
+        ..*own
+    };
+    body.bearings.iter().zip(resolved).map(as_given).collect()
+}
+
+/// How many of its bearings stand on piers, and on which.
+fn on_piers(scene: &Scene, girder: &Girder) -> String {
+    let mut piers: Vec<usize> = scene.supports(girder).into_iter().flatten().collect();
+    if piers.is_empty() {
+        return String::new();
+    }
+    let count = piers.len();
+    piers.sort_unstable();
+    piers.dedup();
+    let names: Vec<String> = piers.iter().map(|&number| escaped(&scene.piers[number].name).into_owned()).collect();
+    format!("  {count} of them on {}; frequencies are those on piers that stand still\n", names.join(", "))
+}
+
 /// Bearings that yield: the sum of Q, and their stiffness before, which the frequencies are without.
 fn yields(girder: &Girder, kind: Kind) -> String {
     let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
@@ -133,11 +161,11 @@ fn yields(girder: &Girder, kind: Kind) -> String {
 }
 
 /// What the bearings make of a spatial girder that moves straight up and down.
-fn vertical(body: &Body, kind: Kind) -> String {
-    if kind == Kind::Planar || body.bearings.is_empty() {
+fn vertical(body: &Body, bearings: &[Bearing], kind: Kind) -> String {
+    if kind == Kind::Planar || bearings.is_empty() {
         return String::new();
     }
-    let sum = |of: fn(&crate::dynamics::model::bearing::Bearing) -> f64| body.bearings.iter().map(of).sum::<f64>();
+    let sum = |of: fn(&Bearing) -> f64| bearings.iter().map(of).sum::<f64>();
     let (stiffness, damping) = (sum(|b| b.stiffness.z), sum(|b| b.damping.z));
     let omega = (stiffness / body.mass).sqrt();
     let ratio = if omega > 0.0 { damping / (2.0 * body.mass * omega) } else { 0.0 };

@@ -3,6 +3,7 @@
 mod backfill;
 mod device;
 mod girder;
+mod pier;
 
 use super::args::SceneArgs;
 use super::console::Console;
@@ -62,7 +63,7 @@ fn unjoined(scene: &Scene, model: &Model, console: &mut Console) {
 }
 
 fn text(scene: &Scene, model: &Model) -> String {
-    let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(g, body, scene.kind));
+    let girders = scene.girders.iter().zip(&model.bodies).map(|(g, body)| girder::text(scene, g, body));
     let pairs = model.pairs.iter().enumerate().map(|(number, pair)| pair_text(pair, &nodes(model, number)));
     let elsewhere = match scene.contact.between {
         Between::All => "bodies touch where they meet",
@@ -73,6 +74,7 @@ fn text(scene: &Scene, model: &Model) -> String {
     std::iter::once(head(scene))
         .chain(girders)
         .chain(soil)
+        .chain(pier::texts(scene))
         .chain(pairs)
         .chain(none)
         .chain(device::texts(scene))

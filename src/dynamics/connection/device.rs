@@ -23,6 +23,11 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
     /// Whether a force acts in this phase.
     fn acts(&self, phase: &Phase) -> bool;
 
+    /// Whether it always acts, in one phase, with a force that is linear in displacement and rate of its points.
+    fn is_linear(&self) -> bool {
+        false
+    }
+
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
     /// measured by \[m, m/s\].
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];

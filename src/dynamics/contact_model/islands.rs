@@ -54,12 +54,12 @@ impl IslandStock {
             world.islands.push(None);
             world.islands.len() - 1
         });
+        let layout = StateLayout::of(members.iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]));
         for (index, &slot) in members.iter().enumerate() {
             end_flight(world, slot, t);
             world.bodies[slot].now = Trajectory::Island { island: number, index };
             if store.keeps_starts(world) && bases[index].kept.is_none() && bases[index].flown.is_none() {
-                let bodies = members[..=index].iter().map(|&slot| &world.model.bodies[world.bodies[slot].body]);
-                let state = &y[StateLayout::of(bodies).range(index)];
+                let state = &y[layout.range(index)];
                 bases[index].flown = StepStore::landing(world, slot, &bases[index], state, t);
             }
         }

@@ -10,7 +10,7 @@ use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
-use crate::dynamics::model::{backwall, contact_sites, edge_sites};
+use crate::dynamics::model::{backwall, contact_sites, edge_sites, pier};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
@@ -45,6 +45,7 @@ impl Model {
         let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
         let mut links = Vec::new();
         let walls = backwall::add(scene, &mut bodies, &mut links)?;
+        bodies.extend(pier::bodies(scene));
         let mut pairs = Vec::with_capacity(facings.len());
         let mut contacts = Vec::with_capacity(facings.len() * if scene.kind == Kind::Planar { 4 } else { 8 });
         let met = facing::bodies_met(facings.iter().filter(|f| f.met).map(|f| (f.first, f.second)));
@@ -72,6 +73,7 @@ impl Model {
             ground,
             bodies,
             walls,
+            piers: Vec::new(),
             pairs,
             contacts,
             links,
@@ -80,9 +82,12 @@ impl Model {
             group_pairs: Vec::new(),
             group_links: Vec::new(),
         };
+        model.add_piers(scene);
         for (number, girder) in scene.girders.iter().enumerate() {
             let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
-            model.add_yielding_bearings(number, &resolved);
+            let supports = scene.supports(girder);
+            model.add_bearings_on_piers(number, &resolved, &supports);
+            model.add_yielding_bearings(number, &resolved, &supports);
         }
         model.add_devices(scene);
         model.regroup();
@@ -160,6 +165,10 @@ fn body(scene: &Scene, girder: &Girder) -> Body {
         Kind::Planar => Standing::default(),
         Kind::Spatial => carry(girder.mass * scene.gravity, &mut bearings, axes),
     };
+    // Bearings on piers are links; here they carry the weight alone.
+    for (bearing, _) in bearings.iter_mut().zip(scene.supports(girder)).filter(|(_, pier)| pier.is_some()) {
+        (bearing.stiffness, bearing.damping) = (DVec3::ZERO, DVec3::ZERO);
+    }
     let gyration2 = prism.inertia_per_mass().z_axis.z;
     let inertia = prism.inertia_per_mass() * girder.mass;
     let initial = &girder.initial;

@@ -22,6 +22,15 @@ pub struct Backwall {
     pub inward: DVec3,
 }
 
+/// A pier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pier {
+    /// Its number among the bodies.
+    pub body: usize,
+    /// Number of the link that is what yields of its base.
+    pub yielding: Option<usize>,
+}
+
 /// A scene, compiled.
 #[derive(Clone, Debug)]
 pub struct Model {
@@ -41,10 +50,12 @@ pub struct Model {
     pub gravity: f64,
     /// Ground motion.
     pub ground: Ground,
-    /// Girders, as numbered in the scene; then backwalls that move.
+    /// Girders, as numbered in the scene; then backwalls that move; then piers.
     pub bodies: Vec<Body>,
     /// For each abutment of the scene its backwall; `None` for one that stands.
     pub walls: Vec<Option<Backwall>>,
+    /// Piers, as numbered in the scene.
+    pub piers: Vec<Pier>,
     /// Facing pairs.
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.
@@ -75,7 +86,7 @@ pub struct ModelDevice {
 impl Model {
     /// The girders, as numbered in the scene.
     pub fn girders(&self) -> &[Body] {
-        &self.bodies[..self.bodies.len() - self.walls.iter().flatten().count()]
+        &self.bodies[..self.bodies.len() - self.piers.len() - self.walls.iter().flatten().count()]
     }
 
     /// The body that a side belongs to; `None` for an abutment that stands.

@@ -70,24 +70,36 @@ impl Model {
     }
 
     /// Adds a link; its groups are formed later.
-    fn add_link(&mut self, link: Link) {
+    pub(super) fn add_link(&mut self, link: Link) {
         // A device can lead its bodies off an axis.
         link.bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
         self.links.push(link);
     }
 
-    /// Adds the hysteretic parts of a body's bearings, each between its place and the ground below; their groups are formed
-    /// later.
-    pub(in crate::dynamics) fn add_yielding_bearings(&mut self, body: usize, bearings: &[ResolvedBearing]) {
+    /// Adds the hysteretic parts of a body's bearings, each between its place and the ground or the pier below, whose number is
+    /// in `supports`; their groups are formed later.
+    pub(in crate::dynamics) fn add_yielding_bearings(
+        &mut self,
+        body: usize,
+        bearings: &[ResolvedBearing],
+        supports: &[Option<usize>],
+    ) {
         let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
         for (number, bearing) in bearings.iter().enumerate() {
             let Some(yielding) = bearing.yielding else { continue };
             let play = Play { stiffness: yielding.stiffness(), force: yielding.force };
             let device = if yielding.per_axis { Hysteresis::PerAxis([play; 2]) } else { Hysteresis::Circle(play) };
             let Body { name, home, axes, .. } = &self.bodies[body];
+            let name = format!("{name}.bearing{}", number + 1);
+            if let Some(pier) = supports[number] {
+                let pier = self.piers[pier].body;
+                let link = self.bearing_link(name, [body, pier], bearing.place, Arc::new(device));
+                self.add_link(link);
+                continue;
+            }
             let arm = *axes * bearing.place;
             self.add_link(Link {
-                name: format!("{name}.bearing{}", number + 1),
+                name,
                 bodies: [Some(body), None],
                 arms: [arm, DVec3::ZERO],
                 homes: [*home, *home + arm],
@@ -188,7 +200,8 @@ fn members(count: usize, groups: &[Vec<usize>], connections: &[[Option<usize>; 2
     found
 }
 
-fn root_of(root: &mut [usize], mut i: usize) -> usize {
+/// The least number that `i` is joined to, in a forest of joined numbers.
+pub(in crate::dynamics) fn root_of(root: &mut [usize], mut i: usize) -> usize {
     while root[i] != i {
         root[i] = root[root[i]];
         i = root[i];

@@ -13,6 +13,7 @@ mod edge_sites;
 pub mod groups;
 pub mod motion_bounds;
 pub mod pair;
+mod pier;
 pub(in crate::dynamics) mod rate_bounds;
 pub mod reference_pose;
 pub mod rigid_body;

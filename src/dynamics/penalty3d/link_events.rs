@@ -10,7 +10,7 @@ use crate::dynamics::penalty3d::island::Island;
 
 /// The first end of a phase of the island's devices within its planned step, and its time \[s\]; `None` without one.
 pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(f64, LinkDue)> {
-    if island.system.links.is_empty() {
+    if island.system.links.iter().all(|active| active.of(model).device.switches(&active.phase) == 0) {
         return None;
     }
     let last = sample_count(island) - 1;
@@ -21,6 +21,9 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
+        if link.device.switches(&active.phase) == 0 {
+            continue;
+        }
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
         let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);

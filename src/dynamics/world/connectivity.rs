@@ -1,5 +1,6 @@
 //! Which pairs and links concern bodies, and which bodies are joined by connections whose force acts.
 
+use crate::dynamics::model::groups::root_of;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
@@ -62,14 +63,14 @@ impl World {
 
 /// Connected components of the numbers below `count` that `edges` join: each ascending, in the order of their least.
 fn components(count: usize, edges: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
-    let mut label: Vec<usize> = (0..count).collect();
+    let mut root: Vec<usize> = (0..count).collect();
     for [a, b] in edges {
-        let (low, high) = (label[a].min(label[b]), label[a].max(label[b]));
-        label.iter_mut().filter(|l| **l == high).for_each(|l| *l = low);
+        let (a, b) = (root_of(&mut root, a), root_of(&mut root, b));
+        root[a.max(b)] = a.min(b);
     }
     let mut groups: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for (i, &l) in label.iter().enumerate() {
-        groups[l].push(i);
+    for i in 0..count {
+        groups[root_of(&mut root, i)].push(i);
     }
     groups.retain(|g| !g.is_empty());
     groups

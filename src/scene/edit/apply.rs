@@ -4,7 +4,7 @@ use std::mem::replace;
 
 use super::names::is_named;
 use super::{Edit, EditError, General};
-use crate::scene::{Abutment, Device, DeviceId, Girder, Scene, overrides};
+use crate::scene::{Abutment, Device, DeviceId, Girder, Pier, Scene, overrides};
 
 type Undone = Result<Edit, EditError>;
 
@@ -27,6 +27,9 @@ fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         Edit::AddAbutment(at, abutment) => whole(scene, |scene| add_abutment(scene, at, *abutment)),
         Edit::RemoveAbutment(at) => whole(scene, |scene| remove_abutment(scene, at)),
         Edit::ReplaceAbutment(at, abutment) => replace_abutment(scene, at, *abutment),
+        Edit::AddPier(at, pier) => whole(scene, |scene| add_pier(scene, at, *pier)),
+        Edit::RemovePier(at) => whole(scene, |scene| remove_pier(scene, at)),
+        Edit::ReplacePier(at, pier) => replace_pier(scene, at, *pier),
         Edit::AddDevice(at, device) => whole(scene, |scene| add_device(scene, at, *device)),
         Edit::RemoveDevice(id) => whole(scene, |scene| match scene.remove_device(id) {
             Some(_) => Ok(()),
@@ -83,6 +86,29 @@ fn add_abutment(scene: &mut Scene, at: usize, abutment: Abutment) -> Result<(), 
         return Err(EditError::NameTaken(abutment.name));
     }
     scene.abutments.insert(at, abutment);
+    Ok(())
+}
+
+fn add_pier(scene: &mut Scene, at: usize, pier: Pier) -> Result<(), EditError> {
+    if at > scene.piers.len() {
+        return Err(missing("pier", at, scene.piers.len()));
+    }
+    if is_named(scene, &pier.name) {
+        return Err(EditError::NameTaken(pier.name));
+    }
+    scene.piers.insert(at, pier);
+    Ok(())
+}
+
+/// Takes a pier out and puts what stood on it on the ground.
+fn remove_pier(scene: &mut Scene, at: usize) -> Result<(), EditError> {
+    if at >= scene.piers.len() {
+        return Err(missing("pier", at, scene.piers.len()));
+    }
+    let name = scene.piers.remove(at).name;
+    for on in scene.pier_names().filter(|on| on.as_ref() == Some(&name)) {
+        *on = None;
+    }
     Ok(())
 }
 
@@ -165,6 +191,15 @@ fn replace_abutment(scene: &mut Scene, at: usize, abutment: Abutment) -> Undone 
     Ok(Edit::ReplaceAbutment(at, Box::new(replace(here, abutment))))
 }
 
+fn replace_pier(scene: &mut Scene, at: usize, pier: Pier) -> Undone {
+    let count = scene.piers.len();
+    let here = scene.piers.get_mut(at).ok_or_else(|| missing("pier", at, count))?;
+    if here.name != pier.name {
+        return Err(EditError::OtherName(here.name.clone(), pier.name));
+    }
+    Ok(Edit::ReplacePier(at, Box::new(replace(here, pier))))
+}
+
 fn move_girder(scene: &mut Scene, at: usize, position: [f64; 3], heading_deg: f64) -> Undone {
     let count = scene.girders.len();
     let here = scene.girders.get_mut(at).ok_or_else(|| missing("girder", at, count))?;
@@ -184,6 +219,11 @@ fn rename(scene: &mut Scene, from: &str, to: &str) -> Result<(), EditError> {
     let pairs = scene.contact.pairs.iter_mut().flat_map(|pair| pair.between.iter_mut());
     for name in own.chain(abutments).chain(pairs).filter(|name| *name == from) {
         to.clone_into(name);
+    }
+    let piers = scene.piers.iter_mut().map(|pier| &mut pier.name);
+    piers.filter(|name| *name == from).for_each(|name| to.clone_into(name));
+    for on in scene.pier_names().flatten().filter(|name| *name == from) {
+        to.clone_into(on);
     }
     for device in scene.devices_mut() {
         let ends = device.ends_mut();

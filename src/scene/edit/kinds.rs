@@ -2,7 +2,7 @@
 
 use crate::scene::{
     Abutment, Codes, ContactSettings, Device, DeviceId, Girder, ImpactSettings, Kind, Limits, ModelSettings, Motion,
-    Scene, SceneErrors, SolverSettings, ViewSettings,
+    Pier, Scene, SceneErrors, SolverSettings, ViewSettings,
 };
 
 /// The single values at the top of a scene.
@@ -37,13 +37,19 @@ pub enum Edit {
     RemoveAbutment(usize),
     /// Makes the abutment at this number another one, of the same name.
     ReplaceAbutment(usize, Box<Abutment>),
+    /// Puts a pier in at this number.
+    AddPier(usize, Box<Pier>),
+    /// Takes a pier out; what stood on it stands on the ground.
+    RemovePier(usize),
+    /// Makes the pier at this number another one, of the same name.
+    ReplacePier(usize, Box<Pier>),
     /// Puts a device in at this number of its kind.
     AddDevice(usize, Box<Device>),
     /// Takes a device out.
     RemoveDevice(DeviceId),
     /// Makes the device of this number another one, of the same kind and name.
     ReplaceDevice(DeviceId, Box<Device>),
-    /// Gives the girder, abutment or device of the first name the second name, wherever it is named.
+    /// Gives the girder, abutment, pier or device of the first name the second name, wherever it is named.
     Rename(String, String),
     /// Name, kind, duration, gravity.
     General(Box<General>),
@@ -77,7 +83,7 @@ pub enum EditError {
     /// There is no such number.
     #[error("there is no {what} {index}: the scene has {count}")]
     Missing {
-        /// "girder", "abutment" or a kind of device.
+        /// "girder", "abutment", "pier" or a kind of device.
         what: &'static str,
         /// The number asked for, from 0.
         index: usize,
@@ -118,6 +124,8 @@ impl Edit {
                 | Self::RemoveGirder(_)
                 | Self::AddAbutment(..)
                 | Self::RemoveAbutment(_)
+                | Self::AddPier(..)
+                | Self::RemovePier(_)
                 | Self::AddDevice(..)
                 | Self::RemoveDevice(_)
                 | Self::Rename(..)
@@ -141,7 +149,8 @@ impl Edit {
             | (Self::View(_), Self::View(_)) => true,
             (Self::ReplaceGirder(a, _), Self::ReplaceGirder(b, _) | Self::MoveGirder(b, ..))
             | (Self::MoveGirder(a, ..), Self::MoveGirder(b, ..))
-            | (Self::ReplaceAbutment(a, _), Self::ReplaceAbutment(b, _)) => a == b,
+            | (Self::ReplaceAbutment(a, _), Self::ReplaceAbutment(b, _))
+            | (Self::ReplacePier(a, _), Self::ReplacePier(b, _)) => a == b,
             (Self::ReplaceDevice(a, _), Self::ReplaceDevice(b, _)) => a == b,
             _ => false,
         }

@@ -3,8 +3,8 @@
 use super::key::Key;
 use super::{
     ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, GIRDER, IMPACT, INITIAL, LIMITS,
-    MODEL, MOTION, OVERLAYS, PAIR, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER, SWEEP,
-    SYNTHETIC, TOP, VIEW,
+    MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER,
+    SWEEP, SYNTHETIC, TOP, VIEW,
 };
 use crate::scene::DeviceKind;
 
@@ -30,6 +30,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "girder.seat_m", keys: SEAT },
     Table { path: "abutment", keys: ABUTMENT },
     Table { path: "abutment.backfill", keys: BACKFILL },
+    Table { path: "pier", keys: PIER },
     Table { path: "restrainer", keys: RESTRAINER },
     Table { path: "bumper", keys: BUMPER },
     Table { path: "damper", keys: DAMPER },
@@ -75,7 +76,7 @@ pub fn of_place(place: &str) -> Option<(&'static Table, &'static Key)> {
 
 /// Whether a list of tables is walked by name.
 fn is_named(list: &str) -> bool {
-    matches!(list, "girder" | "abutment") || DeviceKind::ALL.iter().any(|kind| kind.label() == list)
+    matches!(list, "girder" | "abutment" | "pier") || DeviceKind::ALL.iter().any(|kind| kind.label() == list)
 }
 
 /// `pair[2]` is a pair, `bearings[2]` a bearing of its own and not all of them.
@@ -99,6 +100,7 @@ mod tests {
             ("girder.deck.initial.displacement_m[1]", "girder.initial", "displacement_m"),
             ("girder.deck.bearings.at_skewed_m[3][0]", "girder.bearings", "at_skewed_m"),
             ("girder.deck.bearings[3].at_m", "girder.bearings[]", "at_m"),
+            ("pier.p1.height_m", "pier", "height_m"),
             ("damper.north.exponent", "damper", "exponent"),
             ("girder.deck.seat_m.+x", "girder.seat_m", "+x"),
             ("contact.pair[0].mu_static", "contact.pair", "mu_static"),

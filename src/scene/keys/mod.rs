@@ -19,6 +19,7 @@ pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};
 pub use super::limits::LIMITS;
 pub use super::model::{IMPACT, MODEL};
 pub use super::motion::{MOTION, SINE};
+pub use super::pier::PIER;
 pub use super::processing::PROCESSING;
 pub use super::record::{COMPONENT, RECORD};
 pub use super::settings::{OVERLAYS, PLOT, SOLVER, VIEW};

@@ -7,6 +7,7 @@ mod bodies;
 mod complaints;
 mod devices;
 mod numbers;
+mod piers;
 mod placing;
 mod record;
 
@@ -39,6 +40,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     for abutment in &scene.abutments {
         bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));
     }
+    piers::piers(scene, &mut complaints);
     let sound = complaints.is_empty();
     devices::devices(scene, sound, &mut complaints);
     numbers::contact(&scene.contact, &mut complaints);

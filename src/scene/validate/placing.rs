@@ -19,16 +19,17 @@ const RESERVED: &[char] = &['.', ',', ';', '"', '\'', '=', '|', '[', ']'];
 pub(super) fn names(scene: &Scene, complaints: &mut Complaints) {
     let girders = scene.girders.iter().enumerate().map(|(n, g)| ("girder", n, &g.name));
     let abutments = scene.abutments.iter().enumerate().map(|(n, a)| ("abutment", n, &a.name));
+    let piers = scene.piers.iter().enumerate().map(|(n, p)| ("pier", n, &p.name));
     let mut seen = BTreeSet::new();
     let devices = scene.devices().into_iter().map(|(id, device)| (id.kind.label(), id.number, device.ends().name));
-    let bodies = girders.chain(abutments).map(|(kind, n, name)| (kind, n, name.as_str()));
+    let bodies = girders.chain(abutments).chain(piers).map(|(kind, n, name)| (kind, n, name.as_str()));
     for (kind, n, name) in bodies.chain(devices) {
         let fault = if name.trim().is_empty() {
             "give it a name"
         } else if name.trim() != name || name.contains(|c: char| RESERVED.contains(&c) || c.is_control()) {
             "tables and --set could not tell it apart: use letters, digits, - and _, and single spaces inside"
         } else if !seen.insert(name) {
-            "another body has this name, or a device: girders, abutments and devices need a name each"
+            "another body has this name, or a device: girders, abutments, piers and devices need a name each"
         } else {
             continue;
         };

@@ -60,6 +60,8 @@ fn girder(number: usize, x: f64, frequency: f64) -> Girder {
             damping_ratio: PerDirection::Both(0.1),
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
+            on_minus_x: None,
+            on_plus_x: None,
             at_skewed: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
             height: None,
             at: None,

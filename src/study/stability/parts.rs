@@ -82,6 +82,8 @@ pub(super) fn stand(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64) {
             damping_ratio: PerDirection::Both(damping),
             vertical_frequency_hz: (kind == Kind::Spatial).then_some(vertical),
             vertical_damping_ratio: None,
+            on_minus_x: None,
+            on_plus_x: None,
             at_skewed: Some(vec![[x, y], [x, -y], [-x, y], [-x, -y]]),
             height: None,
             at: None,

@@ -303,6 +303,8 @@ fn a_long_search_misses_no_touch() {
             damping_ratio: girderbench::scene::PerDirection::Both(0.0),
             vertical_frequency_hz: None,
             vertical_damping_ratio: None,
+            on_minus_x: None,
+            on_plus_x: None,
             at_skewed: None,
             height: None,
             at: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),

@@ -36,6 +36,11 @@ name = "wall"
 faces = "deck"
 gap_m = 0.05
 backfill = { base_friction = 0.5 }
+[[pier]]
+name = "p1"
+mass_kg = 1e5
+position_m = [12.0, 0.0]
+frequency_hz = 3.0
 [[restrainer]]
 name = "cable"
 girder = "deck"
@@ -118,6 +123,7 @@ fn standing(table: &str) -> (Scene, String) {
         "bumper" => "bumper.rubber".to_owned(),
         "damper" => "damper.dashpot".to_owned(),
         "stopper" => "stopper.key".to_owned(),
+        "pier" => "pier.p1".to_owned(),
         _ if table.starts_with("abutment") => table.replacen("abutment", "abutment.wall", 1),
         _ if table.starts_with("girder") => table.replacen("girder", "girder.deck", 1),
         _ => table.split(" kind").next().unwrap_or_default().to_owned(),

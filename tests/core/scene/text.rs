@@ -201,7 +201,7 @@ fn girders_come_go_and_change_places_with_their_comments() {
 fn lists_and_tables_change_their_shape() {
     let single = Bearing::linear([0.0, 0.0], [1e7, 1e7, 0.0], [0.0; 3]);
     for girder in [0, 1] {
-        let text = after(|scene| scene.girders[girder].bearings = Some(Bearings::Each(vec![single, single])));
+        let text = after(|scene| scene.girders[girder].bearings = Some(Bearings::Each(vec![single.clone(); 2])));
         assert!(text.contains("bearings = [{ at_m = [0.0, 0.0], stiffness_n_per_m"), "{text}");
         after(|scene| scene.girders[girder].bearings = None);
     }

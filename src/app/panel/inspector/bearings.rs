@@ -1,12 +1,12 @@
 //! Bearings: equal ones by frequency and damping, or each with its own place, springs and dashpots.
 
-use egui::{RichText, Ui};
+use egui::{ComboBox, RichText, Ui};
 
 use super::rows::{grid, note};
 use crate::app::field::{CLICK, Change, Place, act, number, optional, switched, tag};
 use crate::app::unit::{HERTZ, PURE, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
-use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, SharedBearings};
+use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, SharedBearings};
 
 /// Q of all bearings per weight \[–\], and k₁/k₂ \[–\], of a lead-rubber bearing to begin with: usual Japanese values, from
 /// memory.
@@ -16,14 +16,23 @@ const USUAL_RATIO: f64 = 6.5;
 const SLIDER_YIELD: f64 = 5e-4;
 
 /// Shows a girder's bearings.
-pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) -> Option<Change> {
+pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind, g: &mut Girder) -> Option<Change> {
     let (length, shear) = (length_unit(g.length), g.prism().shear());
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
             let underside = -0.5 * g.thickness;
             let numbers = grid(ui, "bearings", |ui| {
                 let rows = shared_rows(ui, place, kind, shared);
-                rows.or(height_row(ui, place, (kind, length), "bearings.height_m", (&mut shared.height, underside)))
+                let rows = rows.or(height_row(
+                    ui,
+                    place,
+                    (kind, length),
+                    "bearings.height_m",
+                    (&mut shared.height, underside),
+                ));
+                let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS);
+                let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
+                [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
             let places = places(ui, place, length, shear, shared);
             let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
@@ -37,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, kind: Kind, g: &mut Girder) ->
         }
         Some(Bearings::Each(each)) => {
             let weight = g.mass * STANDARD_GRAVITY;
-            let changed = list(ui, place, (kind, length, -0.5 * g.thickness), weight, each);
+            let changed = list(ui, (place, scene), (kind, length, -0.5 * g.thickness), weight, each);
             if each.is_empty() {
                 g.bearings = None;
             }
@@ -63,6 +72,8 @@ fn four_below(g: &Girder) -> SharedBearings {
         damping_ratio: PerDirection::Both(0.28),
         vertical_frequency_hz: None,
         vertical_damping_ratio: None,
+        on_minus_x: None,
+        on_plus_x: None,
         at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]]),
         at: None,
         height: None,
@@ -80,11 +91,13 @@ fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
         Some(Bearings::Shared(shared)) => shared.height,
         _ => None,
     };
-    let single = |b: &crate::scene::ResolvedBearing| Bearing {
+    let piers = g.bearings.as_ref().map(|b| b.piers(g)).unwrap_or_default();
+    let single = |(b, on): (&crate::scene::ResolvedBearing, Option<&str>)| Bearing {
         height: height(g),
+        on: on.map(str::to_owned),
         ..Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping)
     };
-    Bearings::Each(resolved.iter().map(single).collect())
+    Bearings::Each(resolved.iter().zip(piers).map(single).collect())
 }
 
 /// Places of equal bearings: in the girder's own frame, or in the frame that is skewed with it.
@@ -147,7 +160,7 @@ fn place_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, key: &str, list: &mut V
 /// Single bearings, each in a fold of its own.
 fn list(
     ui: &mut Ui,
-    place: Place<'_>,
+    (place, scene): (Place<'_>, &Scene),
     (kind, unit, underside): (Kind, Unit, f64),
     weight: f64,
     each: &mut Vec<Bearing>,
@@ -160,7 +173,9 @@ fn list(
             change = change.or(grid(ui, &format!("bearing {n}"), |ui| {
                 let numbers = single(ui, place, (kind, unit, first_yield), n, bearing);
                 let key = format!("bearings[{n}].height_m");
-                numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)))
+                let numbers = numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)));
+                let key = format!("bearings[{n}].on");
+                numbers.or(on_row(ui, place, scene, (&mut bearing.on, &key, text::ON_PIER)))
             }));
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);
@@ -172,7 +187,7 @@ fn list(
         change = CLICK;
     }
     if ui.small_button(text::BEARING_ADD).clicked() {
-        let like = each.last().copied();
+        let like = each.last().cloned();
         each.extend(like.map(|b| Bearing { at: [0.0; 2], ..b }));
         change = CLICK;
     }
@@ -225,6 +240,34 @@ fn yield_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, n: usize, b: &mut Beari
         return CLICK;
     }
     yields.or(moved)
+}
+
+/// The pier that bearings stand on; no row where the scene has none.
+fn on_row(
+    ui: &mut Ui,
+    place: Place<'_>,
+    scene: &Scene,
+    (on, key, label): (&mut Option<String>, &str, &str),
+) -> Option<Change> {
+    if scene.piers.is_empty() {
+        return None;
+    }
+    let before = on.clone();
+    let name = ui.label(label);
+    let now = on.as_deref().unwrap_or(text::ON_GROUND).to_owned();
+    let combo = ComboBox::from_id_salt(key).width(79.0).selected_text(now).show_ui(ui, |ui| {
+        if ui.selectable_label(on.is_none(), text::ON_GROUND).clicked() {
+            *on = None;
+        }
+        for pier in &scene.piers {
+            if ui.selectable_label(on.as_ref() == Some(&pier.name), &pier.name).clicked() {
+                *on = Some(pier.name.clone());
+            }
+        }
+    });
+    tag(ui, &combo.response.labelled_by(name.id), place, (key, label));
+    ui.end_row();
+    if *on == before { None } else { CLICK }
 }
 
 /// Height of the attachment points, at the underside where it is not given; none in plan.

@@ -31,7 +31,8 @@ pub(super) fn show(
         name_field::show(ui, place, Target::Girder(i), &girder.name, out);
         rows(ui, &look(place), &mut new, &["name"])
     });
-    let stands = section(ui, text::BEARINGS, true, |ui| bearings::show(ui, place, kind, &mut new)).flatten();
+    let stands =
+        section(ui, text::BEARINGS, true, |ui| bearings::show(ui, (place, form.scene), kind, &mut new)).flatten();
     let more = section(ui, text::START_SECTION, false, |ui| {
         grid(ui, "start", |ui| {
             let start = rows(ui, &look(Place { table: &starts, ..place }), &mut new.initial, &[]);

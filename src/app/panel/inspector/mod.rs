@@ -6,6 +6,7 @@ mod bearings;
 mod declared;
 mod girder;
 mod pairs;
+mod pier;
 mod rows;
 mod scene;
 
@@ -40,6 +41,11 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
             if let Some(abutment) = form.scene.abutments.get(i) {
                 abutment::show(ui, form, i, abutment, out);
                 pairs::show(ui, form, fresh, Some(&abutment.name), out);
+            }
+        }
+        Some(Target::Pier(i)) => {
+            if let Some(placed) = form.scene.piers.get(i) {
+                pier::show(ui, form, (i, placed), fresh, out);
             }
         }
         Some(Target::Contact(contact)) => results::show_contact(ui, replay, contact, out),

@@ -1,0 +1,209 @@
+//! A pier: its mass, how stiff it is and from what, its yield, its size, and what a run did to it.
+
+use egui::Ui;
+
+use super::rows::{grid, note, push, section};
+use crate::app::command::Command;
+use crate::app::field::{Change, Form, Look, Place, Without, choice, number, rows, switched};
+use crate::app::panel::name_field;
+use crate::app::run::answer::Answer;
+use crate::app::unit::{Size, trimmed, unit_of};
+use crate::app::{edits, text};
+use crate::scene::keys::Key;
+use crate::scene::{ColumnTop, PerDirection, Pier, ResolvedPier, Scene};
+use crate::view::Target;
+
+/// What the stiffness of a pier follows from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Way {
+    #[default]
+    Stiffness,
+    Frequency,
+    Column,
+}
+
+impl Way {
+    fn of(pier: &Pier) -> Self {
+        match (pier.column, pier.frequency) {
+            (Some(_), _) => Self::Column,
+            (None, Some(_)) => Self::Frequency,
+            (None, None) => Self::Stiffness,
+        }
+    }
+
+    /// The key that says it.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness_n_per_m",
+            Self::Frequency => "frequency_hz",
+            Self::Column => "column_m",
+        }
+    }
+}
+
+/// Shows a pier.
+pub(super) fn show(
+    ui: &mut Ui,
+    form: Form<'_>,
+    (i, pier): (usize, &Pier),
+    answer: Option<&Answer>,
+    out: &mut Vec<Command>,
+) {
+    let (mut new, scene, resolved) = (pier.clone(), form.scene, form.scene.pier(i));
+    let table = format!("pier.{}", pier.name);
+    let place = form.place(&table);
+    let size = scene.girders.first().map_or(Size::of_scene(scene), Size::of);
+    let reckoned = |key: &Key| number_in_force(key.name, &resolved);
+    let look = Look { without: Without::Off(&reckoned), ..form.look_of(&table, size) };
+    let first = grid(ui, "pier", |ui| {
+        name_field::show(ui, place, Target::Pier(i), &pier.name, out);
+        let way = way_rows(ui, place, size, &mut new, &resolved);
+        let columns: &[&str] = if Way::of(&new) == Way::Column { &[] } else { &["young_modulus_pa", "column_top"] };
+        let yields: &[&str] = if new.yield_force.is_some() { &[] } else { &["post_yield_ratio"] };
+        let turns: &[&str] = if new.turn_stiffness.is_some() { &[] } else { &["turn_inertia_kg_m2"] };
+        way.or(rows(ui, &look, &mut new, &[&["name"], columns, yields, turns].concat()))
+    });
+    let more = section(ui, text::PIER_MORE, false, |ui| {
+        grid(ui, "pier more", |ui| more(ui, place, size, &mut new, &resolved))
+    });
+    let change = first.or(more.flatten());
+    // What belongs to another key goes with it.
+    if new.turn_stiffness.is_none() {
+        new.turn_inertia = None;
+    }
+    if new.yield_force.is_none() {
+        new.post_yield_ratio = None;
+    }
+    new.columns = new.columns.round();
+    push(change, out, || edits::pier(i, new));
+    grid(ui, "pier facts", |ui| facts(ui, scene, i, answer));
+}
+
+/// What a number is where it is left out.
+fn number_in_force(key: &str, pier: &ResolvedPier) -> f64 {
+    match key {
+        "heading_deg" => pier.axes.x_axis.y.atan2(pier.axes.x_axis.x).to_degrees(),
+        "young_modulus_pa" => 3e10,
+        // To begin with, as stiff as the columns at both ends of the cap make it.
+        "turn_stiffness_n_m_per_rad" => (0.25 * pier.stiffness[0] * pier.cap[1] * pier.cap[1]).max(1.0),
+        "turn_inertia_kg_m2" => pier.inertia,
+        "post_yield_ratio" => 0.05,
+        "height_m" => pier.height,
+        _ => 0.0,
+    }
+}
+
+/// Which of the three ways its stiffness is given in, and the numbers of that way; another way begins with the same stiffness.
+fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
+    let mut way = Way::of(pier);
+    let options = [
+        (Way::Stiffness, text::PIER_BY_STIFFNESS),
+        (Way::Frequency, text::PIER_BY_FREQUENCY),
+        (Way::Column, text::PIER_BY_COLUMN),
+    ];
+    let chosen = choice(ui, place, ("stiffness_n_per_m", text::PIER_WAY), &mut way, &options);
+    if chosen.is_some() {
+        begin(pier, way, resolved);
+        return chosen;
+    }
+    let (value, labels) = match way {
+        Way::Stiffness => (&mut pier.stiffness, [text::PIER_K_ALONG, text::PIER_K_ACROSS]),
+        Way::Frequency => (&mut pier.frequency, [text::PIER_F_ALONG, text::PIER_F_ACROSS]),
+        Way::Column => (&mut pier.column, [text::PIER_COLUMN_ALONG, text::PIER_COLUMN_ACROSS]),
+    };
+    two(ui, place, (way.key(), labels), value.as_mut()?, size)
+}
+
+/// Another way to give the stiffness.
+fn begin(pier: &mut Pier, way: Way, resolved: &ResolvedPier) {
+    (pier.stiffness, pier.frequency, pier.column) = (None, None, None);
+    (pier.modulus, pier.top) = (None, ColumnTop::Free);
+    let hertz = |omega: f64| omega / std::f64::consts::TAU;
+    let [along, across, _] = resolved.frequencies();
+    match way {
+        Way::Stiffness => pier.stiffness = Some(PerDirection::Each(resolved.stiffness)),
+        Way::Frequency => pier.frequency = Some(PerDirection::Each([along, across].map(hertz))),
+        Way::Column => {
+            pier.column = Some(resolved.column);
+            pier.height = Some(resolved.height);
+        }
+    }
+}
+
+/// One number for both directions, or one each.
+fn two(
+    ui: &mut Ui,
+    place: Place<'_>,
+    (key, labels): (&str, [&str; 2]),
+    value: &mut PerDirection,
+    size: Size,
+) -> Option<Change> {
+    let mut each = value.xy();
+    let mut change = None;
+    for (number_of, label) in each.iter_mut().zip(labels) {
+        let unit = unit_of(&place.path(key), *number_of, size);
+        change = number(ui, place, (key, label), number_of, unit).or(change);
+    }
+    if change.is_some() {
+        *value = match *value {
+            PerDirection::Both(_) if each[0] == each[1] => PerDirection::Both(each[0]),
+            _ => PerDirection::Each(each),
+        };
+    }
+    change
+}
+
+/// Damping, yield, place and cap.
+fn more(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
+    let mut change = None;
+    let mut ratio = pier.damping_ratio.unwrap_or(PerDirection::Both(0.05));
+    let damping = two(ui, place, ("damping_ratio", [text::DAMPING_X, text::DAMPING_Y]), &mut ratio, size);
+    if damping.is_some() {
+        pier.damping_ratio = Some(ratio);
+    }
+    change = damping.or(change);
+    let mut force = pier.yield_force.map(|force| force.xy()[0]);
+    let first = 0.2 * resolved.mass * crate::scene::STANDARD_GRAVITY;
+    let unit = unit_of(&place.path("yield_force_n"), first, size);
+    if let Some(yields) = switched(ui, place, ("yield_force_n", text::PIER_YIELD), (&mut force, first), unit) {
+        pier.yield_force = force.map(PerDirection::Both);
+        change = Some(yields);
+    }
+    let unit = unit_of(&place.path("position_m"), 0.0, size);
+    let mut at = pier.position.unwrap_or([resolved.top.x, resolved.top.y]);
+    for (axis, label) in [text::PIER_X, text::PIER_Y].into_iter().enumerate() {
+        if let Some(moved) = number(ui, place, ("position_m", label), &mut at[axis], unit) {
+            (pier.position, change) = (Some(at), Some(moved));
+        }
+    }
+    let mut cap = pier.cap.unwrap_or(resolved.cap);
+    for (axis, label) in [text::PIER_CAP_ALONG, text::PIER_CAP_ACROSS, text::PIER_CAP_DEPTH].into_iter().enumerate() {
+        if let Some(sized) = number(ui, place, ("cap_m", label), &mut cap[axis], unit) {
+            (pier.cap, change) = (Some(cap), Some(sized));
+        }
+    }
+    change
+}
+
+/// Periods, and what the run did to it.
+fn facts(ui: &mut Ui, scene: &Scene, i: usize, answer: Option<&Answer>) {
+    let [along, across, _] =
+        scene.pier(i).frequencies().map(|omega| (1e3 * std::f64::consts::TAU / omega).round() / 1e3);
+    note(ui, &format!("{} {} s, {} s", text::PIER_PERIODS, trimmed(along), trimmed(across)));
+    let Some(reading) = answer.filter(|a| i < a.history.model().piers.len()).map(|a| a.history.pier_reading(i)) else {
+        return;
+    };
+    let yielded = reading.yielded_at.map_or(String::new(), |t| format!(", {} {t:.2} s", text::PIER_YIELDS));
+    note(
+        ui,
+        &format!(
+            "{} {:.1} mm ({:.2} s), {} {:.0} kN ({:.2} s){yielded}",
+            text::PIER_DRIFT,
+            1e3 * reading.drift.value,
+            reading.drift.t,
+            text::PIER_SHEAR,
+            1e-3 * reading.shear.value,
+            reading.shear.t
+        ),
+    );
+}

@@ -1,0 +1,137 @@
+//! Piers: bodies with mass on their columns, and the bearings between girders and them (`docs/physics.md#piers`).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::dynamics::connection::{Kinematics, Link};
+use crate::dynamics::devices::{Hysteresis, LinearBearing, Play};
+use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::compiled_model::{Model, Pier};
+use crate::dynamics::model::rate_bounds::RateBounds;
+use crate::geometry::Prism;
+use crate::scene::{Kind, ResolvedBearing, ResolvedPier, Scene};
+
+/// The bodies of a scene's piers; their column is a bearing of the body, less what yields of it.
+pub(super) fn bodies(scene: &Scene) -> Vec<Body> {
+    scene.piers.iter().enumerate().map(|(number, pier)| body(&pier.name, &scene.pier(number))).collect()
+}
+
+fn body(name: &str, pier: &ResolvedPier) -> Body {
+    let [length, width, thickness] = pier.cap;
+    let prism = Prism { length, width, thickness, skew: std::f64::consts::FRAC_PI_2 };
+    let radius = prism.corners().iter().map(|c| c.length()).fold(0.0, f64::max);
+    let gyration2 = pier.inertia / pier.mass;
+    let mut inertia = prism.inertia_per_mass() * pier.mass;
+    inertia.z_axis.z = pier.inertia;
+    let free = [true, true, false, false, false, pier.turn_stiffness.is_some()];
+    let bearings = column(pier);
+    Body {
+        name: name.to_owned(),
+        coordinates: BodyCoordinates::Planar,
+        rate_bounds: RateBounds::of(&prism, pier.mass, [radius, gyration2], free, &bearings),
+        planar: PlanarBearings::gather(&bearings, pier.axes),
+        home: pier.top,
+        axes: pier.axes,
+        mass: pier.mass,
+        gyration2,
+        inertia: [inertia, inertia.inverse()],
+        radius,
+        prism,
+        bearings,
+        standing: Standing::default(),
+        free,
+        push: DVec3::ZERO,
+        moment: DVec3::ZERO,
+        straight: [false; 2],
+        start: [0.0; 6],
+        start_rate: [0.0; 6],
+    }
+}
+
+/// The elastic part of a pier's column: two Voigt elements beside its axis, so far apart along that their resistance across makes
+/// `k_θ = k d²`.
+fn column(pier: &ResolvedPier) -> Vec<Bearing> {
+    let elastic = pier.yielding.map_or(1.0, |yielding| yielding.ratio);
+    let [along, across] = pier.stiffness.map(|k| 0.5 * elastic * k);
+    let [c_along, c_across] = pier.damping.map(|c| 0.5 * c);
+    let apart = pier.turn_stiffness.map_or(0.0, |turn| (0.5 * turn / across).sqrt());
+    let element = |x: f64| Bearing {
+        place: DVec3::X * x,
+        stiffness: DVec3::new(along, across, 0.0),
+        damping: DVec3::new(c_along, c_across, 0.0),
+        preload: DVec3::ZERO,
+    };
+    vec![element(apart), element(-apart)]
+}
+
+impl Model {
+    /// Adds the yielding bases of piers, whose bodies are the last ones; their groups are formed later.
+    pub(in crate::dynamics) fn add_piers(&mut self, scene: &Scene) {
+        let from = self.bodies.len() - scene.piers.len();
+        for number in 0..scene.piers.len() {
+            let body = from + number;
+            let yielding = self.add_base(body, &scene.pier(number));
+            self.piers.push(Pier { body, yielding });
+        }
+    }
+
+    /// The part of a pier's base that yields, on one circle where both directions are alike; its number among the links.
+    fn add_base(&mut self, body: usize, pier: &ResolvedPier) -> Option<usize> {
+        let plays = pier.yielding?.part(pier.stiffness).map(|[stiffness, force]| Play { stiffness, force });
+        let device = if plays[0] == plays[1] { Hysteresis::Circle(plays[0]) } else { Hysteresis::PerAxis(plays) };
+        let Body { name, home, axes, .. } = &self.bodies[body];
+        let link = Link {
+            name: format!("{name}.base"),
+            bodies: [Some(body), None],
+            arms: [DVec3::ZERO; 2],
+            homes: [*home; 2],
+            axes: *axes,
+            kinematics: Kinematics::Linear,
+            device: Arc::new(device),
+        };
+        self.add_link(link);
+        Some(self.links.len() - 1)
+    }
+
+    /// Adds the bearings of a girder that stand on piers, each between its place and the pier's point below; `supports` are the
+    /// numbers of these.
+    pub(in crate::dynamics) fn add_bearings_on_piers(
+        &mut self,
+        girder: usize,
+        bearings: &[ResolvedBearing],
+        supports: &[Option<usize>],
+    ) {
+        for (number, (bearing, pier)) in bearings.iter().zip(supports).enumerate() {
+            let Some(pier) = pier else { continue };
+            let device = LinearBearing { stiffness: bearing.stiffness.into(), damping: bearing.damping.into() };
+            let name = format!("{}.bearing{}", self.bodies[girder].name, number + 1);
+            let link = self.bearing_link(name, [girder, self.piers[*pier].body], bearing.place, Arc::new(device));
+            self.add_link(link);
+        }
+    }
+
+    /// A link between a place of a girder and the point of a pier below.
+    pub(super) fn bearing_link(
+        &self,
+        name: String,
+        bodies: [usize; 2],
+        place: DVec3,
+        device: Arc<dyn crate::dynamics::connection::Device>,
+    ) -> Link {
+        let [girder, pier] = bodies.map(|body| &self.bodies[body]);
+        let arm = girder.axes * place;
+        // Bearings of planar scenes are linear in the rotations, as those on the ground are.
+        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        Link {
+            name,
+            bodies: bodies.map(Some),
+            arms: [arm, girder.home + arm - pier.home],
+            homes: [girder.home, pier.home],
+            axes: girder.axes,
+            kinematics,
+            device,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Piers at any instant, and what a run did to them.
+
+use glam::{DVec2, DVec3};
+
+use super::report::Extreme;
+use super::{History, touches};
+use crate::dynamics::model::compiled_model::Pier;
+use crate::scene::ResolvedPier;
+
+/// A pier at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PierNow {
+    /// Displacement of its cap against its foot, world \[m\].
+    pub displacement: DVec3,
+    /// Rotation of its cap in plan \[rad\].
+    pub theta: f64,
+    /// Force of its foot on the ground: springs, dashpots and what yields, world \[N\].
+    pub shear: DVec3,
+}
+
+/// What a run did to a pier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PierReading {
+    /// Its number in the scene.
+    pub pier: usize,
+    /// Undamped periods of the pier alone along and across \[s\].
+    pub periods: [f64; 2],
+    /// Largest drift: displacement of its cap against its foot, in plan \[m\].
+    pub drift: Extreme,
+    /// Largest base shear, in plan \[N\].
+    pub shear: Extreme,
+    /// The same times its height: the moment at its foot where its column is a cantilever \[N·m\].
+    pub moment: f64,
+    /// Largest |θ| of its cap \[rad\].
+    pub turn: f64,
+    /// When its base yielded for the first time \[s\].
+    pub yielded_at: Option<f64>,
+}
+
+impl History {
+    /// A pier at `t`, clamped to what was computed; `None` where the scene has no such pier.
+    pub fn pier(&self, number: usize, t: f64) -> Option<PierNow> {
+        let Pier { body, yielding } = *self.model().piers.get(number)?;
+        let (own, motion) = (&self.model().bodies[body], self.motion(body, t));
+        let (place, rate) = (motion.displacement.with_z(motion.theta), motion.velocity.with_z(motion.spin.z));
+        let column = (own.planar.stiffness * place + own.planar.damping * rate).with_z(0.0);
+        let base = yielding.and_then(|link| self.link(link, t)).map_or(DVec3::ZERO, |base| -base.force);
+        Some(PierNow { displacement: place.with_z(0.0), theta: place.z, shear: column + base.with_z(0.0) })
+    }
+
+    /// What the run did to every pier.
+    pub fn piers(&self) -> Vec<PierReading> {
+        (0..self.model().piers.len()).map(|number| self.pier_reading(number)).collect()
+    }
+
+    /// What the run did to the pier of this number in the model.
+    pub fn pier_reading(&self, number: usize) -> PierReading {
+        let Pier { body, yielding } = self.model().piers[number];
+        let resolved: ResolvedPier = self.scene().pier(number);
+        let times = touches::looks(self, body);
+        let largest = |of: &dyn Fn(&PierNow) -> f64| {
+            let (t, value) = touches::first_largest(&times, |t| self.pier(number, t).map_or(0.0, |now| of(&now)));
+            Extreme { value, t }
+        };
+        let plan = |vector: DVec3| DVec2::length(vector.truncate());
+        let shear = largest(&|now| plan(now.shear));
+        let [along, across, _] = resolved.frequencies();
+        PierReading {
+            pier: number,
+            periods: [along, across].map(|omega| std::f64::consts::TAU / omega),
+            drift: largest(&|now| plan(now.displacement)),
+            shear,
+            moment: shear.value * resolved.height,
+            turn: largest(&|now| now.theta.abs()).value,
+            yielded_at: yielding
+                .and_then(|link| self.link_phases(link).iter().find(|(_, phase)| phase.law != 0))
+                .map(|(t, _)| *t),
+        }
+    }
+}
