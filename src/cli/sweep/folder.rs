@@ -9,7 +9,7 @@ use crate::cli::console::Console;
 use crate::cli::failure::Failure;
 use crate::files::{Journal, WriteError, read_table, write_atomic};
 use crate::study::sweep::journal::{Contents, Identity, read};
-use crate::study::sweep::{Plan, Row};
+use crate::study::sweep::{Plan, Row, changed};
 
 /// What the sweep of a folder is.
 const ABOUT: &str = "sweep.json";
@@ -61,6 +61,11 @@ impl Folder {
             let said = "it is the journal of another sweep: give another --out, or remove it";
             return Err(Failure::Input(format!("{}: {said}", path.display())));
         };
+        if let Some(changed) = changed(plan, &rows) {
+            let said = "the solver or the measure is another than the one that these rows are of: give another --out, or remove \
+                        the journal to compute every run anew";
+            return Err(Failure::Input(format!("{}: {}: {said}", path.display(), changed.words(plan))));
+        }
         if damaged > 0 {
             let said = "damaged lines are left out, and their runs computed again";
             console.note(&format!("warning: {}: {damaged} {said}", path.display()));

@@ -4,9 +4,11 @@
 //! in several processes and on several machines, and comes out the same.
 
 mod axis;
+mod check;
 mod dataset;
 pub mod journal;
 mod measure;
+mod nested;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod picture;
@@ -15,8 +17,10 @@ mod row;
 mod workers;
 
 pub use axis::Axis;
+pub use check::{Changed, changed};
 pub use dataset::{Column, Dataset, about, columns, identity};
 pub use measure::{MEASURES, Measure};
-pub use plan::{Plan, ReadRecords};
+pub use nested::Nested;
+pub use plan::{Plan, ReadRecords, own_value};
 pub use row::{Row, Status};
 pub use workers::compute;

@@ -140,8 +140,7 @@ impl Plan {
 
     /// The value of an axis in the scene as it stands, where it is a number.
     pub fn own(&self, axis: &Axis) -> Option<f64> {
-        let stated = self.laid.value(&axis.key).and_then(|value| number(&value.to_string()));
-        stated.or_else(|| keys::of_place(&axis.key)?.1.number())
+        own_value(&self.laid, &axis.key)
     }
 
     /// The scene as it stands, as the text of a file.
@@ -164,6 +163,12 @@ impl Plan {
         }
         hash.digest()
     }
+}
+
+/// What stands at a key of a scene, stated or by default, where it is a number.
+pub fn own_value(laid: &Laid, key: &str) -> Option<f64> {
+    let stated = laid.value(key).and_then(|value| number(&value.to_string()));
+    stated.or_else(|| keys::of_place(key)?.1.number())
 }
 
 /// Hash of what was read from the files of a scene's records.
