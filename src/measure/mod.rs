@@ -5,12 +5,14 @@
 //! one body give its place and rotation relative to those on the table ([`pose`]). What is where in the first picture stands
 //! in a layout ([`layout`]).
 
+pub mod exposure;
 pub mod grey;
 pub mod layout;
 pub mod marks;
 pub mod pose;
 pub mod track;
 
+pub use exposure::exposed;
 pub use grey::Grey;
 pub use layout::{LAYOUT, Layout, MOST_MARKS, MarkPlace, TABLE};
 pub use marks::{Finder, Mark};

@@ -22,6 +22,18 @@ pub enum Packing {
 }
 
 impl Image {
+    /// The mean of pictures of one size, byte by byte; none is a picture without pixels.
+    #[must_use]
+    pub fn mean(images: &[Self]) -> Self {
+        let Some(first) = images.first() else { return Self { width: 0, height: 0, rgba: Vec::new() } };
+        let count = images.len();
+        let mean = |at: usize| {
+            let sum: usize = images.iter().filter_map(|image| image.rgba.get(at)).map(|byte| usize::from(*byte)).sum();
+            u8::try_from((sum + count / 2) / count).unwrap_or(u8::MAX)
+        };
+        Self { rgba: (0..first.rgba.len()).map(mean).collect(), ..*first }
+    }
+
     /// The picture as a PNG file, with `texts` (keyword, text) in it; the pixels are the same however it is packed.
     ///
     /// Keywords are 1 to 79 Latin-1 characters, as PNG has them; a picture made by hand must have the bytes that its

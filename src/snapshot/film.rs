@@ -93,17 +93,17 @@ fn draw<E: From<GpuError>>(
     to_pack: &SyncSender<Job>,
     collect: &mut dyn FnMut() -> Result<(), E>,
 ) -> Result<usize, E> {
-    let mut last: Option<(DrawList, Arc<Image>)> = None;
+    let mut last: Option<(Vec<DrawList>, Arc<Image>)> = None;
     let mut drawn = 0;
     for (number, shot) in shots.iter().enumerate() {
-        let list = shot.list(history);
-        let image = if let Some((_, image)) = last.take().filter(|(before, _)| *before == list) {
+        let lists = shot.lists(history);
+        let image = if let Some((_, image)) = last.take().filter(|(before, _)| *before == lists) {
             image
         } else {
             drawn += 1;
-            Arc::new(studio.draw(&list)?)
+            Arc::new(studio.expose(&lists)?)
         };
-        last = Some((list, image.clone()));
+        last = Some((lists, image.clone()));
         let texts = studio.texts(history.scene(), shot.at.of(history));
         // The packers outlive this loop, so that somebody always takes it.
         let _ = to_pack.send(Job { number, image, texts });

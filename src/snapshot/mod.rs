@@ -46,6 +46,8 @@ impl Instant {
 pub struct Shot {
     /// When.
     pub at: Instant,
+    /// Instants whose mean the picture is, as a sensor takes it whose numbers grow with the light \[s\]; `at` alone where there are none.
+    pub during: Vec<f64>,
     /// From where; the scene's own view when absent.
     pub view: Option<ViewPreset>,
     /// From exactly where, whatever `view` says: a film's camera stands still.
@@ -70,6 +72,7 @@ impl Default for Shot {
     fn default() -> Self {
         Self {
             at: Instant::Peak,
+            during: Vec::new(),
             view: None,
             camera: None,
             size: [1280, 720],
@@ -94,7 +97,16 @@ impl Shot {
         })
     }
 
-    /// The draw list of this picture of a run.
+    /// The draw lists whose mean this picture of a run is.
+    pub(super) fn lists(&self, history: &History) -> Vec<DrawList> {
+        if self.during.is_empty() {
+            return vec![self.list(history)];
+        }
+        let at = |t: &f64| Self { at: Instant::At(*t), during: Vec::new(), ..self.clone() };
+        self.during.iter().map(|t| at(t).list(history)).collect()
+    }
+
+    /// The draw list of this picture of a run at its instant.
     pub fn list(&self, history: &History) -> DrawList {
         let scene = history.scene();
         let t = self.at.of(history);
@@ -152,7 +164,23 @@ impl Studio {
     /// # Errors
     /// When the size is not one that the device draws.
     pub fn shoot(&mut self, history: &History, shot: &Shot) -> Result<Image, GpuError> {
-        self.draw(&shot.list(history))
+        self.expose(&shot.lists(history))
+    }
+
+    /// The mean of pictures of draw lists; lists that are alike are drawn once.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw).
+    pub(super) fn expose(&mut self, lists: &[DrawList]) -> Result<Image, GpuError> {
+        let mut images: Vec<Image> = Vec::with_capacity(lists.len());
+        for (n, list) in lists.iter().enumerate() {
+            let known = images.last().filter(|_| n > 0 && lists[n - 1] == *list).cloned();
+            images.push(match known {
+                Some(image) => image,
+                None => self.draw(list)?,
+            });
+        }
+        Ok(Image::mean(&images))
     }
 
     /// A picture of a draw list. Should the device be lost, it is drawn on another: a film goes on.

@@ -133,3 +133,23 @@ fn lost_marks_and_bad_pictures_are_told_with_their_picture() {
         assert!(said.status == Some(2) && said.err.contains(word), "{flags:?}: {}", said.err);
     }
 }
+
+#[test]
+fn an_exposure_blurs_what_moves_and_measuring_finds_the_mean_of_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let film_of = |name: &str, flags: &[&str]| {
+        let out = folder.path().join(name);
+        let span = ["--from", "0.4", "--to", "0.8"];
+        let said = film(&out, &[&span[..], flags].concat())?;
+        assert_eq!(said.status, Some(0), "{}", said.err);
+        Some(errors(&measure(&out, &["--scene", "skew45-abutment"]).out))
+    };
+    let Some(sharp) = film_of("sharp", &[]) else { return };
+    let blurred = film_of("blurred", &["--exposure-ms", "16"]).expect("it draws");
+    // ẍ T²/24 of a girder at 0.4 g is 0.04 mm, and the part of a hit within the exposure comes beside it.
+    assert!(blurred[0] > 3.0 * sharp[0] && blurred[0] < 0.3, "RMS along x: {blurred:?} against {sharp:?} pixel");
+    let said = call(&["render", "skew45-abutment", "--marks", "--exposure-ms", "34"]);
+    assert!(said.status == Some(2) && said.err.contains("--exposure-ms 34: pictures are 33.3"), "{}", said.err);
+    let said = call(&["render", "skew45-abutment", "--exposure-ms", "5"]);
+    assert!(said.status == Some(2) && said.err.contains("--marks"), "{}", said.err);
+}

@@ -83,6 +83,7 @@ impl RenderArgs {
         self.hide.iter().for_each(|layer| *(layer.switch)(&mut overlays) = false);
         Shot {
             at,
+            during: Vec::new(),
             view: self.view,
             camera: None,
             size: self.size(),

@@ -1,6 +1,7 @@
 //! Flags of `girderbench render` for a film of marks.
 
-use crate::cli::args::positive;
+use crate::cli::args::{not_negative, positive};
+use crate::cli::failure::Failure;
 use crate::scene::Scene;
 use crate::view::marks::diameter;
 
@@ -19,6 +20,9 @@ pub(super) struct MarkArgs {
     /// Pictures a second of the film of marks [Hz]
     #[arg(long, value_name = "HZ", value_parser = positive, requires = "marks", default_value_t = 30.0)]
     rate: f64,
+    /// Time for which each picture of the film of marks is exposed, about its instant: what moves is blurred [ms]
+    #[arg(long, value_name = "MS", value_parser = not_negative, requires = "marks", default_value_t = 0.0)]
+    exposure_ms: f64,
 }
 
 impl MarkArgs {
@@ -29,6 +33,16 @@ impl MarkArgs {
     /// Pictures a second \[Hz\].
     pub(super) fn rate(self) -> f64 {
         self.rate
+    }
+
+    /// Time of exposure \[s\]; none that is longer than the time between pictures.
+    pub(super) fn exposure(self) -> Result<f64, Failure> {
+        let (ms, most) = (self.exposure_ms, 1e3 / self.rate);
+        if ms > most {
+            let remedy = format!("pictures are {most} ms apart: give no more");
+            return Err(Failure::Input(format!("--exposure-ms {ms}: {remedy}")));
+        }
+        Ok(1e-3 * ms)
     }
 
     /// Diameter of the marks, where they are drawn \[m\].

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::args::{RenderArgs, Wanted};
 use crate::cli::failure::Failure;
 use crate::cli::output::write_files;
-use crate::measure::{LAYOUT, Layout, MarkPlace, TABLE};
+use crate::measure::{LAYOUT, Layout, MarkPlace, TABLE, exposed};
 use crate::sim::History;
 use crate::snapshot::{Instant, Shot};
 use crate::view::marks::{camera, pixels, places};
@@ -16,7 +16,7 @@ const MOST_PICTURES: f64 = 100_000.0;
 /// A picture at every instant of the camera, seen by one camera that keeps all marks in view.
 ///
 /// # Errors
-/// A span that the run does not reach or that runs backwards; too many pictures.
+/// An exposure longer than the time between pictures; a span that the run does not reach or that runs backwards; too many pictures.
 pub(super) fn frames(args: &RenderArgs, history: &History) -> Result<Vec<Wanted>, Failure> {
     let (from, to) = args.span(history)?;
     let rate = args.marks.rate();
@@ -30,9 +30,11 @@ pub(super) fn frames(args: &RenderArgs, history: &History) -> Result<Vec<Wanted>
     let size = args.size();
     let camera = Some(camera(history, &instants, f64::from(size[0]) / f64::from(size[1])));
     let still = args.shot(Instant::Peak, history.scene());
+    let exposure = args.marks.exposure()?;
+    let during = |t: f64| if exposure > 0.0 { exposed(t, exposure, history.end()).collect() } else { Vec::new() };
     let frame = |(n, t): (usize, f64)| Wanted {
         path: args.path(history, &format!("{:05}", n + 1)),
-        shot: Shot { at: Instant::At(t), camera, ..still.clone() },
+        shot: Shot { at: Instant::At(t), during: during(t), camera, ..still.clone() },
     };
     Ok(instants.into_iter().enumerate().map(frame).collect())
 }

@@ -9,7 +9,7 @@ mod picture;
 use rayon::prelude::*;
 
 use super::measured::{Difference, differences};
-use crate::measure::{Calibration, Finder, Layout, Lost, MarkPlace, Poses, TABLE, Tracker};
+use crate::measure::{Calibration, Finder, Layout, Lost, MarkPlace, Poses, TABLE, Tracker, exposed};
 use crate::scene::{SceneErrors, presets};
 use crate::sim::History;
 pub use page::{csv, page, plots};
@@ -178,21 +178,16 @@ pub fn errors(history: &History, camera: &Camera, count: u32) -> Result<Errors, 
     Ok(Errors { place: found.place, rotation: found.rotation.unwrap_or_default() })
 }
 
-/// Instants within an exposure that a picture is the mean of: a tenth of a pixel apart at the speeds of this film.
-const SHARES: u32 = 33;
-
 /// Places of the marks during the exposure about an instant \[pixels\]: those of every instant of it.
 fn places(history: &History, camera: &Camera, t: f64) -> Vec<Vec<[f64; 2]>> {
-    let count = if camera.exposure > 0.0 { SHARES } else { 1 };
-    let share = |n: u32| (f64::from(n) + 0.5) / f64::from(count) - 0.5;
-    let at = |n: u32| {
-        let motion = history.motion(0, (t + share(n) * camera.exposure).clamp(0.0, history.end()));
+    let at = |t: f64| {
+        let motion = history.motion(0, t);
         let (sin, cos) = motion.theta.sin_cos();
         let [x, y] = [motion.displacement.x, motion.displacement.y].map(|d| 1e3 * d);
         let moved = ON_DECK.map(|[a, b]| [x + a * cos - b * sin, y + a * sin + b * cos]);
         ON_TABLE.into_iter().chain(moved).map(|mm| camera.pixel(mm)).collect()
     };
-    (0..count).map(at).collect()
+    exposed(t, camera.exposure, history.end()).map(at).collect()
 }
 
 fn layout(camera: &Camera) -> Layout {
