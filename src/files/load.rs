@@ -79,7 +79,12 @@ impl Records {
     pub fn beside(name_or_path: &Path) -> Self {
         let preset = name_or_path.to_str().and_then(presets::get).is_some();
         let folder = name_or_path.parent().filter(|_| !preset).unwrap_or(Path::new(""));
-        Self { folder: folder.to_owned(), read: Mutex::default() }
+        Self::in_folder(folder.to_owned())
+    }
+
+    /// Of scenes whose records are named from a folder on.
+    pub fn in_folder(folder: PathBuf) -> Self {
+        Self { folder, read: Mutex::default() }
     }
 
     /// Reads the records that a scene names and that are not loaded.

@@ -15,7 +15,7 @@ mod staging;
 mod stamp;
 mod write_error;
 
-pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Supplement, formats_in_words, is_record};
+pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Record, Supplement, formats_in_words, is_record};
 pub use earlier::{earlier_files, remove_files};
 pub use journal::Journal;
 pub use load::{Records, load_scene, load_unsaved, read_record};

@@ -40,6 +40,7 @@ pub mod presets;
 pub mod shown;
 pub mod validate;
 
+pub use crate::motion::format::Unit as RecordUnit;
 pub use abutment::Abutment;
 pub use backfill::{Backfill, BackfillLaw};
 pub use bearing::{Bearing, BearingYield, Bearings, PerDirection, SharedBearings};

@@ -89,15 +89,15 @@ table! {
     default struct Component, COMPONENT {
         file: Option<String> = "file", Range::Free, Fallback::Needed("this or samples_m_s2"), "a file that holds it, beside the scene's file";
         channel: Option<usize> = "channel", CHANNEL, ONE_CHANNEL, "which channel of a file that has several";
-        unit: Option<Unit> = "unit", Range::Words(Unit::WORDS), AS_STATED, "unit of the numbers in a file that states none";
+        unit: Option<Unit> = "unit" as "Unit", Range::Words(Unit::WORDS), AS_STATED, "unit of the numbers in a file that states none";
         samples: Option<Vec<f64>> = "samples_m_s2", Range::Like("two or more numbers"), Fallback::Needed("this or file"),
             "acceleration from t = 0 on, m/s²";
-        dt: Option<f64> = "dt_s", Range::Positive, Fallback::Needed("must be given with samples_m_s2"),
+        dt: Option<f64> = "dt_s" as "Interval", Range::Positive, Fallback::Needed("must be given with samples_m_s2"),
             "interval between samples, s; beside a file only where that states none";
-        azimuth_deg: Option<f64> = "azimuth_deg", Range::Any, Fallback::Words("as the file states"),
+        azimuth_deg: Option<f64> = "azimuth_deg" as "Azimuth", Range::Any, Fallback::Words("as the file states"),
             "azimuth of positive samples, clockwise from north, degrees";
-        vertical: Option<bool> = "vertical", Range::Switch, Fallback::Words("as the file states"), "whether positive samples point upwards";
-        scale: f64 = "scale", Range::Any, Fallback::Number(1.0), "multiplies every sample of this component";
+        vertical: Option<bool> = "vertical" as "Points", Range::Switch, Fallback::Words("as the file states"), "whether positive samples point upwards";
+        scale: f64 = "scale" as "Factor", Range::Any, Fallback::Number(1.0), "multiplies every sample of this component";
     }
 }
 
@@ -318,14 +318,14 @@ impl RecordMotion {
         Some((self.x_azimuth_deg? - angle).rem_euclid(360.0))
     }
 
-    /// Takes over what was read for another, where the same would be read.
-    pub(in crate::scene) fn take_loaded(&mut self, before: &Self) {
-        if (&self.file, self.dt, self.unit) == (&before.file, before.dt, before.unit) {
-            self.loaded.clone_from(&before.loaded);
-        }
+    /// Takes over what was read for another, where the same would be read, and keeps nothing else.
+    pub fn take_loaded(&mut self, before: &Self) {
+        let same = (&self.file, self.dt, self.unit) == (&before.file, before.dt, before.unit);
+        self.loaded = before.loaded.clone().filter(|_| same && self.file.is_some());
         let same =
             |own: &Component, other: &Component| (&own.file, own.dt, own.unit) == (&other.file, other.dt, other.unit);
         let known = |own: &Component| {
+            own.file.as_ref()?;
             let at = before.components.iter().position(|other| same(own, other))?;
             before.loaded_components.get(at)?.clone()
         };

@@ -6,7 +6,7 @@ use super::plot::COLORS;
 use super::plot::chart::{Chart, Curve, Panel};
 use crate::motion::format::Channel;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
-use crate::motion::spectrum::{Response, periods, spectrum};
+use crate::motion::spectrum::{Response, periods, response, spectrum};
 
 /// Damping of the spectrum, of critical.
 pub const DAMPING: f64 = 0.05;
@@ -86,6 +86,11 @@ impl<'a> Ground<'a> {
         ];
         Chart { title: title.to_owned(), x: "time [s]".to_owned(), panels }.to_svg()
     }
+}
+
+/// Pseudo-acceleration at one period \[s\] and 5 % of critical damping, of samples at an interval \[s\] \[m/s²\].
+pub fn psa(samples: &[f64], dt: f64, period: f64) -> f64 {
+    response(samples, dt, period, DAMPING).pseudo_acceleration()
 }
 
 /// The table of a spectrum: `period_s,sd_m,psv_m_s,psa_m_s2`.

@@ -19,14 +19,10 @@ type Window = Harness<'static, Workbench>;
 /// Keys without a field, and why.
 const NO_FIELD: &[(&str, &str, &str)] = &[
     ("", "format", "the program writes its own version"),
-    ("motion kind = record", "unit", "needed to read a file that states none: written in the scene's file"),
-    ("motion kind = record", "x_azimuth_deg", "of components"),
-    ("motion kind = synthetic", "target_psa_g", "a list: written in the scene's file"),
     ("restrainer", "", "written in the scene's file"),
     ("bumper", "", "written in the scene's file"),
     ("damper", "", "written in the scene's file"),
     ("stopper", "", "written in the scene's file"),
-    ("motion.component", "", "components are written in the scene's file, and shown"),
 ];
 
 /// Sections that are folded away at first.
@@ -76,6 +72,15 @@ fn loaded(mut scene: Scene) -> Scene {
     scene
 }
 
+/// A scene with the file of its first component.
+fn with_first_read(mut scene: Scene) -> Scene {
+    let Motion::Record(record) = &mut scene.motion else { panic!("a record") };
+    let file = std::path::PathBuf::from(record.components[0].file.clone().expect("a file"));
+    let read = read_record(&file, &Supplement::default()).expect("a record");
+    record.loaded_components = vec![Some(std::sync::Arc::new(read)), None];
+    scene
+}
+
 /// Windows that show between them everything that can be edited.
 fn windows() -> Vec<Window> {
     let planar = presets::load(presets::OPENING).expect("ships");
@@ -100,6 +105,11 @@ fn windows() -> Vec<Window> {
     }
     let several = with(&planar, &["motion.kind=record", "motion.file=tests/data/records/csmip.V2", "motion.channel=2"]);
     let several = loaded(several);
+    let twice = "motion.component=[{ file = \"tests/data/records/csmip.V2\", channel = 1 }, \
+         { samples_m_s2 = [0, 1, 0], dt_s = 0.02, azimuth_deg = 90 }]";
+    let components = with(&planar, &["motion.kind=record", "motion.x_azimuth_deg=90", twice]);
+    let components = with_first_read(components);
+    let matched = with(&deck, &["motion.kind=synthetic", "motion.target_psa_g=[[0.1, 0.2], [1, 0.3]]"]);
     let metric_in_space = with(&deck, &["motion.amplitude_m_s2=4", "motion.vertical_amplitude_m_s2=2"]);
     let each = "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [1e7, 1e7, 1e9], damping_n_s_per_m = [0, 0, 0], \
          yield_force_n = 1e5, yield_displacement_m = 0.01, yields_per_axis = true }]";
@@ -119,6 +129,8 @@ fn windows() -> Vec<Window> {
         show(named, Some(Target::Abutment(0))),
         show(record, None),
         show(several, None),
+        show(components, None),
+        show(matched, None),
         show(with(&deck, &["motion.kind=synthetic"]), None),
         show(with(&deck, &["motion.kind=sweep"]), None),
         show(record_in_space, None),
@@ -459,4 +471,101 @@ fn stiffness_is_given_one_way_at_a_time() {
     reach_as(&mut harness, Role::Button, "Reset Tension of all");
     press(&mut harness, "Reset Tension of all");
     assert_eq!(format!("{:?}", harness.state().files.document.scene().contact.tension), "Keep", "taken back");
+}
+
+#[test]
+fn components_are_added_turned_and_taken_away_with_undo() {
+    let mut harness = open(presets::OPENING);
+    choose(&mut harness, "Ground", "record");
+    harness.state_mut().apply(FileCommand::Record("tests/data/records/csmip.V2".into()));
+    settle(&mut harness);
+    let record = |harness: &Window| {
+        let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
+        record
+    };
+    let one = record(&harness);
+    super::harness::reach(&mut harness, "Add a component");
+    press(&mut harness, "Add a component");
+    let first = record(&harness);
+    assert_eq!(
+        (first.file, first.components.len(), first.x_azimuth_deg),
+        (None, 1, Some(90.0)),
+        "the same as a component"
+    );
+    assert_eq!(first.components[0].file, one.file, "of the same file");
+    assert_eq!(first.components[0].azimuth_deg, Some(90.0), "along x, as it was");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+    super::harness::reach(&mut harness, "Add a component");
+    press(&mut harness, "Add a component");
+    let second = record(&harness);
+    assert_eq!(second.components[1].azimuth_deg, Some(180.0), "square to the first");
+    assert_eq!(harness.state().replay.runner.problems(), None, "still ground across runs");
+    type_in(&mut harness, "Azimuth of component 2", "45");
+    type_in(&mut harness, "Factor of component 2", "0.5");
+    let turned = record(&harness).components[1].clone();
+    assert_eq!((turned.azimuth_deg, turned.scale), (Some(45.0), 0.5), "as typed");
+    harness.state_mut().apply(FileCommand::Component(1, "tests/data/records/csmip.V2".into()));
+    settle(&mut harness);
+    let filled = record(&harness);
+    assert_eq!(filled.components[1].scale, 0.5, "the factor stays");
+    assert!(filled.component_record(1).is_some_and(|read| read.channels.len() > 1), "read");
+    choose(&mut harness, "Unit of component 2", "gal");
+    assert!(harness.state().window.notice().is_some(), "the file states its unit: that is told");
+    undo(&mut harness);
+    super::harness::reach(&mut harness, "Remove component 1");
+    press(&mut harness, "Remove component 1");
+    let left = record(&harness);
+    assert_eq!((left.components.len(), left.components[0].scale), (1, 0.5), "the second is left");
+    assert!(left.component_record(0).is_some(), "with what was read for it");
+    while harness.state().files.document.undo_label().is_some() {
+        undo(&mut harness);
+    }
+    assert_eq!(*harness.state().files.document.scene(), presets::load(presets::OPENING).expect("ships"), "all undone");
+}
+
+#[test]
+fn a_file_that_states_no_unit_is_read_when_that_is_stated() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bare = folder.path().join("bare.dat");
+    std::fs::write(&bare, "0\n100\n-50\n0\n").expect("written");
+    let mut harness = open(presets::OPENING);
+    choose(&mut harness, "Ground", "record");
+    harness.state_mut().apply(FileCommand::Record(bare));
+    settle(&mut harness);
+    assert!(harness.state().window.notice().is_some_and(|notice| notice.contains("dt_s")), "what is missing is told");
+    assert!(harness.state().replay.runner.problems().is_some(), "it cannot be run so");
+    choose(&mut harness, "Unit", "gal");
+    reach_as(&mut harness, Role::CheckBox, "Interval");
+    harness.get_by_role_and_label(Role::CheckBox, "Interval").click();
+    settle(&mut harness);
+    let Motion::Record(record) = harness.state().files.document.scene().motion.clone() else { panic!("a record") };
+    let (dt, samples) = record.series().expect("read now");
+    assert_eq!((dt, samples), (0.01, &[0.0, 1.0, -0.5, 0.0][..]), "in m/s², at the interval that was stated");
+    assert_eq!(harness.state().replay.runner.problems(), None, "and it runs");
+}
+
+#[test]
+fn a_synthetic_earthquake_is_matched_to_a_spectrum_by_hand() {
+    let mut harness = open("el-centro-45");
+    let target = |harness: &Window| match &harness.state().files.document.scene().motion {
+        Motion::Synthetic(quake) => quake.target.clone(),
+        other => panic!("{other:?}"),
+    };
+    if target(&harness).is_none() {
+        let fold = harness.get_by_label("Target spectrum");
+        fold.scroll_to_me();
+        fold.click_accesskit();
+        harness.run_steps(40);
+        press(&mut harness, "Match it to a spectrum");
+    }
+    let before = target(&harness).expect("its own spectrum to begin with");
+    assert!(before.len() >= 2 && before.windows(2).all(|two| two[0][0] < two[1][0]), "{before:?}");
+    assert_eq!(harness.state().replay.runner.problems(), None, "it runs");
+    type_in(&mut harness, "PSA 2", "0.9 g");
+    assert_eq!(target(&harness).expect("there")[1][1], 0.9, "as typed");
+    super::harness::reach(&mut harness, "Match it to none");
+    press(&mut harness, "Match it to none");
+    assert_eq!(target(&harness), None, "none");
+    undo(&mut harness);
+    assert_eq!(target(&harness).expect("there")[1][1], 0.9, "undone");
 }

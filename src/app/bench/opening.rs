@@ -25,10 +25,17 @@ impl Workbench {
             FileCommand::Ask(wish) => self.ask(wish),
             FileCommand::Path(command) => self.apply_path(command),
             FileCommand::Record(path) => {
-                match record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion) {
-                    Ok(motion) => self.edit(edits::motion(motion)),
-                    Err(problem) => self.window.say(problem),
-                }
+                let shaking = record::shaking_by(&path, self.files.folder(), &self.files.document.scene().motion);
+                self.shake(shaking);
+            }
+            FileCommand::Component(number, path) => {
+                let before = &self.files.document.scene().motion;
+                let shaking = record::component_by(number, &path, self.files.folder(), before);
+                self.shake(shaking);
+            }
+            FileCommand::Shake(record) => {
+                let shaking = record::read_anew(*record, self.files.folder(), self.files.document.scene());
+                self.shake(Ok(shaking));
             }
             FileCommand::Save => match self.files.document.file().map(Path::to_owned) {
                 Some(file) => self.save(&file),
@@ -84,6 +91,17 @@ impl Workbench {
                     self.edit(edit);
                 }
             }
+        }
+    }
+
+    /// Shakes the ground otherwise; what could not be read is told.
+    fn shake(&mut self, shaking: Result<record::Shaking, String>) {
+        match shaking {
+            Ok((motion, unread)) => {
+                self.edit(edits::motion(motion));
+                unread.into_iter().for_each(|words| self.window.say(words));
+            }
+            Err(problem) => self.window.say(problem),
         }
     }
 

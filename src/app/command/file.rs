@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::edit::BridgeDraft;
 use super::film::FilmFormat;
+use crate::scene::RecordMotion;
 
 /// Something to be written to a folder or file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,8 @@ pub enum Wish {
     Open,
     /// A record that shakes the ground.
     Record,
+    /// A record of the component of this number.
+    Component(usize),
     /// A file to save the scene in.
     Save,
     /// Where an export goes.
@@ -37,7 +40,11 @@ impl Wish {
     /// What a new file's name ends in; none for a folder, or for a file that is there.
     pub(in crate::app) fn extension(self) -> Option<&'static str> {
         match self {
-            Self::Open | Self::Record | Self::Export(Export::Tables) | Self::Film(FilmFormat::Png) => None,
+            Self::Open
+            | Self::Record
+            | Self::Component(_)
+            | Self::Export(Export::Tables)
+            | Self::Film(FilmFormat::Png) => None,
             Self::Save => Some("toml"),
             Self::Export(Export::Picture) => Some("png"),
             Self::Export(Export::Report) => Some("html"),
@@ -48,7 +55,7 @@ impl Wish {
 
     /// Whether it is for something that is there already.
     pub(in crate::app) fn is_for_reading(self) -> bool {
-        matches!(self, Self::Open | Self::Record)
+        matches!(self, Self::Open | Self::Record | Self::Component(_))
     }
 
     /// Whether it is for a folder.
@@ -99,6 +106,10 @@ pub enum FileCommand {
     Open(PathBuf),
     /// Shake the ground by the record in a file, given from the scene's own folder on.
     Record(PathBuf),
+    /// Shake along the component of this number by the record in a file.
+    Component(usize, PathBuf),
+    /// Shake by these records, whose files are read anew where something else is stated of them.
+    Shake(Box<RecordMotion>),
     /// Save where it came from, or ask.
     Save,
     /// Save into a file.

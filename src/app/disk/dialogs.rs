@@ -48,7 +48,7 @@ impl Dialogs {
         let dialog = AsyncFileDialog::new();
         match (wish, wish.extension()) {
             (Wish::Open, _) => self.wait(wish, scenes(dialog).pick_file()),
-            (Wish::Record, _) => {
+            (Wish::Record | Wish::Component(_), _) => {
                 let dialog = dialog.add_filter(text::RECORDS, &extensions(wish));
                 let dialog = RECORD_FORMATS.iter().fold(dialog, |dialog, f| dialog.add_filter(f.name, f.extensions));
                 self.wait(wish, dialog.pick_file());
@@ -94,6 +94,7 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
     match wish {
         Wish::Open => FileCommand::Open(path).into(),
         Wish::Record => FileCommand::Record(path).into(),
+        Wish::Component(number) => FileCommand::Component(number, path).into(),
         Wish::Save => FileCommand::SaveTo(path).into(),
         Wish::Export(what) => FileCommand::Export(what, path).into(),
         Wish::Plots(_) => FileCommand::Plots(path).into(),
@@ -105,7 +106,9 @@ pub(super) fn then(wish: Wish, path: PathBuf) -> Command {
 pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
     match wish {
         Wish::Open => vec!["toml"],
-        Wish::Record => RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect(),
+        Wish::Record | Wish::Component(_) => {
+            RECORD_FORMATS.iter().flat_map(|format| format.extensions).copied().collect()
+        }
         _ => wish.extension().into_iter().collect(),
     }
 }

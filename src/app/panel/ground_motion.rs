@@ -2,9 +2,11 @@
 
 use egui::{RichText, TextEdit, Ui};
 
-use super::record_of;
+use super::{components, record_of, samples, target};
 use crate::app::command::{Command, EditCommand, FileCommand, Wish};
-use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice_line, complain, slider_at, sliders, tag};
+use crate::app::field::{
+    CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, slider_at, sliders, tag,
+};
 use crate::app::{edits, text};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
@@ -35,9 +37,6 @@ const UNITS: [(bool, &str); 2] = [(false, "g"), (true, "m/s²")];
 /// Keys of the vertical share of a sine.
 const VERTICAL: [&str; 3] = ["vertical_amplitude_g", "vertical_amplitude_m_s2", "vertical_phase_deg"];
 
-/// Most samples that are written out to be edited by hand.
-const MOST_SAMPLES: usize = 2000;
-
 /// Shows the kind and what belongs to it.
 pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let mut new = form.scene.motion.clone();
@@ -47,7 +46,7 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         Motion::None => still(ui, &mut new),
         Motion::Sine(sine) => sine_rows(ui, &look, sine),
         Motion::Record(record) => record_rows(ui, &look, record, out),
-        Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]),
+        Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]).or(target::show(ui, look.place, quake)),
         Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
     if let Some(change) = kind.or(change) {
@@ -130,15 +129,20 @@ fn vertical_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion, metric: bo
 
 fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
     if !record.components.is_empty() {
-        record_of::components(ui, record);
+        let change = components::show(ui, look, record, out);
         let scale = slider_at(ui, look, "scale", &mut record.scale);
-        return scale.or(record_of::processing(ui, look, record));
+        return change.or(scale).or(record_of::processing(ui, look, record));
     }
     file_row(ui, look.place, record, out);
     about(ui, record);
     record_of::read(ui, record);
     let channel = record_of::channel(ui, look.place, record);
     let kept = channel.or(kept_rows(ui, look, record));
+    record_of::beside(ui, look.place, record, out);
+    if act(ui, look.place, "component", text::ADD_COMPONENT) {
+        components::add(record);
+        out.push(FileCommand::Shake(Box::new(record.clone())).into());
+    }
     let kept = kept.or(record_of::processing(ui, look, record));
     let scale = slider_at(ui, look, "scale", &mut record.scale);
     let vertical = slider_at(ui, look, "vertical_scale", &mut record.vertical_scale);
@@ -193,45 +197,12 @@ fn kept_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<
     if interval.is_some() {
         record.dt = Some(dt);
     }
-    let typed = egui::CollapsingHeader::new(text::SAMPLES_FOLD).default_open(false).show_unindented(ui, |ui| {
-        if list.len() > MOST_SAMPLES {
-            ui.label(RichText::new(text::TOO_MANY_SAMPLES).weak().small());
-            return None;
-        }
-        samples_field(ui, look.place, &list)
-    });
+    let typed = egui::CollapsingHeader::new(text::SAMPLES_FOLD)
+        .default_open(false)
+        .show_unindented(ui, |ui| samples::show(ui, look.place, text::SAMPLES, &list));
     if let Some(samples) = typed.body_returned.flatten() {
         record.samples = Some(samples);
         return CLICK;
     }
     interval
-}
-
-/// All samples as text, taken when the field is left; what is no number is said.
-fn samples_field(ui: &mut Ui, place: Place<'_>, list: &[f64]) -> Option<Vec<f64>> {
-    let draft_id = egui::Id::unique("samples draft");
-    let written = || list.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(written);
-    let edit = TextEdit::multiline(&mut draft).desired_rows(3).desired_width(f32::INFINITY);
-    let response = ui.add(edit);
-    let response = tag(ui, &response, place, ("samples_m_s2", text::SAMPLES));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, text::SAMPLES));
-    let words = || draft.split(|c: char| c.is_whitespace() || c == ';').filter(|word| !word.is_empty());
-    let wrong = words().find(|word| word.parse::<f64>().is_err()).map(str::to_owned);
-    if response.has_focus() {
-        ui.data_mut(|d| d.insert_temp(draft_id, draft.clone()));
-    } else if response.lost_focus() && wrong.is_none() {
-        ui.data_mut(|d| d.remove::<String>(draft_id));
-        let new: Vec<f64> = words().filter_map(|word| word.parse().ok()).collect();
-        return Some(new).filter(|new| new != list);
-    } else if wrong.is_none() {
-        ui.data_mut(|d| d.remove::<String>(draft_id));
-    }
-    if let Some(wrong) = wrong {
-        complain(ui, &format!("\u{201c}{wrong}\u{201d} {}", text::NO_SAMPLE));
-    }
-    if let Some(complaint) = place.complaint("samples_m_s2") {
-        complain(ui, &complaint);
-    }
-    None
 }

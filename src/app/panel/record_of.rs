@@ -2,10 +2,13 @@
 
 use egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 
-use crate::app::field::{Change, Look, Place, Without, choice_line, rows};
+use super::components::UNITS;
+use crate::app::command::{Command, FileCommand};
+use crate::app::field::{Change, Look, Place, Without, choice, choice_line, rows, switched};
 use crate::app::text;
+use crate::app::unit::SECONDS;
+use crate::scene::RecordMotion;
 use crate::scene::keys::{Fallback, Key};
-use crate::scene::{Heading, RecordMotion};
 
 /// What was read: format, channel, unit, what was done to the file's numbers.
 pub(super) fn read(ui: &mut Ui, record: &RecordMotion) {
@@ -25,17 +28,19 @@ pub(super) fn channel(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) 
     choice_line(ui, place, ("channel", text::CHANNEL), &mut record.channel, &options)
 }
 
-/// Components, a line each; they are stated in the scene's file.
-pub(super) fn components(ui: &mut Ui, record: &RecordMotion) {
-    for n in 0..record.components.len() {
-        let (dt, samples) = record.component_series(n).unwrap_or((0.0, &[]));
-        let peak = samples.iter().fold(0.0_f64, |most, a| most.max(a.abs())) * record.components[n].scale.abs();
-        let heading = match record.heading(n) {
-            Some(Heading::Up) => text::UPWARDS.to_owned(),
-            Some(Heading::InPlan(angle)) => text::from_x(angle),
-            None => text::NO_DIRECTION.to_owned(),
-        };
-        weak(ui, &format!("{heading}: {}", text::record(samples.len(), dt, peak)));
+/// What is stated beside a file that does not state it itself: its unit, its interval. Then it is read anew.
+pub(super) fn beside(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<Command>) {
+    if record.file.is_none() {
+        return;
+    }
+    let mut new = record.clone();
+    let grid = Grid::new("beside").num_columns(2).spacing([8.0, 3.0]);
+    let changed = grid.show(ui, |ui| {
+        let unit = choice(ui, place, ("unit", text::RECORD_UNIT), &mut new.unit, &UNITS);
+        unit.or(switched(ui, place, ("dt_s", text::INTERVAL), (&mut new.dt, 0.01), SECONDS))
+    });
+    if changed.inner.is_some() {
+        out.push(FileCommand::Shake(Box::new(new)).into());
     }
 }
 
@@ -57,6 +62,7 @@ pub(super) fn processing(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion
     folded.body_returned.flatten()
 }
 
-fn weak(ui: &mut Ui, words: &str) {
+/// A quiet line.
+pub(super) fn weak(ui: &mut Ui, words: &str) {
     ui.add(Label::new(RichText::new(words).weak().small()).wrap());
 }

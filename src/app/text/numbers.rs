@@ -71,6 +71,26 @@ pub(in crate::app) fn from_x(angle: f64) -> String {
     format!("{}° from x", short(angle))
 }
 
+/// A component of ground motion and where it points.
+pub(in crate::app) fn component(number: usize, way: &str) -> String {
+    format!("Component {number}: {way}")
+}
+
+/// Whose a number of a component is.
+pub(in crate::app) fn of_component(number: usize) -> String {
+    format!("of component {number}")
+}
+
+/// A button that takes a component away.
+pub(in crate::app) fn remove_component(number: usize) -> String {
+    format!("Remove component {number}")
+}
+
+/// Names of a period and its acceleration in a target spectrum, and of the button that takes both away.
+pub(in crate::app) fn target(number: usize) -> [String; 3] {
+    [format!("Period {number}"), format!("PSA {number}"), format!("Remove period {number}")]
+}
+
 /// An entry about a pair.
 pub(in crate::app) fn entry(number: usize) -> String {
     format!("Entry {number}")

@@ -25,7 +25,7 @@ pub(in crate::app) const NO_FOLDER_WINDOW: &str = "This system has no program th
 pub(in crate::app) fn wish(wish: Wish) -> &'static str {
     match wish {
         Wish::Open => "Open a scene",
-        Wish::Record => "Choose a record",
+        Wish::Record | Wish::Component(_) => "Choose a record",
         Wish::Save => "Save as",
         Wish::Export(Export::Picture) => "Export the picture",
         Wish::Export(Export::Tables) => "Export the tables into a folder",
@@ -40,7 +40,7 @@ pub(in crate::app) fn wish(wish: Wish) -> &'static str {
 pub(in crate::app) fn wish_done(wish: Wish) -> &'static str {
     match wish {
         Wish::Open => "Open it",
-        Wish::Record => "Shake by it",
+        Wish::Record | Wish::Component(_) => "Shake by it",
         Wish::Save => "Save it",
         Wish::Film(_) => "Film it",
         Wish::Export(_) | Wish::Plots(_) => "Write it",
