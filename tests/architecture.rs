@@ -60,13 +60,17 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
     ("time", &["style", "command", "text", "run"]),
     ("plot", &["host", "style", "command", "text", "field", "run", "time"]),
     ("disk", &["host", "command", "text", "edits", "run", "time"]),
+    ("map", &["host", "style", "unit", "command", "text", "field"]),
     ("viewport", &["style", "unit", "command", "text", "field", "edits", "run", "time"]),
-    ("bench", &["host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport"]),
+    (
+        "bench",
+        &["host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport", "map"],
+    ),
     (
         "panel",
         &[
             "style", "unit", "command", "text", "field", "edits", "learn", "run", "time", "plot", "disk", "viewport",
-            "bench",
+            "map", "bench",
         ],
     ),
     ("shell", &["host", "command", "text", "disk", "bench", "panel"]),

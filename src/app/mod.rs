@@ -22,6 +22,7 @@
 //! | `plot` | curves: sampled, drawn, written |
 //! | `disk` | scene files, autosave; exports, films and the system's dialogs on threads |
 //! | `viewport` | the 3D view: camera, picture, mouse, handles |
+//! | `map` | a number of the run over two keys of the scene: runs on threads, the picture |
 //! | `bench` | the parts put together, and commands that concern several of them |
 //! | `panel` | panels, dialogs, keys, and where they stand |
 //! | `shell` | the system's window |
@@ -33,6 +34,7 @@ mod edits;
 mod field;
 mod host;
 mod learn;
+mod map;
 mod panel;
 mod plot;
 mod run;
@@ -46,11 +48,12 @@ mod viewport;
 pub use bench::Workbench;
 pub use command::{
     BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank,
-    Follow, Grip, HandCommand, HandKey, Keep, Learn, Nudge, PathCommand, PlaceCommand, RowDraft, SelectCommand, Sight,
-    TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    Follow, Grip, HandCommand, HandKey, Keep, Learn, MapAxis, MapCommand, MapDraft, Nudge, PathCommand, PlaceCommand,
+    RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};
+pub use map::Maps;
 pub use panel::layout::show;
 pub use run::answer::{Answer, Span};
 pub use shell::window::{AppError, run};

@@ -4,7 +4,7 @@
 //! Ito's, told apart by every kind of colour vision; every series has its own marker as well.
 
 pub mod chart;
-mod color_map;
+pub(crate) mod color_map;
 pub(crate) mod draw;
 pub mod heat_map;
 #[cfg(feature = "study")]

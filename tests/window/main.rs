@@ -26,6 +26,8 @@ mod layout;
 #[cfg(feature = "ui-tests")]
 mod lessons;
 #[cfg(feature = "ui-tests")]
+mod maps;
+#[cfg(feature = "ui-tests")]
 mod monkey;
 #[cfg(feature = "ui-tests")]
 mod numbers;

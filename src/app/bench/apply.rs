@@ -5,7 +5,7 @@ use egui::Ui;
 use super::window_state::Next;
 use super::workbench::Workbench;
 use crate::app::command::{
-    Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, ViewCommand, WindowCommand,
+    Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, MapCommand, ViewCommand, WindowCommand,
 };
 use crate::app::style::size::LECTURE;
 use crate::scene::edit::EditError;
@@ -31,7 +31,13 @@ impl Workbench {
     fn state_shown(&self) -> impl PartialEq + use<> {
         let document = (self.files.document.revision(), self.files.document.selection().clone());
         let replay = (self.replay.playback.clone(), self.replay.runner.is_stale());
-        let beside = (self.files.session.seen(), self.tasks.films.plan, self.tasks.paths.seen(), self.learning);
+        let beside = (
+            self.files.session.seen(),
+            self.tasks.films.plan,
+            self.tasks.paths.seen(),
+            self.learning,
+            self.maps.seen(),
+        );
         (document, replay, self.view.shown(), self.comparison.numbers(), self.window.clone(), beside)
     }
 
@@ -61,6 +67,7 @@ impl Workbench {
                 self.window.ask_before(Next::Learn(command));
             }
             Command::Learn(command) => self.apply_learn(command),
+            Command::Map(command) => self.apply_map(command),
             Command::Window(command) => self.apply_window(command),
         }
     }
@@ -81,6 +88,14 @@ impl Workbench {
         let what = document.undo_label().unwrap_or(&document.scene().name);
         let done = self.comparison.apply(command, answer, what);
         self.window.say_failure(done);
+    }
+
+    fn apply_map(&mut self, command: MapCommand) {
+        let (scene, folder) = (self.files.document.scene(), self.files.folder());
+        if let Some(edit) = self.maps.apply(command, scene, folder) {
+            let done = self.files.document.edit(edit, None);
+            self.after(done);
+        }
     }
 
     fn apply_film(&mut self, command: Filming) {

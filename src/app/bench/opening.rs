@@ -99,7 +99,9 @@ impl Workbench {
         match shaking {
             Ok((motion, unread)) => {
                 self.edit(edits::motion(motion));
-                unread.into_iter().for_each(|words| self.window.say(words));
+                if let Some(words) = unread {
+                    self.window.say(words);
+                }
             }
             Err(problem) => self.window.say(problem),
         }

@@ -7,6 +7,7 @@ use crate::app::disk::scene_files::SceneFiles;
 use crate::app::disk::tasks::Tasks;
 use crate::app::host::Wake;
 use crate::app::learn::lessons::Learning;
+use crate::app::map::Maps;
 use crate::app::plot::source::{Samples, Source};
 use crate::app::run::comparison::Comparison;
 use crate::app::text;
@@ -29,6 +30,8 @@ pub struct Workbench {
     pub view: SceneView,
     /// The guided scene whose words are shown.
     pub learning: Learning,
+    /// A number of the run over two keys.
+    pub maps: Maps,
     /// Dialogs, exports and films on threads.
     pub tasks: Tasks,
     /// The window itself: its dialogs, its notice, its end.
@@ -44,6 +47,7 @@ impl Workbench {
             comparison: Comparison::default(),
             view: SceneView::new(&scene),
             learning: Learning::default(),
+            maps: Maps::default(),
             tasks: Tasks::default(),
             window: WindowState::default(),
             samples: Samples::default(),
@@ -58,11 +62,13 @@ impl Workbench {
         let document = &self.files.document;
         self.replay.follow((document.revision(), document.work()), document.scene());
         self.comparison.turn_to(document.work());
+        self.maps.follow(document.scene());
     }
 
     /// Tells who is to be woken when a thread has news; the window's event loop.
     pub fn set_wake(&mut self, wake: Wake) {
         self.replay.runner.set_wake(wake.clone());
+        self.maps.set_wake(wake.clone());
         self.tasks.set_wake(wake);
     }
 

@@ -9,6 +9,7 @@ mod file;
 mod film;
 mod hand;
 mod learn;
+mod map;
 mod select;
 mod time;
 mod view;
@@ -20,6 +21,7 @@ pub use file::{Export, FileCommand, Keep, PathCommand, Wish};
 pub use film::{FilmFormat, FilmPlan, Filming};
 pub use hand::{Flank, Grip, HandCommand, HandKey};
 pub use learn::Learn;
+pub use map::{MapAxis, MapCommand, MapDraft};
 pub use select::SelectCommand;
 pub use time::{TimeCommand, Way};
 pub use view::{Follow, Sight, Tool, ViewCommand};
@@ -65,6 +67,8 @@ groups! {
     Film(Filming),
     /// Lessons.
     Learn(Learn),
+    /// The map of a run's number over two keys.
+    Map(MapCommand),
     /// The window itself.
     Window(WindowCommand),
 }

@@ -2,14 +2,14 @@
 
 use egui::{CollapsingHeader, Grid, RichText, TextEdit, Ui};
 
-use super::record_of::weak;
+use super::record_of::{UNITS, weak};
 use crate::app::command::{Command, FileCommand, Wish};
 use crate::app::field::{CLICK, Change, Look, Place, Without, act, choice, complain, number, rows, switched, tag};
 use crate::app::text;
 use crate::app::unit::{DEGREES, SECONDS};
 use crate::files::formats_in_words;
 use crate::scene::keys::Key;
-use crate::scene::{Component, Heading, RecordMotion, RecordUnit};
+use crate::scene::{Component, Heading, RecordMotion};
 
 /// Most components: two in plan and one upwards.
 const MOST: usize = 3;
@@ -17,14 +17,6 @@ const MOST: usize = 3;
 /// What a component may point to.
 const WAYS: [(Option<bool>, &str); 3] =
     [(None, text::AS_FILE_STATES), (Some(false), text::IN_PLAN), (Some(true), text::UPWARDS)];
-
-/// Units of files.
-pub(super) const UNITS: [(Option<RecordUnit>, &str); 4] = [
-    (None, text::AS_FILE_STATES),
-    (Some(RecordUnit::G), "g"),
-    (Some(RecordUnit::Gal), "gal"),
-    (Some(RecordUnit::MetrePerSecond2), "m/s²"),
-];
 
 /// Shows every component with its numbers, and the ways to add and to take away.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {

@@ -9,6 +9,7 @@ use crate::app::bench::Workbench;
 use crate::app::command::{Command, FileCommand};
 use crate::app::disk::{film_dialog, path_dialog};
 use crate::app::learn::lesson_panel;
+use crate::app::map;
 use crate::app::panel::shortcuts::Keyboard;
 use crate::app::panel::{
     file_questions, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu, whatif,
@@ -53,6 +54,7 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     } else {
         panels(bench, ui, &mut out);
     }
+    map::show(ui, &bench.maps, document.scene(), &mut out);
     help::show(ui, window.help, &mut out);
     if let (Some(draft), Some(girder)) = (window.row, document.scene().girders.get(document.girder_shown())) {
         row_dialog::show(ui, draft, girder, &mut out);
@@ -83,6 +85,7 @@ fn dialog_is_open(bench: &Workbench) -> bool {
 /// Takes in what threads, dialogs and dropped files have brought, and lets the clock run.
 fn listen(bench: &mut Workbench, ui: &Ui) {
     bench.replay.runner.poll();
+    bench.maps.poll(bench.files.document.scene());
     bench.view.aim();
     for words in bench.tasks.ended() {
         bench.window.say(words);
@@ -175,7 +178,10 @@ fn go_on(bench: &mut Workbench, ui: &Ui) {
     if let Some(wait) = keep_work(bench) {
         ui.request_repaint_after(wait);
     }
-    if bench.replay.runner.progress().is_some() || bench.tasks.films.progress().is_some() {
+    if bench.replay.runner.progress().is_some()
+        || bench.tasks.films.progress().is_some()
+        || bench.maps.progress().is_some()
+    {
         ui.request_repaint_after(PROGRESS);
     }
 }

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use egui::{Button, MenuBar, Theme, Ui};
 
 use crate::app::command::{
-    Command, EditCommand, Export, FileCommand, Filming, PathCommand, PlaceCommand, SelectCommand, Sight, Tool,
-    ViewCommand, WindowCommand, Wish,
+    Command, EditCommand, Export, FileCommand, Filming, MapCommand, PathCommand, PlaceCommand, SelectCommand, Sight,
+    Tool, ViewCommand, WindowCommand, Wish,
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
@@ -40,6 +40,7 @@ pub(in crate::app) fn show(
         ui.separator();
         views(ui, out);
         ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, sight, document, out));
+        button(ui, true, text::MAP_OPEN, text::MAP_OPEN_HINT, Command::Map(MapCommand::Show(true)), out);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             button(ui, true, text::HELP, "F1", Command::Window(WindowCommand::Help(true)), out);
             theme(ui, out);

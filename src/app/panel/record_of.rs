@@ -2,13 +2,20 @@
 
 use egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 
-use super::components::UNITS;
 use crate::app::command::{Command, FileCommand};
 use crate::app::field::{Change, Look, Place, Without, choice, choice_line, rows, switched};
 use crate::app::text;
 use crate::app::unit::SECONDS;
-use crate::scene::RecordMotion;
 use crate::scene::keys::{Fallback, Key};
+use crate::scene::{RecordMotion, RecordUnit};
+
+/// Units of files.
+pub(super) const UNITS: [(Option<RecordUnit>, &str); 4] = [
+    (None, text::AS_FILE_STATES),
+    (Some(RecordUnit::G), "g"),
+    (Some(RecordUnit::Gal), "gal"),
+    (Some(RecordUnit::MetrePerSecond2), "m/s²"),
+];
 
 /// What was read: format, channel, unit, what was done to the file's numbers.
 pub(super) fn read(ui: &mut Ui, record: &RecordMotion) {

@@ -7,8 +7,8 @@
 use egui::{Event, Key, Modifiers};
 
 use crate::app::command::{
-    Command, CompareCommand, EditCommand, FileCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand, Tool,
-    ViewCommand, Way, WindowCommand, Wish,
+    Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand,
+    Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::time::clock::Clock;
@@ -129,6 +129,7 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::Comma => Some(Command::Time(TimeCommand::StepSpeed(-1))),
         Key::Period => Some(Command::Time(TimeCommand::StepSpeed(1))),
         Key::L => Some(Command::Time(TimeCommand::Loop(!on.clock.looping))),
+        Key::M if modifiers.shift => Some(Command::Map(MapCommand::Show(true))),
         Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!on.clock.slow_at_hits))),
         Key::P if modifiers.shift => Some(Command::Place(PlaceCommand::AddPier)),
         Key::P => Some(Command::Compare(CompareCommand::Pin)),

@@ -32,7 +32,8 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::Limits(_) => "change limits".into(),
         Edit::Codes(_) => "change inputs of codes".into(),
         Edit::View(_) => "change view".into(),
-        Edit::General(_) | Edit::Solver(_) | Edit::Set(_) => "change scene".into(),
+        Edit::Set(setting) => format!("set {setting}"),
+        Edit::General(_) | Edit::Solver(_) => "change scene".into(),
         Edit::Batch(edits) => match &edits[..] {
             [] => "nothing".into(),
             [one] => name_of_edit(one, scene),

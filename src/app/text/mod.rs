@@ -3,6 +3,7 @@
 mod edits;
 mod fields;
 mod handles;
+mod map;
 mod numbers;
 mod paths;
 mod readings;
@@ -10,6 +11,7 @@ mod readings;
 pub(super) use edits::*;
 pub(super) use fields::*;
 pub(super) use handles::*;
+pub(super) use map::*;
 pub(super) use numbers::*;
 pub(super) use paths::*;
 pub(super) use readings::*;
@@ -340,6 +342,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Shift P", "add a pier under a joint"),
     ("P", "pin this run to compare with"),
     ("I  O  X", "play from here, play up to here, play everything"),
+    ("Shift M", "map of a number of the run over two values"),
     ("L", "begin again at the end, or stop"),
     ("M", "slow motion around hits"),
     ("1 2 3 4", "view: iso, top, side, contact"),

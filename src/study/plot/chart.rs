@@ -50,7 +50,7 @@ pub struct Chart {
 }
 
 /// Lowest and highest of finite values, never empty.
-pub(super) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let finite = values.filter(|v| v.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
     match (low <= high, low == high) {

@@ -16,7 +16,7 @@ const VIRIDIS: [[u8; 3]; 10] = [
 ];
 
 /// Levels that a map is drawn in: two neighbours look alike.
-pub(super) const LEVELS: u8 = 255;
+pub(crate) const LEVELS: u8 = 255;
 
 /// The level of a value in a range, from 0 to [`LEVELS`].
 pub(super) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
@@ -26,8 +26,13 @@ pub(super) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
     level
 }
 
+/// The colour of a value in a range, red, green and blue.
+pub(crate) fn color(value: f64, range: [f64; 2]) -> [u8; 3] {
+    rgb(level(value, range))
+}
+
 /// The colour of a level, red, green and blue.
-fn rgb(level: u8) -> [u8; 3] {
+pub(crate) fn rgb(level: u8) -> [u8; 3] {
     let at = usize::from(level) * (VIRIDIS.len() - 1);
     let (sample, over) = (at / usize::from(LEVELS), at % usize::from(LEVELS));
     let (from, to) = (VIRIDIS[sample], VIRIDIS[(sample + 1).min(VIRIDIS.len() - 1)]);
