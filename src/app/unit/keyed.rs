@@ -52,6 +52,7 @@ type UnitOf = fn(&Key, f64, Size) -> Unit;
 const ENDINGS: &[(&str, UnitOf)] = &[
     ("_m", |_, _, size| length_unit(size.length)),
     ("_m2", |_, now, _| area_unit(now)),
+    ("_kg_m2", |_, _, _| PURE),
     ("_deg", |_, _, _| DEGREES),
     ("_kg", |_, _, size| mass_unit(size.mass)),
     ("_s", |_, _, _| SECONDS),

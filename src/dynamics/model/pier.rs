@@ -122,8 +122,9 @@ impl Model {
     ) -> Link {
         let [girder, pier] = bodies.map(|body| &self.bodies[body]);
         let arm = girder.axes * place;
-        // Bearings of planar scenes are linear in the rotations, as those on the ground are.
-        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        // Bearings of planar scenes are linear in the rotations, as those on the ground are. In space the force acts on both bodies
+        // at the girder's point: only in axes that turn with the pier its work is that of spring and dashpot.
+        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Carried };
         Link {
             name,
             bodies: bodies.map(Some),

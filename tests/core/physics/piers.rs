@@ -243,6 +243,29 @@ fn a_seat_on_a_pier_moves_with_it() {
 }
 
 #[test]
+fn in_space_a_deck_on_a_stiffer_and_stiffer_pier_comes_to_move_as_on_the_ground() {
+    let mut ground = presets::load("deck-30m").expect("a preset");
+    ground.duration = 2.0;
+    let on_pier = |stiffness: f64| {
+        let mut scene = ground.clone();
+        let mut pier = skewed(Some(stiffness)).piers.remove(0);
+        (pier.mass, pier.position, pier.turn_stiffness) = (5e4, None, Some(100.0 * stiffness));
+        scene.piers.push(pier);
+        assert!(End::BOTH.into_iter().all(|end| scene.girders[0].stand_on(end, Some("p"))));
+        run(&scene)
+    };
+    let still = run(&ground);
+    let [stiff, stiffer] = [1e10, 1e11].map(|stiffness| {
+        let history = on_pier(stiffness);
+        assert!(history.balance().holds(), "{:?}", history.ledger(2.0));
+        let apart = |t: f64| (history.motion(0, t).displacement - still.motion(0, t).displacement).length();
+        (0..=100).map(|i| apart(0.02 * f64::from(i))).fold(0.0, f64::max)
+    });
+    assert!((9.0..11.0).contains(&(stiff / stiffer)), "the difference goes with 1/k: {stiff:e}, {stiffer:e}");
+    within("all but the ground", stiffer, 1e-3);
+}
+
+#[test]
 fn the_impact_model_refuses_piers_in_words() {
     let mut scene = on_one_pier("", "");
     scene.model.kind = girderbench::scene::ModelKind::Impact;
