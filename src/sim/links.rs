@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::History;
+use super::{History, Loop};
 use crate::contact::Frame;
-use crate::dynamics::connection::{Link, Phase, Separation};
+use crate::dynamics::connection::{Kinematics, Link, Phase, Separation};
 
 /// A device at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,12 @@ pub struct LinkNow {
     pub phase: Phase,
     /// Whether its force acts.
     pub acts: bool,
+    /// The phase in a word.
+    pub state: &'static str,
+    /// Force at which it yields, or breaks where it does not yield; none where it does neither \[N\].
+    pub strength: Option<f64>,
+    /// Deformation and resistance: along the line between points apart, else along its axes.
+    pub along: Loop,
     /// Its points, world axes \[m\].
     pub ends: [DVec3; 2],
     /// Centre line from the first point to the second, world axes \[m\].
@@ -27,6 +33,13 @@ pub struct LinkNow {
     pub stored: f64,
     /// Dissipated power \[W\].
     pub dissipated: f64,
+}
+
+impl LinkNow {
+    /// Force in parts of the strength, where it has one.
+    pub fn part_of_strength(&self) -> Option<f64> {
+        Some(self.force.length() / self.strength?)
+    }
 }
 
 impl History {
@@ -43,8 +56,12 @@ impl History {
         } else {
             (DVec3::ZERO, device.stored_energy(&phase, &motion), 0.0)
         };
+        let follows_line = link.kinematics == Kinematics::Points && motion.placed.length() > 0.0;
+        let own = if acts { device.force(&phase, &motion) } else { DVec3::ZERO };
+        let along = Loop::of(&motion, own, follows_line);
+        let (state, strength) = (device.state(&phase), device.strength());
         let line = device.centre_line(&phase, ends);
-        Some(LinkNow { link: number, phase, acts, ends, line, force, gap, stored, dissipated })
+        Some(LinkNow { link: number, phase, acts, state, strength, along, ends, line, force, gap, stored, dissipated })
     }
 
     /// Devices at `t`, in the order of their numbers.

@@ -97,6 +97,24 @@ pub enum OfContact {
     State,
 }
 
+/// What of a bearing, along the girder's axes as placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfBearing {
+    /// Deformation along x or y: 0 or 1.
+    Deformation(usize),
+    /// Resistance along x or y: 0 or 1.
+    Force(usize),
+}
+
+/// What of a device between two points, or of soil behind a wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfLink {
+    /// Deformation along its axis.
+    Deformation,
+    /// Resistance along its axis.
+    Force,
+}
+
 /// What of the energy ledger (`docs/physics.md#energy-ledger`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfEnergy {
@@ -139,6 +157,10 @@ pub enum Quantity {
     Pair(usize, OfPair),
     /// Of a contact, by its number.
     Contact(usize, OfContact),
+    /// Of a girder's bearing, by both numbers.
+    Bearing(usize, usize, OfBearing),
+    /// Of a device or of soil, by its number among the model's links.
+    Link(usize, OfLink),
     /// Of the energy ledger.
     Energy(OfEnergy),
     /// Acceleration of the ground along world x, y or z: 0, 1 or 2.
@@ -166,6 +188,13 @@ const OF_CONTACT: [(&str, OfContact); 7] = [
     ("use", OfContact::Use),
     ("state", OfContact::State),
 ];
+const OF_BEARING: [(&str, OfBearing); 4] = [
+    ("x", OfBearing::Deformation(0)),
+    ("y", OfBearing::Deformation(1)),
+    ("force-x", OfBearing::Force(0)),
+    ("force-y", OfBearing::Force(1)),
+];
+const OF_LINK: [(&str, OfLink); 2] = [("deformation", OfLink::Deformation), ("force", OfLink::Force)];
 const OF_ENERGY: [(&str, OfEnergy); 11] = [
     ("kinetic", OfEnergy::Kinetic),
     ("bearings", OfEnergy::Bearings),
@@ -218,6 +247,19 @@ impl Quantity {
             let name = format!("{}|{}{by}", site.node, site.face_name);
             all.extend(OF_CONTACT.map(|(of, what)| (format!("{name}.{of}"), Self::Contact(i, what))));
         }
+        for (i, body) in model.girders().iter().enumerate() {
+            let bearings = (0..body.bearings.len()).flat_map(|n| OF_BEARING.map(|(of, what)| (n, of, what)));
+            let named = bearings
+                .map(|(n, of, what)| (format!("{}.bearing{}.{of}", body.name, n + 1), Self::Bearing(i, n, what)));
+            all.extend(named);
+        }
+        for (i, link) in model.links.iter().enumerate() {
+            let of_bearing = |body: usize| link.name.starts_with(&format!("{}.bearing", model.bodies[body].name));
+            // The parts of a bearing are in that.
+            if !link.bodies[0].is_some_and(of_bearing) {
+                all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
+            }
+        }
         let has_devices = model.links.iter().any(|link| !link.device.is_linear());
         let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
         let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || has_devices);
@@ -242,13 +284,17 @@ impl Quantity {
             | Self::Seat(..)
             | Self::Pier(_, OfPier::Drift)
             | Self::Pair(_, P::Gap)
-            | Self::Contact(_, C::Penetration) => Unit::Metre,
+            | Self::Contact(_, C::Penetration)
+            | Self::Bearing(_, _, OfBearing::Deformation(_))
+            | Self::Link(_, OfLink::Deformation) => Unit::Metre,
             Self::Girder(_, G::Theta) => Unit::Radian,
             Self::Girder(_, G::Vx | G::Vy) | Self::Contact(_, C::Sliding) => Unit::MetrePerSecond,
             Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
             Self::Pair(_, P::Force)
             | Self::Pier(_, OfPier::Shear)
-            | Self::Contact(_, C::Normal | C::Tangential | C::Force) => Unit::Newton,
+            | Self::Contact(_, C::Normal | C::Tangential | C::Force)
+            | Self::Bearing(_, _, OfBearing::Force(_))
+            | Self::Link(_, OfLink::Force) => Unit::Newton,
             Self::Contact(_, C::Use | C::State) => Unit::One,
             Self::Energy(_) => Unit::Joule,
             Self::Ground(_) => Unit::MetrePerSecond2,
@@ -284,6 +330,16 @@ impl Quantity {
             Self::Contact(i, what) if i < model.contacts.len() => {
                 history.contact_at(i, t).map_or(0.0, |now| of_contact(&now, what))
             }
+            Self::Bearing(girder, number, what) => {
+                history.bearing_loop(girder, number, t).map_or(0.0, |now| match what {
+                    OfBearing::Deformation(axis) => now.deformation[axis.min(1)],
+                    OfBearing::Force(axis) => now.resistance[axis.min(1)],
+                })
+            }
+            Self::Link(number, what) => history.link(number, t).map_or(0.0, |now| match what {
+                OfLink::Deformation => now.along.deformation[0],
+                OfLink::Force => now.along.resistance[0],
+            }),
             Self::Energy(what) => of_energy(history, what, t),
             Self::Ground(axis) => model.ground.acceleration(t)[axis.min(2)],
             _ => 0.0,

@@ -28,6 +28,16 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
+    /// The phase in a word, for tables and pictures.
+    fn state(&self, phase: &Phase) -> &'static str {
+        if self.acts(phase) { "acts" } else { "open" }
+    }
+
+    /// Force at which it first yields, or breaks where it does not yield \[N\]; none where it does neither.
+    fn strength(&self) -> Option<f64> {
+        None
+    }
+
     /// Distance to the beginning of the force, and its rate; while the force acts, less the deformation that it is
     /// measured by \[m, m/s\].
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2];

@@ -152,6 +152,19 @@ impl Device for Backfill {
         phase.law != APART
     }
 
+    fn state(&self, phase: &Phase) -> &'static str {
+        match phase.law {
+            APART => "apart",
+            ELASTIC => "elastic",
+            ENVELOPE => "loaded",
+            _ => "fails",
+        }
+    }
+
+    fn strength(&self) -> Option<f64> {
+        Some(self.envelope.force(f64::MAX)).filter(|force| force.is_finite())
+    }
+
     fn gap(&self, phase: &Phase, motion: &Separation) -> [f64; 2] {
         [self.remaining_gap(phase) - self.push(motion), -motion.rate.x]
     }

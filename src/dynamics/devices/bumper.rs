@@ -120,6 +120,14 @@ impl Device for Bumper {
         phase.law != OPEN
     }
 
+    fn state(&self, phase: &Phase) -> &'static str {
+        match phase.law {
+            OPEN => "open",
+            OFF => "springs back",
+            _ => "squeezed",
+        }
+    }
+
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         self.depth(motion).map(|x| -x)
     }

@@ -120,6 +120,14 @@ impl Device for Hysteresis {
         true
     }
 
+    fn state(&self, phase: &Phase) -> &'static str {
+        if phase.law == 0 { "elastic" } else { "yields" }
+    }
+
+    fn strength(&self) -> Option<f64> {
+        Some(self.plays().map(|play| play.force).into_iter().fold(f64::INFINITY, f64::min))
+    }
+
     fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
         [-motion.moved.truncate().length(), -motion.rate.truncate().length()]
     }

@@ -115,6 +115,21 @@ impl Device for Restrainer {
         matches!(phase.law, TAUT | YIELD)
     }
 
+    fn state(&self, phase: &Phase) -> &'static str {
+        match phase.law {
+            SLACK => "slack",
+            TAUT => "taut",
+            YIELD => "yields",
+            _ => "broken",
+        }
+    }
+
+    fn strength(&self) -> Option<f64> {
+        let breaks = self.stiffness * self.break_elongation;
+        let yields = self.yielding.map_or(f64::INFINITY, |yielding| yielding.force);
+        Some(yields.min(breaks)).filter(|force| force.is_finite())
+    }
+
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.law == BROKEN
     }

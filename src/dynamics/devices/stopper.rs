@@ -97,6 +97,22 @@ impl Device for Stopper {
         matches!(phase.law, ON | YIELD)
     }
 
+    fn state(&self, phase: &Phase) -> &'static str {
+        match phase.law {
+            OPEN => "open",
+            ON => "pressed",
+            YIELD => "yields",
+            _ => "broken",
+        }
+    }
+
+    fn strength(&self) -> Option<f64> {
+        match self.failure {
+            Failure::Never => None,
+            Failure::Brittle { force } | Failure::Ductile { force, .. } => Some(force),
+        }
+    }
+
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.law == BROKEN
     }

@@ -1,0 +1,115 @@
+//! Force against deformation of bearings, devices and soil: what a loop is drawn of.
+//!
+//! Resistance is the opposite of the force on the first body: deformation and resistance go round a loop clockwise in time, and its area
+//! is what is lost.
+
+use glam::DVec3;
+
+use super::History;
+use crate::contact::Frame;
+use crate::dynamics::connection::{Connection, Kinematics, Separation};
+use crate::scene::Kind;
+
+/// Deformation and resistance along two axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Loop {
+    /// Along each axis \[m\].
+    pub deformation: [f64; 2],
+    /// Along each axis \[N\].
+    pub resistance: [f64; 2],
+}
+
+impl Loop {
+    /// Of a motion and the force on the first point, both in the axes of a connection. Between points apart the first axis is the
+    /// line between them, and the deformation its elongation; the second is square to it.
+    pub(super) fn of(motion: &Separation, force: DVec3, follows_line: bool) -> Self {
+        if !follows_line {
+            return Self { deformation: [motion.moved.x, motion.moved.y], resistance: [-force.x, -force.y] };
+        }
+        let (now, placed) = (motion.vector(), motion.placed);
+        // |a + m| − |a| without the cancellation of two lengths.
+        let elongation = motion.moved.dot(now + placed) / (now.length() + placed.length());
+        let along = now.try_normalize().unwrap_or(DVec3::X);
+        let across = DVec3::Z.cross(along);
+        Self {
+            deformation: [elongation, motion.moved.dot(across)],
+            resistance: [-force.dot(along), -force.dot(across)],
+        }
+    }
+}
+
+impl History {
+    /// A bearing of a girder at `t`, along the girder's axes as placed, its hysteretic part with it; nothing where there is none.
+    pub fn bearing_loop(&self, girder: usize, number: usize, t: f64) -> Option<Loop> {
+        let t = t.clamp(0.0, self.end());
+        let body = self.model().girders().get(girder)?;
+        let bearing = body.bearings.get(number)?;
+        let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        let arm = body.axes * bearing.place;
+        let (frame, ground) = (self.frame(girder, t), Frame::fixed(body.home + arm));
+        let (motion, _) = kinematics.motion([&frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
+        let name = format!("{}.bearing{}", body.name, number + 1);
+        let own = self.model().links.iter().enumerate().filter(|(_, link)| link.name == name);
+        let (numbers, on_pier): (Vec<usize>, Vec<bool>) = own.map(|(n, link)| (n, link.bodies[1].is_some())).unzip();
+        let parts = || numbers.iter().filter_map(|link| self.link(*link, t));
+        if on_pier.contains(&true) {
+            // Links between girder and pier are all of it.
+            let sum = |sum: Loop, part: Loop| Loop {
+                deformation: part.deformation,
+                resistance: [0, 1].map(|axis| sum.resistance[axis] + part.resistance[axis]),
+            };
+            return Some(parts().map(|now| now.along).fold(Loop::default(), sum));
+        }
+        let hysteretic: DVec3 = parts().map(|now| now.force).sum();
+        let force = bearing.force(&(), &motion) + body.axes.transpose() * hysteretic;
+        Some(Loop::of(&motion, force, false))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{overrides, presets};
+
+    #[test]
+    fn a_bearings_resistance_is_its_spring_and_dashpot_at_its_place() {
+        let scene = presets::load("skew45-abutment").expect("ships");
+        let history = History::of(&overrides::apply(&scene, "duration_s=1").expect("fits")).expect("runs");
+        let body = &history.model().girders()[0];
+        for t in [0.1, 0.37, 0.8] {
+            let motion = history.motion(0, t);
+            for (number, bearing) in body.bearings.iter().enumerate() {
+                let arm = body.axes * bearing.place;
+                let moved = motion.displacement + DVec3::Z.cross(arm) * motion.theta;
+                let rate = motion.velocity + DVec3::Z.cross(arm) * motion.spin.z;
+                let now = history.bearing_loop(0, number, t).expect("it");
+                for axis in 0..2 {
+                    let wanted = bearing.stiffness[axis] * moved[axis] + bearing.damping[axis] * rate[axis];
+                    let off = (now.resistance[axis] - wanted).abs();
+                    assert!(off < 1e-9 * wanted.abs().max(1.0), "bearing {number}, {t} s: {now:?}, {wanted}");
+                }
+            }
+        }
+        assert_eq!(history.bearing_loop(0, 99, 0.1), None, "no such bearing");
+    }
+
+    #[test]
+    fn the_area_of_a_yielding_bearings_loop_is_what_it_loses() {
+        let scene = presets::load("flush-free-hit").expect("ships");
+        let bearing = "girder.deck.bearings=[{ at_m = [0, 0], stiffness_n_per_m = [100, 100], damping_n_s_per_m = [0, 0], \
+                       yield_force_n = 1, yield_displacement_m = 0.002 }]";
+        let sets = [bearing, "girder.deck.initial.velocity_m_s=[0, 0.3]", "duration_s=3", "abutment.wall.gap_m=10"];
+        let history = History::of(&overrides::apply_all(&scene, &sets).expect("fits")).expect("runs");
+        let at = |i: u32| history.bearing_loop(0, 0, 3.0 * f64::from(i) / 60_000.0).expect("it");
+        let area: f64 = (0..60_000)
+            .map(|i| {
+                let (a, b) = (at(i), at(i + 1));
+                0.5 * (a.resistance[1] + b.resistance[1]) * (b.deformation[1] - a.deformation[1])
+            })
+            .sum();
+        // What is left at the end is stored, in the spring and in the hysteretic part.
+        let ledger = history.ledger(3.0);
+        let wanted = ledger.loss_device + ledger.device + ledger.bearing;
+        assert!(wanted > 0.01 && (area - wanted).abs() < 1e-4 * wanted, "{area} J of {wanted} J");
+    }
+}
