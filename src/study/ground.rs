@@ -2,11 +2,14 @@
 
 use std::fmt::Write as _;
 
+pub use crate::motion::Ground as Shaker;
+
 use super::plot::COLORS;
 use super::plot::chart::{Chart, Curve, Panel};
 use crate::motion::format::Channel;
 use crate::motion::integrate::{Peak, StrongMotion, integrate};
 use crate::motion::spectrum::{Response, periods, response, spectrum};
+use crate::motion::{Ground as Motion, Samples};
 
 /// Damping of the spectrum, of critical.
 pub const DAMPING: f64 = 0.05;
@@ -75,16 +78,20 @@ impl<'a> Ground<'a> {
 
     /// The three histories over time as an SVG document.
     pub fn histories(&self, title: &str) -> String {
+        Chart { title: title.to_owned(), x: "time [s]".to_owned(), panels: self.history_panels() }.to_svg()
+    }
+
+    /// Acceleration, velocity and displacement over time.
+    pub fn history_panels(&self) -> Vec<Panel> {
         let panel = |name: &str, color: usize, values: &[f64]| Panel {
             name: name.to_owned(),
             curves: vec![curve("ground", color, thinned(values, self.channel.dt))],
         };
-        let panels = vec![
+        vec![
             panel("acceleration [m/s²]", 0, &self.channel.samples),
             panel("velocity [m/s]", 1, &self.velocity),
             panel("displacement [m]", 2, &self.displacement),
-        ];
-        Chart { title: title.to_owned(), x: "time [s]".to_owned(), panels }.to_svg()
+        ]
     }
 }
 
@@ -104,17 +111,77 @@ pub fn spectrum_csv(spectrum: &[Response]) -> String {
 
 /// A spectrum as an SVG document.
 pub fn spectrum_chart(spectrum: &[Response], title: &str) -> String {
+    Chart { title: title.to_owned(), x: "natural period [s]".to_owned(), panels: spectrum_panels(spectrum) }.to_svg()
+}
+
+/// Pseudo-acceleration, pseudo-velocity and displacement over the period.
+fn spectrum_panels(spectrum: &[Response]) -> Vec<Panel> {
     let drawn = || spectrum.iter().filter(|r| r.period <= DRAWN);
     let panel = |name: &str, color: usize, value: fn(&Response) -> f64| Panel {
         name: name.to_owned(),
         curves: vec![curve("5 % damping", color, drawn().map(|r| [r.period, value(r)]).collect())],
     };
-    let panels = vec![
+    vec![
         panel("pseudo-acceleration [m/s²]", 0, Response::pseudo_acceleration),
         panel("pseudo-velocity [m/s]", 1, Response::pseudo_velocity),
         panel("displacement [m]", 2, |r| r.displacement),
-    ];
-    Chart { title: title.to_owned(), x: "natural period [s]".to_owned(), panels }.to_svg()
+    ]
+}
+
+/// A component of the ground motion of a run, as it is drawn.
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// `along`, or the world's axis.
+    pub name: &'static str,
+    /// Peaks and duration.
+    pub figures: Figures,
+    /// Acceleration, velocity, displacement over time.
+    pub histories: Vec<Panel>,
+    /// The spectrum at 5 % of critical damping over the period.
+    pub spectrum: Vec<Panel>,
+}
+
+impl Component {
+    fn of(name: &'static str, dt: f64, samples: Vec<f64>) -> Self {
+        let channel = Channel::plain(dt, samples);
+        let ground = Ground::of(&channel);
+        let (figures, histories) = (ground.figures(), ground.history_panels());
+        Self { name, figures, histories, spectrum: spectrum_panels(&ground.spectrum()) }
+    }
+}
+
+/// Every component of a ground motion that is not still, up to `end` \[s\]: a record by its own samples as they shake, all of them;
+/// anything else by samples a two-hundredth of its period apart.
+pub fn components(ground: &Motion, end: f64) -> Vec<Component> {
+    match ground {
+        Motion::Record { dt, samples: Samples::Along { values, .. }, .. } => {
+            vec![Component::of("along the angle", *dt, values.to_vec())]
+        }
+        Motion::Record { dt, samples: Samples::Components { values, .. }, .. } => {
+            axes(*dt, |axis| values.iter().map(|a| a[axis]).collect())
+        }
+        Motion::Still => Vec::new(),
+        Motion::Sine { omega, .. } => {
+            let (least, most) = (end / MOST_SAMPLES, end / LEAST_SAMPLES);
+            let dt = (std::f64::consts::TAU / omega.abs().max(f64::MIN_POSITIVE) / PER_PERIOD).clamp(least, most);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 40 000")]
+            let count = (end / dt).floor() as u32;
+            axes(dt, |axis| (0..=count).map(|n| ground.acceleration(f64::from(n) * dt)[axis]).collect())
+        }
+    }
+}
+
+/// Samples a period of a sine, and how many there are in all at the least and at the most.
+const PER_PERIOD: f64 = 200.0;
+const LEAST_SAMPLES: f64 = 1000.0;
+const MOST_SAMPLES: f64 = 40_000.0;
+
+/// The world's axes along which anything moves.
+fn axes(dt: f64, samples: impl Fn(usize) -> Vec<f64>) -> Vec<Component> {
+    let named = ["along x", "along y", "upwards"].into_iter().enumerate();
+    let all = named.map(|(axis, name)| (name, samples(axis)));
+    let moving = all.filter(|(_, samples)| samples.len() > 1 && samples.iter().any(|a| *a != 0.0));
+    moving.map(|(name, samples)| Component::of(name, dt, samples)).collect()
 }
 
 fn curve(name: &str, color: usize, points: Vec<[f64; 2]>) -> Curve {
