@@ -43,7 +43,7 @@ fn keys(set: &Try) -> Vec<&str> {
 
 #[test]
 fn every_lesson_can_be_read_and_tried_in_any_order() {
-    assert_eq!(lessons().len(), 6, "all of them are read");
+    assert_eq!(lessons().len(), 7, "all of them are read");
     for lesson in lessons() {
         let scene = lesson.scene().expect("a good scene");
         assert_eq!(scene.name, lesson.name, "called like its file");
@@ -172,6 +172,33 @@ fn what_the_paper_saw() {
     let turned = |number| run(lesson, Some(number)).summary().max_rotation;
     assert!(turned(4) < turned(3) && turned(4) > 0.5 * turned(3), "less than the 45° deck, not much less");
     assert!(run(lesson, Some(2)).impact().is_some(), "the other model");
+}
+
+/// Least that remains of any seat, in whole millimetres as the words say it.
+fn seat_left(history: &History) -> String {
+    let all = girderbench::sim::seats::of_girder(history, 0);
+    let least = all.iter().map(|seat| seat.least().value).fold(f64::INFINITY, f64::min);
+    let mm = (1e3 * least).abs();
+    if least < 0.0 { format!("{mm:.0} mm beyond the edge") } else { format!("{mm:.0} mm of seat are left") }
+}
+
+#[test]
+fn what_holds_a_skewed_deck_on_its_seat() {
+    let lesson = lesson("skewed-seat");
+    for number in each(lesson) {
+        let history = run(lesson, number);
+        says(lesson, number, &turn(&history));
+        says(lesson, number, &seat_left(&history));
+    }
+    let own = run(lesson, None);
+    let seats = girderbench::sim::seats::of_girder(&own, 0);
+    says(lesson, None, &format!("{:.2} m square", seats[0].ledge.placed()));
+    let phases = |history: &History| (0..history.model().links.len()).all(|link| history.link_phases(link).len() <= 1);
+    assert!(phases(&own), "cable and keys do nothing yet");
+    let hits = |number| run(lesson, number).summary().hits;
+    says(lesson, Some(0), &format!("{} hits instead of {}", hits(Some(0)), hits(None)));
+    let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.law == 2);
+    assert!(yields(Some(0)), "the tight cable yields");
 }
 
 /// Whether a corner begins its touch in stick.
