@@ -61,16 +61,20 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
     ("plot", &["host", "style", "command", "text", "field", "run", "time"]),
     ("disk", &["host", "command", "text", "edits", "run", "time"]),
     ("map", &["host", "style", "unit", "command", "text", "field"]),
+    ("quake", &["host", "style", "command", "text", "run"]),
     ("viewport", &["style", "unit", "command", "text", "field", "edits", "run", "time"]),
     (
         "bench",
-        &["host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport", "map"],
+        &[
+            "host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport", "map",
+            "quake",
+        ],
     ),
     (
         "panel",
         &[
             "style", "unit", "command", "text", "field", "edits", "learn", "run", "time", "plot", "disk", "viewport",
-            "map", "bench",
+            "map", "quake", "bench",
         ],
     ),
     ("shell", &["host", "command", "text", "disk", "bench", "panel"]),

@@ -23,6 +23,7 @@
 //! | `disk` | scene files, autosave; exports, films and the system's dialogs on threads |
 //! | `viewport` | the 3D view: camera, picture, mouse, handles |
 //! | `map` | a number of the run over two keys of the scene: runs on threads, the picture |
+//! | `quake` | histories and response spectrum of the ground motion |
 //! | `bench` | the parts put together, and commands that concern several of them |
 //! | `panel` | panels, dialogs, keys, and where they stand |
 //! | `shell` | the system's window |
@@ -37,6 +38,7 @@ mod learn;
 mod map;
 mod panel;
 mod plot;
+mod quake;
 mod run;
 mod shell;
 mod style;
@@ -49,12 +51,13 @@ pub use bench::Workbench;
 pub use command::{
     BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank,
     Follow, Grip, HandCommand, HandKey, Keep, Learn, MapAxis, MapCommand, MapDraft, Nudge, PathCommand, PlaceCommand,
-    RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};
 pub use map::Maps;
 pub use panel::layout::show;
+pub use quake::Shaking;
 pub use run::answer::{Answer, Span};
 pub use shell::window::{AppError, run};
 pub use time::clock::{Clock, HIT_SPEED, SPEEDS};

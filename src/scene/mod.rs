@@ -48,7 +48,7 @@ pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,
 };
-pub use device::{Bumper, Damper, Device, DeviceId, DeviceKind, Restrainer, Stopper};
+pub use device::{Bumper, Damper, Device, DeviceId, DeviceKind, Restrainer, Sides, Stopper};
 pub use girder::{Direction, Girder, Initial, Push, Seat};
 pub use kind::Kind;
 pub use limits::Limits;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::camera::Camera;
 use super::list::Background;
-use crate::scene::{Overlays, Scene};
+use crate::scene::{DeviceId, Overlays, Scene};
 use crate::sim::History;
 
 /// Something in the picture that can be picked and selected, by its number in the scene or in the run's model.
@@ -16,6 +16,8 @@ pub enum Target {
     Abutment(usize),
     /// A pier of the scene.
     Pier(usize),
+    /// A device of the scene.
+    Device(DeviceId),
     /// A contact of the run's model.
     Contact(usize),
 }

@@ -1,5 +1,7 @@
 //! What is seen at a point of the picture.
 
+use glam::{DVec2, DVec3};
+
 use super::moment::Moment;
 use super::{Target, ViewInput};
 use crate::geometry::shape::{Convex, Stand};
@@ -11,7 +13,8 @@ const REACH: f64 = 9.0;
 /// What is seen at a point of the picture (`[-1, 1]`, y up): a contact's glyph, else the nearest body.
 pub fn pick(input: &ViewInput<'_>, ndc: [f64; 2]) -> Option<Target> {
     let moment = Moment::of(input);
-    pick_contact(input, &moment, ndc).or_else(|| pick_body(input, &moment, ndc))
+    let device = || pick_device(input, &moment, ndc);
+    pick_contact(input, &moment, ndc).or_else(device).or_else(|| pick_body(input, &moment, ndc))
 }
 
 fn pick_contact(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Target> {
@@ -27,6 +30,30 @@ fn pick_contact(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option
         (distance <= reach).then_some((distance, c.contact))
     });
     near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, contact)| Target::Contact(contact))
+}
+
+/// The device whose line is nearest on the screen, within reach.
+fn pick_device(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Target> {
+    let model = input.history?.model();
+    let size = input.size.map(f64::from);
+    let at = DVec2::new(f64::midpoint(1.0, ndc[0]) * size[0], f64::midpoint(1.0, -ndc[1]) * size[1]);
+    let on_screen = |point: &DVec3| input.camera.project(*point, size).map(DVec2::from);
+    let distance = |line: &[DVec3]| {
+        let ends = line.windows(2).filter_map(|two| on_screen(&two[0]).zip(on_screen(&two[1])));
+        ends.map(|(a, b)| to_segment(at, a, b)).reduce(f64::min)
+    };
+    let near = moment.devices.iter().filter_map(|device| {
+        let id = model.devices.iter().find(|known| known.links.contains(&device.link))?.id;
+        let distance = distance(&device.line)?;
+        (distance <= REACH * f64::from(input.pixels_per_point)).then_some((distance, id))
+    });
+    near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, id)| Target::Device(id))
+}
+
+/// Distance of a point from a stretch of a line.
+fn to_segment(at: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let part = ((at - a).dot(b - a) / (b - a).length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    at.distance(a.lerp(b, part))
 }
 
 fn pick_body(input: &ViewInput<'_>, moment: &Moment, ndc: [f64; 2]) -> Option<Target> {

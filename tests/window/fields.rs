@@ -11,19 +11,15 @@ use girderbench::app::{EditCommand, FileCommand, SelectCommand, Workbench};
 use girderbench::files::{Supplement, read_record};
 use girderbench::scene::edit::Edit;
 use girderbench::scene::keys::{self, Fallback, Range, TABLES};
-use girderbench::scene::{ModelKind, Motion, PlotSettings, Processing, Scene, overrides, presets};
+use girderbench::scene::{
+    DeviceId, DeviceKind, ModelKind, Motion, PlotSettings, Processing, Scene, overrides, presets,
+};
 use girderbench::view::Target;
 
 type Window = Harness<'static, Workbench>;
 
 /// Keys without a field, and why.
-const NO_FIELD: &[(&str, &str, &str)] = &[
-    ("", "format", "the program writes its own version"),
-    ("restrainer", "", "written in the scene's file"),
-    ("bumper", "", "written in the scene's file"),
-    ("damper", "", "written in the scene's file"),
-    ("stopper", "", "written in the scene's file"),
-];
+const NO_FIELD: &[(&str, &str, &str)] = &[("", "format", "the program writes its own version")];
 
 /// Sections that are folded away at first.
 const FOLDED: [&str; 9] = [
@@ -121,8 +117,28 @@ fn windows() -> Vec<Window> {
     let soil = with(&planar, &[soil]);
     let viaduct = presets::load("viaduct-5").expect("ships");
     let one_by_one = "girder.g1.bearings=[{ at_m = [14, 0], stiffness_n_per_m = [1e7, 1e7], damping_n_s_per_m = [0, 0], on = \"p1\" }]";
+    let ends = "girder = \"deck\", to = \"wall\", at_m = [0.08, 0.02], to_m = [-0.02, 0.02]";
+    let cable = format!(
+        "restrainer=[{{ name = \"a\", {ends}, axial_stiffness_n = 1e4, length_m = 0.2, yield_force_n = 10, \
+         post_yield_stiffness_n_per_m = 10, break_elongation_m = 0.01 }}]"
+    );
+    let rubber = format!(
+        "bumper=[{{ name = \"b\", {ends}, normal = [-1, 0], gap_m = 0.002, depth_force_m_n = [[0.001, 10]] }}]"
+    );
+    let soft = format!("bumper=[{{ name = \"b\", {ends}, gap_m = 0.002, stiffness_n_per_m = 1e4 }}]");
+    let damper = format!("damper=[{{ name = \"c\", {ends}, coefficient = 10, brace_stiffness_n_per_m = 1e4 }}]");
+    let key = "stopper=[{ name = \"d\", girder = \"deck\", at_m = [0, 0], direction = [0, 1], minus_gap_m = 0.01, \
+         stiffness_n_per_m = 1e4, yield_force_n = 10, break_displacement_m = 0.01 }]";
+    let one = |set: &str, kind| show(with(&planar, &[set]), Some(Target::Device(DeviceId { kind, number: 0 })));
+    let devices = [
+        one(&cable, DeviceKind::Restrainer),
+        one(&rubber, DeviceKind::Bumper),
+        one(&soft, DeviceKind::Bumper),
+        one(&damper, DeviceKind::Damper),
+        one(key, DeviceKind::Stopper),
+    ];
     let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
-    vec![
+    let others = vec![
         show(both.clone(), None),
         show(both, Some(Target::Girder(0))),
         show(named.clone(), None),
@@ -146,7 +162,8 @@ fn windows() -> Vec<Window> {
         show(with(&viaduct, &["pier.p1.frequency_hz=2"]), Some(Target::Pier(0))),
         show(with(&viaduct, &["pier.p1.stiffness_n_per_m=5e7", "pier.p1.yield_force_n=1e6"]), Some(Target::Pier(0))),
         show(with(&viaduct, &[one_by_one]), Some(Target::Girder(0))),
-    ]
+    ];
+    others.into_iter().chain(devices).collect()
 }
 
 #[test]

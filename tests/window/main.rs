@@ -7,6 +7,8 @@ mod compare;
 #[cfg(feature = "ui-tests")]
 mod crowd;
 #[cfg(feature = "ui-tests")]
+mod devices;
+#[cfg(feature = "ui-tests")]
 mod fields;
 #[cfg(feature = "ui-tests")]
 mod files;

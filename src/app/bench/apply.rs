@@ -36,7 +36,7 @@ impl Workbench {
             self.tasks.films.plan,
             self.tasks.paths.seen(),
             self.learning,
-            self.maps.seen(),
+            (self.maps.seen(), self.shaking.seen()),
         );
         (document, replay, self.view.shown(), self.comparison.numbers(), self.window.clone(), beside)
     }
@@ -68,6 +68,7 @@ impl Workbench {
             }
             Command::Learn(command) => self.apply_learn(command),
             Command::Map(command) => self.apply_map(command),
+            Command::Quake(command) => self.shaking.apply(command),
             Command::Window(command) => self.apply_window(command),
         }
     }

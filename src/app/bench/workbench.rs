@@ -9,6 +9,7 @@ use crate::app::host::Wake;
 use crate::app::learn::lessons::Learning;
 use crate::app::map::Maps;
 use crate::app::plot::source::{Samples, Source};
+use crate::app::quake::Shaking;
 use crate::app::run::comparison::Comparison;
 use crate::app::text;
 use crate::app::time::replay::Replay;
@@ -32,6 +33,8 @@ pub struct Workbench {
     pub learning: Learning,
     /// A number of the run over two keys.
     pub maps: Maps,
+    /// Histories and response spectrum of the ground motion.
+    pub shaking: Shaking,
     /// Dialogs, exports and films on threads.
     pub tasks: Tasks,
     /// The window itself: its dialogs, its notice, its end.
@@ -48,6 +51,7 @@ impl Workbench {
             view: SceneView::new(&scene),
             learning: Learning::default(),
             maps: Maps::default(),
+            shaking: Shaking::default(),
             tasks: Tasks::default(),
             window: WindowState::default(),
             samples: Samples::default(),
@@ -69,6 +73,7 @@ impl Workbench {
     pub fn set_wake(&mut self, wake: Wake) {
         self.replay.runner.set_wake(wake.clone());
         self.maps.set_wake(wake.clone());
+        self.shaking.set_wake(wake.clone());
         self.tasks.set_wake(wake);
     }
 

@@ -1,5 +1,6 @@
 //! Commands that change the scene.
 
+use crate::scene::DeviceKind;
 use crate::scene::edit::Edit;
 use crate::view::Target;
 
@@ -32,6 +33,8 @@ pub enum PlaceCommand {
     AddAbutment,
     /// Put a pier under a joint.
     AddPier,
+    /// Put a new device of this kind at the girder that is selected, or the first.
+    AddDevice(DeviceKind),
     /// Put a copy of what is selected beside it.
     Duplicate,
     /// Make a row of the girder that is selected.

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::End;
+use crate::scene::DeviceId;
 
 /// One of two long sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -49,6 +50,15 @@ pub enum Grip {
     Offset(usize),
     /// An abutment's side: the width of its face.
     FaceWidth(usize, Flank),
+    /// A point of a device: its first, 0, or its second, 1.
+    DevicePoint(DeviceId, usize),
+}
+
+impl Grip {
+    /// Whether it moves two ways over the ground: two numbers can be typed.
+    pub(in crate::app) fn moves_two_ways(self) -> bool {
+        matches!(self, Self::Bodies | Self::DevicePoint(..))
+    }
 }
 
 /// A key for the number of the handle that is held.

@@ -10,6 +10,7 @@ mod film;
 mod hand;
 mod learn;
 mod map;
+mod quake;
 mod select;
 mod time;
 mod view;
@@ -22,6 +23,7 @@ pub use film::{FilmFormat, FilmPlan, Filming};
 pub use hand::{Flank, Grip, HandCommand, HandKey};
 pub use learn::Learn;
 pub use map::{MapAxis, MapCommand, MapDraft};
+pub use quake::QuakeCommand;
 pub use select::SelectCommand;
 pub use time::{TimeCommand, Way};
 pub use view::{Follow, Sight, Tool, ViewCommand};
@@ -69,6 +71,8 @@ groups! {
     Learn(Learn),
     /// The map of a run's number over two keys.
     Map(MapCommand),
+    /// Histories and response spectrum of the ground motion.
+    Quake(QuakeCommand),
     /// The window itself.
     Window(WindowCommand),
 }

@@ -145,6 +145,7 @@ pub(in crate::app) fn rename(scene: &Scene, target: Target, name: String) -> Opt
         Target::Girder(i) => scene.girders.get(i).map(|g| g.name.clone()),
         Target::Abutment(i) => scene.abutments.get(i).map(|a| a.name.clone()),
         Target::Pier(i) => scene.piers.get(i).map(|p| p.name.clone()),
+        Target::Device(id) => scene.device(id).map(|device| device.part().ends().name.to_owned()),
         Target::Contact(_) => None,
     };
     old.map(|old| Edit::Rename(old, name))
@@ -156,6 +157,7 @@ pub(in crate::app) fn remove(target: Target) -> Option<Edit> {
         Target::Girder(i) => Some(Edit::RemoveGirder(i)),
         Target::Abutment(i) => Some(Edit::RemoveAbutment(i)),
         Target::Pier(i) => Some(Edit::RemovePier(i)),
+        Target::Device(id) => Some(Edit::RemoveDevice(id)),
         Target::Contact(_) => None,
     }
 }
@@ -235,7 +237,8 @@ pub(in crate::app) fn shifted(scene: &Scene, target: Target, [dx, dy]: [f64; 2],
         }
         Target::Abutment(i) => shifted_abutment(scene, i, glam::DVec2::new(dx, dy)),
         Target::Pier(i) => shifted_pier(scene, i, [dx, dy], turn_deg),
-        Target::Contact(_) => None,
+        // It goes with the bodies that it is on.
+        Target::Device(_) | Target::Contact(_) => None,
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod bridge;
 mod change;
+mod devices;
 mod document;
 mod fresh;
 mod pairs;
@@ -11,6 +12,7 @@ mod selection;
 
 pub(in crate::app) use bridge::{assumed, bridge, sound};
 pub(in crate::app) use change::*;
+pub(in crate::app) use devices::device;
 pub(in crate::app) use document::Document;
 pub(in crate::app) use fresh::empty;
 pub(in crate::app) use pairs::{elastic, names_of, new_pair, optional, pair_between, pair_entry};

@@ -1,11 +1,12 @@
 //! Adds, copies, arrays, nudges and removes: from a command and what is selected to an edit.
 
 use super::change::{add_abutment, add_girder, add_span, array, gap_of, remove, shifted};
+use super::devices::{copy, new_device};
 use super::piers::{add_pier, add_pier_like};
 use super::selection::Selection;
 use crate::app::command::{Nudge, PlaceCommand, RowDraft};
-use crate::scene::Scene;
 use crate::scene::edit::Edit;
+use crate::scene::{DeviceId, Scene};
 use crate::view::Target;
 
 /// Most spans that an array makes: more than any bridge has, and few enough to be run.
@@ -42,6 +43,12 @@ pub(super) fn placed(command: PlaceCommand, scene: &Scene, selection: &Selection
             (add_abutment(scene, girder)?, Some(vec![Target::Abutment(scene.abutments.len())]))
         }
         PlaceCommand::AddPier => (add_pier(scene, girder)?, Some(vec![Target::Pier(scene.piers.len())])),
+        PlaceCommand::AddDevice(kind) => {
+            let new = new_device(scene, kind, girder.unwrap_or_default())?;
+            let number = scene.count_of(kind);
+            let target = Target::Device(DeviceId { kind, number });
+            (Edit::AddDevice(number, Box::new(new)), Some(vec![target]))
+        }
         PlaceCommand::Duplicate => return duplicates(scene, selection),
         PlaceCommand::Array(row) => return row_of(scene, selection, row),
         PlaceCommand::Remove => (removal(selection)?, Some(Vec::new())),
@@ -57,6 +64,11 @@ fn duplicates(scene: &Scene, selection: &Selection) -> Option<Placed> {
         let (edit, copy) = match target {
             Target::Girder(i) => (Some(add_girder(&scene, Some(i))), Target::Girder(scene.girders.len())),
             Target::Pier(i) => (add_pier_like(&scene, i), Target::Pier(scene.piers.len())),
+            Target::Device(id) => {
+                let new = DeviceId { number: scene.count_of(id.kind), ..id };
+                let copied = copy(&scene, id).map(|device| Edit::AddDevice(new.number, Box::new(device)));
+                (copied, Target::Device(new))
+            }
             _ => (add_abutment(&scene, None), Target::Abutment(scene.abutments.len())),
         };
         let Some(edit) = edit.filter(|e| e.clone().apply(&mut scene).is_ok()) else { continue };

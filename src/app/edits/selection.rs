@@ -85,6 +85,11 @@ impl Selection {
                 let faces = scene.abutments.get(i).map(|a| &a.faces);
                 scene.girders.iter().position(|g| Some(&g.name) == faces).unwrap_or(0)
             }
+            Some(Target::Device(id)) => {
+                let device = scene.device(id);
+                let name = device.as_ref().map(|device| device.part().ends().girder);
+                scene.girders.iter().position(|g| Some(g.name.as_str()) == name).unwrap_or(0)
+            }
             _ => 0,
         }
     }
@@ -95,6 +100,7 @@ impl Selection {
             Target::Girder(i) => *i < scene.girders.len(),
             Target::Abutment(i) => *i < scene.abutments.len(),
             Target::Pier(i) => *i < scene.piers.len(),
+            Target::Device(id) => id.number < scene.count_of(id.kind),
             Target::Contact(_) => false,
         });
     }

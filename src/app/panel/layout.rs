@@ -15,6 +15,7 @@ use crate::app::panel::{
     file_questions, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu, whatif,
 };
 use crate::app::plot::plots;
+use crate::app::quake;
 use crate::app::style::theme::{self, Palette};
 use crate::app::text;
 use crate::app::time::replay::Replay;
@@ -55,6 +56,8 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
         panels(bench, ui, &mut out);
     }
     map::show(ui, &bench.maps, document.scene(), &mut out);
+    let answer = bench.replay.runner.answer().map(|answer| &**answer);
+    quake::show(ui, &bench.shaking, answer, bench.replay.playback.clock.t, &mut out);
     help::show(ui, window.help, &mut out);
     if let (Some(draft), Some(girder)) = (window.row, document.scene().girders.get(document.girder_shown())) {
         row_dialog::show(ui, draft, girder, &mut out);
@@ -86,6 +89,7 @@ fn dialog_is_open(bench: &Workbench) -> bool {
 fn listen(bench: &mut Workbench, ui: &Ui) {
     bench.replay.runner.poll();
     bench.maps.poll(bench.files.document.scene());
+    bench.shaking.follow(bench.replay.runner.answer().map(|answer| &**answer));
     bench.view.aim();
     for words in bench.tasks.ended() {
         bench.window.say(words);

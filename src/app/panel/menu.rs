@@ -14,7 +14,7 @@ use crate::app::learn::lesson_panel;
 use crate::app::learn::lessons::Learning;
 use crate::app::panel::view_menu;
 use crate::app::{edits, text};
-use crate::scene::{Scene, ViewPreset, presets};
+use crate::scene::{DeviceKind, Scene, ViewPreset, presets};
 
 /// Shows the bar for a scene and its files.
 pub(in crate::app) fn show(
@@ -97,6 +97,13 @@ fn edit(ui: &mut Ui, scene: &Scene, bodies: bool, out: &mut Vec<Command>) {
     for (enabled, words, keys, command) in items {
         if ui.add_enabled(enabled, Button::new(words).shortcut_text(keys)).clicked() {
             out.push(command);
+            ui.close();
+        }
+    }
+    for kind in DeviceKind::ALL {
+        let words = text::add_device(*kind);
+        if ui.add_enabled(any, Button::new(words)).clicked() {
+            out.push(PlaceCommand::AddDevice(*kind).into());
             ui.close();
         }
     }

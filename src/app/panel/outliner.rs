@@ -6,32 +6,14 @@ use crate::app::command::{Command, PlaceCommand, SelectCommand, ViewCommand};
 use crate::app::edits::{Document, Selection};
 use crate::app::field::{Place, mark};
 use crate::app::{text, unit};
+use crate::scene::DeviceKind;
 use crate::view::Target;
 
 /// Shows the list of a scene with what is selected, and the buttons that add to it.
 pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Command>) {
     let (scene, selection) = (document.scene(), document.selection());
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(text::OUTLINER).strong());
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let top = Place { problems: None, table: "" };
-            let add = ui.small_button(text::ADD_PIER).on_hover_text("Shift P");
-            mark(&add, top, ("pier", text::ADD_PIER));
-            if add.clicked() {
-                out.push(PlaceCommand::AddPier.into());
-            }
-            let add = ui.small_button(text::ADD_ABUTMENT).on_hover_text("B");
-            mark(&add, top, ("abutment", text::ADD_ABUTMENT));
-            if add.clicked() {
-                out.push(PlaceCommand::AddAbutment.into());
-            }
-            let add = ui.small_button(text::ADD_GIRDER).on_hover_text("G");
-            mark(&add, top, ("girder", text::ADD_GIRDER));
-            if add.clicked() {
-                out.push(PlaceCommand::AddGirder.into());
-            }
-        });
-    });
+    ui.label(RichText::new(text::OUTLINER).strong());
+    adders(ui, !scene.girders.is_empty(), out);
     egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
         for (i, girder) in scene.girders.iter().enumerate() {
             let about = format!("β {}°", unit::trimmed(girder.skew_deg));
@@ -45,6 +27,12 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Comma
             let about = format!("T {} s", unit::trimmed(rounded(scene.pier(i).frequencies()[0])));
             row(ui, selection, Target::Pier(i), &pier.name, &about, out);
         }
+        for (id, part) in scene.devices() {
+            let ends = part.ends();
+            let to = ends.to.unwrap_or(text::GROUND_ITSELF);
+            let about = format!("{} – {to}", ends.girder);
+            row(ui, selection, Target::Device(id), ends.name, &about, out);
+        }
         if scene.girders.is_empty() && scene.abutments.is_empty() {
             ui.label(text::EMPTY);
         }
@@ -54,6 +42,36 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Comma
 /// A period in hundredths of a second \[s\].
 fn rounded(omega: f64) -> f64 {
     (100.0 * std::f64::consts::TAU / omega).round() / 100.0
+}
+
+/// The buttons that add, in two rows; devices need a girder.
+fn adders(ui: &mut Ui, any: bool, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        adder(ui, ("girder", text::ADD_GIRDER, "G"), PlaceCommand::AddGirder, out);
+        adder(ui, ("abutment", text::ADD_ABUTMENT, "B"), PlaceCommand::AddAbutment, out);
+    });
+    ui.horizontal(|ui| {
+        adder(ui, ("pier", text::ADD_PIER, "Shift P"), PlaceCommand::AddPier, out);
+        ui.add_enabled_ui(any, |ui| {
+            ui.menu_button(text::ADD_DEVICE, |ui| {
+                for kind in DeviceKind::ALL {
+                    if ui.button(text::device_kind(*kind)).clicked() {
+                        out.push(PlaceCommand::AddDevice(*kind).into());
+                        ui.close();
+                    }
+                }
+            });
+        });
+    });
+}
+
+/// A button that adds what stands under a key of the file.
+fn adder(ui: &mut Ui, (key, words, keys): (&str, &str, &str), command: PlaceCommand, out: &mut Vec<Command>) {
+    let add = ui.small_button(words).on_hover_text(keys);
+    mark(&add, Place { problems: None, table: "" }, (key, words));
+    if add.clicked() {
+        out.push(command.into());
+    }
 }
 
 fn row(ui: &mut Ui, selection: &Selection, target: Target, name: &str, about: &str, out: &mut Vec<Command>) {

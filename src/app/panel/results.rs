@@ -8,10 +8,10 @@ use crate::app::run::answer::Answer;
 use crate::app::time::replay::Replay;
 use crate::app::{text, unit};
 use crate::dynamics::model::bearing::BearingQuantities;
-use crate::scene::Girder;
+use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
-use crate::sim::{ContactNow, Touch};
+use crate::sim::{ContactNow, History, Touch};
 
 /// A list of names and values.
 fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
@@ -90,6 +90,47 @@ fn quantities(q: &BearingQuantities) -> [(&'static str, String); 6] {
         (text::DAMPING_ECCENTRICITY, millimetres(q.damping_eccentricity)),
         (text::GYRATION, text::length(q.gyration)),
     ]
+}
+
+/// A device at the time shown, each side of a stopper by itself, and every change of its state; a click goes there.
+pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: DeviceId, t: f64, out: &mut Vec<Command>) {
+    let Some(answer) = answer else { return };
+    let history = &answer.history;
+    let Some(device) = history.model().devices.iter().find(|device| device.id == id) else { return };
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::COMPUTED).strong());
+    for number in device.links.clone() {
+        let Some(now) = history.link(number, t) else { continue };
+        let name = &history.model().links[number].name;
+        ui.label(RichText::new(name).weak());
+        let mut rows = vec![
+            (text::STATE, now.state.to_owned()),
+            (text::DEVICE_FORCE, text::force(now.force.length())),
+            (text::DEVICE_DEFORMATION, text::length(now.along.deformation[0])),
+        ];
+        let used = now.part_of_strength().zip(now.strength);
+        rows.extend(used.map(|(part, strength)| (text::DEVICE_USE, text::used_of(part, strength))));
+        if !now.acts {
+            rows.push((text::DEVICE_LEFT, text::length(now.gap)));
+        }
+        table(ui, name, rows);
+        phases(ui, history, number, t, out);
+    }
+}
+
+/// When a device changes its state.
+fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<Command>) {
+    let (all, law) = (history.link_phases(number), &history.model().links[number].device);
+    for (n, (from, phase)) in all.iter().enumerate().take(MOST_TOUCHES) {
+        let until = all.get(n + 1).map_or(f64::INFINITY, |next| next.0);
+        let words = text::phase(*from, law.state(phase));
+        if ui.add(egui::Button::selectable((*from..until).contains(&t), words)).clicked() {
+            out.push(TimeCommand::Seek(*from).into());
+        }
+    }
+    if all.len() > MOST_TOUCHES {
+        ui.label(RichText::new(text::more(all.len() - MOST_TOUCHES)).weak());
+    }
 }
 
 /// A contact at the time shown, and its touches.

@@ -8,7 +8,7 @@ use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::scene::edit::Edit;
 use crate::scene::{PlotSettings, ViewSettings};
-use crate::sim::quantity::{OfContact, OfCorner, OfEnergy, Quantity};
+use crate::sim::quantity::{OfBearing, OfContact, OfCorner, OfEnergy, OfLink, Quantity};
 
 /// Most panels of the user's own.
 const MOST: usize = 6;
@@ -77,12 +77,17 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
         .filter(|(_, q)| matches!(q, Quantity::Energy(of) if !matches!(of, OfEnergy::Work | OfEnergy::Residual)))
         .map(|(name, _)| name.clone())
         .collect();
+    let of_link = |wanted: OfLink| first(&|q| matches!(q, Quantity::Link(_, of) if *of == wanted));
+    let of_bearing =
+        |wanted: OfBearing| first(&|q| matches!(q, Quantity::Bearing(i, 0, of) if *i == girder && *of == wanted));
     let list = [
         (text::OFFER_ENERGY, Some(PlotSettings { x: None, y: energies })),
         (text::OFFER_DRIFT, corner(OfCorner::Drift).map(|y| PlotSettings { x: None, y: vec![y] })),
         (text::OFFER_ORBIT, against(corner(OfCorner::X), corner(OfCorner::Y))),
         (text::OFFER_PENETRATION, against(contact(OfContact::Penetration), contact(OfContact::Force))),
         (text::OFFER_HYSTERESIS, against(of_girder(1), contact(OfContact::Tangential))),
+        (text::OFFER_LOOP_DEVICE, against(of_link(OfLink::Deformation), of_link(OfLink::Force))),
+        (text::OFFER_LOOP_BEARING, against(of_bearing(OfBearing::Deformation(0)), of_bearing(OfBearing::Force(0)))),
         (text::OFFER_USE, contact(OfContact::Use).map(|y| PlotSettings { x: None, y: vec![y] })),
         (text::OFFER_EMPTY, of_girder(0).map(|y| PlotSettings { x: None, y: vec![y] })),
     ];

@@ -52,9 +52,54 @@ pub(in crate::app) const TARGET_POINT: &str = "Add a period";
 pub(in crate::app) const SHAKE: &str = "Shake it";
 pub(in crate::app) const MOTION_SECTION: &str = "Ground motion";
 
+// Histories and spectrum of the ground motion.
+pub(in crate::app) const QUAKE: &str = "Ground motion";
+pub(in crate::app) const QUAKE_OPEN: &str = "Histories and spectrum…";
+pub(in crate::app) const QUAKE_OPEN_HINT: &str =
+    "Acceleration, velocity, displacement and the 5 % response spectrum, with the girders' own periods";
+pub(in crate::app) const QUAKE_STILL: &str = "The ground stands still.";
+pub(in crate::app) const QUAKE_TIME: &str = "time [s]";
+pub(in crate::app) const QUAKE_PERIOD: &str = "natural period [s], 5 % damping";
+pub(in crate::app) const QUAKE_HINT: &str = "As it shakes, scaled; integrated from rest. Dots: the girders' own periods on their bearings. A click in a history goes to that time.";
+
 // Contact of all pairs, and pairs by name.
 pub(in crate::app) const ALL_PAIRS_SECTION: &str = "Contact of all pairs";
 pub(in crate::app) const OF_ALL: &str = "of all";
 pub(in crate::app) const THE_SCENES: &str = "the scene's";
 pub(in crate::app) const DECLARED_SECTION: &str = "Pairs by name";
 pub(in crate::app) const ADD_ENTRY: &str = "Name a pair";
+
+// Devices between two points.
+pub(in crate::app) const ADD_DEVICE: &str = "Add device";
+pub(in crate::app) const DEVICE_ON: &str = "On girder";
+pub(in crate::app) const DEVICE_AT: &str = "At";
+pub(in crate::app) const DEVICE_TO: &str = "To";
+pub(in crate::app) const DEVICE_TO_AT: &str = "To";
+pub(in crate::app) const GROUND_ITSELF: &str = "the ground";
+pub(in crate::app) const DEVICE_NORMAL: &str = "Normal given";
+pub(in crate::app) const DEVICE_DIRECTION: &str = "Direction given";
+pub(in crate::app) const DEVICE_TABLE: &str = "Give a table of forces";
+pub(in crate::app) const DEVICE_TABLE_POINT: &str = "Add a depth";
+pub(in crate::app) const DEVICE_ASSUMED: &str =
+    "What a new device begins with is assumed: it fits the weight and the length of its girder.";
+
+/// What a kind of device is called.
+pub(in crate::app) fn device_kind(kind: crate::scene::DeviceKind) -> &'static str {
+    use crate::scene::DeviceKind;
+    match kind {
+        DeviceKind::Restrainer => "Restrainer cable",
+        DeviceKind::Bumper => "Bumper",
+        DeviceKind::Damper => "Damper",
+        DeviceKind::Stopper => "Stopper",
+    }
+}
+
+/// What adds a device.
+pub(in crate::app) fn add_device(kind: crate::scene::DeviceKind) -> String {
+    format!("Add {}", device_kind(kind).to_lowercase())
+}
+
+/// Names of a depth and its force, and of the button that takes both away.
+pub(in crate::app) fn depth(number: usize) -> [String; 3] {
+    [format!("Depth {number}"), format!("Force {number}"), format!("Remove depth {number}")]
+}

@@ -78,3 +78,8 @@ pub(in crate::app) fn ends_parallel_to(name: &str) -> String {
 pub(in crate::app) fn as_at(pair: &str) -> String {
     format!("as {pair}")
 }
+
+/// A point of a device.
+pub(in crate::app) fn device_point(name: &str, which: usize) -> String {
+    format!("{} point of {name}", if which == 0 { "first" } else { "second" })
+}

@@ -91,6 +91,21 @@ pub(in crate::app) fn target(number: usize) -> [String; 3] {
     [format!("Period {number}"), format!("PSA {number}"), format!("Remove period {number}")]
 }
 
+/// Peak acceleration \[m/s²\], velocity \[m/s\] and displacement \[m\] of a ground motion, each with its time, and the duration of strong
+/// motion \[s\].
+pub(in crate::app) fn quake_figures([a, v, d]: [(f64, f64); 3], strong: f64) -> String {
+    format!(
+        "PGA {} g at {} s, PGV {} m/s at {} s, PGD {} at {} s; strong motion {} s",
+        short(a.0 / crate::scene::STANDARD_GRAVITY),
+        short(a.1),
+        short(v.0),
+        short(v.1),
+        length(d.0),
+        short(d.1),
+        short(strong)
+    )
+}
+
 /// An entry about a pair.
 pub(in crate::app) fn entry(number: usize) -> String {
     format!("Entry {number}")

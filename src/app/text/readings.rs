@@ -139,3 +139,19 @@ pub(in crate::app) fn passed(flag: &Passed) -> String {
     };
     format!("{} {reached}; limit passed at {:.4} s", flag.whose, flag.t)
 }
+
+// What a device does at the time shown.
+pub(in crate::app) const DEVICE_FORCE: &str = "force";
+pub(in crate::app) const DEVICE_DEFORMATION: &str = "deformation";
+pub(in crate::app) const DEVICE_USE: &str = "used";
+pub(in crate::app) const DEVICE_LEFT: &str = "until it acts";
+
+/// Part of a strength that a force is \[N\].
+pub(in crate::app) fn used_of(part: f64, strength: f64) -> String {
+    format!("{} % of {}", short(100.0 * part), force(strength))
+}
+
+/// A state of a device and when it begins \[s\].
+pub(in crate::app) fn phase(from: f64, state: &str) -> String {
+    format!("{from:.4} s  {state}")
+}

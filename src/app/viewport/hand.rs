@@ -132,7 +132,7 @@ impl Hand {
         match key {
             HandKey::Text(words) => self.typing.add(words),
             HandKey::TakeBack => self.typing.take_back(),
-            HandKey::Next if held.grip == Grip::Bodies => self.typing.next(),
+            HandKey::Next if held.grip.moves_two_ways() => self.typing.next(),
             HandKey::Next => return None,
             HandKey::Set | HandKey::Cancel => {
                 let gesture = held.gesture;

@@ -53,7 +53,8 @@ fn take(ui: &Ui, (viewport, seen): (&mut Viewport, &Seen<'_>), eye: &Eye) {
         return;
     }
     let target = viewport.pick(seen, eye.rect, at, ui.pixels_per_point());
-    let Some(target) = target.filter(|t| !matches!(t, Target::Contact(_)) && seen.selection.contains(t)) else {
+    let goes = |t: &Target| matches!(t, Target::Girder(_) | Target::Abutment(_));
+    let Some(target) = target.filter(|t| goes(t) && seen.selection.contains(t)) else {
         return;
     };
     if let Some(from) = eye.on_level(at, height(seen.scene, target)) {
@@ -67,7 +68,7 @@ fn height(scene: &Scene, target: Target) -> f64 {
         Target::Girder(i) => scene.girders.get(i),
         Target::Abutment(i) => scene.abutments.get(i).and_then(|a| scene.girders.iter().find(|g| g.name == a.faces)),
         Target::Pier(i) => return scene.piers.get(i).map_or(0.0, |_| scene.pier(i).top.z),
-        Target::Contact(_) => None,
+        Target::Device(_) | Target::Contact(_) => None,
     };
     girder.map_or(0.0, |g| g.position[2])
 }

@@ -9,6 +9,7 @@ use crate::app::viewport::eye::ndc;
 use crate::app::viewport::glide::Glide;
 use crate::app::viewport::hand::Hand;
 use crate::app::viewport::seen::Seen;
+use crate::scene::device::Joint;
 use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::sim::History;
 use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, block, draw_list};
@@ -170,6 +171,11 @@ fn corners_of(seen: &Seen<'_>, target: Target) -> Vec<DVec3> {
         }
         Target::Pier(i) if i < scene.piers.len() => block::pier_block(&scene.pier(i)).corners().into(),
         Target::Pier(_) => Vec::new(),
+        Target::Device(id) => {
+            let device = scene.device(id);
+            let joint = device.and_then(|device| Joint::of(scene, &device.part().ends()));
+            joint.map(|joint| joint.points.into()).unwrap_or_default()
+        }
         Target::Contact(number) => {
             let contacts = history.map(|h| h.contacts(t)).unwrap_or_default();
             let here = contacts.iter().find(|c| c.contact == number).map(|c| c.point);

@@ -18,7 +18,7 @@ fn pair_shown(seen: &Seen<'_>, history: &History) -> Option<usize> {
             let name = seen.scene.abutments.get(i).map(|a| a.name.clone())?;
             pairs.iter().position(|p| p.name.ends_with(&format!("|{name}")))
         }
-        Some(Target::Pier(_)) | None => None,
+        Some(Target::Pier(_) | Target::Device(_)) | None => None,
     };
     of.or((!pairs.is_empty()).then_some(0))
 }

@@ -15,6 +15,7 @@ pub use damper::{DAMPER, Damper};
 pub use fault::Fault;
 pub use joint::Joint;
 pub use part::{Ends, EndsMut, Part};
+pub use placing::point_on;
 pub use restrainer::{RESTRAINER, Restrainer};
 pub use stopper::{STOPPER, Sides, Stopper};
 

@@ -21,6 +21,13 @@ impl Joint {
     }
 }
 
+/// Where a point of the world is on a body by its name, or on the ground without: along the axes of its frame as placed, as a device's
+/// points are given \[m\]; `None` where nobody has the name.
+pub fn point_on(scene: &Scene, body: Option<&str>, world: DVec3) -> Option<[f64; 3]> {
+    let stand = Stand::of(scene, body)?;
+    Some((stand.axes.transpose() * (world - stand.origin)).to_array())
+}
+
 /// What a point of a device is on, as placed.
 struct Stand {
     girder: Option<usize>,

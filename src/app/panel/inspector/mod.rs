@@ -4,6 +4,7 @@ mod abutment;
 mod backfill;
 mod bearings;
 mod declared;
+mod device;
 mod girder;
 mod pairs;
 mod pier;
@@ -47,6 +48,10 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
             if let Some(placed) = form.scene.piers.get(i) {
                 pier::show(ui, form, (i, placed), fresh, out);
             }
+        }
+        Some(Target::Device(id)) => {
+            device::show(ui, form, id, out);
+            results::show_device(ui, fresh, id, replay.t(), out);
         }
         Some(Target::Contact(contact)) => results::show_contact(ui, replay, contact, out),
         None => {

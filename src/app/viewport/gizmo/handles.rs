@@ -7,8 +7,9 @@ use glam::{DQuat, DVec2, DVec3};
 use crate::app::command::{Flank, Grip};
 use crate::app::text;
 use crate::geometry::End;
+use crate::scene::device::{Joint, point_on};
 use crate::scene::facing::{self, Facing, Side};
-use crate::scene::{Abutment, Girder, Scene, placed};
+use crate::scene::{Abutment, DeviceId, Girder, Scene, placed};
 use crate::view::Target;
 
 /// Most gaps with a handle of their own: beyond that they would hide the row.
@@ -50,6 +51,7 @@ pub(super) fn handles(scene: &Scene, selected: &[Target], gaps: bool, stance: im
                 of_abutment(scene, i, abutment, &mut all);
             }
         }
+        [Target::Device(id)] => of_device(scene, id, &stance, &mut all),
         _ => {}
     }
     let pairs = if gaps { facing::find(scene).unwrap_or_default() } else { Vec::new() };
@@ -97,6 +99,22 @@ fn of_abutment(scene: &Scene, i: usize, abutment: &Abutment, out: &mut Vec<Handl
             let name = text::face_width_handle(name, flank == Flank::Left);
             out.push(Handle { grip: Grip::FaceWidth(i, flank), at, along: side * flank.sign(), name });
         }
+    }
+}
+
+/// Both points of a device, where their girders are.
+fn of_device(scene: &Scene, id: DeviceId, stance: &impl Fn(usize) -> Stance, out: &mut Vec<Handle>) {
+    let Some(device) = scene.device(id) else { return };
+    let ends = device.part().ends();
+    let Some(joint) = Joint::of(scene, &ends) else { return };
+    for (which, girder) in [Some(joint.girder), joint.other].into_iter().enumerate() {
+        let local = girder.and_then(|girder| {
+            let name = &scene.girders.get(girder)?.name;
+            Some((stance(girder), point_on(scene, Some(name), joint.points[which])?))
+        });
+        let at = local.map_or(joint.points[which], |(here, local)| here.place + here.attitude * DVec3::from(local));
+        let name = text::device_point(ends.name, which);
+        out.push(Handle { grip: Grip::DevicePoint(id, which), at, along: DVec3::X, name });
     }
 }
 

@@ -57,6 +57,9 @@ pub(super) fn handle(ui: &Ui, eye: &Eye, handle: &Handle, at: Pos2, (near, held)
         Grip::Gap(_) => {
             double_arrow(&painter, at, way, line);
         }
+        Grip::DevicePoint(..) => {
+            painter.circle(at, 6.0, fill, line);
+        }
         Grip::Bodies => {}
     }
 }

@@ -6,9 +6,10 @@ use super::snap::{self, Guide};
 use crate::app::command::{Flank, Grip};
 use crate::app::{edits, text, unit};
 use crate::geometry::End;
+use crate::scene::device::{Joint, point_on};
 use crate::scene::edit::Edit;
 use crate::scene::facing::{self, Side};
-use crate::scene::{Abutment, Bearings, Girder, Scene, placed};
+use crate::scene::{Abutment, Bearings, DeviceId, Girder, Scene, placed};
 use crate::view::Target;
 
 /// Least length or width that a handle leaves, as a share of what it was.
@@ -94,6 +95,7 @@ pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
         Grip::Gap(n) => gap(pull, n),
         Grip::Offset(i) => offset(pull, i),
         Grip::FaceWidth(i, flank) => face_width(pull, i, flank),
+        Grip::DevicePoint(id, which) => device_point(pull, id, which),
     }
 }
 
@@ -241,4 +243,27 @@ fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let width = pull.or_typed((before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST));
     let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
     Some(plain(edits::abutment(i, new), text::dragged(text::FACE_WIDE, &text::exact_length(width))))
+}
+
+/// A point of a device, over the ground; the girder that it is on may have moved since it was placed, by which its point moves too.
+fn device_point(pull: &Pull<'_>, id: DeviceId, which: usize) -> Option<Pulled> {
+    let way = pull.typed.map_or((pull.to - pull.from).truncate(), DVec2::from);
+    let way = DVec2::new(unit::rounded(way.x, pull.step), unit::rounded(way.y, pull.step));
+    let mut device = pull.scene.device(id)?;
+    let joint = Joint::of(pull.scene, &device.part().ends())?;
+    let to = device.part().ends().to.map(str::to_owned);
+    let there = joint.points[which] + way.extend(0.0);
+    let ends = device.part_mut().ends_mut();
+    if which == 0 {
+        let girder = ends.girder.clone();
+        *ends.at = edits::tidy(point_on(pull.scene, Some(&girder), there)?.into());
+        // The other one stays where it is.
+        let other = point_on(pull.scene, to.as_deref(), joint.points[1])?;
+        ends.to_at.get_or_insert(edits::tidy(other.into()));
+    } else {
+        *ends.to_at = Some(edits::tidy(point_on(pull.scene, to.as_deref(), there)?.into()));
+    }
+    let words =
+        [(text::SHIFT_X, way.x), (text::SHIFT_Y, way.y)].map(|(word, way)| text::dragged(word, &text::length(way)));
+    Some(plain(edits::device(id, device), words.join("   ")))
 }

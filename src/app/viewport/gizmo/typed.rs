@@ -64,7 +64,7 @@ pub(in crate::app) struct Said {
 /// Reads what is typed for the handle that is held.
 pub(in crate::app) fn read(held: &Held, typing: &Typing) -> Said {
     let unit = unit(&held.scene, held.grip);
-    let count = if held.grip == Grip::Bodies { 2 } else { 1 };
+    let count = if held.grip.moves_two_ways() { 2 } else { 1 };
     let mut numbers = [0.0; 2];
     let mut words = vec![on_plate(held.grip, typing, unit)];
     for (text, number) in typing.texts.iter().zip(&mut numbers).take(count) {
@@ -99,7 +99,7 @@ fn on_plate(grip: Grip, typing: &Typing, unit: Unit) -> String {
         format!("{name} {text}{mark}{suffix}")
     };
     match grip {
-        Grip::Bodies => format!("{}   {}", one(0, text::SHIFT_X), one(1, text::SHIFT_Y)),
+        Grip::Bodies | Grip::DevicePoint(..) => format!("{}   {}", one(0, text::SHIFT_X), one(1, text::SHIFT_Y)),
         Grip::Along(_) => one(0, text::ALONG),
         Grip::Across(_) => one(0, text::ACROSS),
         Grip::Turn(_) => one(0, text::TURNED_TO),
@@ -122,7 +122,7 @@ fn unit(scene: &Scene, grip: Grip) -> Unit {
             let faces = scene.abutments.get(i).map(|a| &a.faces);
             of(scene.girders.iter().find(|g| Some(&g.name) == faces))
         }
-        Grip::Bodies | Grip::Gap(_) => of(scene.girders.first()),
+        Grip::Bodies | Grip::Gap(_) | Grip::DevicePoint(..) => of(scene.girders.first()),
     }
 }
 
@@ -134,7 +134,9 @@ fn range(grip: Grip) -> Range {
         Grip::Skew(..) => (keys::GIRDER, "skew_deg"),
         Grip::Gap(_) => (keys::ABUTMENT, "gap_m"),
         Grip::FaceWidth(..) => (keys::ABUTMENT, "width_m"),
-        Grip::Bodies | Grip::Along(_) | Grip::Across(_) | Grip::Turn(_) | Grip::Offset(_) => return Range::Any,
+        Grip::Bodies | Grip::Along(_) | Grip::Across(_) | Grip::Turn(_) | Grip::Offset(_) | Grip::DevicePoint(..) => {
+            return Range::Any;
+        }
     };
     keys::find(table, key).map_or(Range::Any, |key| key.range)
 }
