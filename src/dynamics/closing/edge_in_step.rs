@@ -35,7 +35,7 @@ pub(super) fn search(
     if edge.is_clear(&before, reach) {
         return (None, None);
     }
-    let first = with_sense(world, contact, samples, (before.sense(), armed));
+    let first = with_sense(world, contact, samples, (before.sense(), armed), arms);
     // The sign of the gap of two lines changes where they pass through parallel.
     if (before.inset[1] - before.inset[0]).abs() > 2.0 * reach {
         return first;
@@ -45,16 +45,17 @@ pub(super) fn search(
     if (1..times.len()).all(|i| ends_at(samples, i).sense() != turned) {
         return first;
     }
-    let (closing, _) = with_sense(world, contact, samples, (turned, true));
+    let (closing, _) = with_sense(world, contact, samples, (turned, true), arms);
     (first.0.into_iter().chain(closing).reduce(f64::min), first.1)
 }
 
-/// The same with one sign of the gap.
+/// The same with one sign of the gap, from `arms`, bounds on the distances of the ends of the edge from G of both bodies \[m\].
 fn with_sense(
     world: &World,
     contact: usize,
     samples: &mut StepSamples,
     (sense, armed): (f64, bool),
+    arms: [f64; 2],
 ) -> (Option<f64>, Option<f64>) {
     let times = samples.times;
     let [t, until] = [times[0], times[times.len() - 1]];
@@ -64,7 +65,7 @@ fn with_sense(
         edge.ends(node, face)
     };
     let before = ends_at(samples, 0);
-    let (slots, arms) = (world.contacts[contact].slots, levers(world, contact, samples));
+    let slots = world.contacts[contact].slots;
     let resolution = resolution(world, contact, t) * edge.amplification(&before).max(1.0);
     let [gap, rate] = edge.gap(&before, sense);
     let error = rate_error(world, contact, samples.sides(world, contact, 0)) * edge.amplification(&before).max(1.0);
@@ -84,6 +85,10 @@ fn with_sense(
     let span = until - t;
     let curvature_bound = bound(&bounds, &before, span);
     if armed && bounds.holds(span) && gap > resolution + span * ((-rate).max(0.0) + 0.5 * curvature_bound * span) {
+        return (None, None);
+    }
+    // Nor does a gap that stays negative, which closes nothing and is not positive again.
+    if !armed && bounds.holds(span) && -gap > resolution + span * (rate.max(0.0) + 0.5 * curvature_bound * span) {
         return (None, None);
     }
     let ends = |at: f64| {

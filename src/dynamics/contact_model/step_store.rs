@@ -10,6 +10,7 @@ use crate::dynamics::penalty3d::island::Island;
 use crate::dynamics::record::recomputed_steps::{LoggedState, Member, Replay};
 use crate::dynamics::trajectory::packed_states::PackedStates;
 use crate::dynamics::trajectory::segment::{Segment, SegmentMotion};
+use crate::dynamics::trajectory::stored_path::Swept;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
 
@@ -76,6 +77,9 @@ impl StepStore {
                 if let Some(piece) = body.has_heading().then(|| island.path(index)).flatten() {
                     world.bodies[slot].path.follow(body, &piece, [from, until]);
                 }
+                let stands = island.frame(&world.model, index, 0, from);
+                let reach = stands.shift.length() + island.excursion(&world.model, index, 0.0, from);
+                world.bodies[slot].path.sweep(Swept { reach, chord: stands.chord() });
                 world.bodies[slot].path.push(Segment { from, until, path: SegmentMotion::Recomputed(number) });
             }
             return;
@@ -198,5 +202,8 @@ mod tests {
         let path = &world.bodies[0].path;
         assert!(matches!(path.kept(0).1, StoredMotion::Recomputed(_)), "as {:?}", path.kept(0).1);
         assert_eq!(store.polynomials, 0, "no polynomial");
+        let (swept, way) = (path.swept(), SPEED * until);
+        assert!(swept.reach > 0.1 * way && swept.reach < 10.0 * way, "{swept:?} over {way} m");
+        assert_eq!(swept.chord, 0.0, "it does not turn");
     }
 }

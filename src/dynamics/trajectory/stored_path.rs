@@ -32,6 +32,17 @@ pub struct StoredPath {
     slides: Vec<SlidingFace>,
     pieces: Vec<StepPolynomial>,
     half_turns: HalfTurns,
+    /// Over the steps that are recomputed.
+    swept: Swept,
+}
+
+/// How far a body comes in steps whose polynomials are not kept.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Swept {
+    /// Bound on the distance of G from where the body was placed \[m\].
+    pub reach: f64,
+    /// Largest chord of its rotation since placed, at the beginnings of the steps \[–\].
+    pub chord: f64,
 }
 
 /// Interval and kind of one stretch.
@@ -90,6 +101,16 @@ impl StoredPath {
         // Memory ends before 29 bits overflow.
         self.codes.push(kind << CODE_BITS | u32::try_from(which).unwrap_or(CODE_MASK) & CODE_MASK);
         self.until = until;
+    }
+
+    /// Widens what is swept in recomputed steps.
+    pub fn sweep(&mut self, Swept { reach, chord }: Swept) {
+        self.swept = Swept { reach: self.swept.reach.max(reach), chord: self.swept.chord.max(chord) };
+    }
+
+    /// What is swept in recomputed steps; nothing without one.
+    pub fn swept(&self) -> Swept {
+        self.swept
     }
 
     /// Counts the half turns of a body over the step that is added next.

@@ -19,6 +19,7 @@ use crate::geometry::broad;
 use crate::scene::Kind;
 pub use expected::{Unjoined, unjoined};
 use solid::{Joined, Solids};
+use unwatched::Turned;
 
 /// Overlap, in parts of the smallest side of either body, that contact points of two tilted faces in space can leave between
 /// them: a hundred times the largest that was measured, 8 µm of 1.5 m (`docs/physics.md#edge-nodes`).
@@ -35,8 +36,9 @@ impl History {
             let boxes: Vec<_> = (0..solids.len()).map(|number| envelope::of(self, &solids, number)).collect();
             let near =
                 broad::pairs(&boxes).into_iter().filter(|&(one, other)| solids.moves(one) || solids.moves(other));
-            let mut found: Vec<Overlap> =
-                near.filter_map(|(one, other)| search::first(self, &solids, &joined, [one, other])).collect();
+            let turned = Turned::of(self);
+            let first = |(one, other)| search::first(self, &solids, (&joined, &turned), [one, other]);
+            let mut found: Vec<Overlap> = near.filter_map(first).collect();
             found.sort_by(|a, b| a.first().total_cmp(&b.first()).then(a.bodies.cmp(&b.bodies)));
             found
         })

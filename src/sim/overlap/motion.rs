@@ -44,10 +44,8 @@ pub(super) fn reach(history: &History, body: usize) -> f64 {
     let at = |t: f64| history.frame(body, t).shift.length();
     let within = |number: usize| match path.kept(number) {
         (from, StoredMotion::Step(piece)) => at(from) + own.excursion(0.0, &|range| piece.displacement_bound(range)),
-        (from, StoredMotion::Recomputed(recipe)) => {
-            let way = |piece: &StepPolynomial| own.excursion(0.0, &|range| piece.displacement_bound(range));
-            at(from) + history.stepped(body, (recipe, from), way)
-        }
+        // Together, below.
+        (_, StoredMotion::Recomputed(_)) => 0.0,
         (from, StoredMotion::Slide(slide)) => {
             let (end, step) = (end_of(history, body, number), slide.sight / LOOKS_PER_REVERSAL);
             let looks = std::iter::successors(Some(from), |t| (*t < end).then(|| (t + step).max(t.next_up())));
@@ -65,7 +63,8 @@ pub(super) fn reach(history: &History, body: usize) -> f64 {
             reach
         }
     };
-    (0..path.len()).map(within).fold(own.frame(0, &own.initial()).shift.length(), f64::max)
+    let start = own.frame(0, &own.initial()).shift.length().max(path.swept().reach);
+    (0..path.len()).map(within).fold(start, f64::max)
 }
 
 /// End of stretch `number` of a body's path \[s\].

@@ -13,7 +13,7 @@
 
 use super::motion::bound;
 use super::solid::{Joined, Solids};
-use super::unwatched::{self, Interval, Unwatched, united};
+use super::unwatched::{self, Interval, Turned, Unwatched, united};
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::sim::History;
 use crate::sim::readings::before_face;
@@ -85,7 +85,12 @@ struct Found {
 }
 
 /// The overlap of two bodies that no contact carries; `None` where there is none.
-pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [usize; 2]) -> Option<Overlap> {
+pub(super) fn first(
+    history: &History,
+    solids: &Solids,
+    (joined, turned): (&Joined, &Turned),
+    pair: [usize; 2],
+) -> Option<Overlap> {
     let facing = joined.facing(pair.map(|number| solids.id(number)));
     let contacts = facing.iter().flat_map(|&number| history.model().pairs[number].nodes()).collect();
     let side = solids.least_side(pair);
@@ -95,7 +100,7 @@ pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [
             vec![(Followed::Bodies, vec![[0.0, history.end()]])]
         }
         [] => vec![(Followed::Bodies, vec![[0.0, history.end()]])],
-        _ => facing.iter().flat_map(|&number| meeting.left_by(number)).collect(),
+        _ => facing.iter().flat_map(|&number| meeting.left_by(number, turned)).collect(),
     };
     let found: Vec<Found> = sought
         .iter()
@@ -108,8 +113,8 @@ pub(super) fn first(history: &History, solids: &Solids, joined: &Joined, pair: [
 
 impl Meeting<'_> {
     /// What facing pair `number` leaves to be followed, and when.
-    fn left_by(&self, number: usize) -> Vec<(Followed, Vec<Interval>)> {
-        match unwatched::of_pair(self.history, number) {
+    fn left_by(&self, number: usize, turned: &Turned) -> Vec<(Followed, Vec<Interval>)> {
+        match unwatched::of_pair(self.history, number, turned) {
             Unwatched::Bodies(intervals) => vec![(Followed::Bodies, intervals)],
             Unwatched::Nodes(nodes) => {
                 nodes.into_iter().map(|(contact, intervals)| (Followed::Node(contact), intervals)).collect()

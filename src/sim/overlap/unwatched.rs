@@ -7,6 +7,8 @@
 //! are not watched are followed alone. A contact ceases to watch when its node crosses the plane beside the face, leaves the face over an
 //! edge, or starts behind it; from then on its state is "disarmed" until it closes or opens again.
 
+use std::cell::OnceCell;
+
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::scene::Kind;
@@ -29,11 +31,11 @@ pub(super) enum Unwatched {
 }
 
 /// What the contacts of facing pair `number` leave to be sought.
-pub(super) fn of_pair(history: &History, number: usize) -> Unwatched {
+pub(super) fn of_pair(history: &History, number: usize, turned: &Turned) -> Unwatched {
     let whole = || Unwatched::Bodies(vec![[0.0, history.end()]]);
     let model = history.model();
     let pair = &model.pairs[number];
-    if history.impact().is_some() || pair.bodies.into_iter().flatten().any(|body| turns_far(history, body)) {
+    if history.impact().is_some() || pair.bodies.into_iter().flatten().any(|body| turned.far(history, body)) {
         return whole();
     }
     let nodes = match model.kind {
@@ -67,6 +69,20 @@ fn disarmed(history: &History, contact: usize) -> Vec<Interval> {
     states().zip(ends).filter_map(off).collect()
 }
 
+/// For each body whether it turns far, as far as it was asked for.
+#[derive(Debug)]
+pub(super) struct Turned(Vec<OnceCell<bool>>);
+
+impl Turned {
+    pub(super) fn of(history: &History) -> Self {
+        Self(history.paths.iter().map(|_| OnceCell::new()).collect())
+    }
+
+    fn far(&self, history: &History, body: usize) -> bool {
+        *self.0[body].get_or_init(|| turns_far(history, body))
+    }
+}
+
 /// Whether a body is turned by more than [`MOST_TURNED`] where one of its stretches begins.
 fn turns_far(history: &History, body: usize) -> bool {
     let (path, own) = (&history.paths[body], &history.model().bodies[body]);
@@ -74,11 +90,15 @@ fn turns_far(history: &History, body: usize) -> bool {
         let (theta, attitude) = own.attitude(&history.state(body, t));
         theta.abs().max(attitude.to_axis_angle().1)
     };
-    (0..path.len()).any(|number| match path.kept(number) {
-        // In plan, read without flying there.
-        (_, StoredMotion::Start(state)) => state[2].abs() > MOST_TURNED,
-        (from, _) => turned(from) > MOST_TURNED,
-    }) || turned(history.end()) > MOST_TURNED
+    let swept = 2.0 * (0.5 * path.swept().chord).min(1.0).asin();
+    swept > MOST_TURNED
+        || (0..path.len()).any(|number| match path.kept(number) {
+            // In plan, read without flying there.
+            (_, StoredMotion::Start(state)) => state[2].abs() > MOST_TURNED,
+            (_, StoredMotion::Recomputed(_)) => false,
+            (from, _) => turned(from) > MOST_TURNED,
+        })
+        || turned(history.end()) > MOST_TURNED
 }
 
 /// The union of intervals, in order of time.
