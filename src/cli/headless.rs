@@ -40,7 +40,8 @@ pub(super) fn run(scene: &Scene, folder: &Path, console: &mut Console) -> Result
 
 fn options(answer: &Timed) -> TableOptions {
     let (error, run_time) = (Some(answer.estimate_error()), Some(answer.run_time));
-    TableOptions { estimated_error: error, run_time, ..TableOptions::default() }
+    let degree_check = answer.history.check_degree();
+    TableOptions { estimated_error: error, degree_check, run_time, ..TableOptions::default() }
 }
 
 /// The hardest hit from every side, as (file name, bytes of a PNG), or why there is none.

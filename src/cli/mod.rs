@@ -8,6 +8,7 @@ mod console;
 mod digits;
 mod domain;
 mod failure;
+mod flexible;
 mod headless;
 mod identify;
 mod interrupt;

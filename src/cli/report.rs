@@ -34,6 +34,7 @@ pub(super) fn run(args: &ReportArgs, console: &mut Console) -> Result<(), Failur
     let timed = compute_as_asked(&scene)?;
     let options = TableOptions {
         estimated_error: Some(timed.estimate_error()),
+        degree_check: timed.history.check_degree(),
         run_time: Some(timed.run_time),
         ..TableOptions::default()
     };

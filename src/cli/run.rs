@@ -66,6 +66,7 @@ fn report(args: &RunArgs, timed: &[Timed], console: &mut Console) -> Result<(), 
         let options = TableOptions {
             sample_hz: args.sample,
             estimated_error: Some(timed.estimate_error()),
+            degree_check: timed.history.check_degree(),
             run_time: Some(timed.run_time),
         };
         domain::warn_of_balance(&timed.history, console);

@@ -1,6 +1,6 @@
 //! A run's summary as text; millimetres and degrees, since people read it.
 
-use super::seats;
+use super::{flexible, seats};
 use crate::scene::shown::{escaped, shown};
 use crate::tables::{OutsideReport, OverlapReport, PierReport, Report};
 
@@ -157,6 +157,7 @@ fn answer(report: &Report) -> Vec<Line> {
         line(&format!("soil {}", escaped(&soil.abutment)), value)
     }));
     lines.extend(report.piers.iter().map(pier));
+    lines.extend(flexible::lines(&report.flexible, report.degree_check.as_ref()));
     lines.extend(report.seats.iter().flat_map(seats::lines));
     lines
 }

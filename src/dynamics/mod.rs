@@ -9,6 +9,7 @@
 //! | [`connection`] | forces between two points: what contacts, bearings and devices have in common; links |
 //! | [`devices`] | cables, bumpers, dampers, stoppers, bearings with hysteresis |
 //! | [`elastic`] | a girder as a beam: modes, flexibility of its ends; no scene |
+//! | [`linear`] | free motion of a linear block of coordinates as a sum of exponentials; no scene |
 //! | [`model`] | a scene compiled to constant data: bodies with their degrees of freedom, bearings, facing pairs, contact sites, rate bounds |
 //! | [`free_flight`] | closed-form free motion and bounds on it |
 //! | [`trajectory`] | trajectories as stored |
@@ -30,6 +31,7 @@ pub mod event_loop;
 pub mod free_flight;
 pub mod impact2d;
 pub mod integrator;
+pub mod linear;
 pub mod locate;
 pub mod model;
 pub mod penalty3d;

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Bearings;
 use super::keys::{Fallback, Keyed as _, Range, Stands, table};
+use super::{Bearings, Elastic};
 use crate::geometry::Prism;
 
 /// A direction that a body can be held in.
@@ -98,7 +98,7 @@ impl Push {
 const STRAIGHT: f64 = 90.0;
 
 table! {
-    /// A rigid girder: a prism of parallelogram plan.
+    /// A girder: a prism of parallelogram plan, rigid unless it is elastic.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Girder, GIRDER {
         name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
@@ -126,6 +126,8 @@ table! {
             Fallback::Words("[]"), "world directions it is held in; planar scenes hold z, roll and pitch anyway";
         #[serde(default)]
         seat: Seat = "seat_m", Range::Free, Fallback::Words("none"), "length of seat under each end, see below";
+        elastic: Option<Elastic> = "elastic", Range::Free, Fallback::Words("none: it is rigid"),
+            "how it bends and shortens, see below; planar scenes under the contact model";
     }
 }
 

@@ -35,8 +35,8 @@ impl<const N: usize> Account<N> {
 /// Everything that flows, booked.
 #[derive(Clone, Debug)]
 pub(super) struct Books {
-    /// Per body: work of the ground, work of pushes, loss in bearings.
-    pub(super) bodies: Vec<Account<3>>,
+    /// Per body: work of the ground, work of pushes, losses in bearings and in the body itself.
+    pub(super) bodies: Vec<Account<4>>,
     /// Per contact: losses in the normal dashpot, the tangential dashpot, friction.
     pub(super) contacts: Vec<Account<3>>,
     /// Per device: the loss in it.

@@ -20,6 +20,7 @@ use crate::dynamics::run::Finished;
 use crate::dynamics::trajectory::heading::StepHeading;
 use crate::dynamics::trajectory::step_polynomial::StepPolynomial;
 use crate::dynamics::trajectory::stored_path::{StoredMotion, StoredPath};
+use crate::geometry::End;
 use crate::scene::{Between, Scene};
 
 /// Instants at which two runs are compared.
@@ -251,6 +252,14 @@ impl History {
     pub fn motion(&self, girder: usize, t: f64) -> Motion {
         let motion = Motion::of(&self.model, girder, &self.state(girder, t));
         Motion { theta: self.counted_angle(girder, t).unwrap_or(motion.theta), ..motion }
+    }
+
+    /// Motion at `t` of a rigid girder that an end of this one would be the end of: of a rigid girder its own.
+    pub fn end_motion(&self, girder: usize, end: End, t: f64) -> Motion {
+        match self.model.bodies[girder].section(end) {
+            0 => self.motion(girder, t),
+            section => Motion::of_section(&self.model, girder, section, &self.state(girder, t)),
+        }
     }
 
     /// Rotation about the vertical with its half turns \[rad\]; `None` where the state of a body has it.

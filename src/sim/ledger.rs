@@ -10,6 +10,7 @@ use super::touches::flight_rate;
 use super::{EventKind, History, Ledger};
 use crate::dynamics::impact2d::LastingInterval;
 use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::dynamics::trajectory::stored_path::StoredMotion;
 use crate::motion::Ground;
 
 /// Quadrature cells per look in free flight.
@@ -41,7 +42,8 @@ impl Books {
             let hits = record.hits.iter().take_while(|hit| hit.t <= 0.0).map(|hit| hit.impulses.lost).sum::<f64>();
             hits + record.transitions.iter().take_while(|change| change.t <= 0.0).map(|change| change.lost).sum::<f64>()
         });
-        books.initial = start.kinetic + start.bearing + start.gravity + start.contact + start.device + hits;
+        books.initial =
+            start.kinetic + start.bearing + start.girder + start.gravity + start.contact + start.device + hits;
         books
     }
 
@@ -49,10 +51,11 @@ impl Books {
     fn at(&self, history: &History, t: f64) -> Ledger {
         let mut ledger = self.stored(history, t);
         for (body, account) in self.bodies.iter().enumerate() {
-            let [ground, push, loss] = account.at(t, |a, b| integrate(a, b, |s| body_powers(history, body, s)));
+            let [ground, push, loss, own] = account.at(t, |a, b| body_works(history, body, [a, b]));
             ledger.work_ground += ground;
             ledger.work_push += push;
             ledger.loss_bearing += loss;
+            ledger.loss_girder += own;
         }
         for (contact, account) in self.contacts.iter().enumerate() {
             let [normal, tangential, friction] =
@@ -84,9 +87,10 @@ impl Books {
     fn stored(&self, history: &History, t: f64) -> Ledger {
         let mut ledger = Ledger::default();
         for body in 0..self.bodies.len() {
-            let [kinetic, bearing, gravity] = energies(history, body, t);
+            let [kinetic, bearing, girder, gravity] = energies(history, body, t);
             ledger.kinetic += kinetic;
             ledger.bearing += bearing;
+            ledger.girder += girder;
             ledger.gravity += gravity;
         }
         for contact in 0..history.logs.len() {
@@ -122,8 +126,14 @@ fn jumps(history: &History, t: f64, ledger: &mut Ledger) {
 
 fn balance(ledger: &mut Ledger, initial: f64) {
     let l = &*ledger;
-    let stored = l.kinetic + l.bearing + l.gravity + l.contact + l.device;
-    let lost = l.loss_bearing + l.loss_normal + l.loss_tangential + l.loss_friction + l.loss_hits + l.loss_device;
+    let stored = l.kinetic + l.bearing + l.girder + l.gravity + l.contact + l.device;
+    let lost = l.loss_bearing
+        + l.loss_girder
+        + l.loss_normal
+        + l.loss_tangential
+        + l.loss_friction
+        + l.loss_hits
+        + l.loss_device;
     let jumped = l.jump_slip + l.jump_open + l.jump_edge + l.jump_entry + l.jump_device;
     let worked = l.work_ground + l.work_push;
     let scale =
@@ -132,17 +142,27 @@ fn balance(ledger: &mut Ledger, initial: f64) {
     ledger.scale = scale;
 }
 
-fn body_account(history: &History, body: usize) -> Account<3> {
+fn body_account(history: &History, body: usize) -> Account<4> {
     let mut account = Account::new();
     let rate = flight_rate(history, body) * PER_LOOK;
+    let closed = history.model().bodies[body].closed_works();
     for span in history.paths[body].spans().take_while(|span| span.from < history.end()) {
         let until = span.until.min(history.end());
-        let cells = if span.flies { (until - span.from) * rate } else { 1.0 };
+        let cells = if span.flies && !closed { (until - span.from) * rate } else { 1.0 };
         for (a, b) in cut(&history.model().ground, span.from, until, cells) {
-            account.add(a, b, integrate(a, b, |t| body_powers(history, body, t)));
+            account.add(a, b, body_works(history, body, [a, b]));
         }
     }
     account
+}
+
+/// Work of the ground and of pushes, losses in the bearings and in the body, over a cell \[J\].
+fn body_works(history: &History, body: usize, [a, b]: [f64; 2]) -> [f64; 4] {
+    let flown = || match (history.paths[body].at(a)?.1, history.free_motion(body)?) {
+        (StoredMotion::Flight(flight), motion) => motion.works(flight, [a, b]),
+        _ => None,
+    };
+    flown().unwrap_or_else(|| integrate(a, b, |t| body_powers(history, body, t)))
 }
 
 /// Cuts a stretch into about `cells` equal parts, and at every kink of the ground motion.
@@ -220,16 +240,18 @@ fn lasting_account(history: &History, interval: &LastingInterval) -> Account<1> 
     account
 }
 
-/// Powers of the ground and of pushes, and the power lost in bearings \[W\].
-fn body_powers(history: &History, body: usize, t: f64) -> [f64; 3] {
-    let model = history.model();
-    model.bodies[body].powers(&history.state(body, t), model.ground.acceleration(t))
+/// Powers of the ground and of pushes, and those lost in bearings and in the body itself \[W\].
+fn body_powers(history: &History, body: usize, t: f64) -> [f64; 4] {
+    let (model, state) = (history.model(), history.state(body, t));
+    let [ground, push, loss] = model.bodies[body].powers(&state, model.ground.acceleration(t));
+    [ground, push, loss, model.bodies[body].own_loss(&state)]
 }
 
-/// Kinetic energy, strain in the bearings, potential of gravity \[J\].
-fn energies(history: &History, body: usize, t: f64) -> [f64; 3] {
-    let model = history.model();
-    model.bodies[body].energies(&history.state(body, t), model.gravity)
+/// Kinetic energy, strain in the bearings and in the body itself, potential of gravity \[J\].
+fn energies(history: &History, body: usize, t: f64) -> [f64; 4] {
+    let (model, state) = (history.model(), history.state(body, t));
+    let [kinetic, bearing, gravity] = model.bodies[body].energies(&state, model.gravity);
+    [kinetic, bearing, model.bodies[body].own_strain(&state), gravity]
 }
 
 /// Powers lost in the normal dashpot, the tangential dashpot and friction \[W\].

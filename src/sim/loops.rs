@@ -47,7 +47,10 @@ impl History {
         let kinematics = if self.model().kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
         let arm = body.axes * bearing.place;
         let (frame, ground) = (self.frame(girder, t), Frame::fixed(body.home + arm));
-        let (motion, _) = kinematics.motion([&frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
+        let (mut motion, _) = kinematics.motion([&frame, &ground], [arm, DVec3::ZERO], DVec3::ZERO, &body.axes);
+        let [bent, rate] = self.displaced(girder, bearing.place, t);
+        motion.moved += bent;
+        motion.rate += rate;
         let name = format!("{}.bearing{}", body.name, number + 1);
         let own = self.model().links.iter().enumerate().filter(|(_, link)| link.name == name);
         let (numbers, on_pier): (Vec<usize>, Vec<bool>) = own.map(|(n, link)| (n, link.bodies[1].is_some())).unzip();

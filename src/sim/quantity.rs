@@ -1,11 +1,13 @@
 //! Anything of a run that can be plotted: a number as a function of time, with its name and its unit.
 //!
-//! Names are made of the scene's own: `deck.x`, `deck.corner1.drift`, `deck+x.seat`, `deck+x|wall.force`,
+//! Names are made of the scene's own: `deck.x`, `deck.corner1.drift`, `deck+x.seat`, `deck.moment_mid`, `deck+x|wall.force`,
 //! `deck.corner2|wall.penetration`, `energy.friction`, `ground.x`. They are kept in scene files, so they do not change.
 
 use glam::DVec3;
 
-use super::{ContactNow, ContactState, History, readings, seats};
+pub use super::energy_quantity::OfEnergy;
+pub use super::section_quantity::OfSection;
+use super::{ContactNow, ContactState, History, energy_quantity, readings, seats, section_quantity};
 use crate::geometry::End;
 use crate::scene::Kind;
 
@@ -24,6 +26,10 @@ pub enum Unit {
     MetrePerSecond2,
     /// Newtons.
     Newton,
+    /// Newton metres.
+    NewtonMetre,
+    /// Pascals.
+    Pascal,
     /// Joules.
     Joule,
     /// None.
@@ -115,33 +121,6 @@ pub enum OfLink {
     Force,
 }
 
-/// What of the energy ledger (`docs/physics.md#energy-ledger`).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OfEnergy {
-    /// Kinetic.
-    Kinetic,
-    /// Strain of the bearings.
-    Bearings,
-    /// Strain of the contacts.
-    Contacts,
-    /// Stored in devices.
-    Devices,
-    /// Potential of gravity.
-    Gravity,
-    /// Work of the ground and of pushes.
-    Work,
-    /// Lost in the bearings' dashpots.
-    LostBearings,
-    /// Lost in the contacts' dashpots and hits.
-    LostContacts,
-    /// Lost in devices, and released where their phases change.
-    LostDevices,
-    /// Lost in friction.
-    Friction,
-    /// What the balance leaves over.
-    Residual,
-}
-
 /// A number of a run as a function of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -153,6 +132,8 @@ pub enum Quantity {
     Seat(usize, End),
     /// Of a pier, by its number.
     Pier(usize, OfPier),
+    /// Of a section of an elastic girder: its number, the number of the station among [`STATIONS`](super::section_quantity::STATIONS).
+    Section(usize, usize, OfSection),
     /// Of a facing pair, by its number.
     Pair(usize, OfPair),
     /// Of a contact, by its number.
@@ -195,19 +176,6 @@ const OF_BEARING: [(&str, OfBearing); 4] = [
     ("force-y", OfBearing::Force(1)),
 ];
 const OF_LINK: [(&str, OfLink); 2] = [("deformation", OfLink::Deformation), ("force", OfLink::Force)];
-const OF_ENERGY: [(&str, OfEnergy); 11] = [
-    ("kinetic", OfEnergy::Kinetic),
-    ("bearings", OfEnergy::Bearings),
-    ("contacts", OfEnergy::Contacts),
-    ("devices", OfEnergy::Devices),
-    ("gravity", OfEnergy::Gravity),
-    ("work", OfEnergy::Work),
-    ("lost-bearings", OfEnergy::LostBearings),
-    ("lost-contacts", OfEnergy::LostContacts),
-    ("lost-devices", OfEnergy::LostDevices),
-    ("friction", OfEnergy::Friction),
-    ("residual", OfEnergy::Residual),
-];
 
 impl Quantity {
     /// Every quantity of a run with its name, girders first; of pairs those that face each other or touched.
@@ -231,6 +199,8 @@ impl Quantity {
                 all.extend(of_corner);
             }
             all.extend(End::BOTH.map(|end| (format!("{name}{}.seat", end.label()), Self::Seat(i, end))));
+            let sections = section_quantity::named(history, i).into_iter();
+            all.extend(sections.map(|(of, station, what)| (format!("{name}.{of}"), Self::Section(i, station, what))));
         }
         let listed = history.listed_pairs();
         for (i, pair) in listed.iter().map(|&number| (number, &model.pairs[number])) {
@@ -260,9 +230,7 @@ impl Quantity {
                 all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
             }
         }
-        let has_devices = model.links.iter().any(|link| !link.device.is_linear());
-        let of_devices = |what: OfEnergy| matches!(what, OfEnergy::Devices | OfEnergy::LostDevices);
-        let energies = OF_ENERGY.into_iter().filter(|(_, what)| !of_devices(*what) || has_devices);
+        let energies = energy_quantity::named(history);
         all.extend(energies.map(|(of, what)| (format!("energy.{of}"), Self::Energy(what))));
         let axes = if model.kind == Kind::Spatial { 3 } else { 2 };
         let names = ["ground.x", "ground.y", "ground.z"].map(str::to_owned);
@@ -290,7 +258,10 @@ impl Quantity {
             Self::Girder(_, G::Theta) => Unit::Radian,
             Self::Girder(_, G::Vx | G::Vy) | Self::Contact(_, C::Sliding) => Unit::MetrePerSecond,
             Self::Girder(_, G::Omega) => Unit::RadianPerSecond,
-            Self::Pair(_, P::Force)
+            Self::Section(_, _, OfSection::Moment) => Unit::NewtonMetre,
+            Self::Section(_, _, OfSection::Stress) => Unit::Pascal,
+            Self::Section(..)
+            | Self::Pair(_, P::Force)
             | Self::Pier(_, OfPier::Shear)
             | Self::Contact(_, C::Normal | C::Tangential | C::Force)
             | Self::Bearing(_, _, OfBearing::Force(_))
@@ -319,6 +290,7 @@ impl Quantity {
                 let vector = if what == OfPier::Drift { now.displacement } else { now.shear };
                 vector.truncate().length()
             }),
+            Self::Section(i, station, what) => section_quantity::at(history, i, station, what, t),
             Self::Pair(i, what) if i < model.pairs.len() => match what {
                 OfPair::Gap => readings::gap(history, i, t),
                 OfPair::Force => model.pairs[i]
@@ -340,7 +312,7 @@ impl Quantity {
                 OfLink::Deformation => now.along.deformation[0],
                 OfLink::Force => now.along.resistance[0],
             }),
-            Self::Energy(what) => of_energy(history, what, t),
+            Self::Energy(what) => energy_quantity::at(history, what, t),
             Self::Ground(axis) => model.ground.acceleration(t)[axis.min(2)],
             _ => 0.0,
         }
@@ -373,22 +345,5 @@ fn of_contact(now: &ContactNow, what: OfContact) -> f64 {
             ContactState::Stick => 1.0,
             ContactState::Slip => 2.0,
         },
-    }
-}
-
-fn of_energy(history: &History, what: OfEnergy, t: f64) -> f64 {
-    let e = history.ledger(t);
-    match what {
-        OfEnergy::Kinetic => e.kinetic,
-        OfEnergy::Bearings => e.bearing,
-        OfEnergy::Contacts => e.contact,
-        OfEnergy::Devices => e.device,
-        OfEnergy::Gravity => e.gravity,
-        OfEnergy::Work => e.work_ground + e.work_push,
-        OfEnergy::LostBearings => e.loss_bearing,
-        OfEnergy::LostContacts => e.loss_normal + e.loss_tangential + e.loss_hits,
-        OfEnergy::LostDevices => e.loss_device + e.jump_device,
-        OfEnergy::Friction => e.loss_friction,
-        OfEnergy::Residual => e.residual,
     }
 }

@@ -9,7 +9,7 @@ pub use super::report::Extreme;
 use super::{History, seats, touches};
 use crate::contact::node_face::locate;
 use crate::dynamics::model::edge_node::NodePlace;
-use crate::geometry::End;
+use crate::geometry::{End, Prism};
 
 /// A girder in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,8 @@ pub struct Passed {
 /// Displacement of a corner in plan, at mid-depth \[m\].
 pub(super) fn corner_way(history: &History, girder: usize, corner: usize, t: f64) -> DVec3 {
     let body = &history.model().bodies[girder];
-    let motion = history.motion(girder, t);
+    let end = if Prism::end_corners(End::Plus).contains(&corner) { End::Plus } else { End::Minus };
+    let motion = history.end_motion(girder, end, t);
     let here = body.prism.plan_corners()[corner].extend(0.0);
     // From the displacement, not from the place: far from the origin the difference would round away.
     motion.displacement + (motion.attitude * here - body.axes * here)

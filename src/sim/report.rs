@@ -23,6 +23,21 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Of a section of an elastic girder in plan in a state as its integrator holds it: what a rigid girder that moves as the section
+    /// does would do.
+    pub(super) fn of_section(model: &Model, girder: usize, section: usize, state: &[f64]) -> Self {
+        let body = &model.bodies[girder];
+        let here = body.frame(section, state);
+        Self {
+            place: here.origin(),
+            displacement: here.shift,
+            theta: here.heading,
+            attitude: DQuat::from_rotation_z(here.heading) * DQuat::from_mat3(&body.axes),
+            velocity: here.velocity,
+            spin: here.spin,
+        }
+    }
+
     /// Of a girder in a state as its integrator holds it.
     pub(super) fn of(model: &Model, girder: usize, state: &[f64]) -> Self {
         let body = &model.bodies[girder];
@@ -135,7 +150,7 @@ pub struct Touch {
     pub slip: f64,
 }
 
-/// Whether a scene without devices leaves it out.
+/// Whether a scene without devices, or without elastic girders, leaves it out.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(energy: &f64) -> bool {
     *energy == 0.0
@@ -155,12 +170,18 @@ pub struct Ledger {
     /// Energy stored in devices.
     #[serde(skip_serializing_if = "is_zero")]
     pub device: f64,
+    /// Strain energy of elastic girders.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub girder: f64,
     /// Work of the ground's inertia forces.
     pub work_ground: f64,
     /// Work of given pushes.
     pub work_push: f64,
     /// Lost in the bearings' dashpots.
     pub loss_bearing: f64,
+    /// Lost in elastic girders.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub loss_girder: f64,
     /// Lost in the normal dashpots of contacts.
     pub loss_normal: f64,
     /// Lost in the tangential dashpots of contacts.

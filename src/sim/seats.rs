@@ -208,7 +208,7 @@ struct Over {
 
 impl Over {
     fn at(history: &History, girder: usize, ledge: &Ledge, t: f64) -> Self {
-        Self::of((girder, history.motion(girder, t)), history, ledge, t)
+        Self::of((girder, history.end_motion(girder, ledge.end, t)), history, ledge, t)
     }
 
     fn of((girder, motion): (usize, Motion), history: &History, ledge: &Ledge, t: f64) -> Self {
@@ -231,10 +231,11 @@ impl Over {
     }
 }
 
-/// A girder at every look of a run.
+/// An end of a girder at every look of a run.
 struct Looks<'a> {
     history: &'a History,
     girder: usize,
+    end: End,
     times: Vec<f64>,
     motions: Vec<Motion>,
 }
@@ -246,9 +247,19 @@ pub fn of_girder(history: &History, girder: usize) -> Vec<Seat> {
         return Vec::new();
     }
     let times = touches::looks(history, girder);
-    let motions = times.iter().map(|&t| history.motion(girder, t)).collect();
-    let looks = Looks { history, girder, times, motions };
-    ledges.into_iter().map(|ledge| looks.seat(ledge)).collect()
+    let looks = |end: End| {
+        let motions = times.iter().map(|&t| history.end_motion(girder, end, t)).collect();
+        Looks { history, girder, end, times: times.clone(), motions }
+    };
+    // The ends of a rigid girder move as one.
+    let rigid = history.model().bodies[girder].sections() == 1;
+    let mut seen: Option<Looks<'_>> = None;
+    let mut seats = Vec::with_capacity(ledges.len());
+    for ledge in ledges {
+        let known = seen.take().filter(|looks| rigid || looks.end == ledge.end);
+        seats.push(seen.insert(known.unwrap_or_else(|| looks(ledge.end))).seat(ledge));
+    }
+    seats
 }
 
 impl Looks<'_> {

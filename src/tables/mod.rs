@@ -7,6 +7,7 @@
 pub mod compare;
 mod contacts;
 mod events;
+mod flexible;
 mod impact;
 pub mod read;
 mod seats;
@@ -15,6 +16,7 @@ mod trajectory;
 
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
+pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
@@ -25,7 +27,7 @@ pub use trajectory::{trajectory, trajectory_columns};
 
 use std::io::Write;
 
-use crate::sim::History;
+use crate::sim::{DegreeCheck, History};
 
 /// Samples per second unless told otherwise \[Hz\].
 pub const DEFAULT_SAMPLE_HZ: f64 = 100.0;
@@ -37,13 +39,15 @@ pub struct TableOptions {
     pub sample_hz: f64,
     /// [`History::estimate_error`], when it was asked for \[m\].
     pub estimated_error: Option<f64>,
+    /// [`History::check_degree`], when it was asked for.
+    pub degree_check: Option<DegreeCheck>,
     /// How long the run took to compute, when it was timed \[s\].
     pub run_time: Option<f64>,
 }
 
 impl Default for TableOptions {
     fn default() -> Self {
-        Self { sample_hz: DEFAULT_SAMPLE_HZ, estimated_error: None, run_time: None }
+        Self { sample_hz: DEFAULT_SAMPLE_HZ, estimated_error: None, degree_check: None, run_time: None }
     }
 }
 

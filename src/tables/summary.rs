@@ -4,9 +4,12 @@ use serde::Serialize;
 
 use super::TableOptions;
 use super::events::law_of;
+use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
 use crate::scene::{Kind, Scene, domain};
-use crate::sim::{BackfillReading, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings};
+use crate::sim::{
+    BackfillReading, DegreeCheck, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings,
+};
 
 /// Everything a summary says, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -34,6 +37,12 @@ pub struct Report {
     pub backfill: Vec<BackfillReport>,
     /// What the run did to piers.
     pub piers: Vec<PierReport>,
+    /// Girders that the scene calls elastic.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub flexible: Vec<FlexibleReport>,
+    /// Differences from a run with more polynomials, when asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degree_check: Option<DegreeCheck>,
     /// Limits of the scene that were passed, the earliest first.
     pub limits_passed: Vec<PassedReport>,
     /// Overlaps of two bodies that no contact carries, the earliest first.
@@ -225,6 +234,8 @@ impl Report {
             seats: seats::of(history),
             backfill: backfill(history),
             piers: piers(history),
+            flexible: flexible::of(history),
+            degree_check: options.degree_check,
             limits_passed: passed(history),
             overlaps: overlaps(history),
             too_deep: too_deep(history),

@@ -31,6 +31,7 @@ mod physics {
     mod drift;
     mod edge_nodes;
     mod energy;
+    mod flexible;
     mod free_motion;
     mod hertz;
     mod long_runs;

@@ -52,10 +52,15 @@ fn text(value: &Value) -> &str {
     value.as_str().expect("a word in the reference case")
 }
 
+/// What is written of a case.
+pub(crate) fn value(name: &str) -> Value {
+    let json = std::fs::read_to_string(data(&format!("{name}.json"))).expect("the reference case is in tests/data");
+    serde_json::from_str(&json).expect("the reference case is JSON")
+}
+
 /// Reads a case.
 pub(crate) fn load(name: &str) -> Case {
-    let json = std::fs::read_to_string(data(&format!("{name}.json"))).expect("the reference case is in tests/data");
-    let value: Value = serde_json::from_str(&json).expect("the reference case is JSON");
+    let value = value(name);
     let events = value["result"]["events"]
         .as_array()
         .expect("events")
@@ -102,7 +107,9 @@ fn scene(case: &Value) -> Scene {
 }
 
 fn girder(index: usize, body: &Value) -> Girder {
-    let (home, x0, push) = (numbers(&body["home"]), numbers(&body["x0"]), numbers(&body["push"]));
+    let (home, x0, mut push) = (numbers(&body["home"]), numbers(&body["x0"]), numbers(&body["push"]));
+    // Some cases have none.
+    push.resize(3, 0.0);
     let legs: Vec<[f64; 2]> =
         body["legs"].as_array().expect("legs").iter().map(|l| [number(&l[0]), number(&l[1])]).collect();
     let frequency = number(&body["fx"]);
@@ -179,7 +186,7 @@ fn contact(case: &Value, pairs: Vec<PairSettings>) -> ContactSettings {
         mu_static: number(&case["mus"]),
         mu_kinetic: number(&case["muk"]),
         law: if text(&case["law"]) == "paper" { FrictionLaw::Paper } else { FrictionLaw::ReturnMapping },
-        sharing: if text(&case["sharing"]) == "tributary" { Sharing::Tributary } else { Sharing::PerNode },
+        sharing: if case["sharing"] == "tributary" { Sharing::Tributary } else { Sharing::PerNode },
         tension: if case["tension"] == true { Tension::Keep } else { Tension::Clamp },
         pairs,
         ..ContactSettings::default()

@@ -22,7 +22,7 @@ type Window = Harness<'static, Workbench>;
 const NO_FIELD: &[(&str, &str, &str)] = &[("", "format", "the program writes its own version")];
 
 /// Sections that are folded away at first.
-const FOLDED: [&str; 9] = [
+const FOLDED: [&str; 10] = [
     "Start, push, held",
     "Seats",
     "Design codes",
@@ -32,6 +32,7 @@ const FOLDED: [&str; 9] = [
     "Processing",
     "Soil behind the wall",
     "Damping, yield, place, cap",
+    "Flexibility",
 ];
 
 fn show(scene: Scene, select: Option<Target>) -> Window {
@@ -130,13 +131,15 @@ fn windows() -> Vec<Window> {
     let key = "stopper=[{ name = \"d\", girder = \"deck\", at_m = [0, 0], direction = [0, 1], minus_gap_m = 0.01, \
          stiffness_n_per_m = 1e4, yield_force_n = 10, break_displacement_m = 0.01 }]";
     let one = |set: &str, kind| show(with(&planar, &[set]), Some(Target::Device(DeviceId { kind, number: 0 })));
-    let devices = [
+    let devices = vec![
         one(&cable, DeviceKind::Restrainer),
         one(&rubber, DeviceKind::Bumper),
         one(&soft, DeviceKind::Bumper),
         one(&damper, DeviceKind::Damper),
         one(key, DeviceKind::Stopper),
     ];
+    let elastic =
+        with(&planar, &["girder.deck.elastic={ area_m2 = 0.001, rayleigh = { mass = 0.1, stiffness = 1e-5 } }"]);
     let places = with(&planar, &["girder.deck.bearings.at_m=[[0.05, 0]]"]);
     let others = vec![
         show(both.clone(), None),
@@ -162,6 +165,7 @@ fn windows() -> Vec<Window> {
         show(with(&viaduct, &["pier.p1.frequency_hz=2"]), Some(Target::Pier(0))),
         show(with(&viaduct, &["pier.p1.stiffness_n_per_m=5e7", "pier.p1.yield_force_n=1e6"]), Some(Target::Pier(0))),
         show(with(&viaduct, &[one_by_one]), Some(Target::Girder(0))),
+        show(elastic, Some(Target::Girder(0))),
     ];
     others.into_iter().chain(devices).collect()
 }

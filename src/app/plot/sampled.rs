@@ -69,6 +69,8 @@ pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
         Unit::RadianPerSecond => (180.0 / std::f64::consts::PI, "°/s"),
         Unit::MetrePerSecond2 => (1.0, "m/s²"),
         Unit::Newton => (1.0, "N"),
+        Unit::NewtonMetre => (1.0, "N·m"),
+        Unit::Pascal => (1e-6, "MPa"),
         Unit::Joule => (1.0, "J"),
         Unit::One => (1.0, "1"),
     }

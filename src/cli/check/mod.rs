@@ -2,6 +2,7 @@
 
 mod backfill;
 mod device;
+mod flexible;
 mod girder;
 mod pier;
 
@@ -73,6 +74,7 @@ fn text(scene: &Scene, model: &Model) -> String {
     let soil = scene.abutments.iter().filter_map(|abutment| backfill::text(scene, abutment));
     std::iter::once(head(scene))
         .chain(girders)
+        .chain(flexible::texts(model))
         .chain(soil)
         .chain(pier::texts(scene))
         .chain(pairs)

@@ -19,6 +19,24 @@ pub fn integrals_to_end(degree: usize, xi: f64) -> Vec<f64> {
     (0..=degree).map(|k| if k == 0 { 1.0 - xi } else { above(k) }).collect()
 }
 
+/// `∫_ξ^1 (x − ξ) P_k(x) dx` for k from 0 to `degree`.
+pub fn moments_to_end(degree: usize, xi: f64) -> Vec<f64> {
+    let once = integrals_to_end(degree + 1, xi);
+    let above = |k: usize| (once[k - 1] - once[k + 1]) / (2 * k + 1) as f64;
+    (0..=degree).map(|k| if k == 0 { 0.5 * (1.0 - xi) * (1.0 - xi) } else { above(k) }).collect()
+}
+
+/// `P_0' … P_degree'` at ξ.
+pub fn slopes(degree: usize, xi: f64) -> Vec<f64> {
+    let p = values(degree, xi);
+    let mut slopes = vec![0.0; degree + 1];
+    for k in 1..=degree {
+        let before = if k > 1 { slopes[k - 2] } else { 0.0 };
+        slopes[k] = before + (2 * k - 1) as f64 * p[k - 1];
+    }
+    slopes
+}
+
 /// `∫ P_k² = 2/(2k + 1)` over the whole.
 pub fn square(k: usize) -> f64 {
     2.0 / (2 * k + 1) as f64
@@ -65,6 +83,10 @@ mod tests {
             let wanted = integral(0.2, |x| values(k, x)[k]);
             assert!((value - wanted).abs() < 1e-12, "∫P_{k}: {value} against {wanted}");
             assert!((integral(-1.0, |x| values(k, x)[k].powi(2)) - square(k)).abs() < 1e-9, "∫P_{k}²");
+            let wanted = integral(0.2, |x| (x - 0.2) * values(k, x)[k]);
+            let moment = moments_to_end(5, 0.2)[k];
+            assert!((moment - wanted).abs() < 1e-12, "∫(x − ξ)P_{k}: {moment} against {wanted}");
+            assert!((slopes(5, 0.2)[k] - rate(k, 0.2)).abs() < 1e-6, "P_{k}'");
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::motion::Ground;
 pub enum BodyMotion {
     /// Of a rigid girder in plan.
     Girder(Box<FreeMotion>),
-    /// Of a body from outside this package.
+    /// Of a body of other coordinates.
     Custom(Arc<dyn ClosedForm>),
 }
 
@@ -26,8 +26,19 @@ pub enum BodyMotion {
 pub enum BodyFlight {
     /// Of a rigid girder in plan.
     Girder(Flight),
-    /// Of a body from outside this package: its state at the start \[s\].
-    Custom(f64, BodyState),
+    /// Of a body of other coordinates.
+    Custom(Box<CustomFlight>),
+}
+
+/// A flight in a closed form that a body brings.
+#[derive(Clone, Debug)]
+pub struct CustomFlight {
+    /// When it begins \[s\].
+    start: f64,
+    /// State at its beginning.
+    state: BodyState,
+    /// What the closed form computes from.
+    numbers: Vec<f64>,
 }
 
 impl BodyMotion {
@@ -44,7 +55,14 @@ impl BodyMotion {
     pub fn fly(&self, start: f64, state: &[f64]) -> BodyFlight {
         match (self, in_a_row(state)) {
             (Self::Girder(motion), [state]) => BodyFlight::Girder(motion.fly(start, *state)),
-            _ => BodyFlight::Custom(start, state.into()),
+            (Self::Custom(form), _) => {
+                let (state, numbers) = (state.into(), form.begin(start, state));
+                BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers }))
+            }
+            // A state of other width is of no girder.
+            (Self::Girder(_), _) => {
+                BodyFlight::Custom(Box::new(CustomFlight { start, state: state.into(), numbers: Vec::new() }))
+            }
         }
     }
 
@@ -52,7 +70,7 @@ impl BodyMotion {
     pub fn state(&self, flight: &BodyFlight, t: f64) -> BodyState {
         match (self, flight) {
             (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state(flight, t).as_slice().into(),
-            (Self::Custom(form), BodyFlight::Custom(start, from)) => custom_state(&**form, *start, from, t),
+            (Self::Custom(form), BodyFlight::Custom(flight)) => custom_state(&**form, flight, t),
             // A flight is begun by its own motion.
             _ => flight.state().into(),
         }
@@ -76,9 +94,16 @@ impl BodyMotion {
     pub fn bounds(&self, flight: &BodyFlight, t: f64, horizon: f64) -> MotionBounds {
         match (self, flight) {
             (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.state_and_bounds(flight, t, horizon).1,
-            (Self::Custom(form), _) => form.bounds(t, &self.state(flight, t), horizon),
-            (Self::Girder(_), BodyFlight::Custom(..)) => MotionBounds::still(horizon),
+            (Self::Custom(form), BodyFlight::Custom(own)) => form.bounds(own.start, &own.numbers, t, horizon),
+            // A flight is begun by its own motion.
+            _ => MotionBounds::still(horizon),
         }
+    }
+
+    /// [`ClosedForm::works`] of a flight.
+    pub fn works(&self, flight: &BodyFlight, span: [f64; 2]) -> Option<[f64; 4]> {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
+        form.works(own.start, &own.numbers, span)
     }
 
     /// Stores the states from which evaluations up to `t` start.
@@ -101,9 +126,13 @@ impl BodyMotion {
     }
 }
 
-fn custom_state(form: &dyn ClosedForm, start: f64, from: &[f64], t: f64) -> BodyState {
-    let mut out = BodyState::from_elem(0.0, from.len());
-    form.state(start, from, t, &mut out);
+fn custom_state(form: &dyn ClosedForm, flight: &CustomFlight, t: f64) -> BodyState {
+    // As it was, to the last bit.
+    if t == flight.start {
+        return flight.state.clone();
+    }
+    let mut out = BodyState::from_elem(0.0, flight.state.len());
+    form.state(flight.start, &flight.numbers, t, &mut out);
     out
 }
 
@@ -113,7 +142,7 @@ impl BodyFlight {
     pub fn start(&self) -> f64 {
         match self {
             Self::Girder(flight) => flight.start,
-            Self::Custom(start, _) => *start,
+            Self::Custom(flight) => flight.start,
         }
     }
 
@@ -122,7 +151,7 @@ impl BodyFlight {
     pub fn state(&self) -> &[f64] {
         match self {
             Self::Girder(flight) => &flight.state,
-            Self::Custom(_, state) => state,
+            Self::Custom(flight) => &flight.state,
         }
     }
 
@@ -138,8 +167,10 @@ impl BodyFlight {
     pub fn bytes(&self) -> usize {
         let more = match self {
             Self::Girder(flight) => flight.bytes() - size_of::<Flight>(),
-            Self::Custom(_, state) if state.spilled() => size_of_val(state.as_slice()),
-            Self::Custom(..) => 0,
+            Self::Custom(flight) => {
+                let state = if flight.state.spilled() { size_of_val(flight.state.as_slice()) } else { 0 };
+                size_of::<CustomFlight>() + state + size_of_val(flight.numbers.as_slice())
+            }
         };
         size_of::<Self>() + more
     }

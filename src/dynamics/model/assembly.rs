@@ -10,7 +10,7 @@ use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
-use crate::dynamics::model::{backwall, contact_sites, edge_sites, pier};
+use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
@@ -43,6 +43,7 @@ impl Model {
             body
         };
         let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
+        let flexible = flexible::add(scene, &facings, &mut bodies);
         let mut links = Vec::new();
         let walls = backwall::add(scene, &mut bodies, &mut links)?;
         bodies.extend(pier::bodies(scene));
@@ -74,6 +75,7 @@ impl Model {
             bodies,
             walls,
             piers: Vec::new(),
+            flexible,
             pairs,
             contacts,
             links,

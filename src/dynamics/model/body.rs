@@ -199,6 +199,21 @@ pub trait Coordinates: Debug + Send + Sync {
 
     /// Powers of the ground's inertia force, of given pushes, and lost in the bearings \[W\].
     fn powers(&self, body: &Body, state: &[f64], ground: DVec3) -> [f64; 3];
+
+    /// Strain energy of the body itself \[J\].
+    fn own_strain(&self, _state: &[f64]) -> f64 {
+        0.0
+    }
+
+    /// Whether flights in closed form say what [`ClosedForm::works`] is asked for.
+    fn closed_works(&self) -> bool {
+        false
+    }
+
+    /// Power lost in the body itself \[W\].
+    fn own_loss(&self, _state: &[f64]) -> f64 {
+        0.0
+    }
 }
 
 /// A point of a body.

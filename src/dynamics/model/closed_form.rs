@@ -5,10 +5,24 @@ use std::fmt::Debug;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
 /// The free motion of a body: bearings, given pushes and ground, without contact.
+///
+/// A flight is computed from when it began \[s\] and from the numbers that [`begin`](Self::begin) makes of the state then; states
+/// are those since the body was placed.
 pub trait ClosedForm: Debug + Send + Sync {
-    /// State at `t`, written to `out`, of what was in state `from` at `start` \[s\]; both since the body was placed.
-    fn state(&self, start: f64, from: &[f64], t: f64, out: &mut [f64]);
+    /// What a flight from this state at `start` is computed from.
+    fn begin(&self, _start: f64, state: &[f64]) -> Vec<f64> {
+        state.to_vec()
+    }
 
-    /// Bounds on the motion from `t` on, where it is at `state`, for at most `horizon` \[s\].
-    fn bounds(&self, t: f64, state: &[f64], horizon: f64) -> MotionBounds;
+    /// State at `t` of a flight, written to `out`.
+    fn state(&self, start: f64, numbers: &[f64], t: f64, out: &mut [f64]);
+
+    /// Bounds on the motion of any section in a flight from `t` on for at most `horizon` \[s\].
+    fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds;
+
+    /// Work of the ground's inertia forces and of pushes, losses in bearings and in the body, over a stretch without a kink of the
+    /// ground's motion \[J\]; `None` where they are left to quadrature.
+    fn works(&self, _start: f64, _numbers: &[f64], _span: [f64; 2]) -> Option<[f64; 4]> {
+        None
+    }
 }

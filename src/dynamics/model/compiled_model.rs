@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
+use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
 use crate::scene::facing::{self, Side, SolidId};
@@ -56,6 +57,8 @@ pub struct Model {
     pub walls: Vec<Option<Backwall>>,
     /// Piers, as numbered in the scene.
     pub piers: Vec<Pier>,
+    /// For each girder how it bends; `None` for one that the scene has rigid.
+    pub flexible: Vec<Option<Flexible>>,
     /// Facing pairs.
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.

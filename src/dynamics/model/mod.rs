@@ -10,6 +10,7 @@ pub(in crate::dynamics) mod contact_sites;
 pub mod coordinates;
 pub mod edge_node;
 mod edge_sites;
+pub mod flexible;
 pub mod groups;
 pub mod motion_bounds;
 pub mod pair;

@@ -36,7 +36,7 @@ pub struct Facing {
     pub met: bool,
     /// The numbers in force.
     pub contact: PairContact,
-    /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies \[kg\].
+    /// Reduced mass `M₁M₂/(M₁+M₂)` of the bodies, of an elastic girder what a dashpot sees of it \[kg\].
     pub mass: f64,
     /// Distance as placed, along the first girder's axis \[m\].
     pub gap: f64,
@@ -89,13 +89,14 @@ fn found(scene: &Scene, complaints: &mut Vec<SceneError>) -> Vec<(Side, Side)> {
 }
 
 fn facing(scene: &Scene, first: Side, second: Side, met: bool) -> Facing {
+    let contact = numbers::in_force(scene, first, second);
     Facing {
         name: pair_name(scene, first, second),
         first,
         second,
         met,
-        contact: numbers::in_force(scene, first, second),
-        mass: numbers::mass_of(scene, first, second),
+        mass: numbers::dashpot_mass(scene, first, second, contact.stiffness),
+        contact,
         gap: gap(scene, first, second),
     }
 }

@@ -2,9 +2,9 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, GIRDER, IMPACT, INITIAL, LIMITS,
-    MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RECORD, RESTRAINER, SEAT, SINE, SOLVER, STOPPER,
-    SWEEP, SYNTHETIC, TOP, VIEW,
+    ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, ELASTIC, GIRDER, IMPACT, INITIAL,
+    LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD, RESTRAINER, SEAT, SINE,
+    SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW,
 };
 use crate::scene::DeviceKind;
 
@@ -28,6 +28,8 @@ pub const TABLES: &[Table] = &[
     Table { path: "girder.initial", keys: INITIAL },
     Table { path: "girder.push", keys: PUSH },
     Table { path: "girder.seat_m", keys: SEAT },
+    Table { path: "girder.elastic", keys: ELASTIC },
+    Table { path: "girder.elastic.rayleigh", keys: RAYLEIGH },
     Table { path: "abutment", keys: ABUTMENT },
     Table { path: "abutment.backfill", keys: BACKFILL },
     Table { path: "pier", keys: PIER },

@@ -15,6 +15,7 @@ pub use super::bearing::{BEARING, BEARINGS};
 pub use super::codes::CODES;
 pub use super::contact::{CONTACT, PAIR};
 pub use super::device::{BUMPER, DAMPER, ENDS, RESTRAINER, STOPPER};
+pub use super::elastic::{ELASTIC, RAYLEIGH};
 pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};
 pub use super::limits::LIMITS;
 pub use super::model::{IMPACT, MODEL};

@@ -12,6 +12,7 @@ pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
     start(girder, kind, at);
     end_faces(girder, at);
     far_bearings(girder, kind, at);
+    elastic(girder, kind, at);
     match &girder.bearings {
         None => {}
         Some(Bearings::Shared(bearings)) => {
@@ -20,6 +21,34 @@ pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
             shared(bearings, needs_vertical(girder, kind), &mut table);
         }
         Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), kind, at),
+    }
+}
+
+/// Numbers of an elastic girder, and what it cannot be yet.
+fn elastic(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+    let Some(elastic) = &girder.elastic else { return };
+    if kind == Kind::Spatial {
+        let remedy = "elastic girders are known in planar scenes only so far: set kind = \"planar\", or leave it out";
+        at.add("elastic", "an elastic girder in a spatial scene", remedy);
+    }
+    if let Some(Bearings::Each(bearings)) = &girder.bearings
+        && bearings.iter().any(|bearing| bearing.yield_force.is_some())
+    {
+        let remedy = "bearings of an elastic girder are linear so far: leave out yield_force_n, or `elastic`";
+        at.add("elastic", "an elastic girder on bearings that yield", remedy);
+    }
+    if girder.bearings.as_ref().is_some_and(|bearings| bearings.piers(girder).iter().any(Option::is_some)) {
+        let remedy =
+            "bearings of an elastic girder stand on the ground so far: leave out the pier under them, or `elastic`";
+        at.add("elastic", "an elastic girder on a pier", remedy);
+    }
+    let mut at = at.below("elastic", keys::ELASTIC);
+    at.all(elastic);
+    for (key, value, remedy) in elastic.faults(girder) {
+        at.add(key, value, remedy);
+    }
+    if let Some(rayleigh) = &elastic.rayleigh {
+        at.below("rayleigh", keys::RAYLEIGH).all(rayleigh);
     }
 }
 

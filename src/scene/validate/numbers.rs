@@ -11,7 +11,7 @@ use crate::scene::{ContactSettings, ImpactSettings, Kind, Limits, ModelKind, Mot
 pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
     let mut at = complaints.at("contact", keys::CONTACT);
     at.all(contact);
-    stiffness(contact.stiffness, contact.young_modulus, contact.area, &mut at);
+    stiffness(contact.stiffness, [contact.young_modulus, contact.area, contact.contact_length], &mut at);
     at.in_order(contact, contact);
     normal_law(contact, &mut at);
     for (n, pair) in contact.pairs.iter().enumerate() {
@@ -19,7 +19,7 @@ pub(super) fn contact(contact: &ContactSettings, complaints: &mut Complaints) {
         in_force.lay_over(pair);
         let mut at = complaints.at(format!("contact.pair[{n}]"), keys::PAIR);
         at.all(pair);
-        stiffness(pair.stiffness, pair.young_modulus, pair.area, &mut at);
+        stiffness(pair.stiffness, [pair.young_modulus, pair.area, pair.contact_length], &mut at);
         at.in_order(pair, &in_force);
         normal_law(&in_force, &mut at);
     }
@@ -66,11 +66,17 @@ pub(super) fn model(scene: &Scene, complaints: &mut Complaints) {
         let remedy = "the impact model knows planar scenes only: make it \"contact\", or kind = \"planar\"";
         complaints.at("model", keys::MODEL).add("kind", value, remedy);
     }
+    let elastic = scene.girders.iter().find(|girder| girder.elastic.is_some());
+    if let Some(girder) = elastic.filter(|_| scene.model.kind != ModelKind::Contact) {
+        let value = format!("\"{}\" with an elastic girder, {}", scene.model.kind.label(), girder.name);
+        let remedy = "the impact model knows rigid girders only: make it \"contact\", or leave out [girder.elastic]";
+        complaints.at("model", keys::MODEL).add("kind", value, remedy);
+    }
 }
 
-fn stiffness(stiffness: Option<f64>, young_modulus: Option<f64>, area: Option<f64>, at: &mut At<'_>) {
-    if let (Some(k), true) = (stiffness, young_modulus.is_some() || area.is_some()) {
-        let remedy = "K = E A / L comes from young_modulus_pa and area_m2: give either those or stiffness_n_per_m";
+fn stiffness(stiffness: Option<f64>, of_section: [Option<f64>; 3], at: &mut At<'_>) {
+    if let (Some(k), true) = (stiffness, of_section.iter().any(Option::is_some)) {
+        let remedy = "K = E A / L comes from young_modulus_pa, area_m2 and contact_length_m: give either those or stiffness_n_per_m";
         at.add("stiffness_n_per_m", number(k), remedy);
     }
 }

@@ -7,6 +7,7 @@ use glam::{DQuat, DVec2, DVec3};
 use crate::contact::node_face;
 use crate::dynamics::Model;
 use crate::geometry::shape::{AlignedBox, Convex, Stand, block_behind, common_centre, plan_distance, plan_separation};
+use crate::geometry::{End, Prism};
 use crate::scene::facing::Side;
 use crate::scene::{Kind, Scene, placed};
 use crate::sim::History;
@@ -60,6 +61,8 @@ impl Joined {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     stands: [Stand; 2],
+    /// Corners in plan of what is not rigid, in the world \[m\].
+    bent: [Option<[DVec2; 4]>; 2],
 }
 
 impl Solids {
@@ -118,7 +121,7 @@ impl Solids {
 
     /// Two bodies as placed.
     pub(super) fn as_placed(&self, model: &Model, pair: [usize; 2]) -> Placed {
-        Placed { stands: pair.map(|number| self.home(model, number)) }
+        Placed { stands: pair.map(|number| self.home(model, number)), bent: [None; 2] }
     }
 
     /// Box around a body as placed.
@@ -136,7 +139,22 @@ impl Solids {
 
     /// Two bodies at `t`.
     pub(super) fn placed(&self, history: &History, pair: [usize; 2], t: f64) -> Placed {
-        Placed { stands: pair.map(|number| self.stand(history, number, t)) }
+        let bent = pair.map(|number| self.bent(history, number, t));
+        Placed { stands: pair.map(|number| self.stand(history, number, t)), bent }
+    }
+
+    /// Corners in plan of a body whose ends move on their own.
+    fn bent(&self, history: &History, number: usize, t: f64) -> Option<[DVec2; 4]> {
+        let body = self.body(number).filter(|&body| history.model().bodies[body].sections() > 1)?;
+        let ends = End::BOTH.map(|end| history.end_motion(body, end, t));
+        let mut outline = self.all[number].plan(Stand { place: ends[0].place, attitude: ends[0].attitude });
+        for (end, motion) in End::BOTH.into_iter().zip(ends) {
+            let own = self.all[number].plan(Stand { place: motion.place, attitude: motion.attitude });
+            for corner in Prism::end_corners(end) {
+                outline[corner] = own[corner];
+            }
+        }
+        Some(outline)
     }
 
     fn stand(&self, history: &History, number: usize, t: f64) -> Stand {
@@ -151,10 +169,11 @@ impl Solids {
     pub(super) fn separation(&self, pair: [usize; 2], placed: &Placed) -> f64 {
         let [one, other] = pair.map(|number| &self.all[number]);
         let [here, there] = placed.stands;
-        match (self.kind, &one.convex, &other.convex) {
-            (Kind::Spatial, Some(a), Some(b)) => a.separation(here, b, there),
-            _ => plan_separation(&one.plan(here), &other.plan(there)),
+        if let (Kind::Spatial, Some(a), Some(b)) = (self.kind, &one.convex, &other.convex) {
+            return a.separation(here, b, there);
         }
+        let [a, b] = placed.bent;
+        plan_separation(&a.unwrap_or_else(|| one.plan(here)), &b.unwrap_or_else(|| other.plan(there)))
     }
 
     /// Where a contact's node is in plan at `t`: its distance from the body of its face, along the side that parts them most,

@@ -153,7 +153,9 @@ impl ClosedForm for TwoCoordinates {
         out[RATES].copy_from_slice(&(velocity * c - place * (w * s)).to_array());
     }
 
-    fn bounds(&self, _: f64, state: &[f64], horizon: f64) -> MotionBounds {
+    fn bounds(&self, start: f64, from: &[f64], t: f64, horizon: f64) -> MotionBounds {
+        let mut state = [0.0; 4];
+        self.state(start, from, t, &mut state);
         let [place, rate] = [POSITIONS, RATES].map(|part| DVec2::from_slice(&state[part]).length());
         let speed = rate.hypot(self.omega * place);
         let reach = if self.omega > 0.0 { speed / self.omega } else { place + speed * horizon };

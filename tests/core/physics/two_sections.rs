@@ -186,7 +186,9 @@ impl ClosedForm for TwoEnds {
         }
     }
 
-    fn bounds(&self, _: f64, state: &[f64], horizon: f64) -> MotionBounds {
+    fn bounds(&self, start: f64, from: &[f64], t: f64, horizon: f64) -> MotionBounds {
+        let mut state = [0.0; 4];
+        self.state(start, from, t, &mut state);
         let rate = of_section(0, DVec2::from_slice(&state[RATES])).abs();
         let swing = (0.5 * (state[3] - state[2])).hypot(self.omega * 0.5 * (state[1] - state[0]));
         let (speed, far) = (rate + swing, state[0].abs().max(state[1].abs()));

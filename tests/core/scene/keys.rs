@@ -107,6 +107,13 @@ fn recorded(record: &str) -> Scene {
     format::read(&text, "recorded").unwrap_or_else(|errors| panic!("{errors}"))
 }
 
+/// A planar scene with an elastic girder.
+fn elastic() -> Scene {
+    let text = "name = \"elastic\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+                thickness_m = 1.5\nmass_kg = 6e5\n[girder.elastic]\narea_m2 = 8.0\nrayleigh = { mass = 0.1 }\n";
+    format::read(text, "elastic").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
 /// The path of a table as `--set` walks it in the full scene, and the scene.
 fn standing(table: &str) -> (Scene, String) {
     let scene = match table {
@@ -114,6 +121,7 @@ fn standing(table: &str) -> (Scene, String) {
         "motion kind = synthetic" => recorded("kind = \"synthetic\"\n"),
         "motion kind = sweep" => recorded("kind = \"sweep\"\n"),
         _ if table.starts_with("motion.") => recorded(COMPONENT),
+        _ if table.starts_with("girder.elastic") => elastic(),
         _ => full(),
     };
     let path = match table {
@@ -182,7 +190,8 @@ fn documented() -> Vec<(String, [String; 4])> {
         let table = match heading.as_str() {
             "Top of the file" => String::new(),
             "bearings" if seen_at == 2 => "girder.bearings[]".into(),
-            "bearings" | "initial" | "push" | "seat_m" => format!("girder.{heading}"),
+            "bearings" | "initial" | "push" | "seat_m" | "elastic" => format!("girder.{heading}"),
+            "rayleigh" => "girder.elastic.rayleigh".into(),
             "backfill" => "abutment.backfill".into(),
             other => other.to_owned(),
         };

@@ -2,8 +2,8 @@
 
 use egui::Ui;
 
-use super::bearings;
 use super::rows::{grid, push, section};
+use super::{bearings, elastic};
 use crate::app::command::Command;
 use crate::app::field::{Change, Form, Look, Place, Without, rows, tag};
 use crate::app::panel::name_field;
@@ -45,7 +45,10 @@ pub(super) fn show(
         let look = Look { without: Without::Off(&some), ..look(Place { table: &seats, ..place }) };
         grid(ui, "seat", |ui| rows(ui, &look, &mut new.seat, &[]))
     });
-    let change = first.or(stands).or(more.flatten()).or(seat.flatten());
+    // Rigid it is in space.
+    let bends = kind == Kind::Planar || girder.elastic.is_some();
+    let bends = bends.then(|| section(ui, text::ELASTIC_SECTION, false, |ui| elastic::show(ui, form, place, &mut new)));
+    let change = first.or(stands).or(more.flatten()).or(seat.flatten()).or(bends.flatten().flatten());
     push(change, out, || edits::girders_alike(form.scene, i, &new, selected));
 }
 

@@ -5,6 +5,7 @@ mod backfill;
 mod bearings;
 mod declared;
 mod device;
+mod elastic;
 mod girder;
 mod pairs;
 mod pier;

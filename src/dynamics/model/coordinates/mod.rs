@@ -3,6 +3,7 @@
 //! [`Coordinates`] says what is asked of them; here a [`Body`] answers by those that it has. A rigid girder has those of
 //! [`planar`] or [`spatial`]; those of another body are one file with an implementation of the trait.
 
+pub mod elastic;
 pub(in crate::dynamics) mod guided;
 pub mod planar;
 pub mod spatial;
@@ -227,5 +228,20 @@ impl Body {
     /// [`Coordinates::powers`].
     pub fn powers(&self, state: &[f64], ground: DVec3) -> [f64; 3] {
         of_each!(self, c => c.powers(self, state, ground))
+    }
+
+    /// [`Coordinates::own_strain`].
+    pub fn own_strain(&self, state: &[f64]) -> f64 {
+        of_each!(self, c => c.own_strain(state))
+    }
+
+    /// [`Coordinates::closed_works`].
+    pub fn closed_works(&self) -> bool {
+        of_each!(self, c => c.closed_works())
+    }
+
+    /// [`Coordinates::own_loss`].
+    pub fn own_loss(&self, state: &[f64]) -> f64 {
+        of_each!(self, c => c.own_loss(state))
     }
 }

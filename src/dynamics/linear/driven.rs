@@ -1,0 +1,258 @@
+//! The motion that a constant load and the ground drive, in the coefficients of the exponentials: a particular solution.
+
+use super::exponentials::phi;
+use super::{Complex, Spectrum};
+use crate::motion::{Ground, LinearPiece};
+use glam::DVec2;
+use nalgebra::DVector;
+
+/// Samples of a record between two at which the driven motion is kept: a compromise of memory and of what a look costs.
+const KEPT: usize = 16;
+/// Distance of an exponent from the ground's frequency below which there is no steady motion to speak of, in parts of it.
+const RESONANT: f64 = 1e-6;
+
+/// A particular solution: coefficients of the exponentials, and place and speed of what drifts.
+#[derive(Clone, Debug)]
+pub struct Driven {
+    /// Constant part of the coefficients, from a constant load.
+    constant: Vec<Complex>,
+    /// Coefficients' rates by an acceleration of the ground along x and y.
+    by_ground: [Vec<Complex>; 2],
+    /// Rates of the drifts' speeds by the constant load, and by the ground along x and y.
+    drifts: Vec<[f64; 3]>,
+    ground: Way,
+}
+
+#[derive(Clone, Debug)]
+enum Way {
+    Still,
+    /// Of a sine: coefficients of `e^{iψ}` and `e^{−iψ}`, ψ the ground's phase.
+    Steady {
+        gains: Vec<[Complex; 2]>,
+        omega: f64,
+        phase: f64,
+        amplitude: DVec2,
+    },
+    /// Of a record: coefficients at every [`KEPT`]-th sample, one after the other, and the factors that carry them over one interval.
+    Record {
+        ground: Ground,
+        kept: Vec<Complex>,
+        integrals: Vec<[DVec2; 2]>,
+        factors: Vec<[Complex; 3]>,
+    },
+}
+
+impl Driven {
+    /// Of a constant load and of the loads by a unit acceleration of the ground along x and y, all per unit mass; `None` at
+    /// resonance without damping.
+    pub fn of(spectrum: &Spectrum, load: &[f64], by_ground: [&[f64]; 2], ground: &Ground) -> Option<Self> {
+        let rates = |load: &[f64]| coefficients(spectrum, load);
+        let constant = rates(load).into_iter().zip(&spectrum.exponents).map(|(rate, exponent)| -rate / exponent);
+        let drifts = spectrum.drifts.iter().map(|&i| [load[i], by_ground[0][i], by_ground[1][i]]).collect();
+        let mut driven =
+            Self { constant: constant.collect(), by_ground: by_ground.map(rates), drifts, ground: Way::Still };
+        driven.ground = driven.way(spectrum, ground)?;
+        Some(driven)
+    }
+
+    fn way(&self, spectrum: &Spectrum, ground: &Ground) -> Option<Way> {
+        match ground {
+            Ground::Still => Some(Way::Still),
+            Ground::Sine { amplitude, omega, phase, .. } => {
+                let (amplitude, drive) = (amplitude.truncate(), Complex::new(0.0, *omega));
+                let gain = |k: usize| {
+                    let (rate, exponent) = (self.rate(k, amplitude), spectrum.exponents[k]);
+                    let near = (drive - exponent).norm() < RESONANT * omega;
+                    let share = rate / Complex::new(0.0, 2.0);
+                    (!near).then(|| [share / (drive - exponent), -share / (-drive - exponent)])
+                };
+                let gains = (0..self.constant.len()).map(gain).collect::<Option<Vec<_>>>()?;
+                Some(Way::Steady { gains, omega: *omega, phase: *phase, amplitude })
+            }
+            Ground::Record { dt, .. } => Some(self.record(spectrum, ground, *dt)),
+        }
+    }
+
+    /// The driven motion of a record from rest at t = 0.
+    fn record(&self, spectrum: &Spectrum, ground: &Ground, dt: f64) -> Way {
+        let factors: Vec<[Complex; 3]> = spectrum.exponents.iter().map(|exponent| interval(*exponent, dt)).collect();
+        let (mut now, mut integrals) = (vec![Complex::from(0.0); factors.len()], vec![[DVec2::ZERO; 2]]);
+        let (mut kept, mut sums) = (now.clone(), [DVec2::ZERO; 2]);
+        let mut number = 0;
+        loop {
+            let piece = ground.piece(number);
+            if piece.until.is_infinite() {
+                break;
+            }
+            self.carry(&mut now, &factors, &piece, piece.from);
+            sums = integrated(sums, &piece, piece.from, dt);
+            number += 1;
+            if number.is_multiple_of(KEPT) {
+                kept.extend_from_slice(&now);
+                integrals.push(sums);
+            }
+        }
+        Way::Record { ground: ground.clone(), kept, integrals, factors }
+    }
+
+    /// Rate of a coefficient by an acceleration of the ground.
+    fn rate(&self, k: usize, ground: DVec2) -> Complex {
+        self.by_ground[0][k] * ground.x + self.by_ground[1][k] * ground.y
+    }
+
+    fn carry(&self, now: &mut [Complex], factors: &[[Complex; 3]], piece: &LinearPiece, at: f64) {
+        let (value, slope) = (piece.acceleration(at).truncate(), piece.rate().truncate());
+        for (k, (c, [exp, first, second])) in now.iter_mut().zip(factors).enumerate() {
+            *c = *exp * *c + *first * self.rate(k, value) + *second * self.rate(k, slope);
+        }
+    }
+
+    /// Coefficients at `t`.
+    pub fn coefficients(&self, spectrum: &Spectrum, t: f64, out: &mut [Complex]) {
+        match &self.ground {
+            Way::Still => out.fill(0.0.into()),
+            Way::Steady { gains, omega, phase, .. } => {
+                let turn = Complex::from_polar(1.0, omega * t + phase);
+                out.iter_mut().zip(gains).for_each(|(c, [up, down])| *c = *up * turn + *down * turn.conj());
+            }
+            Way::Record { ground, kept, factors, .. } => {
+                let (number, nearest) = nearest(ground, t);
+                let count = out.len();
+                out.copy_from_slice(&kept[nearest * count..][..count]);
+                for before in nearest * KEPT..number {
+                    let piece = ground.piece(before);
+                    self.carry(out, factors, &piece, piece.from);
+                }
+                let piece = ground.piece(number);
+                let rest: Vec<[Complex; 3]> =
+                    spectrum.exponents.iter().map(|exponent| interval(*exponent, t - piece.from)).collect();
+                self.carry(out, &rest, &piece, piece.from);
+            }
+        }
+        out.iter_mut().zip(&self.constant).for_each(|(c, constant)| *c += *constant);
+    }
+
+    /// What a constant load and the ground add to place and speed of drift `i` between two times.
+    pub fn drift(&self, i: usize, from: f64, until: f64) -> [f64; 2] {
+        let ([load, x, y], tau) = (self.drifts[i], until - from);
+        let (along, [[v, d], [w, e]]) = (DVec2::new(x, y), [from, until].map(|t| self.integrals(t)));
+        let moved = e - d - v * tau;
+        [0.5 * load * tau * tau + along.dot(moved), load * tau + along.dot(w - v)]
+    }
+
+    /// First and second integral of the ground's acceleration from t = 0.
+    fn integrals(&self, t: f64) -> [DVec2; 2] {
+        match &self.ground {
+            Way::Still => [DVec2::ZERO; 2],
+            Way::Steady { omega, phase, amplitude, .. } => {
+                let ((s0, c0), (s, c)) = (phase.sin_cos(), (omega * t + phase).sin_cos());
+                [*amplitude * ((c0 - c) / omega), *amplitude * (c0 * t / omega - (s - s0) / (omega * omega))]
+            }
+            Way::Record { ground, integrals, .. } => {
+                let (number, nearest) = nearest(ground, t);
+                let mut sums = integrals[nearest];
+                for before in nearest * KEPT..number {
+                    let piece = ground.piece(before);
+                    sums = integrated(sums, &piece, piece.from, piece.until - piece.from);
+                }
+                let piece = ground.piece(number);
+                integrated(sums, &piece, piece.from, t - piece.from)
+            }
+        }
+    }
+
+    /// Amplitude of the ground's part of a coefficient and its frequency, where it is steady.
+    pub fn steady(&self, k: usize) -> Option<[f64; 2]> {
+        match &self.ground {
+            Way::Still => Some([0.0; 2]),
+            Way::Steady { gains, omega, .. } => Some([gains[k][0].norm() + gains[k][1].norm(), *omega]),
+            Way::Record { .. } => None,
+        }
+    }
+
+    /// Whether the driven motion is steady, or none.
+    pub fn is_steady(&self) -> bool {
+        !matches!(self.ground, Way::Record { .. })
+    }
+
+    /// Greatest rate of a coefficient by the ground \[1/s\].
+    pub fn fastest_gain(&self, k: usize, peak: f64) -> f64 {
+        self.by_ground[0][k].norm().hypot(self.by_ground[1][k].norm()) * peak
+    }
+
+    /// The constant part of a coefficient.
+    pub fn constant(&self, k: usize) -> Complex {
+        self.constant[k]
+    }
+
+    /// Rate of a drift's speed by the constant load, and at most by the ground \[per unit mass\].
+    pub fn drift_rate(&self, i: usize, peak: f64) -> f64 {
+        let [load, x, y] = self.drifts[i];
+        load.abs() + x.hypot(y) * peak
+    }
+
+    /// Exponents and coefficients of the ground's part over a stretch without a kink that begins at `t`: of a sine two exponentials for
+    /// each coefficient, of a record a constant and a part that grows with time.
+    pub(super) fn forced(&self, spectrum: &Spectrum, t: f64) -> Forced {
+        match &self.ground {
+            Way::Still => Forced::None,
+            Way::Steady { gains, omega, phase, .. } => {
+                let turn = Complex::from_polar(1.0, omega * t + phase);
+                let at = |[up, down]: &[Complex; 2]| [*up * turn, *down * turn.conj()];
+                Forced::Steady { omega: *omega, parts: gains.iter().map(at).collect() }
+            }
+            Way::Record { ground, .. } => {
+                let piece = ground.piece(ground.piece_number(t));
+                let (value, slope) = (piece.acceleration(t).truncate(), piece.rate().truncate());
+                let line = |k: usize| {
+                    let exponent = spectrum.exponents[k];
+                    let growing = -self.rate(k, slope) / exponent;
+                    [(growing - self.rate(k, value)) / exponent, growing]
+                };
+                Forced::Line((0..self.constant.len()).map(line).collect())
+            }
+        }
+    }
+}
+
+/// The ground's part of the coefficients over a stretch, τ from its start.
+pub(super) enum Forced {
+    None,
+    /// `a e^{iΩτ} + b e^{−iΩτ}`.
+    Steady {
+        omega: f64,
+        parts: Vec<[Complex; 2]>,
+    },
+    /// `a + b τ`.
+    Line(Vec<[Complex; 2]>),
+}
+
+/// Rates of the coefficients by a load per unit mass.
+fn coefficients(spectrum: &Spectrum, load: &[f64]) -> Vec<Complex> {
+    let load = DVector::from_iterator(load.len(), load.iter().map(|&x| Complex::from(x)));
+    let rates = spectrum.left.columns(spectrum.size, spectrum.size) * load;
+    rates.iter().copied().collect()
+}
+
+/// `e^{λτ}`, `∫ e^{λ(τ−s)} ds`, `∫ s e^{λ(τ−s)} ds` over τ.
+fn interval(exponent: Complex, tau: f64) -> [Complex; 3] {
+    let z = exponent * tau;
+    let exp = z.exp();
+    let [first, second] = phi(z, exp);
+    [exp, first * tau, second * (tau * tau)]
+}
+
+/// The interval of a record that holds `t`, and the number of what is kept before it.
+fn nearest(ground: &Ground, t: f64) -> (usize, usize) {
+    let number = ground.piece_number(t);
+    (number, number / KEPT)
+}
+
+/// First and second integral after τ from `at` in a piece.
+fn integrated([v, d]: [DVec2; 2], piece: &LinearPiece, at: f64, tau: f64) -> [DVec2; 2] {
+    let (value, slope) = (piece.acceleration(at).truncate(), piece.rate().truncate());
+    [
+        v + value * tau + slope * (0.5 * tau * tau),
+        d + v * tau + value * (0.5 * tau * tau) + slope * (tau * tau * tau / 6.0),
+    ]
+}

@@ -1,0 +1,125 @@
+//! Flights of a linear block: what they begin with, where they are, how far they go.
+
+use super::{Complex, Driven, Spectrum};
+use crate::motion::Ground;
+
+/// A linear block under a ground motion, prepared once.
+#[derive(Clone, Debug)]
+pub struct LinearMotion {
+    /// Its exponentials.
+    pub spectrum: Spectrum,
+    /// What drives it.
+    pub driven: Driven,
+    /// Greatest acceleration of the ground \[m/s²\].
+    pub peak: f64,
+}
+
+/// What a flight is computed from: place and speed of each drift at the start, then the free part of each coefficient.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight<'a> {
+    /// When it begins \[s\].
+    pub start: f64,
+    /// Numbers of [`LinearMotion::begin`].
+    pub numbers: &'a [f64],
+}
+
+/// A flight at one time.
+#[derive(Clone, Debug, Default)]
+pub struct Parts {
+    /// Place and speed of each drift.
+    pub drifts: Vec<[f64; 2]>,
+    /// Free part of each coefficient.
+    pub free: Vec<Complex>,
+    /// Each coefficient, with what is driven.
+    pub all: Vec<Complex>,
+}
+
+impl LinearMotion {
+    /// Of loads per unit mass: constant, and by a unit acceleration of the ground along x and y. `None` where there is no closed
+    /// form to rely on.
+    pub fn of(spectrum: Spectrum, load: &[f64], by_ground: [&[f64]; 2], ground: &Ground) -> Option<Self> {
+        let driven = Driven::of(&spectrum, load, by_ground, ground)?;
+        Some(Self { spectrum, driven, peak: ground.peak() })
+    }
+
+    /// Numbers of a flight that begins at `start` with these places and speeds.
+    pub fn begin(&self, start: f64, places: &[f64], speeds: &[f64]) -> Vec<f64> {
+        let (left, count) = (&self.spectrum.left, self.spectrum.exponents.len());
+        let mut driven = vec![Complex::from(0.0); count];
+        self.driven.coefficients(&self.spectrum, start, &mut driven);
+        let mut numbers: Vec<f64> = self.spectrum.drifts.iter().flat_map(|&i| [places[i], speeds[i]]).collect();
+        for (k, driven) in driven.into_iter().enumerate() {
+            let state = places.iter().chain(speeds).enumerate();
+            let free = state.map(|(i, x)| left[(k, i)] * *x).sum::<Complex>() - driven;
+            numbers.extend([free.re, free.im]);
+        }
+        numbers
+    }
+
+    /// A flight at `t`.
+    pub fn at(&self, flight: Flight<'_>, t: f64) -> Parts {
+        let (exponents, tau) = (&self.spectrum.exponents, t - flight.start);
+        let (drifts, free) = flight.numbers.split_at(2 * self.spectrum.drifts.len());
+        let drift = |(i, start): (usize, &[f64; 2])| {
+            let [place, speed] = self.driven.drift(i, flight.start, t);
+            [start[0] + start[1] * tau + place, start[1] + speed]
+        };
+        let free = free.as_chunks::<2>().0.iter().zip(exponents);
+        let free: Vec<Complex> =
+            free.map(|([re, im], exponent)| Complex::new(*re, *im) * (exponent * tau).exp()).collect();
+        let mut all = vec![Complex::from(0.0); exponents.len()];
+        self.driven.coefficients(&self.spectrum, t, &mut all);
+        all.iter_mut().zip(&free).for_each(|(all, free)| *all += free);
+        Parts { drifts: drifts.as_chunks().0.iter().enumerate().map(drift).collect(), free, all }
+    }
+
+    /// Places and speeds of all coordinates.
+    pub fn read(&self, parts: &Parts, places: &mut [f64], speeds: &mut [f64]) {
+        let spectrum = &self.spectrum;
+        places.fill(0.0);
+        speeds.fill(0.0);
+        for (&i, [place, speed]) in spectrum.drifts.iter().zip(&parts.drifts) {
+            (places[i], speeds[i]) = (*place, *speed);
+        }
+        for (k, (c, exponent)) in parts.all.iter().zip(&spectrum.exponents).enumerate() {
+            let (c, shape) = (*c * spectrum.share(k), spectrum.shapes.column(k));
+            let rate = c * exponent;
+            for (i, v) in shape.iter().enumerate() {
+                places[i] += v.re * c.re - v.im * c.im;
+                speeds[i] += v.re * rate.re - v.im * rate.im;
+            }
+        }
+    }
+
+    /// How long bounds from a look hold, at most `horizon`: under a record a fraction of what the slowest exponential takes \[s\].
+    pub fn window(&self, horizon: f64) -> f64 {
+        let slowest = self.spectrum.exponents.iter().map(|exponent| exponent.norm()).fold(f64::INFINITY, f64::min);
+        if self.driven.is_steady() { horizon } else { horizon.min(0.5 / slowest) }
+    }
+
+    /// Bounds of a coefficient from a look on for a window \[s\]: its modulus; what its motion does to speeds; to accelerations, those by
+    /// the ground itself under a record apart.
+    pub fn largest(&self, parts: &Parts, k: usize, window: f64) -> [f64; 3] {
+        let (constant, fast) = (self.driven.constant(k), self.spectrum.exponents[k].norm());
+        // A free part only falls.
+        if let Some([steady, drive]) = self.driven.steady(k) {
+            let free = parts.free[k].norm();
+            return [free + steady + constant.norm(), fast * (free + steady), fast * (fast * free + drive * steady)];
+        }
+        let swinging = (parts.all[k] - constant).norm() + self.driven.fastest_gain(k, self.peak) * window;
+        [swinging + constant.norm(), fast * swinging, fast * fast * swinging]
+    }
+
+    /// Greatest acceleration by the ground itself where coefficients are bounded with what drives them; 0 where the driven motion is
+    /// steady \[m/s²\].
+    pub fn unsteady_peak(&self) -> f64 {
+        if self.driven.is_steady() { 0.0 } else { self.peak }
+    }
+
+    /// Bounds of a drift from a look on for a window: place, speed, acceleration.
+    pub fn drift_bounds(&self, parts: &Parts, i: usize, window: f64) -> [f64; 3] {
+        let ([place, speed], acceleration) = (parts.drifts[i], self.driven.drift_rate(i, self.peak));
+        let speed = speed.abs() + acceleration * window;
+        [place.abs() + speed * window, speed, acceleration]
+    }
+}

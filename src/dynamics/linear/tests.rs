@@ -1,0 +1,174 @@
+//! Flights of a small block against integration, their bounds, and their work.
+
+use glam::DVec3;
+use nalgebra::{DMatrix, DVector};
+
+use super::{Flight, LineOrSine, LinearMotion, PowerForm, Spectrum};
+use crate::motion::Ground;
+
+const SIZE: usize = 4;
+const LOAD: [f64; SIZE] = [0.3, -0.2, 0.1, 0.05];
+const BY_X: [f64; SIZE] = [-1.0, 0.0, 0.0, 0.0];
+const BY_Y: [f64; SIZE] = [0.0, -1.0, 0.0, 0.0];
+const PLACES: [f64; SIZE] = [0.02, -0.01, 0.03, 0.004];
+const SPEEDS: [f64; SIZE] = [0.1, 0.2, -0.15, 0.6];
+
+/// Three coupled coordinates with a fast one, or, with `free`, the first without bearing.
+fn matrices(free: bool) -> [DMatrix<f64>; 2] {
+    let rows = DMatrix::from_row_slice(
+        SIZE,
+        SIZE,
+        &[1.0, 0.1, 0.2, 0.3, 0.0, 1.2, -0.3, 0.1, 0.0, 0.0, 2.0, 0.5, 0.0, 0.0, 0.0, 40.0],
+    );
+    let mut both = [
+        rows.transpose() * &rows * 9.0,
+        rows.transpose() * DMatrix::from_diagonal(&DVector::from_vec(vec![0.4, 0.7, 0.1, 0.02])) * &rows,
+    ];
+    if free {
+        for matrix in &mut both {
+            matrix.row_mut(0).fill(0.0);
+            matrix.column_mut(0).fill(0.0);
+        }
+    }
+    both
+}
+
+fn grounds() -> [Ground; 3] {
+    let samples = [0.0, 1.5, -2.0, 0.7, 3.0, -1.0, 0.4, 0.0, -0.8, 2.2, 0.3, 0.0];
+    let many = (0..40).map(|n| DVec3::new(samples[n % 12], 0.7 * samples[(n + 5) % 12], 0.0));
+    [
+        Ground::Still,
+        Ground::Sine { amplitude: DVec3::new(2.0, 1.0, 0.0), quadrature: DVec3::ZERO, omega: 9.0, phase: 0.4 },
+        Ground::components(0.05, many),
+    ]
+}
+
+fn motion(free: bool, ground: &Ground) -> LinearMotion {
+    let [k, c] = matrices(free);
+    let spectrum = Spectrum::of(&k, &c).expect("well-conditioned");
+    LinearMotion::of(spectrum, &LOAD, [&BY_X, &BY_Y], ground).expect("no resonance")
+}
+
+/// Places, speeds, and the work of the ground on coordinate 0 and 1 and the loss, after `end` \[s\] from `from`.
+fn integrated(free: bool, ground: &Ground, [from, end]: [f64; 2]) -> Vec<f64> {
+    // Errors of the method of order 4 are then below 1e-10.
+    const STEPS: u32 = 8000;
+    let [k, c] = matrices(free);
+    let slope = |t: f64, y: &DVector<f64>| {
+        let (q, v) = (y.rows(0, SIZE), y.rows(SIZE, SIZE));
+        let a = ground.acceleration(t);
+        let force = DVector::from_fn(SIZE, |i, _| LOAD[i] + BY_X[i] * a.x + BY_Y[i] * a.y);
+        let mut out = DVector::zeros(2 * SIZE + 2);
+        out.rows_mut(0, SIZE).copy_from(&v);
+        out.rows_mut(SIZE, SIZE).copy_from(&(force - &k * q - &c * v));
+        out[2 * SIZE] = BY_X[0] * a.x * v[0] + BY_Y[1] * a.y * v[1];
+        out[2 * SIZE + 1] = (v.transpose() * &c * v)[(0, 0)];
+        out
+    };
+    let mut y = DVector::from_iterator(2 * SIZE + 2, PLACES.into_iter().chain(SPEEDS).chain([0.0; 2]));
+    let mut t = from;
+    while t < end {
+        let until = end.min(ground.next_kink(t));
+        let (h, begin) = ((until - t) / f64::from(STEPS), t);
+        for n in 0..STEPS {
+            let at = begin + h * f64::from(n);
+            // Just inside: at a kink the next piece begins.
+            let last = (at + h).min(until.next_down());
+            let k1 = slope(at, &y);
+            let k2 = slope(at + 0.5 * h, &(&y + &k1 * (0.5 * h)));
+            let k3 = slope(at + 0.5 * h, &(&y + &k2 * (0.5 * h)));
+            let k4 = slope(last, &(&y + &k3 * h));
+            y += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
+        }
+        t = until;
+    }
+    y.iter().copied().collect()
+}
+
+#[test]
+fn flights_agree_with_integration() {
+    for free in [false, true] {
+        for ground in grounds() {
+            let (motion, start) = (motion(free, &ground), 0.13);
+            let numbers = motion.begin(start, &PLACES, &SPEEDS);
+            for end in [0.13, 0.31, 1.7] {
+                let parts = motion.at(Flight { start, numbers: &numbers }, end);
+                let (mut places, mut speeds) = ([0.0; SIZE], [0.0; SIZE]);
+                motion.read(&parts, &mut places, &mut speeds);
+                let wanted = integrated(free, &ground, [start, end]);
+                for (i, (a, b)) in places.iter().chain(&speeds).zip(&wanted).enumerate() {
+                    assert!((a - b).abs() < 2e-9, "free {free}, {ground:?} at {end}: component {i}, {a} against {b}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn work_and_loss_are_the_integrals_of_powers() {
+    for ground in grounds() {
+        let (motion, start) = (motion(false, &ground), 0.13);
+        let numbers = motion.begin(start, &PLACES, &SPEEDS);
+        let flight = Flight { start, numbers: &numbers };
+        let [_, c] = matrices(false);
+        let root = c.cholesky().expect("positive").l();
+        let rows: Vec<(f64, Vec<f64>)> = root.column_iter().map(|row| (1.0, row.iter().copied().collect())).collect();
+        let form = PowerForm::of(&motion, &rows);
+        let (mut t, end, mut work, mut loss) = (start, 0.9, 0.0, 0.0);
+        while t < end {
+            let until = end.min(ground.next_kink(t));
+            let line = |axis: usize| match &ground {
+                Ground::Still => LineOrSine::Line(0.0, 0.0),
+                Ground::Sine { amplitude, omega, phase, .. } => {
+                    LineOrSine::Sine(amplitude[axis], *omega, omega * t + phase)
+                }
+                Ground::Record { .. } => {
+                    let piece = ground.piece(ground.piece_number(t));
+                    LineOrSine::Line(piece.acceleration(t)[axis], piece.rate()[axis])
+                }
+            };
+            work += motion.moved_by(flight, &BY_X, [t, until], &line(0))
+                + motion.moved_by(flight, &BY_Y, [t, until], &line(1));
+            loss += form.work(&motion, flight, [t, until]);
+            t = until;
+        }
+        let wanted = integrated(false, &ground, [start, end]);
+        assert!((work - wanted[2 * SIZE]).abs() < 1e-8, "{ground:?}: work {work} against {}", wanted[2 * SIZE]);
+        assert!((loss - wanted[2 * SIZE + 1]).abs() < 1e-8, "{ground:?}: loss {loss} against {}", wanted[2 * SIZE + 1]);
+    }
+}
+
+#[test]
+fn coefficients_stay_within_their_bounds() {
+    for ground in grounds() {
+        let motion = motion(true, &ground);
+        let numbers = motion.begin(0.0, &PLACES, &SPEEDS);
+        let flight = Flight { start: 0.0, numbers: &numbers };
+        for from in [0.0, 0.4] {
+            let here = motion.at(flight, from);
+            let window = motion.window(0.3);
+            for n in 0..=200 {
+                let there = motion.at(flight, from + window * f64::from(n) / 200.0);
+                for k in 0..there.all.len() {
+                    let [most, ..] = motion.largest(&here, k, window);
+                    assert!(there.all[k].norm() <= most * (1.0 + 1e-12), "{ground:?}: coefficient {k}");
+                }
+                let [place, speed, _] = motion.drift_bounds(&here, 0, window);
+                let [x, v] = there.drifts[0];
+                assert!(x.abs() <= place * (1.0 + 1e-12) && v.abs() <= speed * (1.0 + 1e-12), "{ground:?}: drift");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_pair_at_critical_damping_and_a_motion_without_a_spring_have_no_sum_of_exponentials() {
+    let of = |k: &[f64], c: &[f64]| Spectrum::of(&DMatrix::from_row_slice(2, 2, k), &DMatrix::from_row_slice(2, 2, c));
+    assert_eq!(of(&[4.0, 0.0, 0.0, 1.0], &[4.0, 0.0, 0.0, 0.1]), None, "critical");
+    assert_eq!(of(&[1.0, 1.0, 1.0, 1.0], &[0.0; 4]), None, "both together move without a spring");
+    let over = of(&[4.0, 0.0, 0.0, 1.0], &[5.0, 0.0, 0.0, 0.1]).expect("overdamped");
+    let slow: Vec<f64> = over.exponents.iter().take(2).map(|e| e.re).collect();
+    assert!((slow[0] + 1.0).abs() < 1e-15 && (slow[1] + 4.0).abs() < 1e-15, "{slow:?}");
+    let free = of(&[0.0, 0.0, 0.0, 1.0], &[0.0; 4]).expect("free");
+    assert_eq!((free.drifts, free.exponents.len()), (vec![0], 1), "one drifts, one swings");
+}

@@ -1,0 +1,151 @@
+//! An elastic girder in plan, compiled: modes, sections, bearings, constant loads (`docs/physics.md#flexible-girders`).
+
+use glam::{DVec2, DVec3};
+
+use super::bearings::{BearingAxis, axes_of};
+use super::section::Section;
+use crate::dynamics::elastic::Modes;
+use crate::dynamics::model::body::Body;
+
+/// Coordinates x, y, θ that come before the modes.
+pub(in crate::dynamics) const RIGID: usize = 3;
+
+/// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
+/// a linear beam stands for.
+pub(super) const DEFORMED: f64 = 0.1;
+
+/// Damping of the elastic modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ModalDamping {
+    /// The same ratio ζ for every mode.
+    Ratio(f64),
+    /// `α + β ω²` on the rates: ratio `α/2ω + β ω/2`.
+    Rayleigh {
+        /// α \[1/s\].
+        mass: f64,
+        /// β \[s\].
+        stiffness: f64,
+    },
+}
+
+impl ModalDamping {
+    /// Dashpot of a mode per unit modal mass, `2 ζ ω` \[1/s\].
+    pub fn dashpot(self, omega: f64) -> f64 {
+        match self {
+            Self::Ratio(ratio) => 2.0 * ratio * omega,
+            Self::Rayleigh { mass, stiffness } => mass + stiffness * omega * omega,
+        }
+    }
+}
+
+/// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end.
+#[derive(Clone, Debug)]
+pub struct ElasticGirder {
+    /// Its modes.
+    pub modes: Modes,
+    /// Its damping.
+    pub damping: ModalDamping,
+    /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
+    pub(super) springs: Vec<[f64; 2]>,
+    /// Sections of the ends, −x first.
+    pub(super) ends: [Section; 2],
+    /// Bearings, axis by axis.
+    pub(in crate::dynamics) bearings: Vec<BearingAxis>,
+    /// Constant load of the given push on the modes.
+    pub(super) pushed: Vec<f64>,
+    /// Amplitudes at the ends of each mode, the larger: |(u, v)| and |φ|.
+    pub(super) most: Vec<[f64; 2]>,
+    /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
+    pub(super) rigid: Body,
+}
+
+impl ElasticGirder {
+    /// Of a rigid girder in plan with these modes.
+    pub(in crate::dynamics) fn new(rigid: &Body, modes: Modes, damping: ModalDamping) -> Self {
+        let axes = &rigid.axes;
+        let ends = [-1.0, 1.0].map(|xi| Section::at(&modes, axes, xi));
+        let middle = Section::at(&modes, axes, 0.0);
+        let push = rigid.push.truncate();
+        let pushed = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
+        let most = ends[0]
+            .fields
+            .iter()
+            .zip(&ends[1].fields)
+            .map(|(a, b)| [a.truncate().length().max(b.truncate().length()), a.z.abs().max(b.z.abs())]);
+        Self {
+            springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
+            bearings: axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes),
+            most: most.collect(),
+            rigid: rigid.clone(),
+            modes,
+            damping,
+            ends,
+            pushed,
+        }
+    }
+
+    /// Number of modal coordinates, `N_e`.
+    pub fn count(&self) -> usize {
+        self.springs.len()
+    }
+
+    /// How many positions a state has.
+    pub(in crate::dynamics) fn places(&self) -> usize {
+        RIGID + self.count()
+    }
+
+    /// Masses of the coordinates: of x, y and θ the girder's, of the modes 1.
+    pub(super) fn masses(&self) -> impl Iterator<Item = f64> + '_ {
+        let Body { mass, gyration2, .. } = &self.rigid;
+        [*mass, *mass, mass * gyration2].into_iter().chain(std::iter::repeat_n(1.0, self.count()))
+    }
+
+    /// The end of a section; nothing of that of G.
+    pub(super) fn end(&self, section: usize) -> Option<&Section> {
+        self.ends.get(section.checked_sub(1)?)
+    }
+
+    /// u, v and φ of the section at a station \[m\] in a state, girder axes \[m, rad\].
+    pub fn deformation(&self, state: &[f64], station: f64) -> DVec3 {
+        let q = &state[RIGID..self.places()];
+        let fields = self.modes.section(2.0 * station / self.modes.beam.length);
+        fields.into_iter().zip(q).map(|(field, q)| field * *q).sum()
+    }
+
+    /// Displacement against the mean axes of a point at this place in girder axes \[m\], and its rate, in a state.
+    pub fn displaced(&self, state: &[f64], place: DVec2) -> [DVec2; 2] {
+        let offset = DVec2::new(place.y * self.rigid.prism.shear(), place.y);
+        let shapes = self.modes.point(2.0 * (place.x - offset.x) / self.modes.beam.length, offset);
+        let (q, rates) = self.halves(state);
+        [q, rates].map(|half| shapes.iter().zip(&half[RIGID..]).map(|(shape, x)| *shape * *x).sum())
+    }
+
+    /// Energy in the elastic modes in a state \[J\].
+    pub fn ringing(&self, state: &[f64]) -> f64 {
+        let (place, rate) = self.halves(state);
+        self.strain(&place[RIGID..]) + rate[RIGID..].iter().map(|v| 0.5 * v * v).sum::<f64>()
+    }
+
+    /// Acceleration of a corner by a unit force there, at most: with the inertia of the end that the modes leave \[1/kg\].
+    pub(in crate::dynamics) fn mobility(&self) -> f64 {
+        let corners = self.rigid.prism.plan_corners().map(|corner| (self.rigid.axes * corner.extend(0.0)).truncate());
+        let of = |section: &Section, arm: DVec2| {
+            let [x, y] = [DVec2::X, DVec2::Y].map(|unit| section.compliance(0.0, arm, unit));
+            x.x + y.y
+        };
+        // The trace of a symmetric positive matrix is not below its largest eigenvalue.
+        let most = corners.iter().flat_map(|&arm| self.ends.iter().map(move |end| (end, arm)));
+        let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
+        self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
+    }
+
+    /// Strain energy of the girder by its modal coordinates \[J\].
+    pub fn strain(&self, q: &[f64]) -> f64 {
+        self.springs.iter().zip(q).map(|([k, _], q)| 0.5 * k * q * q).sum()
+    }
+
+    /// Power lost in the girder by the rates of its modal coordinates \[W\].
+    pub fn loss(&self, rates: &[f64]) -> f64 {
+        self.springs.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
+    }
+}

@@ -1,0 +1,95 @@
+//! A section of an elastic girder: where it is and how fast it moves, and what a force on it does to the modes.
+
+use glam::{DMat2, DMat3, DVec2, DVec3};
+
+use super::turn::planar_turn;
+use crate::dynamics::elastic::Modes;
+
+/// A rigid section of the girder: its station, and its motion in every mode.
+#[derive(Clone, Debug)]
+pub(in crate::dynamics) struct Section {
+    /// From G to its centre, world axes as placed \[m\].
+    pub lever: DVec2,
+    /// u, v in the world's axes as placed, φ, of every mode \[1/√kg, 1/(m√kg)\].
+    pub fields: Vec<DVec3>,
+}
+
+/// Motion of a section against the body's frame: u, v in the world's axes as placed, φ; and their rates.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Deformation {
+    pub of: DVec3,
+    pub rate: DVec3,
+}
+
+/// Force on a section and moment about its centre, in the axes that turn with the body, as placed.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct SectionLoad {
+    pub force: DVec2,
+    pub moment: f64,
+}
+
+impl Section {
+    /// At ξ = 2s/a0 of a girder whose axes as placed are the columns.
+    pub(in crate::dynamics) fn at(modes: &Modes, axes: &DMat3, xi: f64) -> Self {
+        let [along, across] = [axes.x_axis.truncate(), axes.y_axis.truncate()];
+        let turned = |field: DVec3| (along * field.x + across * field.y).extend(field.z);
+        Self {
+            lever: along * (0.5 * modes.beam.length * xi),
+            fields: modes.section(xi).into_iter().map(turned).collect(),
+        }
+    }
+
+    /// By the modal coordinates and their rates.
+    pub(in crate::dynamics) fn deformation(&self, q: &[f64], rates: &[f64]) -> Deformation {
+        let (mut of, mut rate) = (DVec3::ZERO, DVec3::ZERO);
+        for ((field, q), v) in self.fields.iter().zip(q).zip(rates) {
+            of += *field * *q;
+            rate += *field * *v;
+        }
+        Deformation { of, rate }
+    }
+
+    /// Displacement of the origin of the section's frame against G, where the body has turned by `angle`: a point that was at `l` from G
+    /// is at `R(angle + φ) l` from the origin.
+    pub(in crate::dynamics) fn offset(&self, angle: f64, deformation: &Deformation) -> DVec2 {
+        let turned = planar_turn(deformation.of.z) * self.lever;
+        let own = deformation.of.truncate() - turned;
+        own + planar_turn(angle) * own
+    }
+
+    /// Velocity of that origin against G, where the body turns at `spin`.
+    pub(in crate::dynamics) fn velocity(&self, angle: f64, spin: f64, deformation: &Deformation) -> DVec2 {
+        let turn = |by: f64, v: DVec2| v + planar_turn(by) * v;
+        let carried = self.offset(angle, deformation).perp() * spin;
+        let own = turn(angle, deformation.rate.truncate());
+        carried + own - turn(angle + deformation.of.z, self.lever).perp() * deformation.rate.z
+    }
+
+    /// A force on the section with its moment about the frame's origin as it acts on the modes.
+    pub(in crate::dynamics) fn load(
+        &self,
+        angle: f64,
+        deformation: &Deformation,
+        force: DVec2,
+        moment: f64,
+    ) -> SectionLoad {
+        let lever = self.lever + planar_turn(angle + deformation.of.z) * self.lever;
+        let back = force + planar_turn(-angle) * force;
+        SectionLoad { force: back, moment: moment - lever.perp_dot(force) }
+    }
+
+    /// Adds what a load does to the modes.
+    pub(in crate::dynamics) fn push(&self, load: &SectionLoad, modal: &mut [f64]) {
+        for (field, modal) in self.fields.iter().zip(modal) {
+            *modal += field.x * load.force.x + field.y * load.force.y + field.z * load.moment;
+        }
+    }
+
+    /// Acceleration of a point at `arm` from the frame's origin by a force there and by the modes alone, in a frame turned by `angle`.
+    pub(in crate::dynamics) fn compliance(&self, angle: f64, arm: DVec2, force: DVec2) -> DVec2 {
+        let turn = DMat2::from_angle(angle);
+        let r = arm - turn * self.lever;
+        let moved = |field: &DVec3| turn * field.truncate() + r.perp() * field.z;
+        self.fields.iter().map(moved).map(|d| d * d.dot(force)).sum()
+    }
+}

@@ -1,0 +1,75 @@
+//! Elastic girders of a scene: how many polynomials each needs, and their bodies (`docs/physics.md#flexible-girders`).
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use crate::dynamics::elastic::{Beam, Modes, Softness, automatic_degree};
+use crate::dynamics::model::body::{Body, BodyCoordinates};
+use crate::dynamics::model::coordinates::elastic::{ElasticGirder, ModalDamping};
+use crate::geometry::Prism;
+use crate::scene::facing::Facing;
+use crate::scene::{Elastic, Girder, Kind, ResolvedElastic, Scene};
+
+/// What is known of a girder that the scene calls elastic.
+#[derive(Clone, Debug)]
+pub struct Flexible {
+    /// Its beam.
+    pub beam: Beam,
+    /// Section and moduli.
+    pub section: ResolvedElastic,
+    /// How soft it is against the stiffest of its contacts, or of its bearings where it has no contact.
+    pub softness: Softness,
+    /// `κ_e` below which it is taken as rigid.
+    pub tolerance: f64,
+    /// Its degrees of freedom; nothing where it is as good as rigid.
+    pub girder: Option<Arc<ElasticGirder>>,
+}
+
+/// Beam of a girder of that section.
+pub fn beam(girder: &Girder, section: &ResolvedElastic) -> Beam {
+    let Prism { width, skew, .. } = girder.prism();
+    let sine = skew.sin();
+    Beam {
+        length: girder.length,
+        mass: girder.mass,
+        rotary: width * width / (12.0 * sine * sine),
+        axial: section.axial,
+        bending: section.bending,
+        shear: section.shear,
+    }
+}
+
+/// Gives the elastic girders of a planar scene their degrees of freedom; for each girder what is known of it.
+pub(super) fn add(scene: &Scene, facings: &[Facing], bodies: &mut [Body]) -> Vec<Option<Flexible>> {
+    let planar = scene.kind == Kind::Planar;
+    let girders = scene.girders.iter().enumerate();
+    girders
+        .map(|(n, girder)| girder.elastic.filter(|_| planar).map(|e| one(girder, &e, (n, facings), &mut bodies[n])))
+        .collect()
+}
+
+fn one(girder: &Girder, elastic: &Elastic, (number, facings): (usize, &[Facing]), body: &mut Body) -> Flexible {
+    let section = elastic.resolve(girder);
+    let beam = beam(girder, &section);
+    let of_contacts = facings.iter().filter(|facing| !facing.met);
+    let of_contacts = of_contacts.filter(|f| [f.first, f.second].into_iter().any(|side| side.girder() == Some(number)));
+    let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(0.0, f64::max);
+    let bearing = || body.bearings.iter().map(|b| b.stiffness.truncate().max_element()).fold(0.0, f64::max);
+    let stiffness = if stiffest > 0.0 { stiffest } else { bearing() };
+    let half = 0.5 * girder.width;
+    let corner = |y: f64| DVec2::new(y * body.prism.shear(), y);
+    let softness = Softness::of(&beam, stiffness, &[corner(half), corner(-half)]);
+    let degree = section.degree.or_else(|| automatic_degree(&softness, elastic.tolerance));
+    let damping = section.damping.map_or_else(
+        |rayleigh| ModalDamping::Rayleigh { mass: rayleigh.mass, stiffness: rayleigh.stiffness },
+        ModalDamping::Ratio,
+    );
+    let made = degree.map(|degree| Arc::new(ElasticGirder::new(body, Modes::of(beam, degree), damping)));
+    if let Some(made) = &made {
+        body.rate_bounds.mobility = made.mobility();
+        body.straight = [false; 2];
+        body.coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(made));
+    }
+    Flexible { beam, section, softness, tolerance: elastic.tolerance, girder: made }
+}

@@ -1,0 +1,107 @@
+//! Whether the polynomials of elastic girders suffice: the same run with half as many again.
+
+use super::quadrature::integrate;
+use super::{History, Session};
+use crate::dynamics::elastic::degree::LARGEST_DEGREE;
+use crate::geometry::End;
+use crate::scene::{Degree, Scene};
+
+/// Instants at which places of the ends are compared.
+const COMPARED: u32 = 400;
+
+/// Differences from a run of degree `⌈3n/2⌉`, each in parts of the greatest of its kind.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct DegreeCheck {
+    /// Largest degree of a girder, and what it was compared with.
+    pub degree: [usize; 2],
+    /// Of the largest force of a contact.
+    pub force: f64,
+    /// Of the impulses of all contacts.
+    pub impulse: f64,
+    /// Of the displacements of both ends of every girder.
+    pub ends: f64,
+    /// Of the largest normal force at mid-span.
+    pub section: f64,
+}
+
+impl History {
+    /// Runs the scene again with half as many polynomials again; nothing where no girder bends, none can have more, or the run does
+    /// not come to its end.
+    pub fn check_degree(&self) -> Option<DegreeCheck> {
+        let (scene, degree) = self.finer()?;
+        let mut session = Session::new(&scene).ok()?;
+        session.advance(scene.duration, &mut |_| true);
+        let finer = session.finish();
+        let [force, other] = [self, &finer].map(Self::largest_force);
+        let [impulse, finer_impulse] = [self, &finer].map(Self::impulse);
+        let [section, finer_section] = [self, &finer].map(Self::mid_span);
+        let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
+        Some(DegreeCheck {
+            degree,
+            force: part(force, other),
+            impulse: part(impulse, finer_impulse),
+            ends: self.ends_apart(&finer),
+            section: part(section, finer_section),
+        })
+    }
+
+    /// The scene with finer girders, and the largest degree before and after.
+    fn finer(&self) -> Option<(Scene, [usize; 2])> {
+        let mut scene = self.scene().clone();
+        let mut largest = [0; 2];
+        for (number, girder) in scene.girders.iter_mut().enumerate() {
+            let made = self.flexible(number).and_then(|flexible| flexible.girder.as_ref());
+            let (Some(made), Some(elastic)) = (made, girder.elastic.as_mut()) else { continue };
+            let degree = made.modes.degree;
+            let more = (3 * degree).div_ceil(2).min(LARGEST_DEGREE);
+            elastic.modes = Degree(Some(more as f64));
+            largest = largest.max([degree, more]);
+        }
+        (largest[1] > largest[0]).then_some((scene, largest))
+    }
+
+    /// Impulses of all contacts \[N·s\].
+    fn impulse(&self) -> f64 {
+        let of = |touch: &super::Touch| {
+            let site = &self.model().contacts[touch.contact];
+            let bodies = [site.node_body, site.face_body].into_iter().flatten();
+            let mut borders: Vec<f64> = bodies
+                .flat_map(|body| self.paths[body].spans_after(touch.start).map(|span| span.from))
+                .filter(|t| *t > touch.start && *t < touch.end)
+                .chain([touch.start, touch.end])
+                .collect();
+            borders.sort_by(f64::total_cmp);
+            let force = |t: f64| [self.contact_at(touch.contact, t).map_or(0.0, |now| now.force.length())];
+            borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
+        };
+        self.touches().iter().map(of).sum()
+    }
+
+    fn mid_span(&self) -> f64 {
+        self.flexible_readings().iter().map(|reading| reading.axial.value).fold(0.0, f64::max)
+    }
+
+    fn ends_apart(&self, other: &Self) -> f64 {
+        let (mut apart, mut largest) = (0.0f64, f64::MIN_POSITIVE);
+        for i in 0..=COMPARED {
+            let t = self.end().min(other.end()) * f64::from(i) / f64::from(COMPARED);
+            for girder in 0..self.model().girders().len() {
+                for end in End::BOTH {
+                    let place = |history: &Self| history.section_place(girder, end, t);
+                    let (one, two) = (place(self), place(other));
+                    apart = apart.max((one - two).length());
+                    largest = largest.max(two.length());
+                }
+            }
+        }
+        apart / largest
+    }
+
+    /// Displacement of the centre of an end from where it was placed \[m\].
+    pub fn section_place(&self, girder: usize, end: End, t: f64) -> glam::DVec3 {
+        let (body, motion) = (&self.model().bodies[girder], self.end_motion(girder, end, t));
+        let here = glam::DVec3::X * (0.5 * end.sign() * body.prism.length);
+        // From the displacement, not from the place: far from the origin the difference would round away.
+        motion.displacement + (motion.attitude * here - body.axes * here)
+    }
+}

@@ -1,0 +1,240 @@
+//! What a run says of its elastic girders: section forces, stress, ringing, and how far the model holds.
+
+use glam::DVec3;
+
+use super::readings::{Extreme, largest};
+use super::{History, Touch};
+use crate::dynamics::model::coordinates::elastic::{Equilibrium, SectionForces};
+use crate::dynamics::model::flexible::Flexible;
+use crate::dynamics::model::pair::Pair;
+use crate::dynamics::model::wrench::Wrench;
+
+/// Stations, in parts of half the length, at which stress is looked for.
+const STATIONS: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
+/// Transits of an axial wave after the end of a step for which section forces are looked at as densely as waves run.
+const TRANSITS: f64 = 6.0;
+/// Looks a transit.
+const PER_TRANSIT: f64 = 12.0;
+/// Bound of a neglected term from which a run warns.
+pub const NEGLIGIBLE: f64 = 1e-2;
+/// How many frequencies are listed.
+const LISTED: usize = 6;
+
+/// Relative bounds of what the model leaves out (`docs/physics.md#flexible-girders`).
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Neglected {
+    /// `(θ̇/ω₁)²`.
+    pub centrifugal: f64,
+    /// `2 θ̇/ω₁`.
+    pub coriolis: f64,
+    /// Largest displacement of an end against the mean axes over the length.
+    pub inertia: f64,
+    /// Greatest thrust over the buckling load, `N a0²/(π² E I)`.
+    pub thrust: f64,
+}
+
+impl Neglected {
+    /// Each with its name.
+    pub fn named(&self) -> [(&'static str, f64); 4] {
+        [
+            ("centrifugal force", self.centrifugal),
+            ("Coriolis force", self.coriolis),
+            ("change of inertia", self.inertia),
+            ("softening by thrust", self.thrust),
+        ]
+    }
+}
+
+/// The hardest hit of an elastic girder.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct ElasticHit {
+    /// When it began \[s\].
+    pub t: f64,
+    /// How long the two bodies were in touch, pauses of less than a wave's way there and back included \[s\].
+    pub contact_time: f64,
+    /// Speed at which G of both part, over that at which they met, along the face's normal; nothing where they did not meet.
+    pub restitution: Option<f64>,
+    /// Energy left in the elastic modes at its end \[J\].
+    pub ringing: f64,
+}
+
+/// What a run did to an elastic girder.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlexibleReading {
+    /// Number of the girder.
+    pub girder: usize,
+    /// Circular frequencies of the first modes \[rad/s\].
+    pub frequencies: Vec<f64>,
+    /// Largest |N| at mid-span \[N\].
+    pub axial: Extreme,
+    /// Largest |M| at mid-span \[N·m\].
+    pub moment: Extreme,
+    /// Largest stress of the extreme fibre \[Pa\].
+    pub stress: Extreme,
+    /// Its station \[m\].
+    pub stressed_at: f64,
+    /// Greatest difference of N from equilibrium and from strain at mid-span, at the time of its peak, in parts of that.
+    pub local_error: f64,
+    /// Bounds of what is left out.
+    pub neglected: Neglected,
+    /// Its hardest hit.
+    pub hit: Option<ElasticHit>,
+}
+
+impl History {
+    /// What is known of an elastic girder that bends; nothing of a rigid one, or one that is as good as rigid.
+    pub fn flexible(&self, girder: usize) -> Option<&Flexible> {
+        self.model().flexible.get(girder)?.as_ref().filter(|flexible| flexible.girder.is_some())
+    }
+
+    /// What acts on an elastic girder at `t`.
+    pub fn equilibrium(&self, girder: usize, t: f64) -> Option<Equilibrium<'_>> {
+        let made = self.flexible(girder)?.girder.as_ref()?;
+        let (t, body) = (t.clamp(0.0, self.end()), &self.model().bodies[girder]);
+        let state = self.state(girder, t);
+        let mut wrenches = vec![Wrench::default(); body.sections()];
+        let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
+        for contact in pairs.flat_map(Pair::nodes) {
+            let Some(now) = self.contact(contact, t) else { continue };
+            let site = &self.model().contacts[contact];
+            let sections = self.model().sections(contact);
+            let sides = [(site.node_body, now.point, now.force), (site.face_body, now.anchor, -now.force)];
+            for ((owner, place, force), section) in sides.into_iter().zip(sections) {
+                if owner == Some(girder) {
+                    wrenches[section].push(force, place - body.frame(section, &state).origin());
+                }
+            }
+        }
+        Some(made.equilibrium(&state, &wrenches, self.model().ground.acceleration(t)))
+    }
+
+    /// Section forces of an elastic girder at a station \[m\]; 0 of a rigid one.
+    pub fn section_forces(&self, girder: usize, station: f64, t: f64) -> SectionForces {
+        self.equilibrium(girder, t).map_or(SectionForces::default(), |equilibrium| equilibrium.at(station))
+    }
+
+    /// Displacement u, v of the centre of a section and its turn φ against the mean axes, girder axes \[m, rad\].
+    pub fn deformation(&self, girder: usize, station: f64, t: f64) -> DVec3 {
+        let Some(made) = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref()) else {
+            return DVec3::ZERO;
+        };
+        made.deformation(&self.state(girder, t), station)
+    }
+
+    /// Displacement against the mean axes of a point at this place, and its rate, girder axes \[m, m/s\]; 0 of a rigid girder.
+    pub(super) fn displaced(&self, girder: usize, place: DVec3, t: f64) -> [DVec3; 2] {
+        let made = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref());
+        made.map_or([DVec3::ZERO; 2], |made| {
+            made.displaced(&self.state(girder, t), place.truncate()).map(|d| d.extend(0.0))
+        })
+    }
+
+    /// Energy in the elastic modes of a girder at `t` \[J\].
+    pub fn ringing(&self, girder: usize, t: f64) -> f64 {
+        let Some(made) = self.flexible(girder).and_then(|flexible| flexible.girder.as_ref()) else { return 0.0 };
+        made.ringing(&self.state(girder, t))
+    }
+
+    /// Stress of the extreme fibre, the larger of both edges \[Pa\].
+    pub fn stress(&self, girder: usize, station: f64, t: f64) -> f64 {
+        self.flexible(girder)
+            .map_or(0.0, |flexible| self.stress_of(girder, flexible, &self.section_forces(girder, station, t)))
+    }
+
+    fn stress_of(&self, girder: usize, flexible: &Flexible, forces: &SectionForces) -> f64 {
+        let width = self.model().bodies[girder].prism.width;
+        let section = &flexible.section;
+        forces.axial.abs() / section.area + forces.moment.abs() * 0.5 * width / section.second_moment
+    }
+
+    /// What the run did to its elastic girders that bend.
+    pub fn flexible_readings(&self) -> Vec<FlexibleReading> {
+        let all = 0..self.model().girders().len();
+        all.filter_map(|girder| Some(self.flexible_reading(girder, self.flexible(girder)?))).collect()
+    }
+
+    fn flexible_reading(&self, girder: usize, flexible: &Flexible) -> FlexibleReading {
+        let half = 0.5 * flexible.beam.length;
+        let times = self.wave_looks(girder, flexible);
+        let at = |t: f64| self.section_forces(girder, 0.0, t);
+        let (axial, moment) = (largest(&times, |t| at(t).axial.abs()), largest(&times, |t| at(t).moment.abs()));
+        let worst = |t: f64| {
+            let Some(equilibrium) = self.equilibrium(girder, t) else { return (0.0, 0.0) };
+            let stress = |xi: f64| (self.stress_of(girder, flexible, &equilibrium.at(xi * half)), xi * half);
+            STATIONS.map(stress).into_iter().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a })
+        };
+        let stress = largest(&times, |t| worst(t).0);
+        let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
+        let spin = largest(&times, |t| self.motion(girder, t).spin.z.abs()).value;
+        let bent = largest(&times, |t| {
+            [-half, half].map(|s| self.deformation(girder, s, t).truncate().length()).into_iter().fold(0.0, f64::max)
+        });
+        let frequencies: Vec<f64> =
+            flexible.girder.iter().flat_map(|made| made.modes.frequencies().take(LISTED)).collect();
+        let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
+        let buckling = (std::f64::consts::PI / flexible.beam.length).powi(2) * flexible.beam.bending;
+        FlexibleReading {
+            girder,
+            frequencies,
+            axial,
+            moment,
+            stress,
+            stressed_at: worst(stress.t).1,
+            local_error: if axial.value > 0.0 { (by_strain - axial.value).abs() / axial.value } else { 0.0 },
+            neglected: Neglected {
+                centrifugal: (spin / first).powi(2),
+                coriolis: 2.0 * spin / first,
+                inertia: bent.value / flexible.beam.length,
+                thrust: axial.value / buckling,
+            },
+            hit: self.hardest_hit(girder, flexible),
+        }
+    }
+
+    /// Times at which section forces are looked at: within steps, and after them as long as waves run.
+    fn wave_looks(&self, girder: usize, flexible: &Flexible) -> Vec<f64> {
+        let mut times = super::touches::looks(self, girder);
+        let transit = flexible.beam.transit_time();
+        let spans: Vec<_> = self.paths[girder].spans().collect();
+        for span in spans.iter().filter(|span| span.flies && span.from > 0.0) {
+            let until = span.until.min(span.from + TRANSITS * transit).min(self.end());
+            let looks = std::iter::successors(Some(span.from), |t| Some(t + transit / PER_TRANSIT));
+            times.extend(looks.take_while(|t| *t < until));
+        }
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+
+    fn hardest_hit(&self, girder: usize, flexible: &Flexible) -> Option<ElasticHit> {
+        let model = self.model();
+        let own = |touch: &&Touch| model.pairs[touch.pair].bodies.contains(&Some(girder));
+        let hardest = self.touches().iter().filter(own).max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))?;
+        let pause = 2.0 * flexible.beam.transit_time();
+        let mut span = [hardest.start, hardest.end];
+        let same: Vec<&Touch> = self.touches().iter().filter(|touch| touch.pair == hardest.pair).collect();
+        for touch in &same {
+            if touch.start >= span[0] && touch.start <= span[1] + pause {
+                span[1] = span[1].max(touch.end);
+            }
+        }
+        for touch in same.iter().rev() {
+            if touch.end <= span[1] && touch.end + pause >= span[0] {
+                span[0] = span[0].min(touch.start);
+            }
+        }
+        let site = &model.contacts[hardest.contact];
+        let normal = self.contact_at(hardest.contact, hardest.peak_time)?.normal;
+        let speed = |t: f64| {
+            let of = |body: Option<usize>| body.map_or(DVec3::ZERO, |body| self.motion(body, t).velocity);
+            (of(site.node_body) - of(site.face_body)).dot(normal)
+        };
+        let (before, after) = (speed(span[0]), speed(span[1]));
+        Some(ElasticHit {
+            t: span[0],
+            contact_time: span[1] - span[0],
+            restitution: (before < 0.0 && span[1] < self.end()).then(|| -after / before),
+            ringing: self.ringing(girder, span[1]),
+        })
+    }
+}
