@@ -12,7 +12,7 @@ use crate::app::text;
 use crate::app::unit::Unit;
 use crate::scene::Scene;
 use crate::study::plot::chart::{range, ticks};
-use crate::study::plot::color_map::{LEVELS, color, rgb};
+use crate::study::plot::color_map::{LEVELS, level, rgb};
 use crate::study::sweep::Status;
 
 /// Room for the numbers of the upright axis, and for those of the level one with its name \[points\].
@@ -100,7 +100,7 @@ fn draw_cells(painter: &Painter, cells: Cells, map: &Map, colors: [f64; 2], pale
     for cell in (0..cells.counts[0]).flat_map(|x| (0..cells.counts[1]).map(move |y| [x, y])) {
         let Some(row) = map.standing_for(cell) else { continue };
         let fill = row.values[0].map_or(palette.line, |value| {
-            let [r, g, b] = color(value * map.measure().drawn.1, colors);
+            let [r, g, b] = rgb(level(value * map.measure().drawn.1, colors));
             Color32::from_rgb(r, g, b)
         });
         quad(&mut mesh, cells.rect(cell), fill);

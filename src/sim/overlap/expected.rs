@@ -56,6 +56,10 @@ pub fn unjoined(scene: &Scene, model: &Model) -> Vec<Unjoined> {
 fn reach(solids: &Solids, model: &Model, number: usize) -> f64 {
     // A backwall that moves is held by the ground unless something hits it.
     let Some(girder) = solids.body(number).filter(|&body| body < model.girders().len()) else { return 0.0 };
+    // Piers carry it on: how far is known after a run, not before.
+    if stands_on_pier(model, girder) {
+        return 0.0;
+    }
     // In space, too, the motion in plan decides what comes near.
     let body = Body { coordinates: BodyCoordinates::Planar, ..model.bodies[girder].clone() };
     let Some(motion) = BodyMotion::of(&body, &model.ground, model.duration) else { return 0.0 };
@@ -71,4 +75,9 @@ fn reach(solids: &Solids, model: &Model, number: usize) -> f64 {
         corner(state[0].hypot(state[1]), state[2].abs())
     };
     (0..=LOOKS).map(at).fold(0.0, f64::max)
+}
+
+fn stands_on_pier(model: &Model, girder: usize) -> bool {
+    let is_pier = |body: usize| model.piers.iter().any(|pier| pier.body == body);
+    model.links.iter().any(|link| link.bodies[0] == Some(girder) && link.bodies[1].is_some_and(is_pier))
 }

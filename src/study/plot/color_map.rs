@@ -19,16 +19,11 @@ const VIRIDIS: [[u8; 3]; 10] = [
 pub(crate) const LEVELS: u8 = 255;
 
 /// The level of a value in a range, from 0 to [`LEVELS`].
-pub(super) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
+pub(crate) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
     let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 255; NaN is 0")]
     let level = (part * f64::from(LEVELS)).round() as u8;
     level
-}
-
-/// The colour of a value in a range, red, green and blue.
-pub(crate) fn color(value: f64, range: [f64; 2]) -> [u8; 3] {
-    rgb(level(value, range))
 }
 
 /// The colour of a level, red, green and blue.
