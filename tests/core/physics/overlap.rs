@@ -151,6 +151,9 @@ fn what_contacts_carry_is_no_overlap() {
             let history = History::of(&scene).expect("it runs");
             if (name, kind) == ("row-of-5", ModelKind::Contact) {
                 expect_the_corner_of_the_row(&history);
+            } else if name == "viaduct-5" {
+                // Its decks slide across as well: corners come past the facing ends and in beside them, where no contact is.
+                assert!(!history.overlaps().is_empty(), "{name}: said");
             } else {
                 assert_eq!(history.overlaps(), [], "{name}, {kind:?}");
             }
