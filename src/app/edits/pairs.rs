@@ -44,7 +44,7 @@ pub(in crate::app) fn pair_between(between: [String; 2], ends: Option<[End; 2]>)
     PairSettings { between, ends, ..PairSettings::default() }
 }
 
-/// K = E A / L, E and A of the first pair, by their keys, where the scene gives none \[N/m, Pa, m²\].
+/// K = E A / L, E, A and L of the first pair, by their keys, where the scene gives none \[N/m, Pa, m², m\].
 pub(in crate::app) fn elastic(scene: &Scene, key: &str) -> f64 {
     let Some(girder) = scene.girders.first() else { return 0.0 };
     let area = girder.width * girder.thickness;
@@ -52,6 +52,7 @@ pub(in crate::app) fn elastic(scene: &Scene, key: &str) -> f64 {
     match key {
         "young_modulus_pa" => young_modulus,
         "area_m2" => area,
+        "contact_length_m" => scene.contact.contact_length.unwrap_or_else(|| facing::contact_length(girder)),
         "stiffness_n_per_m" if scene.contact.stiffness.is_some() => {
             young_modulus * scene.contact.area.unwrap_or(area) / girder.length
         }
@@ -84,6 +85,7 @@ mod tests {
         let pairs = facing::find(&scene).expect("the preset is valid");
         // docs/physics.md: ζ of e_n = 0.4 by (65), and k_h of K = 155 kN/m with 2 kg at 0.3 m/s.
         assert_eq!(elastic(&scene, "law_parameter"), 0.28, "to four digits");
+        assert_eq!(elastic(&scene, "contact_length_m"), 0.19, "the girder's length");
         assert_eq!(optional(&pairs[0], "hertz_stiffness_n_per_m1_5"), Some(5.902e6), "to four digits");
         assert_eq!(optional(&pairs[0], "stiffness_n_per_m"), Some(1.55e5), "as given");
         assert_eq!(optional(&pairs[0], "mu_static"), None, "not an optional one");

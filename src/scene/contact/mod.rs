@@ -81,8 +81,8 @@ contact_tables! {
         young_modulus = "young_modulus_pa" as "E", Range::Positive, Fallback::Number(DEFAULT_YOUNG_MODULUS),
             "E of K = E A / L (64), Pa; of two girders the smaller K counts";
         area = "area_m2" as "A", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
-        contact_length = "contact_length_m" as "Contact length", Range::Positive,
-            Fallback::Words("the girder's length (64); a tenth of it where the girder is elastic"), "L of K = E A / L, m";
+        contact_length = "contact_length_m" as "L", Range::Positive,
+            Fallback::Words("a₀; a₀/10 if elastic"), "L of K = E A / L (64), m; a₀ is the length of the girder";
     }
     given {
         hertz_stiffness = "hertz_stiffness_n_per_m1_5" as "k_h", Range::Positive, Fallback::Words("from K at the design speed"),

@@ -16,6 +16,7 @@ mod side;
 pub use super::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
 pub use end::LARGEST_TURN_DEG;
 pub use met::{between, bodies_met};
+pub use numbers::contact_length;
 pub(in crate::scene) use side::names;
 pub use side::{Flank, Rear, Side, SolidId};
 

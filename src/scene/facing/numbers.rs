@@ -4,7 +4,7 @@ use super::side::{Side, SolidId};
 use crate::contact::calibration::linear_stiffness;
 use crate::contact::parameters::reduced_mass;
 use crate::scene::contact::{DEFAULT_YOUNG_MODULUS, PairContact};
-use crate::scene::{ContactSettings, PairSettings, Scene};
+use crate::scene::{ContactSettings, Girder, PairSettings, Scene};
 
 /// Whether an entry of `[[contact.pair]]` is about this pair.
 pub(super) fn is_between(scene: &Scene, pair: &PairSettings, sides: &(Side, Side)) -> bool {
@@ -58,6 +58,11 @@ fn mass_of_side(scene: &Scene, side: Side) -> f64 {
     }
 }
 
+/// L of (64) where none is given: the girder's length, of an elastic one a part of it \[m\].
+pub fn contact_length(girder: &Girder) -> f64 {
+    if girder.elastic.is_some() { ELASTIC_CONTACT * girder.length } else { girder.length }
+}
+
 /// `K` as given, or that of a given Hertz spring at the design speed, or `K = E A / L` (64): of two girders the smaller; of an elastic
 /// girder with its own E and A.
 fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Side) -> f64 {
@@ -73,9 +78,9 @@ fn stiffness(scene: &Scene, settings: &ContactSettings, first: Side, second: Sid
             let girder = &scene.girders[n];
             let elastic = girder.elastic.map(|elastic| (elastic.young_modulus, elastic.resolve(girder).area));
             let (modulus, section) = elastic.unwrap_or((DEFAULT_YOUNG_MODULUS, girder.width * girder.thickness));
-            let length = if elastic.is_some() { ELASTIC_CONTACT * girder.length } else { girder.length };
             let area = settings.area.unwrap_or(section);
-            settings.young_modulus.unwrap_or(modulus) * area / settings.contact_length.unwrap_or(length)
+            let length = settings.contact_length.unwrap_or_else(|| contact_length(girder));
+            settings.young_modulus.unwrap_or(modulus) * area / length
         }
         None => f64::INFINITY,
     };
