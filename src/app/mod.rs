@@ -50,8 +50,9 @@ mod viewport;
 pub use bench::Workbench;
 pub use command::{
     BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank,
-    Follow, Grip, HandCommand, HandKey, Keep, Learn, MapAxis, MapCommand, MapDraft, Nudge, PathCommand, PlaceCommand,
-    QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    Follow, Grip, HandCommand, HandKey, Keep, Learn, Look, MapAxis, MapCommand, MapDraft, Nudge, Pane, PathCommand,
+    PlaceCommand, PlotCommand, QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way,
+    WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};

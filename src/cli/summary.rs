@@ -2,7 +2,7 @@
 
 use super::{flexible, seats};
 use crate::scene::shown::{escaped, shown};
-use crate::tables::{OutsideReport, OverlapReport, PierReport, Report};
+use crate::tables::{OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -157,6 +157,8 @@ fn answer(report: &Report) -> Vec<Line> {
         line(&format!("soil {}", escaped(&soil.abutment)), value)
     }));
     lines.extend(report.piers.iter().map(pier));
+    let verdict = |v: &VerdictReport| line(&escaped(&v.girder), v.words.clone());
+    lines.extend(report.verdicts.iter().map(verdict));
     lines.extend(flexible::lines(&report.flexible, report.degree_check.as_ref()));
     lines.extend(report.seats.iter().flat_map(seats::lines));
     lines

@@ -4,8 +4,7 @@
 //! At each of the control periods `T` the factor is `S_target(T) / S(T)` of 5 % pseudo-acceleration; between them it is linear in
 //! logarithms, beyond them that of the last. The best of the rounds is kept.
 
-use std::f64::consts::TAU;
-
+use super::fourier::transform;
 use super::spectrum::{periods, spectrum};
 
 /// Damping of the spectra, of critical.
@@ -72,36 +71,6 @@ fn multiplied(samples: &[f64], dt: f64, factors: &[[f64; 2]]) -> Vec<f64> {
     lines.iter().take(samples.len()).map(|line| line[0]).collect()
 }
 
-/// Fast Fourier transform in place of a power of two of complex numbers, `Σ z exp(±i 2π j k / n)` (Cooley & Tukey 1965).
-fn transform(z: &mut [[f64; 2]], sign: f64) {
-    let n = z.len();
-    let mut j = 0;
-    for i in 1..n {
-        let mut bit = n >> 1;
-        while j & bit != 0 {
-            j ^= bit;
-            bit >>= 1;
-        }
-        j |= bit;
-        if i < j {
-            z.swap(i, j);
-        }
-    }
-    let mut length = 2;
-    while length <= n {
-        for k in 0..length / 2 {
-            let (s, c) = (sign * TAU * k as f64 / length as f64).sin_cos();
-            for start in (k..n).step_by(length) {
-                let (even, odd) = (z[start], z[start + length / 2]);
-                let turned = [odd[0] * c - odd[1] * s, odd[0] * s + odd[1] * c];
-                z[start] = [even[0] + turned[0], even[1] + turned[1]];
-                z[start + length / 2] = [even[0] - turned[0], even[1] - turned[1]];
-            }
-        }
-        length *= 2;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,26 +87,6 @@ mod tests {
         until: 10.0,
         decay: 0.3,
     };
-
-    #[test]
-    fn the_transform_is_the_sum_it_stands_for() {
-        let samples: Vec<[f64; 2]> =
-            (0..16).map(|n| [(f64::from(n) * 0.7).sin(), (f64::from(n) * 1.3).cos()]).collect();
-        let mut fast = samples.clone();
-        transform(&mut fast, -1.0);
-        for (k, fast) in fast.iter().enumerate() {
-            let mut slow = [0.0; 2];
-            for (j, z) in samples.iter().enumerate() {
-                let (s, c) = (-TAU * (j * k) as f64 / 16.0).sin_cos();
-                slow = [slow[0] + z[0] * c - z[1] * s, slow[1] + z[0] * s + z[1] * c];
-            }
-            assert!((fast[0] - slow[0]).abs() < 1e-13 && (fast[1] - slow[1]).abs() < 1e-13, "line {k}");
-        }
-        let mut back = fast;
-        transform(&mut back, 1.0);
-        let apart = back.iter().zip(&samples).fold(0.0_f64, |most, (a, b)| most.max((a[0] / 16.0 - b[0]).abs()));
-        assert!(apart < 1e-15, "there and back: {apart}");
-    }
 
     #[test]
     fn factors_of_one_change_nothing_but_the_mean() {

@@ -4,6 +4,7 @@
 //! linear between samples; each is piecewise analytic, which is what lets free flight have a closed form.
 
 pub mod format;
+pub mod fourier;
 pub mod integrate;
 pub mod matching;
 pub mod oscillator;

@@ -63,7 +63,7 @@ pub use record::{Component, Heading, RecordMotion};
 pub use resolved::ResolvedBearing;
 pub use resolved_elastic::ResolvedElastic;
 pub use resolved_pier::{BaseYield, ResolvedPier};
-pub use settings::{Layer, Overlays, PlotSettings, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
+pub use settings::{Layer, Overlays, PlotSettings, PlotShows, SolverMethod, SolverSettings, ViewPreset, ViewSettings};
 pub use soil::ResolvedBackfill;
 pub use sweep::{SweepMotion, SweepRate};
 pub use synthetic::SyntheticMotion;

@@ -38,6 +38,18 @@ words! {
     }
 }
 
+words! {
+    /// What a plot panel shows of its quantities.
+    PlotShows, by default History {
+        /// Their course over time, or over another quantity.
+        History = "history",
+        /// Fourier amplitudes over frequency.
+        Fourier = "fourier",
+        /// 5 % response spectrum over period.
+        Response = "response",
+    }
+}
+
 table! {
     /// `[[view.plot]]`: a plot panel.
     #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,6 +58,27 @@ table! {
             "what is drawn; only energies against time: one upon the other";
         x: Option<String> = "x", Range::Like("the name of a quantity"), Fallback::Words("time"),
             "what it is drawn against";
+        shows: Option<PlotShows> = "shows" as "Shows", Range::Words(PlotShows::WORDS), PlotShows::FALLBACK,
+            "their course, their Fourier amplitudes over frequency, or their 5 % response spectrum over period";
+        log: Option<bool> = "log" as "Logarithmic", Range::Switch, Fallback::Words("false"),
+            "whether the upright axis is logarithmic, of the magnitude; of spectra both axes";
+    }
+}
+
+impl PlotSettings {
+    /// Curves of these quantities over time.
+    pub fn over_time(y: Vec<String>) -> Self {
+        Self { y, ..Self::default() }
+    }
+
+    /// What it shows.
+    pub fn shown(&self) -> PlotShows {
+        self.shows.unwrap_or_default()
+    }
+
+    /// Whether the upright axis is logarithmic.
+    pub fn is_log(&self) -> bool {
+        self.log.unwrap_or(false)
     }
 }
 

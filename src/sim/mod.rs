@@ -27,8 +27,10 @@ mod report;
 pub mod seats;
 pub mod section_quantity;
 mod session;
+pub mod spectra;
 mod summary;
 mod touches;
+pub mod verdict;
 
 pub use backfill::{BackfillReading, WallNow};
 pub use balance::Balance;

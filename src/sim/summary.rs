@@ -1,6 +1,7 @@
 //! The headline numbers of a run.
 
-use super::{History, touches};
+use super::report::Extreme;
+use super::{History, readings, touches};
 
 /// The headline numbers of a run.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -72,6 +73,23 @@ impl History {
     /// Largest |θ| of any girder \[rad\].
     pub fn largest_rotation(&self) -> f64 {
         self.largest(|body, t| self.motion(body, t).theta.abs())
+    }
+
+    /// The girder that moves farthest, and when \[m\].
+    pub fn farthest(&self) -> Option<(usize, Extreme)> {
+        self.extreme(|body, t| self.motion(body, t).displacement.length())
+    }
+
+    /// The girder that turns most, and when \[rad\].
+    pub fn most_turned(&self) -> Option<(usize, Extreme)> {
+        self.extreme(|body, t| self.motion(body, t).theta.abs())
+    }
+
+    /// The largest value over girders and time, with its girder and its time.
+    fn extreme(&self, value: impl Fn(usize, f64) -> f64) -> Option<(usize, Extreme)> {
+        let of = |body| (body, readings::largest(&touches::looks(self, body), |t| value(body, t)));
+        let all = (0..self.model().girders().len()).map(of);
+        all.reduce(|a, b| if b.1.value > a.1.value { b } else { a })
     }
 
     /// Largest value over girders and time, looked for at a rate that the fastest bearing cannot outrun.

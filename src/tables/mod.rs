@@ -21,7 +21,7 @@ pub use impact::{hits, transitions};
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
     BackfillReport, DroppedReport, OutsideReport, OverlapReport, PairReport, PierReport, Report, TooDeepReport,
-    Versions,
+    VerdictReport, Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};
 

@@ -6,9 +6,9 @@ use super::TableOptions;
 use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
-use crate::scene::{Kind, Scene, domain};
+use crate::scene::{Girder, Kind, Scene, domain};
 use crate::sim::{
-    BackfillReading, DegreeCheck, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings,
+    BackfillReading, DegreeCheck, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings, verdict,
 };
 
 /// Everything a summary says, SI.
@@ -31,6 +31,8 @@ pub struct Report {
     pub numbers: Summary,
     /// Facing pairs and the law each used.
     pub pairs: Vec<PairReport>,
+    /// Whether each girder that has seats stays on them, in words.
+    pub verdicts: Vec<VerdictReport>,
     /// What remains of the seats that the scene gives.
     pub seats: Vec<SeatReport>,
     /// What the run did to the soil behind backwalls that move.
@@ -73,6 +75,19 @@ pub struct Report {
     pub versions: Versions,
     /// Files of the answer, this one among them; a later answer in the same folder removes those that it does not have.
     pub files: Vec<String>,
+}
+
+/// Whether a girder stays on its seats.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VerdictReport {
+    /// The girder.
+    pub girder: String,
+    /// Whether every corner stays over its seat.
+    pub stays: bool,
+    /// The moment that decides it \[s\].
+    pub t: f64,
+    /// The same in words.
+    pub words: String,
 }
 
 /// A facing pair in short.
@@ -231,6 +246,7 @@ impl Report {
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
             pairs: pairs(history),
+            verdicts: verdicts(history),
             seats: seats::of(history),
             backfill: backfill(history),
             piers: piers(history),
@@ -275,6 +291,15 @@ fn pairs(history: &History) -> Vec<PairReport> {
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
+}
+
+fn verdicts(history: &History) -> Vec<VerdictReport> {
+    let of = |(number, girder): (usize, &Girder)| {
+        let verdict = verdict::verdict(history, number)?;
+        let (girder, words) = (girder.name.clone(), verdict.words());
+        Some(VerdictReport { girder, stays: verdict.stays(), t: verdict.t(), words })
+    };
+    history.scene().girders.iter().enumerate().filter_map(of).collect()
 }
 
 fn backfill(history: &History) -> Vec<BackfillReport> {

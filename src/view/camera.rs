@@ -12,8 +12,10 @@ const FOV_Y: f64 = 0.5;
 const POLE_MARGIN: f64 = 1e-3;
 /// Room around what is framed, as a factor.
 const FRAME_MARGIN: f64 = 1.12;
-/// The contact view stands this far round from the face's normal \[rad\].
-const CONTACT_ASIDE: f64 = 1.2;
+/// Room about the cone and the arrow in the contact view, in radii of the box about them.
+const CONTACT_ABOUT: f64 = 0.6;
+/// The least room, in radii of the scene: a contact that has just closed has no cone yet.
+const CONTACT_LEAST: f64 = 0.05;
 
 /// How depth becomes size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +70,7 @@ impl Camera {
         camera
     }
 
-    /// Frames the contacts that are closed at `t` with their forces, or else those of the hardest touch at its peak.
+    /// Frames the hardest contact that is closed at `t` with its force, or else that of the hardest touch at its peak.
     ///
     /// Where nothing ever touches, the whole scene.
     pub fn contact(history: &History, t: f64, aspect: f64) -> Self {
@@ -76,26 +78,39 @@ impl Camera {
         if contacts.is_empty() {
             contacts = history.hardest().map(|touch| history.contacts(touch.peak_time)).unwrap_or_default();
         }
-        let peak = |c: &ContactNow| c.force.length();
-        match contacts.iter().max_by(|a, b| peak(a).total_cmp(&peak(b))) {
-            Some(hardest) => Self::at_pair(history, &contacts, hardest, aspect),
+        match hardest(&contacts) {
+            Some(hardest) => Self::square_to(history, hardest, aspect),
             None => Self::preset(ViewPreset::Contact, Bounds::of_scene(history.scene()), aspect),
         }
     }
 
-    /// Frames the contacts of the hardest one's pair and their arrows, from the side where arrows look longest.
-    fn at_pair(history: &History, contacts: &[ContactNow], hardest: &ContactNow, aspect: f64) -> Self {
-        let scale = auto_force_scale(history);
-        let ours = contacts.iter().filter(|c| c.pair == hardest.pair);
-        let points = ours.flat_map(|c| [c.point, c.point + c.elastic_force() / scale]);
-        let scene = Bounds::of_scene(history.scene());
-        let bounds = Bounds::of_points(points).grown(0.08 * scene.radius());
-        let mut camera = Self::preset(ViewPreset::Contact, scene, aspect);
-        // Aside of the normal; of the two sides, the one nearer to where the standing views look from.
-        let normal = hardest.normal.y.atan2(hardest.normal.x);
-        let sides = [normal + CONTACT_ASIDE, normal - CONTACT_ASIDE];
-        let turn = |yaw: f64| (yaw - camera.yaw).cos();
-        camera.yaw = if turn(sides[0]) >= turn(sides[1]) { sides[0] } else { sides[1] };
+    /// Frames a contact with its force, where it is closed at `t`.
+    pub fn of_contact(history: &History, contact: usize, t: f64, aspect: f64) -> Option<Self> {
+        history.contact_at(contact, t).map(|now| Self::square_to(history, &now, aspect))
+    }
+
+    /// Square to a contact: its normal and its friction lie in the plane of the picture, so that the angle between force and normal
+    /// and that of the cone are seen as they are; lines of sight are parallel for the same reason. Both stand as they do in the plan
+    /// where that plane is level. In view are the cone and the arrow, and as much about them.
+    fn square_to(history: &History, c: &ContactNow, aspect: f64) -> Self {
+        let height = c.normal_force / auto_force_scale(history);
+        let normal = c.normal;
+        // Without friction, and where the contact parts, the horizontal of the face.
+        let level = DVec3::Z.cross(normal).normalize_or(DVec3::X);
+        let aside = (c.tangential_force - normal * c.tangential_force.dot(normal)).normalize_or(level);
+        let square = normal.cross(aside);
+        let back = if square.z < 0.0 { -square } else { square };
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let in_plan = back.z > 1.0 - 1e-9;
+        let (yaw, pitch) =
+            if in_plan { (-quarter, quarter) } else { (back.y.atan2(back.x), back.z.clamp(-1.0, 1.0).asin()) };
+        let rim = height * c.mu_static.max(c.mu_kinetic);
+        let rims = [-1.0, 1.0].map(|side| c.point + normal * height + aside * (side * rim));
+        let seen = Bounds::of_points([c.point].into_iter().chain(rims));
+        let least = CONTACT_LEAST * Bounds::of_scene(history.scene()).radius();
+        let bounds = seen.grown((CONTACT_ABOUT * seen.radius()).max(least));
+        let mut camera =
+            Self { target: bounds.centre(), yaw, pitch, distance: 1.0, projection: Projection::Orthographic };
         camera.frame(bounds, aspect);
         camera
     }
@@ -224,4 +239,9 @@ impl Camera {
         let view = DMat4::from_cols(right.extend(0.0), up.extend(0.0), back.extend(0.0), eye.extend(1.0));
         projection * view.inverse()
     }
+}
+
+/// The hardest of some contacts.
+pub(super) fn hardest(contacts: &[ContactNow]) -> Option<&ContactNow> {
+    contacts.iter().max_by(|a, b| a.force.length().total_cmp(&b.force.length()))
 }

@@ -1,43 +1,98 @@
-//! The friction circle of the selected contact: its tangential force in the plane of the face, over `μ K δ`.
+//! The friction circle of the hardest contact that is closed, and of those selected: its tangential force in the plane of the face, over `μ K δ`.
 //!
 //! The outline is `μ_s K δ`, the filled circle `μ_k K δ`; the arrow ends inside the outline in stick, on the rim of
 //! the filled circle in slip.
 
 use glam::{DVec3, Vec2};
 
+use super::ViewInput;
 use super::area::Area;
+use super::gauge::told;
 use super::list::Mark;
 use super::moment::Moment;
 use super::palette::{Palette, of_state};
-use super::texts::TEXT;
-use super::{Target, ViewInput};
-use crate::sim::ContactNow;
+use super::texts::{TEXT, pixel};
+use crate::sim::{ContactNow, ContactState};
 
-/// Radius of the `μ_s` circle \[points\].
-const RADIUS: f32 = 44.0;
+/// Radius of the `μ_s` circle, and the least of a small picture \[points\].
+const RADII: [f32; 2] = [44.0, 24.0];
+
+/// The radius in parts of the picture's shorter side.
+const SHARE: f32 = 0.1;
+
+/// Half the side of a panel in radii, for the circle and its caption.
+const HALF: f32 = 1.6;
 
 /// Most points of the path that the tip has taken.
 const PATH: u32 = 120;
 
-/// The circle at the top right, where a closed contact is selected.
-pub(super) fn friction_circle(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Option<(Vec<Mark>, Area)> {
-    let Some(&Target::Contact(number)) = input.selected.last() else { return None };
-    let contact = moment.contacts.iter().find(|c| c.contact == number)?;
+/// The radius of a picture's circles \[pixels\].
+fn radius(input: &ViewInput<'_>) -> f32 {
+    let ppp = input.pixels_per_point;
+    let side = input.size[0].min(input.size[1]) as f32;
+    (SHARE * side).clamp(RADII[1] * ppp, RADII[0] * ppp)
+}
+
+/// Most circles in a picture, one below the other.
+const MOST: usize = 2;
+
+/// The circles at the top right: of the hardest contact that is closed, then of those selected.
+pub(super) fn friction_circles(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) -> Vec<(Vec<Mark>, Area)> {
+    let mut all: Vec<(Vec<Mark>, Area)> = Vec::new();
+    for contact in told(input, moment).into_iter().take(MOST) {
+        let taken: Vec<Area> = all.iter().map(|(_, area)| *area).collect();
+        all.extend(friction_circle(input, contact, free_place(input, moment, &taken), palette));
+    }
+    all
+}
+
+/// The first of some places at the edge of the picture that covers no contact, no tip of a force and no other circle; the top right
+/// where all do.
+fn free_place(input: &ViewInput<'_>, moment: &Moment, taken: &[Area]) -> Area {
+    let ppp = input.pixels_per_point;
+    let half = Vec2::splat(HALF * radius(input));
+    let (room, margin) = (Vec2::from(input.size.map(|s| s as f32)), half + 14.0 * ppp);
+    let (right, left, top, bottom) = (room.x - margin.x, margin.x, margin.y, room.y - margin.y);
+    let below = top + 2.0 * half.y + 8.0 * ppp;
+    let corner = Vec2::new(right, if input.overlays.legend { below } else { bottom });
+    let middles = [Vec2::new(right, top), corner, Vec2::new(right, below), Vec2::new(left, room.y / 2.0)];
+    let scale = moment.force_scale.unwrap_or(f64::INFINITY);
+    let ends = moment.contacts.iter().flat_map(|c| [c.point, c.point + c.elastic_force() / scale]);
+    let kept: Vec<Area> =
+        ends.filter_map(|at| pixel(input, at)).map(|at| Area::about(at, Vec2::splat(9.0 * ppp))).collect();
+    let is_free = |area: &Area| kept.iter().chain(taken).all(|other| other.overlap(area) == 0.0);
+    let areas = middles.map(|middle| Area::about(middle, half));
+    areas.into_iter().find(is_free).unwrap_or(areas[0])
+}
+
+fn friction_circle(
+    input: &ViewInput<'_>,
+    contact: &ContactNow,
+    area: Area,
+    palette: &Palette,
+) -> Option<(Vec<Mark>, Area)> {
     let limit = contact.mu_static * contact.normal_force;
     if !(limit.is_finite() && limit > 0.0) {
         return None;
     }
-    let ppp = input.pixels_per_point;
-    let middle = Vec2::new(input.size[0] as f32 - 84.0 * ppp, 84.0 * ppp);
-    let half = Vec2::splat(70.0 * ppp);
-    let area = Area::about(middle, half);
+    let (ppp, radius) = (input.pixels_per_point, radius(input));
+    let middle = (area.min + area.max) / 2.0 - Vec2::new(0.0, 0.22 * radius);
+    let round = Round { middle, radius, ppp };
     let rim = palette.faint_ink.with_alpha(0x50);
     let mut marks = vec![Mark::Panel { min: area.min, max: area.max, color: palette.plate, rim }];
-    marks.extend(circles(contact, middle, ppp, palette));
-    marks.extend(path(input, number, middle, palette));
-    marks.extend(arrow(tangential(contact) / limit as f32, contact, middle, ppp));
-    marks.push(caption(contact, middle, ppp, palette));
+    marks.extend(circles(contact, round, palette));
+    marks.extend(path(input, contact.contact, round, palette));
+    marks.extend(arrow(tangential(contact) / limit as f32, contact, round));
+    marks.push(caption(contact, round, palette));
     Some((marks, area))
+}
+
+/// Where a circle stands \[pixels\], and pixels to a point.
+#[derive(Clone, Copy)]
+struct Round {
+    middle: Vec2,
+    radius: f32,
+    ppp: f32,
 }
 
 /// The tangential force in the face's plane, as seen by the node's body: horizontal to the right, up is up \[N\].
@@ -49,41 +104,48 @@ fn tangential(contact: &ContactNow) -> Vec2 {
 }
 
 /// Where the tip has been since the touch began, at most [`PATH`] points of it.
-fn path(input: &ViewInput<'_>, number: usize, middle: Vec2, palette: &Palette) -> Vec<Mark> {
+fn path(input: &ViewInput<'_>, number: usize, round: Round, palette: &Palette) -> Vec<Mark> {
     let Some(history) = input.history else { return Vec::new() };
     let mut touches = history.touches().iter();
     let Some(touch) = touches.find(|t| t.contact == number && (t.start..=t.end).contains(&input.t)) else {
         return Vec::new();
     };
-    let ppp = input.pixels_per_point;
     let at = |i: u32| touch.start + (input.t - touch.start) * f64::from(i) / f64::from(PATH);
     let tip = |i: u32| {
         let now = history.contact_at(number, at(i))?;
         let limit = now.mu_static * now.normal_force;
         // At the very ends of a touch both forces vanish and their ratio says nothing.
         let share = tangential(&now) / limit as f32;
-        (limit > 0.0 && share.is_finite()).then(|| middle + share.clamp_length_max(1.25) * RADIUS * ppp)
+        (limit > 0.0 && share.is_finite()).then(|| round.middle + share.clamp_length_max(1.25) * round.radius)
     };
     let points: Vec<Vec2> = (0..=PATH).filter_map(tip).collect();
     let color = palette.faint_ink.with_alpha(0xb0);
-    if points.len() > 1 { vec![Mark::Stroke { points, width: 1.2 * ppp, color }] } else { Vec::new() }
+    if points.len() > 1 { vec![Mark::Stroke { points, width: 1.2 * round.ppp, color }] } else { Vec::new() }
 }
 
-fn circles(contact: &ContactNow, middle: Vec2, ppp: f32, palette: &Palette) -> [Mark; 2] {
+/// The rim dashed in slip, as that of the cone.
+fn circles(contact: &ContactNow, round: Round, palette: &Palette) -> Vec<Mark> {
+    let Round { middle, radius, ppp } = round;
     let share = if contact.mu_static > 0.0 { contact.mu_kinetic / contact.mu_static } else { 0.0 };
     let color = of_state(contact.state).with_alpha(0x40);
     let clear = super::list::Rgba::CLEAR;
-    [
-        Mark::Disk { at: middle, radius: RADIUS * share as f32 * ppp, color, halo: clear },
-        Mark::Ring { at: middle, radius: RADIUS * ppp, width: 1.4 * ppp, color: palette.faint_ink, halo: clear },
-    ]
+    let rim = |i: u16| Vec2::from_angle(f32::from(i) * std::f32::consts::TAU / 48.0);
+    // No disk: that is the glyph of stick.
+    let inner = Mark::Fill { points: (0..48).map(|i| middle + rim(i) * radius * share as f32).collect(), color };
+    let (width, color) = (1.4 * ppp, palette.faint_ink);
+    if contact.state != ContactState::Slip {
+        return vec![inner, Mark::Ring { at: middle, radius, width, color, halo: clear }];
+    }
+    let at = |i: u16| middle + Vec2::from_angle(f32::from(i) * std::f32::consts::TAU / 36.0) * radius;
+    let dash = |i: u16| Mark::Stroke { points: vec![at(2 * i), at(2 * i + 1)], width, color };
+    std::iter::once(inner).chain((0..18).map(dash)).collect()
 }
 
-fn arrow(share: Vec2, contact: &ContactNow, middle: Vec2, ppp: f32) -> Vec<Mark> {
+fn arrow(share: Vec2, contact: &ContactNow, Round { middle, radius, ppp }: Round) -> Vec<Mark> {
     let color = of_state(contact.state);
-    let tip = middle + share * RADIUS * ppp;
+    let tip = middle + share * radius;
     let along = share.normalize_or_zero();
-    let head = along * (9.0 * ppp).min(share.length() * RADIUS * ppp);
+    let head = along * (9.0 * ppp).min(share.length() * radius);
     let aside = Vec2::new(-head.y, head.x) * 0.45;
     vec![
         Mark::Stroke { points: vec![middle, tip - head], width: 2.4 * ppp, color },
@@ -91,12 +153,12 @@ fn arrow(share: Vec2, contact: &ContactNow, middle: Vec2, ppp: f32) -> Vec<Mark>
     ]
 }
 
-fn caption(contact: &ContactNow, middle: Vec2, ppp: f32, palette: &Palette) -> Mark {
+fn caption(contact: &ContactNow, Round { middle, radius, ppp }: Round, palette: &Palette) -> Mark {
     let ratio = contact.tangential_force.length() / contact.normal_force;
     Mark::Text {
-        at: middle + Vec2::new(0.0, 58.0 * ppp),
+        at: middle + Vec2::new(0.0, 1.42 * radius),
         align: Vec2::splat(0.5),
-        size: (TEXT - 1.0) * ppp,
+        size: (0.29 * radius).min((TEXT - 1.0) * ppp),
         text: format!("T/N {ratio:.3} of {:.2}", contact.mu_static),
         color: palette.ink,
         plate: None,

@@ -2,7 +2,7 @@
 //!
 //! The cone stands on the contact with its axis along the face's normal and is `K δ` high in the arrows' scale; the
 //! resultant is the force without dashpots, so its tip lies inside the outline (`μ_s`) in stick and on the rim of the
-//! filled cone (`μ_k`) in slip. Pixels: `render/pass/cone.rs`, `shaders/cone.wgsl`; the same cone cut across its axis:
+//! filled cone (`μ_k`) in slip. In stick the outline is a full line, in slip a dashed one. Pixels: `render/pass/cone.rs`, `shaders/cone.wgsl`; the same cone cut across its axis:
 //! `friction_circle.rs`.
 
 use glam::DVec3;
@@ -11,7 +11,10 @@ use super::input::LEAST_FORCE;
 use super::list::{Cone, Line};
 use super::palette::{Palette, of_state};
 use super::{Basis, Projection, ViewInput};
-use crate::sim::ContactNow;
+use crate::sim::{ContactNow, ContactState};
+
+/// Dashes of a generator in slip.
+const DASHES: u32 = 9;
 
 /// Segments of a cone's rim.
 const RIM: usize = 48;
@@ -58,7 +61,9 @@ fn rim(c: &ContactNow, height: f64, mu: f64) -> Vec<[DVec3; 2]> {
 
 /// The outline of a cone as seen: its rim and the two generators where the line of sight grazes it.
 fn outline(input: &ViewInput<'_>, c: &ContactNow, height: f64, mu: f64) -> Vec<[DVec3; 2]> {
-    let mut strokes = rim(c, height, mu);
+    let slips = c.state == ContactState::Slip;
+    // Dashed in slip: every other stroke of the rim, and parts of the generators.
+    let mut strokes: Vec<_> = rim(c, height, mu).into_iter().step_by(if slips { 2 } else { 1 }).collect();
     let Basis { back, .. } = input.camera.basis();
     let sight = match input.camera.projection {
         Projection::Perspective { .. } => (input.camera.eye() - c.point).normalize_or_zero(),
@@ -73,7 +78,13 @@ fn outline(input: &ViewInput<'_>, c: &ContactNow, height: f64, mu: f64) -> Vec<[
         let middle = side_v.atan2(side_u);
         for turn in [graze.acos(), -graze.acos()] {
             let (s, co) = (middle + turn).sin_cos();
-            strokes.push([c.point, c.point + (c.normal + (u * co + v * s) * mu) * height]);
+            let to = c.point + (c.normal + (u * co + v * s) * mu) * height;
+            if slips {
+                let part = |n: u32| c.point.lerp(to, f64::from(n) / f64::from(2 * DASHES));
+                strokes.extend((0..DASHES).map(|n| [part(2 * n), part(2 * n + 1)]));
+            } else {
+                strokes.push([c.point, to]);
+            }
         }
     }
     strokes

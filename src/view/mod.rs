@@ -18,6 +18,7 @@ mod framing;
 mod friction_circle;
 mod friction_cone;
 pub mod gap;
+pub mod gauge;
 mod ground_caption;
 mod hiding;
 mod input;
@@ -137,9 +138,11 @@ fn marks(
     let legend = o.legend.then(|| legend::legend(input, moment, palette, spacing)).flatten();
     let axes = o.axes.then(|| legend::axes(input, palette));
     let bar = o.axes.then(|| scale_bar::scale_bar(input, palette)).flatten();
-    let circle = friction_circle::friction_circle(input, moment, palette);
+    let circles = friction_circle::friction_circles(input, moment, palette);
+    let gauges: Vec<_> =
+        gauge::told(input, moment).into_iter().filter_map(|c| gauge::gauge(input, c, palette)).collect();
     let heading = if o.title { texts::heading(input, moment, palette, &mut placer) } else { Vec::new() };
-    let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circle).collect();
+    let panels: Vec<_> = legend.into_iter().chain(axes).chain(bar).chain(circles).chain(gauges).collect();
     for (_, area) in &panels {
         placer.take(*area);
     }

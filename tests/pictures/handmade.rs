@@ -25,6 +25,17 @@ pub(crate) fn pressed(states: [ContactState; 2]) -> (Scene, Moment) {
     (scene, moment)
 }
 
+/// The same with one contact, in stick with this share of its cone used.
+pub(crate) fn sticking(share: f64) -> (Scene, Moment) {
+    let (scene, mut moment) = pressed([ContactState::Stick; 2]);
+    moment.contacts.truncate(1);
+    let contact = &mut moment.contacts[0];
+    let along = contact.tangential_force / contact.tangential_force.length();
+    contact.tangential_force = along * (share * contact.mu_static * contact.normal_force);
+    contact.force = contact.elastic_force();
+    (scene, moment)
+}
+
 /// A contact on the 45° wall: in slip on the kinetic cone, in stick well inside the static one.
 fn contact(number: usize, point: DVec3, state: ContactState, normal_force: f64) -> ContactNow {
     let normal = DVec3::new(-1.0, 1.0, 0.0) / 2f64.sqrt();
@@ -62,13 +73,28 @@ pub(crate) fn list(
     pixels_per_point: f32,
     overlays: Overlays,
 ) -> DrawList {
+    draw_moment(&input(scene, &camera(scene, size), size, pixels_per_point, overlays), moment)
+}
+
+/// The standing view.
+pub(crate) fn camera(scene: &Scene, size: [u32; 2]) -> Camera {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    let camera = Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), aspect);
-    let input = ViewInput {
+    Camera::preset(ViewPreset::Iso, Bounds::of_scene(scene), aspect)
+}
+
+/// What a picture of a moment is made from.
+pub(crate) fn input<'a>(
+    scene: &'a Scene,
+    camera: &'a Camera,
+    size: [u32; 2],
+    pixels_per_point: f32,
+    overlays: Overlays,
+) -> ViewInput<'a> {
+    ViewInput {
         scene,
         history: None,
         t: 0.0,
-        camera: &camera,
+        camera,
         overlays,
         force_scale: None,
         selected: &[],
@@ -78,6 +104,5 @@ pub(crate) fn list(
         pixels_per_point,
         background: Background::Studio,
         title: None,
-    };
-    draw_moment(&input, moment)
+    }
 }

@@ -6,6 +6,7 @@ mod handmade;
 #[cfg(feature = "render")]
 mod blessed;
 #[cfg(feature = "render")]
+mod gauge;
 mod golden;
 #[cfg(feature = "render")]
 #[path = "../support/row.rs"]

@@ -91,7 +91,7 @@ fn windows() -> Vec<Window> {
                  temperature_m = 0.01, caltrans_support = \"hinge\" }";
     both = with(&both, &[codes]);
     both.model.kind = ModelKind::Both;
-    both.view.plots = vec![PlotSettings { x: None, y: vec!["deck.x".into()] }];
+    both.view.plots = vec![PlotSettings::over_time(vec!["deck.x".into()])];
     let named = with(&planar, &["contact.pair=[{ between = [\"deck\", \"wall\"] }]"]);
     let record = ["motion.kind=record", "motion.samples_m_s2=[0, 1, 0]", "motion.dt_s=0.1"];
     let deck = presets::load("deck-30m").expect("ships");

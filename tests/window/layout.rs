@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Export, FileCommand, SelectCommand, TimeCommand, Way, Workbench};
+use girderbench::app::{Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, Workbench, lessons};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 use girderbench::view::Target;
@@ -23,8 +23,8 @@ fn labels(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
 #[test]
 fn panels_keep_their_words_to_themselves() {
     for preset in presets::all() {
-        for size in [[1280.0, 720.0], [2560.0, 1440.0]] {
-            let mut harness = builder(size).build_ui_state(show, bench(preset.name));
+        for (size, scale) in [([1024.0, 640.0], 1.0), ([1280.0, 720.0], 2.0), ([2560.0, 1440.0], 1.0)] {
+            let mut harness = builder(size).with_pixels_per_point(scale).build_ui_state(show, bench(preset.name));
             harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);
@@ -45,6 +45,70 @@ fn the_view_has_most_of_the_middle() {
     let harness = open(presets::OPENING);
     let rect = view(&harness);
     assert!(rect.width() > 700.0 && rect.height() > 380.0, "room to look at 1280 × 720: {rect}");
+}
+
+#[test]
+fn a_lesson_leaves_room_for_the_view_in_a_small_window() {
+    let mut harness = builder([1024.0, 640.0]).build_ui_state(show, bench(presets::OPENING));
+    for (number, lesson) in lessons().iter().enumerate() {
+        harness.state_mut().apply(Learn::Open(number));
+        harness.run_steps(10);
+        let rect = view(&harness);
+        assert!(rect.width() >= 430.0 && rect.height() >= 280.0, "{}: {rect}", lesson.name);
+        assert!(harness.query_by_label("Show: Placed").is_some(), "what gave way can be had back");
+    }
+}
+
+#[test]
+fn panels_fold_by_keys_and_buttons_and_come_back() {
+    let mut harness = open(presets::OPENING);
+    let before = view(&harness);
+    for (key, pane) in [(Key::F2, "Placed"), (Key::F3, "What if"), (Key::F4, "Plots")] {
+        harness.key_press(key);
+        settle(&mut harness);
+        let wider = view(&harness);
+        assert!(wider.area() > before.area() + 10_000.0, "{pane} gives its room to the view: {before} to {wider}");
+        press(&mut harness, &format!("Show: {pane}"));
+        assert_eq!(view(&harness), before, "{pane} is back");
+        press(&mut harness, &format!("Fold: {pane}"));
+        assert_eq!(view(&harness), wider, "{pane} by its button");
+        harness.key_press(key);
+        settle(&mut harness);
+    }
+    harness.key_press(Key::F6);
+    settle(&mut harness);
+    assert!(view(&harness).width() > 1200.0, "all of them: {}", view(&harness));
+    harness.key_press(Key::F6);
+    settle(&mut harness);
+    assert_eq!(view(&harness), before, "and back");
+}
+
+/// Everything that can be read or pressed in the row over the timeline.
+fn time_row(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
+    let y = harness.get_by_role_and_label(Role::Button, "To the start").rect().center().y;
+    labels(harness).into_iter().filter(|(words, rect)| !words.is_empty() && rect.y_range().contains(y)).collect()
+}
+
+#[test]
+fn nothing_lies_on_the_time_in_a_lecture_hall_or_a_narrow_window() {
+    for (size, scale) in [([683.0, 427.0], 1.0), ([853.0, 480.0], 1.5), ([560.0, 400.0], 1.0), ([1024.0, 640.0], 1.0)] {
+        for lecture in [false, true] {
+            let builder = builder(size).with_pixels_per_point(scale);
+            let mut harness = builder.build_ui_state(show, bench(presets::OPENING));
+            harness.state_mut().view.display.sight.lecture = lecture;
+            harness.run_steps(6);
+            let row = time_row(&harness);
+            let window = harness.get_by_label("Timeline").rect().expand(1.0);
+            assert!(row.iter().any(|(words, _)| words.starts_with("t = ")), "the time is told: {row:?}");
+            for (n, (words, rect)) in row.iter().enumerate() {
+                assert!(window.x_range().contains(rect.right()), "{size:?}: {words} ends inside");
+                for (other, there) in &row[n + 1..] {
+                    let over = rect.shrink(1.0).intersects(there.shrink(1.0));
+                    assert!(!over, "{size:?}, {lecture}: {words} at {rect} lies on {other} at {there}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

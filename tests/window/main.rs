@@ -38,6 +38,8 @@ mod paths;
 #[cfg(feature = "ui-tests")]
 mod placing;
 #[cfg(feature = "ui-tests")]
+mod plots;
+#[cfg(feature = "ui-tests")]
 mod quake;
 #[cfg(feature = "ui-tests")]
 mod readings;

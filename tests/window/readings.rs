@@ -50,7 +50,7 @@ fn plots_are_written_as_svg_png_and_csv() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut harness = open(presets::OPENING);
     let mut view = harness.state().files.document.scene().view.clone();
-    view.plots = vec![PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] }];
+    view.plots = vec![PlotSettings { x: Some("deck.x".into()), ..PlotSettings::over_time(vec!["deck.y".into()]) }];
     harness.state_mut().apply(EditCommand::Change { edit: Edit::View(view), gesture: None });
     settle(&mut harness);
     for name in ["run.svg", "run.png", "run.csv"] {
@@ -105,10 +105,9 @@ fn a_limit_is_switched_on_and_flagged() {
     settle(&mut harness);
     let passed = harness.state().replay.runner.answer().expect("run").passed().to_vec();
     assert_eq!(passed.len(), 1, "one girder turns by more than a degree");
-    // The status line says it too; the flag in the panel is the button.
+    // The status line and the panel say it, each with a button.
     let flag = flag_words(&harness);
-    reach(&mut harness, &flag);
-    harness.get_by_role_and_label(Role::Button, &flag).click();
+    harness.query_all_by_role_and_label(Role::Button, &flag).next().expect("a button").click();
     settle(&mut harness);
     let t = harness.state().replay.playback.clock.t;
     assert_eq!(t, passed[0].t, "goes there");
@@ -204,4 +203,54 @@ fn view_panel_and_plots_tell_one_force_and_name_the_other() {
         plotted >= whole && (plotted / whole - 1.0).abs() < 0.2,
         "the plot has the largest of the pair's: {plotted}"
     );
+}
+
+#[test]
+fn a_verdict_and_every_reading_lead_to_their_moment_and_their_place() {
+    let mut harness = open(presets::OPENING);
+    let scene = harness.state().files.document.scene();
+    let scene =
+        girderbench::scene::overrides::apply(scene, "girder.deck.seat_m={ \"+x\" = 0.1, \"-x\" = 0.1 }").expect("fits");
+    harness.state_mut().apply(EditCommand::Change { edit: Edit::Scene(Box::new(scene)), gesture: None });
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    settle(&mut harness);
+    let answer = harness.state().replay.runner.answer().expect("run").clone();
+    let verdict = girderbench::sim::verdict::verdict(&answer.history, 0).expect("seats");
+    let words = format!("deck {}", verdict.words());
+    assert!(words.contains("stays on its seats: at worst"), "{words}");
+    reach(&mut harness, &words);
+    press(&mut harness, &words);
+    assert_eq!(harness.state().replay.playback.clock.t, verdict.t(), "the moment that decides it");
+    let at = |harness: &Window, point: glam::DVec3| super::harness::on_screen(harness, point);
+    let motion = answer.history.motion(0, verdict.t());
+    let corner = answer.history.model().bodies[0].prism.plan_corners()[verdict.corner()].extend(0.0);
+    let middle = super::harness::view(&harness).center();
+    let off = at(&harness, motion.place + motion.attitude * corner).distance(middle);
+    assert!(off < 3.0, "its corner in the middle of the view: {off} points aside");
+    // Figures of the status line, one by one.
+    for (words, t) in [
+        ("peak ", answer.summary.peak_time.expect("a hit")),
+        ("moves ", answer.history.farthest().expect("it moves").1.t),
+        ("turns ", answer.history.most_turned().expect("it turns").1.t),
+        ("hits ", answer.history.touches()[0].start),
+    ] {
+        let label = figure(&harness, words);
+        press(&mut harness, &label);
+        assert_eq!(harness.state().replay.playback.clock.t, t, "{words}");
+    }
+    let touch = answer.history.hardest().expect("a hit");
+    let peak = figure(&harness, "peak ");
+    press(&mut harness, &peak);
+    assert_eq!(
+        harness.state().files.document.selection().lead(),
+        Some(Target::Contact(touch.contact)),
+        "and the contact is selected"
+    );
+}
+
+/// The words of the button of the status line that begins so.
+fn figure(harness: &Window, begins: &str) -> String {
+    let buttons = harness.root().children_recursive().filter(|n| n.accesskit_node().role() == Role::Button);
+    let mut own = buttons.filter_map(|n| n.accesskit_node().label()).filter(|words| words.starts_with(begins));
+    own.find(|words| words.chars().any(|c| c.is_ascii_digit())).expect("a figure that is a button")
 }

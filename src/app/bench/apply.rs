@@ -38,7 +38,14 @@ impl Workbench {
             self.learning,
             (self.maps.seen(), self.shaking.seen()),
         );
-        (document, replay, self.view.shown(), self.comparison.numbers(), self.window.clone(), beside)
+        (
+            document,
+            replay,
+            self.view.shown(),
+            (self.comparison.numbers(), self.comparison.differences()),
+            self.plots.clone(),
+            (self.window.clone(), beside),
+        )
     }
 
     /// Does one thing.
@@ -69,6 +76,7 @@ impl Workbench {
             Command::Learn(command) => self.apply_learn(command),
             Command::Map(command) => self.apply_map(command),
             Command::Quake(command) => self.shaking.apply(command),
+            Command::Plot(command) => self.plots.apply(command),
             Command::Window(command) => self.apply_window(command),
         }
     }

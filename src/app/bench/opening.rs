@@ -8,6 +8,7 @@ use crate::app::disk::record;
 use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
 use crate::app::plot::plot_files;
+use crate::app::plot::views::PlotViews;
 use crate::files::{Found, SceneSource, load_scene, load_unsaved};
 use crate::scene::Scene;
 use crate::scene::edit::Edit;
@@ -142,6 +143,7 @@ impl Workbench {
             self.files.forget_work();
         }
         self.learning.close();
+        self.plots = PlotViews::default();
         self.view.look_as(&scene);
         self.replay.playback.rewind();
         let taken = self.files.take_up(scene, source);

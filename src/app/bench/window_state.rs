@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::folds::Folds;
 use crate::app::command::{BridgeDraft, FileCommand, Learn, RowDraft, WindowCommand};
 use crate::app::host::Told;
 
@@ -39,6 +40,8 @@ pub struct WindowState {
     pub(in crate::app) row: Option<RowDraft>,
     /// Numbers that a new bridge begins with.
     pub(in crate::app) bridge: BridgeDraft,
+    /// Which panels are folded.
+    pub(in crate::app) folds: Folds,
     notice: Option<Told>,
     leaving: Leaving,
 }
@@ -77,6 +80,9 @@ impl WindowState {
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,
             WindowCommand::Bridge(draft) => self.bridge = draft,
+            WindowCommand::Fold(pane, folded) => self.folds.set(pane, folded),
+            WindowCommand::FoldAll(folded) => self.folds.set_all(folded),
+            WindowCommand::Say(words) => self.say(words),
             WindowCommand::Dismiss => self.notice = None,
             WindowCommand::Close if dirty => self.ask_before(Next::Close),
             WindowCommand::Close | WindowCommand::CloseAnyway => self.leaving = Leaving::Closed,

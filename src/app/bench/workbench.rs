@@ -9,6 +9,7 @@ use crate::app::host::Wake;
 use crate::app::learn::lessons::Learning;
 use crate::app::map::Maps;
 use crate::app::plot::source::{Samples, Source};
+use crate::app::plot::views::PlotViews;
 use crate::app::quake::Shaking;
 use crate::app::run::comparison::Comparison;
 use crate::app::text;
@@ -35,6 +36,8 @@ pub struct Workbench {
     pub maps: Maps,
     /// Histories and response spectrum of the ground motion.
     pub shaking: Shaking,
+    /// Which values of the plots are shown.
+    pub(in crate::app) plots: PlotViews,
     /// Dialogs, exports and films on threads.
     pub tasks: Tasks,
     /// The window itself: its dialogs, its notice, its end.
@@ -52,6 +55,7 @@ impl Workbench {
             learning: Learning::default(),
             maps: Maps::default(),
             shaking: Shaking::default(),
+            plots: PlotViews::default(),
             tasks: Tasks::default(),
             window: WindowState::default(),
             samples: Samples::default(),
@@ -100,10 +104,17 @@ impl Workbench {
             answer: self.replay.runner.answer(),
             girder: self.files.document.girder_shown(),
             pins: self.comparison.pins(),
+            differences: self.comparison.differences(),
+            views: &self.plots,
             playback: &self.replay.playback,
             end: self.replay.end(),
             samples: &self.samples,
         }
+    }
+
+    /// The values that are shown of a chart over time, in its unit; all of them when none.
+    pub fn plot_values(&self, chart: &str) -> Option<[f64; 2]> {
+        self.plots.values(chart)
     }
 
     /// Keeps unsaved work now: something else is about to be opened, or the window ends otherwise than by being closed.

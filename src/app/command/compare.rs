@@ -9,4 +9,6 @@ pub enum CompareCommand {
     Unpin(usize),
     /// Let every kept run go.
     UnpinAll,
+    /// Plot the differences from kept runs, or the runs themselves.
+    Differences(bool),
 }

@@ -10,6 +10,7 @@ mod film;
 mod hand;
 mod learn;
 mod map;
+mod plot;
 mod quake;
 mod select;
 mod time;
@@ -23,11 +24,12 @@ pub use film::{FilmFormat, FilmPlan, Filming};
 pub use hand::{Flank, Grip, HandCommand, HandKey};
 pub use learn::Learn;
 pub use map::{MapAxis, MapCommand, MapDraft};
+pub use plot::PlotCommand;
 pub use quake::QuakeCommand;
 pub use select::SelectCommand;
 pub use time::{TimeCommand, Way};
-pub use view::{Follow, Sight, Tool, ViewCommand};
-pub use window::WindowCommand;
+pub use view::{Follow, Look, Sight, Tool, ViewCommand};
+pub use window::{Pane, WindowCommand};
 
 /// Declares the groups of [`Command`], each with the conversion of its own commands.
 macro_rules! groups {
@@ -73,6 +75,8 @@ groups! {
     Map(MapCommand),
     /// Histories and response spectrum of the ground motion.
     Quake(QuakeCommand),
+    /// How the plots are looked at.
+    Plot(PlotCommand),
     /// The window itself.
     Window(WindowCommand),
 }

@@ -1,5 +1,6 @@
 //! Commands about the 3D view, and how it is looked at.
 
+use crate::geometry::End;
 use crate::scene::{Overlays, ViewPreset};
 use crate::view::Camera;
 
@@ -45,6 +46,19 @@ impl Default for Sight {
     }
 }
 
+/// What the camera turns to, as it is at the time shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// A girder from above, by its number.
+    Girder(usize),
+    /// A corner of a girder from above, by both numbers.
+    Corner(usize, usize),
+    /// Both corners of an end from above.
+    End(usize, End),
+    /// A contact and its force, by its number.
+    Contact(usize),
+}
+
 /// Camera, layers, tool.
 #[derive(Clone, Copy, Debug)]
 pub enum ViewCommand {
@@ -54,6 +68,8 @@ pub enum ViewCommand {
     Camera(Camera),
     /// Frame what is selected, or everything.
     Frame,
+    /// Turn to a part of the scene.
+    Look(Look),
     /// Which layers are shown.
     Overlays(Overlays),
     /// Force scale \[N per m\]; from the run's peak when none.

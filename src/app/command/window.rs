@@ -2,8 +2,26 @@
 
 use crate::app::command::edit::{BridgeDraft, RowDraft};
 
+/// A panel that can be folded to a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pane {
+    /// What is placed, and numbers.
+    Placed,
+    /// Sliders and what the run is held against.
+    WhatIf,
+    /// The words of a lesson.
+    Lesson,
+    /// The plots under the timeline.
+    Plots,
+}
+
+impl Pane {
+    /// All of them.
+    pub(in crate::app) const ALL: [Self; 4] = [Self::Placed, Self::WhatIf, Self::Lesson, Self::Plots];
+}
+
 /// The window itself: its size, its dialogs, its end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum WindowCommand {
     /// Size of everything, as a share of the usual one.
     Scale(f32),
@@ -15,6 +33,12 @@ pub enum WindowCommand {
     AskRow(Option<RowDraft>),
     /// Other numbers for a new bridge.
     Bridge(BridgeDraft),
+    /// Fold a panel, or open it.
+    Fold(Pane, bool),
+    /// Fold every panel, or open all.
+    FoldAll(bool),
+    /// Tell the user something.
+    Say(String),
     /// Stop computing.
     CancelRun,
     /// The notice at the bottom has been read.

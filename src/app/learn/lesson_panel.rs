@@ -1,6 +1,6 @@
 //! The words of a guided scene beside the view: what is to be seen, things to try, and the way back.
 
-use egui::{Button, Label, Panel, RichText, ScrollArea, Ui};
+use egui::{Button, Label, RichText, Ui};
 
 use crate::app::command::{Command, Learn};
 use crate::app::learn::lessons::{Learning, Lesson, lessons};
@@ -17,16 +17,8 @@ pub(in crate::app) fn menu(ui: &mut Ui, learning: Learning, out: &mut Vec<Comman
     }
 }
 
-/// Shows the words while a guided scene is open.
-pub(in crate::app) fn show(ui: &mut Ui, learning: Learning, out: &mut Vec<Command>) {
-    let Some(lesson) = learning.lesson() else { return };
-    let side = egui::Frame::side_top_panel(ui.style()).inner_margin(egui::Margin::same(10));
-    Panel::right("lesson").frame(side).default_size(264.0).size_range(220.0..=420.0).show(ui, |ui| {
-        ScrollArea::vertical().id_salt("lesson").auto_shrink(false).show(ui, |ui| words(ui, lesson, out));
-    });
-}
-
-fn words(ui: &mut Ui, lesson: &Lesson, out: &mut Vec<Command>) {
+/// Shows the words of a guided scene.
+pub(in crate::app) fn show(ui: &mut Ui, lesson: &Lesson, out: &mut Vec<Command>) {
     ui.add(Label::new(RichText::new(&lesson.title).heading()).wrap());
     ui.horizontal(|ui| {
         if ui.button(text::RESET).on_hover_text(text::RESET_HINT).clicked() {

@@ -9,7 +9,12 @@ use crate::app::style::theme::PINS;
 use crate::app::text;
 
 /// Shows what is kept, and how the run that is shown, `now`, differs from each.
-pub(in crate::app) fn show(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
+pub(in crate::app) fn show(
+    ui: &mut Ui,
+    (pins, mut differences): (&[Pin], bool),
+    now: Option<&Answer>,
+    out: &mut Vec<Command>,
+) {
     ui.horizontal(|ui| {
         let fits = now.is_some();
         if ui.add_enabled(fits, egui::Button::new(text::PIN_THIS)).on_hover_text(text::PIN_HINT).clicked() {
@@ -34,14 +39,17 @@ pub(in crate::app) fn show(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out:
             }
         });
     }
-    differences(ui, pins, now);
+    if ui.checkbox(&mut differences, text::DIFFERENCES).on_hover_text(text::DIFFERENCES_HINT).changed() {
+        out.push(CompareCommand::Differences(differences).into());
+    }
+    table(ui, pins, now);
 }
 
 /// A number's name, and how a run's is written.
 type Row = (&'static str, fn(&Answer) -> String);
 
 /// A row for each number, a column for each run, the run that is shown first.
-fn differences(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>) {
+fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>) {
     let runs: Vec<(String, &Answer)> = now
         .map(|answer| (text::NOW.to_owned(), answer))
         .into_iter()

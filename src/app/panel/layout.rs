@@ -5,14 +5,15 @@ use std::time::Duration;
 
 use egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
 
-use crate::app::bench::Workbench;
-use crate::app::command::{Command, FileCommand};
+use crate::app::bench::{Folded, Workbench};
+use crate::app::command::{Command, FileCommand, Pane};
 use crate::app::disk::{film_dialog, path_dialog};
 use crate::app::learn::lesson_panel;
 use crate::app::map;
 use crate::app::panel::shortcuts::Keyboard;
 use crate::app::panel::{
-    file_questions, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu, whatif,
+    file_questions, fold, help, inspector, menu, notices, outliner, row_dialog, shortcuts, start, status, view_menu,
+    whatif,
 };
 use crate::app::plot::plots;
 use crate::app::quake;
@@ -71,8 +72,9 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
     }
     if !dialog_is_open(bench) {
         let (display, hand) = (&bench.view.display, &bench.view.viewport.hand);
-        let clock = &bench.replay.playback.clock;
-        let on = Keyboard { typing, help: window.help, hand, tool: display.tool, clock, scene: document.scene() };
+        let (clock, folded) = (&bench.replay.playback.clock, folded(bench, ui));
+        let on =
+            Keyboard { typing, help: window.help, hand, tool: display.tool, clock, scene: document.scene(), folded };
         shortcuts::keys(ui, on, &mut out);
     }
     out
@@ -131,23 +133,61 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
     let about = (scene.limits, empty, view.adapter());
     Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, &replay.runner, about, out));
     let room = ui.available_height();
-    let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);
-    time.show(ui, |ui| {
-        time_rows(document.scene(), replay, ui, out);
-        plots::show(ui, &plots, out);
-    });
-    let side = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(8));
-    Panel::left("placed").frame(side).default_size(244.0).size_range(220.0..=420.0).show(ui, |ui| {
+    let folded = folded(bench, ui);
+    if folded.has(Pane::Plots) {
+        Panel::bottom("time alone")
+            .resizable(false)
+            .show(ui, |ui| time_rows(scene, replay, ui, (Some(true), 0.0), out));
+    } else {
+        let time = Panel::bottom("time").resizable(true).default_size(room * 0.37).min_size(180.0).max_size(room * 0.7);
+        time.show(ui, |ui| {
+            time_rows(scene, replay, ui, (Some(false), plots::legend_width(ui)), out);
+            plots::show(ui, &plots, out);
+        });
+    }
+    beside(ui, (Pane::Placed, folded), out, |ui, out| {
         outliner::show(ui, document, out);
         ui.separator();
         let area = ScrollArea::vertical().id_salt("inspector").auto_shrink(false);
         area.show(ui, |ui| inspector::show(ui, document, replay, out));
     });
-    Panel::right("what if").frame(side).default_size(264.0).size_range(240.0..=440.0).show(ui, |ui| {
+    beside(ui, (Pane::WhatIf, folded), out, |ui, out| {
         let shown = whatif::Shown { document, replay, display, plots };
         ScrollArea::vertical().id_salt("what if").auto_shrink(false).show(ui, |ui| whatif::show(ui, shown, out));
     });
-    lesson_panel::show(ui, *learning, out);
+    if let Some(lesson) = learning.lesson() {
+        beside(ui, (Pane::Lesson, folded), out, |ui, out| {
+            fold::head(ui, Pane::Lesson, out, |_, _| ());
+            let area = ScrollArea::vertical().id_salt("lesson").auto_shrink(false);
+            area.show(ui, |ui| lesson_panel::show(ui, lesson, out));
+        });
+    }
+}
+
+/// Which panels are folded in this window.
+fn folded(bench: &Workbench, ui: &Ui) -> Folded {
+    let size = ui.ctx().content_rect().size();
+    bench.window.folds.in_window(size.into(), bench.learning.lesson().is_some())
+}
+
+/// A panel beside the view, or its strip where it is folded.
+fn beside(
+    ui: &mut Ui,
+    (pane, folded): (Pane, Folded),
+    out: &mut Vec<Command>,
+    body: impl FnOnce(&mut Ui, &mut Vec<Command>),
+) {
+    if folded.has(pane) {
+        fold::strip(ui, pane, out);
+        return;
+    }
+    let (panel, width, range) = match pane {
+        Pane::Placed => (Panel::left("placed"), 244.0, 220.0..=420.0),
+        Pane::Lesson => (Panel::right("lesson"), 264.0, 220.0..=420.0),
+        Pane::WhatIf | Pane::Plots => (Panel::right("what if"), 264.0, 240.0..=440.0),
+    };
+    let side = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(8));
+    panel.frame(side).default_size(width).size_range(range).show(ui, |ui| body(ui, out));
 }
 
 /// The view and the time, and the way back.
@@ -157,19 +197,20 @@ fn lecture_panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, bench.view.display.sight, document, out));
     });
     let time = Panel::bottom("lecture time").resizable(false);
-    time.show(ui, |ui| time_rows(document.scene(), &bench.replay, ui, out));
+    time.show(ui, |ui| time_rows(document.scene(), &bench.replay, ui, (None, 0.0), out));
 }
 
-/// The row of buttons, and the timeline under it.
-fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, out: &mut Vec<Command>) {
-    transport::show(ui, &replay.playback, &scene.motion, out);
+/// The row of buttons, with one for the plots that says whether they are folded, and the timeline under it, so far from the
+/// right edge as the plots are.
+fn time_rows(scene: &Scene, replay: &Replay, ui: &mut Ui, (plots, right): (Option<bool>, f32), out: &mut Vec<Command>) {
+    transport::show(ui, &replay.playback, (&scene.motion, plots), out);
     let shown = timeline::Shown {
         playback: &replay.playback,
         end: replay.end(),
         answer: replay.runner.answer().map(|a| &**a),
         passed: replay.runner.passed(scene.limits).unwrap_or_default(),
     };
-    timeline::show(ui, shown, plots::AXIS_WIDTH, out);
+    timeline::show(ui, shown, [plots::AXIS_WIDTH, right], out);
 }
 
 /// Asks for another frame only when there is a reason.

@@ -5,6 +5,7 @@ use egui::{Button, RichText, Ui};
 use crate::app::command::{Command, EditCommand, TimeCommand};
 use crate::app::field::{Form, Look, Without, rows};
 use crate::app::run::runner::Runner;
+use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::Size;
@@ -12,6 +13,7 @@ use crate::scene::edit::Edit;
 use crate::scene::keys::Key;
 use crate::scene::{Limits, Scene};
 use crate::sim::Summary;
+use crate::sim::readings::Passed;
 
 /// Shows the limits and the flags.
 pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, runner: &Runner, out: &mut Vec<Command>) {
@@ -53,8 +55,17 @@ fn flags(ui: &mut Ui, limits: Limits, runner: &Runner, out: &mut Vec<Command>) {
     }
     for flag in passed {
         let words = RichText::new(text::passed(flag)).color(Palette::of(ui).problem);
-        if ui.add(Button::new(words).wrap()).clicked() {
-            out.push(TimeCommand::Seek(flag.t).into());
+        if ui.add(Button::new(words).wrap()).on_hover_text(text::GO_THERE).clicked() {
+            go_to(runner, flag, out);
         }
+    }
+}
+
+/// Goes to where a limit is passed.
+pub(in crate::app) fn go_to(runner: &Runner, flag: &Passed, out: &mut Vec<Command>) {
+    let spot = runner.fresh_answer().and_then(|answer| Spot::passed(&answer.history, flag));
+    match spot {
+        Some(spot) => spot.go(out),
+        None => out.push(TimeCommand::Seek(flag.t).into()),
     }
 }

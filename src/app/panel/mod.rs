@@ -3,6 +3,7 @@
 pub(in crate::app) mod comparison;
 mod components;
 pub(in crate::app) mod file_questions;
+pub(in crate::app) mod fold;
 pub(in crate::app) mod ground_motion;
 pub(in crate::app) mod help;
 pub(in crate::app) mod inspector;

@@ -2,9 +2,10 @@
 
 use egui::{Button, RichText, Ui};
 
-use crate::app::command::{Command, PlaceCommand, SelectCommand, ViewCommand};
+use crate::app::command::{Command, Pane, PlaceCommand, SelectCommand, ViewCommand};
 use crate::app::edits::{Document, Selection};
 use crate::app::field::{Place, mark};
+use crate::app::panel::fold;
 use crate::app::{text, unit};
 use crate::scene::DeviceKind;
 use crate::view::Target;
@@ -12,7 +13,7 @@ use crate::view::Target;
 /// Shows the list of a scene with what is selected, and the buttons that add to it.
 pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Command>) {
     let (scene, selection) = (document.scene(), document.selection());
-    ui.label(RichText::new(text::OUTLINER).strong());
+    fold::head(ui, Pane::Placed, out, |_, _| ());
     adders(ui, !scene.girders.is_empty(), out);
     egui::ScrollArea::vertical().id_salt("outliner").max_height(150.0).show(ui, |ui| {
         for (i, girder) in scene.girders.iter().enumerate() {

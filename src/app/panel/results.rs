@@ -3,14 +3,18 @@
 use egui::{Grid, RichText, Ui};
 
 use super::seat_orbit;
-use crate::app::command::{Command, TimeCommand};
+use crate::app::command::{Command, Look, TimeCommand};
 use crate::app::run::answer::Answer;
+use crate::app::run::spot::Spot;
+use crate::app::style::theme::Palette;
 use crate::app::time::replay::Replay;
 use crate::app::{text, unit};
 use crate::dynamics::model::bearing::BearingQuantities;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
+use crate::sim::seats::Seat;
+use crate::sim::verdict::of_seats;
 use crate::sim::{ContactNow, History, Touch};
 
 /// A list of names and values.
@@ -26,7 +30,13 @@ fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, 
 }
 
 /// What (3), (4) and (6) say of a girder, from its scene's answer where there is one.
-pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, (i, girder): (usize, &Girder), t: f64) {
+pub(in crate::app) fn show_girder(
+    ui: &mut Ui,
+    answer: Option<&Answer>,
+    (i, girder): (usize, &Girder),
+    t: f64,
+    out: &mut Vec<Command>,
+) {
     ui.add_space(4.0);
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
@@ -38,32 +48,68 @@ pub(in crate::app) fn show_girder(ui: &mut Ui, answer: Option<&Answer>, (i, gird
     }
     rows.push((text::CONDITION, format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
-    if let Some(reading) = answer.and_then(|a| a.reading(i)) {
-        show_reading(ui, reading);
-    }
-    if let Some(answer) = answer {
+    if let Some((answer, reading)) = answer.and_then(|a| Some((a, a.reading(i)?))) {
+        ui.add_space(4.0);
+        ui.label(RichText::new(text::READINGS).strong());
+        verdict(ui, (i, &girder.name), &reading.seats, out);
+        links(ui, "readings", readings(&answer.history, i, reading), out);
         show_seats(ui, answer, i, t);
     }
 }
 
-/// What a designer reads off the run for one girder.
-fn show_reading(ui: &mut Ui, reading: &Reading) {
+/// Whether the girder stays on its seats, in a sentence that leads to the moment that decides it.
+fn verdict(ui: &mut Ui, (girder, name): (usize, &str), seats: &[Seat], out: &mut Vec<Command>) {
+    let Some(verdict) = of_seats(seats) else {
+        ui.add(egui::Label::new(RichText::new(text::NO_SEATS).weak()).wrap());
+        return;
+    };
+    let words = RichText::new(format!("{name} {}", verdict.words())).strong();
+    let words = if verdict.stays() { words } else { words.color(Palette::of(ui).problem) };
+    if ui.add(egui::Button::new(words).wrap()).on_hover_text(text::GO_THERE).clicked() {
+        Spot::verdict(girder, &verdict).go(out);
+    }
+}
+
+/// A list of names and values, each value a button to where it is seen.
+fn links(ui: &mut Ui, salt: &str, rows: Vec<(&'static str, String, Spot)>, out: &mut Vec<Command>) {
     ui.add_space(4.0);
-    ui.label(RichText::new(text::READINGS).strong());
+    Grid::new(salt).num_columns(2).spacing([8.0, 2.0]).striped(true).show(ui, |ui| {
+        for (name, value, spot) in rows {
+            ui.label(RichText::new(name).weak());
+            let button = egui::Button::new(RichText::new(value).underline()).frame(false).wrap();
+            if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
+                spot.go(out);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// What a designer reads off the run for one girder, each with where it is seen.
+fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'static str, String, Spot)> {
     let at = |words: &str, e: &Extreme| text::reached_at(words, e.t);
     let length = |e: &Extreme| at(&text::length(e.value), e);
-    let mut rows: Vec<(&'static str, String)> =
-        vec![(text::TURNS, at(&format!("{}°", text::short(reading.rotation.value.to_degrees())), &reading.rotation))];
-    rows.extend(text::DRIFTS.into_iter().zip(reading.drift.iter().map(length)));
+    let turned = &reading.rotation;
+    let degrees = format!("{}°", text::short(turned.value.to_degrees()));
+    let mut rows = vec![(text::TURNS, at(&degrees, turned), Spot::girder(girder, turned.t))];
+    let drifts = text::DRIFTS.into_iter().zip(&reading.drift).enumerate();
+    rows.extend(drifts.map(|(corner, (name, e))| (name, length(e), Spot::corner(girder, corner, e.t))));
     for seat in &reading.seats {
         let least = seat.corners.map(|corner| corner.least.value);
-        rows.push((text::seat_at(seat.ledge.end), text::seat_left(&length(&seat.least()), seat.ledge.placed(), least)));
-        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF, text::at_time(t))));
-        rows.extend(seat.lost_at.map(|t| (text::UNSEATS, text::at_time(t))));
+        let words = text::seat_left(&length(&seat.least()), seat.ledge.placed(), least);
+        let end = |t: f64| Spot { look: Look::End(girder, seat.ledge.end), ..Spot::girder(girder, t) };
+        rows.push((text::seat_at(seat.ledge.end), words, end(seat.least().t)));
+        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF, text::at_time(t), end(t))));
+        rows.extend(seat.lost_at.map(|t| (text::UNSEATS, text::at_time(t), end(t))));
     }
-    rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap))));
-    rows.extend(reading.force.as_ref().map(|force| (text::PEAK_FORCE, at(&text::force(force.value), force))));
-    table(ui, "readings", rows);
+    rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap), Spot::gap(history, girder, gap.t))));
+    let force = reading.force.as_ref().and_then(|force| {
+        let mut touches = history.touches().iter();
+        let touch = touches.find(|touch| touch.peak_time == force.t && touch.peak_force == force.value)?;
+        Some((text::PEAK_FORCE, at(&text::force(force.value), force), Spot::touch(touch)))
+    });
+    rows.extend(force);
+    rows
 }
 
 /// The orbit of the corners of a girder over its seats, and what codes require.

@@ -6,9 +6,10 @@
 
 use egui::{Event, Key, Modifiers};
 
+use crate::app::bench::Folded;
 use crate::app::command::{
-    Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, PlaceCommand, SelectCommand, TimeCommand,
-    Tool, ViewCommand, Way, WindowCommand, Wish,
+    Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, Pane, PlaceCommand, SelectCommand,
+    TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::time::clock::Clock;
@@ -30,6 +31,8 @@ pub(in crate::app) struct Keyboard<'a> {
     pub(in crate::app) clock: &'a Clock,
     /// The scene, which says how far a step moves and which row is offered.
     pub(in crate::app) scene: &'a Scene,
+    /// Which panels are folded.
+    pub(in crate::app) folded: Folded,
 }
 
 /// Lets keys that came after a press of the mouse in this frame wait for the next.
@@ -70,6 +73,7 @@ pub(in crate::app) fn keys(ui: &egui::Ui, on: Keyboard<'_>, out: &mut Vec<Comman
             continue;
         }
         let command = with_command(key, modifiers)
+            .or_else(|| folding(key, on.folded))
             .or_else(|| if typing || (focused && is_widget_key(key)) { None } else { plain(key, modifiers, on) });
         out.extend(command);
     }
@@ -147,6 +151,19 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::Escape => Some(Command::Select(SelectCommand::Only(None))),
         _ => None,
     }
+}
+
+/// Keys that fold panels, while typing too.
+fn folding(key: Key, folded: Folded) -> Option<Command> {
+    let pane = match key {
+        Key::F2 => Pane::Placed,
+        Key::F3 => Pane::WhatIf,
+        Key::F4 => Pane::Plots,
+        Key::F5 => Pane::Lesson,
+        Key::F6 => return Some(WindowCommand::FoldAll(!folded.is_all()).into()),
+        _ => return None,
+    };
+    Some(WindowCommand::Fold(pane, !folded.has(pane)).into())
 }
 
 fn turn(sign: f64, modifiers: Modifiers) -> Command {

@@ -2,13 +2,16 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::command::{Command, TimeCommand};
+use crate::app::command::{Command, Look, TimeCommand, ViewCommand};
+use crate::app::panel::limits;
 use crate::app::run::answer::Answer;
 use crate::app::run::runner::Runner;
+use crate::app::run::spot::Spot;
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::Limits;
 use crate::sim::readings::Passed;
+use crate::sim::{History, SolidId};
 
 /// Shows the line: what became of the scene's run, limits that it passes, what draws.
 pub(in crate::app) fn show(
@@ -25,14 +28,14 @@ pub(in crate::app) fn show(
             let first = problems.0.first().map(|e| format!("{}: {}", e.place, e.remedy)).unwrap_or_default();
             ui.add(egui::Label::new(RichText::new(first).color(Palette::of(ui).problem)).truncate());
         } else if let Some(answer) = runner.answer() {
-            numbers(ui, answer);
+            numbers(ui, answer, out);
         }
         if let Some(answer) = runner.fresh_answer() {
             balance(ui, answer);
             outside(ui, answer);
             overlaps(ui, answer, out);
             law_sense(ui, answer);
-            flag(ui, runner.passed(limits).unwrap_or_default());
+            flag(ui, runner, runner.passed(limits).unwrap_or_default(), out);
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.add(egui::Label::new(RichText::new(adapter).weak().small()).truncate());
@@ -65,6 +68,9 @@ fn overlaps(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
         let label = ui.link(RichText::new(words).color(Palette::of(ui).problem)).on_hover_text(text::OVERLAP_MEANS);
         if label.clicked() {
             out.push(TimeCommand::Seek(first.first()).into());
+            if let SolidId::Girder(girder) = first.bodies[0] {
+                out.push(ViewCommand::Look(Look::Girder(girder)).into());
+            }
         }
     }
 }
@@ -79,15 +85,19 @@ fn law_sense(ui: &mut Ui, answer: &Answer) {
 }
 
 /// The first limit that is passed, and how many more.
-fn flag(ui: &mut Ui, passed: &[Passed]) {
+fn flag(ui: &mut Ui, runner: &Runner, passed: &[Passed], out: &mut Vec<Command>) {
     if let [first, more @ ..] = passed {
         let more = if more.is_empty() { String::new() } else { format!(" (+{})", more.len()) };
         let words = format!("{}{more}", text::passed(first));
-        ui.add(egui::Label::new(RichText::new(words).color(Palette::of(ui).problem)).truncate());
+        let words = RichText::new(words).color(Palette::of(ui).problem);
+        let button = egui::Button::new(words).frame(false).truncate();
+        if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
+            limits::go_to(runner, first, out);
+        }
     }
 }
 
-fn numbers(ui: &mut Ui, answer: &Answer) {
+fn numbers(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
     let s = &answer.summary;
     let error = match answer.error() {
         None => "…".to_owned(),
@@ -102,7 +112,25 @@ fn numbers(ui: &mut Ui, answer: &Answer) {
         error,
         text::run_time(answer.took.as_secs_f64(), answer.times_real_time()),
     ];
-    for (value, (name, meaning)) in values.into_iter().zip(text::STATUS) {
-        ui.label(format!("{name} {value}")).on_hover_text(meaning);
+    for (number, (value, (name, meaning))) in values.into_iter().zip(text::STATUS).enumerate() {
+        let words = format!("{name} {value}");
+        let Some(there) = THERE.get(number) else {
+            ui.label(words).on_hover_text(meaning);
+            continue;
+        };
+        let response = ui.add(egui::Button::new(words).frame(false));
+        if response.on_hover_text(format!("{meaning}\n{}", text::GO_THERE)).clicked()
+            && let Some(spot) = there(&answer.history)
+        {
+            spot.go(out);
+        }
     }
 }
+
+/// Where the first of the numbers are seen: what moves farthest, what turns most, the hardest touch, the first hit.
+const THERE: [fn(&History) -> Option<Spot>; 4] = [
+    |run| run.farthest().map(|(girder, e)| Spot::girder(girder, e.t)),
+    |run| run.most_turned().map(|(girder, e)| Spot::girder(girder, e.t)),
+    |run| run.hardest().map(Spot::touch),
+    |run| run.touches().first().map(|touch| Spot::contact(touch.contact, touch.start)),
+];

@@ -2,10 +2,10 @@
 
 use egui::{RichText, Ui};
 
-use crate::app::command::{Command, EditCommand};
+use crate::app::command::{Command, EditCommand, Pane};
 use crate::app::edits::Document;
 use crate::app::field::{Change, Form, slider_at, slider_between, sliders};
-use crate::app::panel::{comparison, ground_motion, limits, models, overlays};
+use crate::app::panel::{comparison, fold, ground_motion, limits, models, overlays};
 use crate::app::plot::source::Source;
 use crate::app::plot::user_plots;
 use crate::app::time::replay::Replay;
@@ -32,7 +32,7 @@ pub(in crate::app) struct Shown<'a> {
 pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>) {
     let Shown { document, replay, display, plots } = shown;
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
-    ui.label(RichText::new(text::WHAT_IF).strong());
+    fold::head(ui, Pane::WhatIf, out, |_, _| ());
     geometry(ui, form, chosen(document), out);
     section(ui, text::MOTION_SECTION, |ui| motion(ui, form, out));
     section(ui, text::CONTACT_SECTION, |ui| contact(ui, form, out));
@@ -40,7 +40,7 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, form, &replay.runner, out));
     section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &plots, out));
     section(ui, text::PINS_SECTION, |ui| {
-        comparison::show(ui, plots.pins, replay.runner.fresh_answer().map(|a| &**a), out);
+        comparison::show(ui, (plots.pins, plots.differences), replay.runner.fresh_answer().map(|a| &**a), out);
     });
     section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, form, display, out));
 }

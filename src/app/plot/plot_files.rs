@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use egui::ColorImage;
+
 use crate::app::host::Told;
 use crate::app::plot::sampled::{self, Sampled};
 use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::files::write_atomic;
+use crate::render::Image;
 use crate::scene::PlotSettings;
 use crate::sim::History;
 use crate::study::plot::COLORS;
@@ -32,11 +35,25 @@ pub(in crate::app) fn writing(
     })
 }
 
+/// The plots that are seen, over the window of time that is shown, as a picture.
+///
+/// # Errors
+/// In words: there is no answer, or this build draws none.
+pub(in crate::app) fn picture(source: &Source<'_>) -> Result<ColorImage, String> {
+    let answer = source.answer.ok_or(text::NO_ANSWER)?;
+    let window = source.playback.window.unwrap_or([0.0, source.end]);
+    let plots = standing(&answer.history, source.girder).into_iter().chain(source.scene.view.plots.iter().cloned());
+    let sampled: Vec<_> = plots.map(|p| (p.clone(), sampled::sample(&answer.history, &p, window, POINTS))).collect();
+    let (_, svg) = charts(Path::new("plots"), &source.scene.name, &sampled).swap_remove(0);
+    let image = Image::from_png(&png(&svg)?).map_err(|e| e.to_string())?;
+    Ok(ColorImage::from_rgba_unmultiplied([image.width as usize, image.height as usize], &image.rgba))
+}
+
 /// The panels that every scene has: place, rotation, contact force.
 fn standing(history: &History, girder: usize) -> Vec<PlotSettings> {
     let model = history.model();
     let name = model.bodies.get(girder).map_or("", |b| b.name.as_str());
-    let against_time = |y: Vec<String>| PlotSettings { x: None, y };
+    let against_time = PlotSettings::over_time;
     vec![
         against_time(vec![format!("{name}.x"), format!("{name}.y")]),
         against_time(vec![format!("{name}.theta")]),
@@ -89,20 +106,27 @@ fn charts(path: &Path, title: &str, plots: &[(PlotSettings, Sampled)]) -> Vec<(P
     let (timed, other): (Vec<_>, Vec<_>) = plots.iter().partition(|(_, s)| s.x.is_none());
     let chart = |x: &str, panels: Vec<Panel>| Chart { title: title.to_owned(), x: x.to_owned(), panels };
     let first = chart("time [s]", timed.iter().map(|(_, s)| panel(s)).collect());
-    let others = other.iter().map(|(_, s)| chart(s.x.as_deref().unwrap_or_default(), vec![panel(s)]));
+    let level = |s: &Sampled| format!("{}{}", log_of(s.log[0]), s.x.as_deref().unwrap_or_default());
+    let others = other.iter().map(|(_, s)| chart(&level(s), vec![panel(s)]));
     std::iter::once(first).chain(others).enumerate().map(|(i, c)| (numbered(path, i), c.to_svg())).collect()
 }
 
+/// What stands before the name of an axis of logarithms.
+fn log_of(log: bool) -> &'static str {
+    if log { "log10 of " } else { "" }
+}
+
 fn panel(sampled: &Sampled) -> Panel {
+    let scaled = |p: &[f64; 2]| [0, 1].map(|n| if sampled.log[n] { p[n].abs().log10() } else { p[n] });
     let curve = |(i, (name, points)): (usize, &(String, Vec<[f64; 2]>))| Curve {
         name: name.clone(),
         color: COLORS[i % COLORS.len()].to_owned(),
         dashes: ["none", "6 3", "2 3", "9 3 2 3"][(i / 2) % 4],
-        points: points.clone(),
+        points: points.iter().map(scaled).collect(),
     };
     let names: Vec<&str> = sampled.curves.iter().map(|(name, _)| name.as_str()).collect();
     Panel {
-        name: format!("{} {}", names.join(", "), sampled.y),
+        name: format!("{}{} {}", log_of(sampled.log[1]), names.join(", "), sampled.y),
         curves: sampled.curves.iter().enumerate().map(curve).collect(),
     }
 }

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::app::run::answer::Answer;
-use crate::scene::PlotSettings;
-use crate::sim::History;
+use crate::scene::{PlotSettings, PlotShows};
 use crate::sim::quantity::{Quantity, Unit};
+use crate::sim::{History, spectra};
 
 /// Points that a touch adds to a curve of a contact, so that its peak is not lost between two samples.
 const IN_A_TOUCH: u32 = 6;
@@ -20,8 +20,12 @@ pub(in crate::app) struct Sampled {
     pub(in crate::app) curves: Vec<(String, Vec<[f64; 2]>)>,
     /// What is drawn upright, with its unit.
     pub(in crate::app) y: String,
+    /// That unit.
+    pub(in crate::app) unit: &'static str,
     /// What is drawn level, with its unit; time when absent.
     pub(in crate::app) x: Option<String>,
+    /// Whether the level and the upright axis are logarithmic.
+    pub(in crate::app) log: [bool; 2],
     /// Whether the curves are energies that are stored or lost: drawn one upon the other.
     pub(in crate::app) stacked: bool,
 }
@@ -76,15 +80,45 @@ pub(in crate::app) fn shown(unit: Unit) -> (f64, &'static str) {
     }
 }
 
+/// A quantity of a panel, with its name.
+type Found<'a> = (&'a String, Quantity);
+
 /// A panel's curves; quantities that the run does not have are left out.
 pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
-    let found: Vec<(&String, Quantity)> =
-        plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
+    let found: Vec<Found<'_>> = plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
+    match plot.shown() {
+        PlotShows::History => course(history, plot, &found, (window, points)),
+        PlotShows::Fourier | PlotShows::Response => spectrum(history, plot, &found, window),
+    }
+}
+
+/// Spectra of the stretch of time shown.
+fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window: [f64; 2]) -> Sampled {
+    let fourier = plot.shown() == PlotShows::Fourier;
+    let of = if fourier { spectra::fourier } else { spectra::response };
+    let curve = |(name, quantity): &Found<'_>| {
+        let (factor, _) = shown(quantity.unit());
+        let lines = of(history, *quantity, window).into_iter().map(|[x, y]| [x, y * factor]);
+        ((*name).clone(), lines.collect())
+    };
+    let unit = found.first().map_or("", |(_, q)| shown(q.unit()).1);
+    Sampled {
+        curves: found.iter().map(curve).collect(),
+        y: if fourier { format!("[{unit}·s]") } else { format!("[{unit}], 5 %") },
+        unit,
+        x: Some(if fourier { "f [Hz]" } else { "T [s]" }.to_owned()),
+        log: [plot.is_log(); 2],
+        stacked: false,
+    }
+}
+
+/// Curves over time, or over another quantity.
+fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, points): ([f64; 2], usize)) -> Sampled {
     let x = plot.x.as_ref().and_then(|name| Some((name, Quantity::find(history, name)?)));
     let times = times(history, window, points);
     let (factor_x, unit_x) = x.map_or((1.0, "s"), |(_, q)| shown(q.unit()));
     let level = |t: f64| x.map_or(t, |(_, q)| q.at(history, t) * factor_x);
-    let curve = |(name, quantity): &(&String, Quantity)| {
+    let curve = |(name, quantity): &Found<'_>| {
         let (factor, _) = shown(quantity.unit());
         let point = |&t: &f64| [level(t), quantity.at(history, t) * factor];
         ((*name).clone(), times.iter().map(point).collect())
@@ -93,13 +127,18 @@ pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f6
     Sampled {
         curves: found.iter().map(curve).collect(),
         y: format!("[{unit}]"),
+        unit,
+        log: [false, plot.is_log()],
         x: x.map(|(name, _)| format!("{name} [{unit_x}]")),
         stacked: x.is_none() && found.len() > 1 && found.iter().all(|(_, q)| matches!(q, Quantity::Energy(_))),
     }
 }
 
-/// The panel's points at one instant.
+/// The panel's points at one instant; a spectrum has none.
 pub(in crate::app) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f64; 2]> {
+    if plot.shown() != PlotShows::History {
+        return Vec::new();
+    }
     let value = |name: &String| {
         let quantity = answer.quantity(name)?;
         Some(quantity.at(&answer.history, t) * shown(quantity.unit()).0)

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use crate::app::plot::sampled::{self, PanelCache, Sampled};
 use crate::app::plot::traces::{TraceCache, Traces};
+use crate::app::plot::views::PlotViews;
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::app::time::playback::Playback;
-use crate::scene::Scene;
+use crate::scene::{PlotSettings, PlotShows, Scene};
 
 /// What the plots are drawn from.
 #[derive(Clone, Copy)]
@@ -21,6 +22,10 @@ pub(in crate::app) struct Source<'a> {
     pub(in crate::app) girder: usize,
     /// Runs kept to compare with.
     pub(in crate::app) pins: &'a [Pin],
+    /// Whether the differences from kept runs are drawn instead of them.
+    pub(in crate::app) differences: bool,
+    /// Which values of the charts are shown.
+    pub(in crate::app) views: &'a PlotViews,
     /// The time shown, and the window of time.
     pub(in crate::app) playback: &'a Playback,
     /// End of the answer \[s\].
@@ -33,27 +38,42 @@ pub(in crate::app) struct Source<'a> {
 #[derive(Default)]
 pub(in crate::app) struct Samples {
     traces: RefCell<TraceCache>,
-    panels: RefCell<PanelCache>,
+    /// Of panels over time, and of the others.
+    panels: [RefCell<PanelCache>; 2],
 }
 
 impl Source<'_> {
     /// Samples for the standing plots, about `points` long.
     pub(in crate::app) fn traces(&self, window: [f64; 2], points: usize) -> Arc<Traces> {
         let name = self.scene.girders.get(self.girder).map_or("", |g| g.name.as_str());
-        let of = |a: &Arc<Answer>| self.samples.traces.borrow_mut().of(a, window, points, (name, self.pins));
+        let kept = (name, self.pins, self.differences);
+        let of = |a: &Arc<Answer>| self.samples.traces.borrow_mut().of(a, window, points, kept);
         self.answer.map(of).unwrap_or_default()
     }
 
-    /// Samples for the panels of the user's own.
-    pub(in crate::app) fn own_panels(&self, window: [f64; 2], points: usize) -> Arc<Vec<Sampled>> {
-        let plots = &self.scene.view.plots;
-        let of = |a: &Arc<Answer>| self.samples.panels.borrow_mut().of((&a.history, a.number), plots, window, points);
-        self.answer.filter(|_| !plots.is_empty()).map(of).unwrap_or_default()
+    /// Whether a panel is drawn over time.
+    pub(in crate::app) fn is_over_time(&self, plot: &PlotSettings) -> bool {
+        let against = || plot.x.as_ref().zip(self.answer).is_some_and(|(x, answer)| answer.quantity(x).is_some());
+        plot.shown() == PlotShows::History && !against()
     }
 
-    /// Where the curves of an own panel are at the time shown.
-    pub(in crate::app) fn own_at(&self, panel: usize) -> Vec<[f64; 2]> {
+    /// Samples for the panels of the user's own that are drawn over time, or for the others, each with its number.
+    pub(in crate::app) fn own_panels(
+        &self,
+        over_time: bool,
+        (window, points): ([f64; 2], usize),
+    ) -> (Vec<usize>, Arc<Vec<Sampled>>) {
+        let plots = self.scene.view.plots.iter().enumerate().filter(|(_, plot)| self.is_over_time(plot) == over_time);
+        let (numbers, plots): (Vec<usize>, Vec<PlotSettings>) = plots.map(|(i, plot)| (i, plot.clone())).unzip();
+        let cache = &self.samples.panels[usize::from(over_time)];
+        let of = |a: &Arc<Answer>| cache.borrow_mut().of((&a.history, a.number), &plots, window, points);
+        let panels = self.answer.filter(|_| !plots.is_empty()).map(of).unwrap_or_default();
+        (numbers, panels)
+    }
+
+    /// Where the curves of an own panel are at a time \[s\].
+    pub(in crate::app) fn own_at(&self, panel: usize, t: f64) -> Vec<[f64; 2]> {
         let (Some(answer), Some(plot)) = (self.answer, self.scene.view.plots.get(panel)) else { return Vec::new() };
-        sampled::at(answer, plot, self.playback.clock.t)
+        sampled::at(answer, plot, t)
     }
 }

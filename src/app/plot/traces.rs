@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
-use crate::sim::Touch;
+use crate::sim::{History, Touch};
 
 /// A curve: `[t, value]`.
 pub(in crate::app) type Curve = Vec<[f64; 2]>;
@@ -43,6 +43,17 @@ impl Band {
     }
 }
 
+/// A girder in a run that is kept.
+#[derive(Clone, Debug)]
+pub(in crate::app) struct Kept {
+    /// x, y \[mm\] and θ \[°\], or this run's less these.
+    pub(in crate::app) curves: [Curve; 3],
+    /// The run's colour.
+    pub(in crate::app) color: usize,
+    /// The girder's number there.
+    pub(in crate::app) girder: usize,
+}
+
 /// Samples for one window of time.
 #[derive(Clone, Debug, Default)]
 pub(in crate::app) struct Traces {
@@ -54,8 +65,10 @@ pub(in crate::app) struct Traces {
     pub(in crate::app) theta: Vec<Curve>,
     /// x, y and θ by the other model, where there is one.
     pub(in crate::app) ghosts: [Vec<Curve>; 3],
-    /// x, y and θ of one girder in every run that is kept, with the run's colour.
-    pub(in crate::app) pins: Vec<([Curve; 3], usize)>,
+    /// One girder in every run that is kept.
+    pub(in crate::app) pins: Vec<Kept>,
+    /// Whether those are by how much this run differs.
+    pub(in crate::app) differences: bool,
     /// Largest `|R_k|` of a contact, hit by hit of every pair, or of all pairs together \[N\].
     pub(in crate::app) force: Vec<Curve>,
     /// What x, y and θ of a crowd fill.
@@ -70,6 +83,7 @@ struct Key {
     points: usize,
     girder: String,
     pins: Vec<u64>,
+    differences: bool,
 }
 
 /// Keeps the last samples until something else is to be seen.
@@ -80,19 +94,22 @@ pub(in crate::app) struct TraceCache {
 }
 
 impl TraceCache {
-    /// The curves of a window, about `points` samples long; of kept runs, those of the girder of this name.
+    /// The curves of a window, about `points` samples long; of kept runs, those of the girder of this name, or the differences from
+    /// them.
     pub(in crate::app) fn of(
         &mut self,
         answer: &Answer,
         window: [f64; 2],
         points: usize,
-        (girder, pins): (&str, &[Pin]),
+        (girder, pins, differences): (&str, &[Pin], bool),
     ) -> Arc<Traces> {
         let numbers = pins.iter().map(|p| p.answer.number).collect();
-        let key = Key { answer: answer.number, window, points, girder: girder.to_owned(), pins: numbers };
+        let key = Key { answer: answer.number, window, points, girder: girder.to_owned(), pins: numbers, differences };
         if self.key.as_ref() != Some(&key) {
             let mut traces = sample(answer, window, points.max(2));
-            traces.pins = pins.iter().filter_map(|p| kept(p, girder, window, points.max(2))).collect();
+            let less = differences.then_some(answer);
+            traces.pins = pins.iter().filter_map(|p| kept(p, girder, (window, points.max(2)), less)).collect();
+            traces.differences = differences;
             self.traces = Arc::new(traces);
             self.key = Some(key);
         }
@@ -100,19 +117,29 @@ impl TraceCache {
     }
 }
 
-/// Curves of the girder of this name in a kept run.
-fn kept(pin: &Pin, girder: &str, window: [f64; 2], points: usize) -> Option<([Curve; 3], usize)> {
+/// Curves of the girder of this name in a kept run; by how much `less` differs from them, where it is given.
+fn kept(pin: &Pin, girder: &str, (window, points): ([f64; 2], usize), less: Option<&Answer>) -> Option<Kept> {
+    let named = |history: &History| history.scene().girders.iter().position(|g| g.name == girder);
     let history = &pin.answer.history;
-    let number = history.scene().girders.iter().position(|g| g.name == girder)?;
-    let mut curves = [(); 3].map(|()| Vec::with_capacity(points));
-    for t in grid(window, points, history.end()) {
+    let number = named(history)?;
+    let now = less.and_then(|answer| Some((&answer.history, named(&answer.history)?)));
+    let values = |history: &History, number: usize, t: f64| {
         let motion = history.motion(number, t);
-        let values = [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()];
+        [motion.displacement.x * 1e3, motion.displacement.y * 1e3, motion.theta.to_degrees()]
+    };
+    let end = now.map_or(history.end(), |(now, _)| now.end().min(history.end()));
+    let mut curves = [(); 3].map(|()| Vec::with_capacity(points));
+    for t in grid(window, points, end) {
+        let there = values(history, number, t);
+        let values = now.map_or(there, |(now, own)| {
+            let here = values(now, own, t);
+            [0, 1, 2].map(|n| here[n] - there[n])
+        });
         for (curve, value) in curves.iter_mut().zip(values) {
             curve.push([t, value]);
         }
     }
-    Some((curves, pin.color))
+    Some(Kept { curves, color: pin.color, girder: number })
 }
 
 fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
@@ -125,6 +152,7 @@ fn sample(answer: &Answer, window: [f64; 2], points: usize) -> Traces {
         theta: vec![Vec::with_capacity(points); girders],
         ghosts: [(); 3].map(|()| vec![Vec::new(); if history.beside().is_some() { girders } else { 0 }]),
         pins: Vec::new(),
+        differences: false,
         force: Vec::new(),
         bands: None,
     };

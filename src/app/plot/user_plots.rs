@@ -2,12 +2,13 @@
 
 use egui::{ComboBox, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::app::command::{Command, EditCommand, FileCommand, Wish};
-use crate::app::field::{Place, mark};
+use crate::app::command::{Command, EditCommand, FileCommand, WindowCommand, Wish};
+use crate::app::field::{Place, mark, tag};
+use crate::app::plot::plot_files;
 use crate::app::plot::source::Source;
 use crate::app::text;
 use crate::scene::edit::Edit;
-use crate::scene::{PlotSettings, ViewSettings};
+use crate::scene::{PlotSettings, PlotShows, ViewSettings};
 use crate::sim::quantity::{OfBearing, OfContact, OfCorner, OfEnergy, OfLink, Quantity};
 
 /// Most panels of the user's own.
@@ -45,6 +46,13 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
             mark(&adding.response, place, ("plot", text::ADD_PANEL));
         });
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
+            if ui.button(text::COPY_PLOTS).clicked() {
+                match plot_files::picture(source) {
+                    Ok(image) => ui.copy_image(image),
+                    Err(problem) => out.push(WindowCommand::Say(problem).into()),
+                }
+                ui.close();
+            }
             for (words, format) in [("SVG…", "svg"), ("PNG…", "png"), ("CSV…", "csv")] {
                 if ui.button(words).clicked() {
                     out.push(FileCommand::Ask(Wish::Plots(format)).into());
@@ -61,6 +69,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
 
 /// Panels that are often wanted.
 fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, PlotSettings)> {
+    let over_time = |y: String| PlotSettings::over_time(vec![y]);
     let first =
         |wanted: &dyn Fn(&Quantity) -> bool| names.iter().find(|(_, q)| wanted(q)).map(|(name, _)| name.clone());
     let of_girder = |what: usize| {
@@ -71,7 +80,9 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
     let corner =
         |wanted: OfCorner| first(&|q| matches!(q, Quantity::Corner(i, 1, of) if *i == girder && *of == wanted));
     let contact = |wanted: OfContact| first(&|q| matches!(q, Quantity::Contact(_, of) if *of == wanted));
-    let against = |x: Option<String>, y: Option<String>| Some(PlotSettings { x: Some(x?), y: vec![y?] });
+    let against = |x: Option<String>, y: Option<String>| Some(PlotSettings { x: Some(x?), ..over_time(y?) });
+    let spectrum =
+        |shows, y: Option<String>| Some(PlotSettings { shows: Some(shows), log: Some(true), ..over_time(y?) });
     let energies: Vec<String> = names
         .iter()
         .filter(|(_, q)| matches!(q, Quantity::Energy(of) if !matches!(of, OfEnergy::Work | OfEnergy::Residual)))
@@ -81,15 +92,17 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
     let of_bearing =
         |wanted: OfBearing| first(&|q| matches!(q, Quantity::Bearing(i, 0, of) if *i == girder && *of == wanted));
     let list = [
-        (text::OFFER_ENERGY, Some(PlotSettings { x: None, y: energies })),
-        (text::OFFER_DRIFT, corner(OfCorner::Drift).map(|y| PlotSettings { x: None, y: vec![y] })),
+        (text::OFFER_ENERGY, Some(PlotSettings::over_time(energies))),
+        (text::OFFER_DRIFT, corner(OfCorner::Drift).map(over_time)),
         (text::OFFER_ORBIT, against(corner(OfCorner::X), corner(OfCorner::Y))),
         (text::OFFER_PENETRATION, against(contact(OfContact::Penetration), contact(OfContact::Force))),
         (text::OFFER_HYSTERESIS, against(of_girder(1), contact(OfContact::Tangential))),
         (text::OFFER_LOOP_DEVICE, against(of_link(OfLink::Deformation), of_link(OfLink::Force))),
         (text::OFFER_LOOP_BEARING, against(of_bearing(OfBearing::Deformation(0)), of_bearing(OfBearing::Force(0)))),
-        (text::OFFER_USE, contact(OfContact::Use).map(|y| PlotSettings { x: None, y: vec![y] })),
-        (text::OFFER_EMPTY, of_girder(0).map(|y| PlotSettings { x: None, y: vec![y] })),
+        (text::OFFER_USE, contact(OfContact::Use).map(over_time)),
+        (text::OFFER_FOURIER, spectrum(PlotShows::Fourier, of_girder(3))),
+        (text::OFFER_RESPONSE, spectrum(PlotShows::Response, first(&|q| matches!(q, Quantity::Ground(0))))),
+        (text::OFFER_EMPTY, of_girder(0).map(over_time)),
     ];
     list.into_iter().filter_map(|(words, plot)| Some((words, plot?))).collect()
 }
@@ -129,7 +142,33 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
             }
         });
     });
-    against(ui, i, plot, names);
+    if plot.shown() == PlotShows::History {
+        against(ui, i, plot, names);
+    }
+    shows(ui, i, plot);
+}
+
+/// Whether their course is shown or a spectrum, and on what axis.
+fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
+    let table = format!("view.plot[{i}]");
+    let place = Place { problems: None, table: &table };
+    ui.horizontal(|ui| {
+        let label = ui.label(text::SHOWS);
+        let mut shown = plot.shown();
+        let words = |shows: PlotShows| text::SHOWN[shows as usize];
+        let combo = ComboBox::from_id_salt(("shows", i)).width(150.0).selected_text(words(shown)).show_ui(ui, |ui| {
+            for shows in PlotShows::ALL {
+                ui.selectable_value(&mut shown, *shows, words(*shows));
+            }
+        });
+        mark(&combo.response.labelled_by(label.id), place, ("shows", text::SHOWS));
+        plot.shows = Some(shown).filter(|shown| *shown != PlotShows::DEFAULT);
+    });
+    let mut log = plot.is_log();
+    let response = ui.checkbox(&mut log, text::LOG);
+    if tag(ui, &response, place, ("log", text::LOG)).changed() {
+        plot.log = log.then_some(true);
+    }
 }
 
 fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantity)]) {

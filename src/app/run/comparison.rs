@@ -26,6 +26,8 @@ pub struct Pin {
 #[derive(Default)]
 pub struct Comparison {
     pins: Vec<Pin>,
+    /// Whether the plots show the differences from them.
+    differences: bool,
     /// How many have been kept since the window was opened.
     count: usize,
     /// Which of the scenes that were opened they are of.
@@ -38,6 +40,11 @@ impl Comparison {
     /// All of them.
     pub fn pins(&self) -> &[Pin] {
         &self.pins
+    }
+
+    /// Whether the plots show the differences from them.
+    pub fn differences(&self) -> bool {
+        self.differences
     }
 
     /// Goes over to another of the scenes that were opened: its runs are shown, and those of the one before are not.
@@ -68,6 +75,10 @@ impl Comparison {
             CompareCommand::Pin => shown.map_or(Ok(()), |answer| self.pin(answer, what)),
             CompareCommand::Unpin(number) => {
                 self.unpin(number);
+                Ok(())
+            }
+            CompareCommand::Differences(on) => {
+                self.differences = on;
                 Ok(())
             }
             CompareCommand::UnpinAll => {

@@ -3,3 +3,4 @@
 pub(in crate::app) mod answer;
 pub(in crate::app) mod comparison;
 pub(in crate::app) mod runner;
+pub(in crate::app) mod spot;

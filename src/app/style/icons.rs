@@ -23,6 +23,14 @@ pub(in crate::app) enum Icon {
     End,
     /// An arrow that turns back.
     TakeBack,
+    /// An angle that points to the left.
+    Left,
+    /// An angle that points to the right.
+    Right,
+    /// An angle that points up.
+    Up,
+    /// An angle that points down.
+    Down,
 }
 
 /// Draws a sign in the middle of a rectangle.
@@ -49,7 +57,18 @@ pub(in crate::app) fn draw(painter: &Painter, rect: Rect, icon: Icon, color: Col
         Icon::NextEvent => (triangle(-0.45, 1.0), triangle(0.45, 1.0)),
         Icon::End => (triangle(-0.1, 1.0), bar(0.55)),
         Icon::TakeBack => (take_back(painter, rect, color), ()),
+        Icon::Left => (angle(painter, rect, color, vec2(-1.0, 0.0)), ()),
+        Icon::Right => (angle(painter, rect, color, vec2(1.0, 0.0)), ()),
+        Icon::Up => (angle(painter, rect, color, vec2(0.0, -1.0)), ()),
+        Icon::Down => (angle(painter, rect, color, vec2(0.0, 1.0)), ()),
     };
+}
+
+/// Two strokes that meet in a tip.
+fn angle(painter: &Painter, rect: Rect, color: Color32, way: Vec2) {
+    let (tip, side) = (rect.center() + way * 2.4, way.rot90() * 4.0);
+    let points = vec![tip - way * 4.4 + side, tip, tip - way * 4.4 - side];
+    painter.line(points, Stroke::new(1.6, color));
 }
 
 /// Most of a circle against the clock, from the right over the top, with a head at its left end.

@@ -5,7 +5,9 @@ mod fields;
 mod handles;
 mod map;
 mod numbers;
+mod panels;
 mod paths;
+mod plots;
 mod readings;
 
 pub(super) use edits::*;
@@ -13,7 +15,9 @@ pub(super) use fields::*;
 pub(super) use handles::*;
 pub(super) use map::*;
 pub(super) use numbers::*;
+pub(super) use panels::*;
 pub(super) use paths::*;
+pub(super) use plots::*;
 pub(super) use readings::*;
 
 /// The program's name, in the title.
@@ -93,7 +97,6 @@ pub(super) const EMPTY: &str = "Nothing is placed. Add a girder (G) or open a pr
 // Time.
 pub(super) const TIMELINE: &str = "Timeline";
 pub(super) const CONTACTS: &str = "contacts";
-pub(super) const PLOTS: &str = "Plots";
 pub(super) const PLAY: &str = "Play";
 pub(super) const PAUSE: &str = "Pause";
 pub(super) const TO_START: &str = "To the start";
@@ -103,6 +106,7 @@ pub(super) const STEP_FORWARD: &str = "Step forward";
 pub(super) const PREVIOUS_EVENT: &str = "Previous contact event";
 pub(super) const NEXT_EVENT: &str = "Next contact event";
 pub(super) const SPEED: &str = "Speed";
+pub(super) const PLAYING: &str = "Playing";
 pub(super) const LOOP: &str = "Loop";
 pub(super) const LOOP_HINT: &str = "Begin again at the end (L)";
 pub(super) const SLOW_AT_HITS: &str = "Slow at hits";
@@ -111,13 +115,8 @@ pub(super) const ALL_SPAN: &str = "Play everything";
 pub(super) const ALL_SPAN_HINT: &str = "Forget the stretch that is played (X); I and O set one";
 pub(super) const ALL_TIME: &str = "Whole run";
 pub(super) const ALL_TIME_HINT: &str = "Show the whole run (double click)";
-pub(super) const PLOT_PLACE: &str = "{x}x  {y}y  {}[mm]";
-pub(super) const PLOT_PLACE_BOTH: &str = "{x}x  {y}y  {}[mm]  dotted: impact model";
-pub(super) const PLOT_THETA: &str = "{t}θ  {}[°]";
-pub(super) const PLOT_FORCE: &str = "{f}contact force |R|";
 
 // What is placed.
-pub(super) const OUTLINER: &str = "Placed";
 pub(super) const INSPECTOR: &str = "Numbers";
 pub(super) const NOTHING_SELECTED: &str = "Select a girder or an abutment to see its numbers; these are the scene's.";
 pub(super) const NAME: &str = "Name";
@@ -210,7 +209,6 @@ pub(super) const COMPUTED: &str = "Computed";
 pub(super) const CONTACT_OPEN: &str = "Open at this time.";
 
 // What if.
-pub(super) const WHAT_IF: &str = "What if";
 pub(super) const ALL_GIRDERS: &str = "all girders";
 pub(super) const MODEL_SECTION: &str = "Models";
 pub(super) const MODEL_SPATIAL: &str = "The impact model knows planar scenes only.";
@@ -374,5 +372,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("Ctrl N  Ctrl O  Ctrl S", "new, open, save"),
     ("Ctrl Shift S", "save as"),
     ("Esc", "select nothing, close this"),
+    ("F2 F3 F4 F5", "fold or show: what is placed, the sliders, the plots, the lesson"),
+    ("F6", "fold every panel, or show all"),
     ("F1", "this help"),
 ];

@@ -1,10 +1,5 @@
 //! How numbers are written, with words around them.
 
-use egui::text::{LayoutJob, TextFormat};
-use egui::{FontId, Ui};
-
-use crate::app::style::theme::Palette;
-
 /// A number with three significant digits and no needless zeros.
 pub(in crate::app) fn short(value: f64) -> String {
     if value == 0.0 {
@@ -254,6 +249,11 @@ pub(in crate::app) fn tick(t: f64, step: f64) -> String {
     format!("{t:.decimals$} s")
 }
 
+/// The time shown.
+pub(in crate::app) fn instant(t: f64) -> String {
+    format!("t = {t:.4} s")
+}
+
 /// How long a run took, and how many times faster than the ground shakes.
 pub(in crate::app) fn run_time(seconds: f64, times: f64) -> String {
     format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
@@ -283,25 +283,6 @@ pub(in crate::app) fn ago(time: std::time::Duration) -> String {
 /// A playing speed: `1/100`, `1`, `×5`.
 pub(in crate::app) fn speed(speed: f64) -> String {
     if speed < 1.0 { format!("1/{}", short(1.0 / speed)) } else { format!("×{}", short(speed)) }
-}
-
-/// A chart's name with its symbols in the colours of their curves: `{x}x` is an x in the colour of x.
-pub(in crate::app) fn legend(template: &str, palette: &Palette, ui: &Ui) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    let font = FontId::proportional(11.0);
-    for part in template.split('{').filter(|p| !p.is_empty()) {
-        let (which, words) = part.split_once('}').unwrap_or(("", part));
-        let color = match which {
-            "x" => palette.x,
-            "y" => palette.y,
-            "t" => palette.theta,
-            "f" => palette.force,
-            _ => palette.weak,
-        };
-        job.append(words, 0.0, TextFormat::simple(font.clone(), color));
-    }
-    job.wrap.max_width = ui.available_width().max(200.0);
-    job
 }
 
 #[cfg(test)]

@@ -25,6 +25,8 @@ pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
 // What a designer reads off a run for a girder.
 pub(in crate::app) const TURNS: &str = "turns";
 pub(in crate::app) const DRIFTS: [&str; 4] = ["drift 1", "drift 2", "drift 3", "drift 4"];
+pub(in crate::app) const NO_SEATS: &str = "No seats are given: whether it stays on them is not judged.";
+pub(in crate::app) const GO_THERE: &str = "Go to that moment and look there";
 pub(in crate::app) const CORNER_OFF: &str = "corner off";
 pub(in crate::app) const UNSEATS: &str = "end lost";
 pub(in crate::app) const LEAST_GAP: &str = "least gap";

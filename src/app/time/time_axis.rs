@@ -74,6 +74,12 @@ impl TimeAxis {
         Some([start, start + span])
     }
 
+    /// Where the mouse points to a time, in the timeline or in the plots: both show it \[points\].
+    pub(in crate::app) fn pointed(&self, ui: &Ui) -> Option<f32> {
+        let at = ui.input(|i| i.pointer.hover_pos()).filter(|_| ui.rect_contains_pointer(ui.max_rect()))?;
+        (self.edges[0]..=self.edges[1]).contains(&at.x).then_some(at.x)
+    }
+
     /// What the mouse asks of a strip that shows this axis.
     pub(in crate::app) fn interact(&self, ui: &Ui, response: &Response, out: &mut Vec<Command>) {
         if response.double_clicked() {
@@ -81,7 +87,8 @@ impl TimeAxis {
             return;
         }
         self.drag(ui, response, out);
-        if let Some(pointer) = response.hover_pos() {
+        // With Alt the wheel is about the values of a chart.
+        if let Some(pointer) = response.hover_pos().filter(|_| !ui.input(|i| i.modifiers.alt)) {
             let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta, i.zoom_delta()));
             let factor = (-f64::from(scroll.y) * 0.005).exp() / f64::from(pinch);
             if factor != 1.0 {

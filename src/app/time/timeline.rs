@@ -42,8 +42,8 @@ pub(in crate::app) struct Shown<'a> {
     pub(in crate::app) passed: &'a [Passed],
 }
 
-/// Shows the timeline over the rest of the row, its time axis beginning at `left`.
-pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut Vec<Command>) {
+/// Shows the timeline over the rest of the row, its time axis so far from both edges \[points\].
+pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, [left, right]: [f32; 2], out: &mut Vec<Command>) {
     let size = vec2(ui.available_width(), RULER + LANES);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let Shown { playback, end, answer, passed } = shown;
@@ -55,7 +55,7 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut V
     });
     let bars = answer.map_or(&[][..], |answer| &answer.spans);
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(told(bars)));
-    let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), rect.max);
+    let strip = Rect::from_min_max(pos2(rect.left() + left, rect.top()), pos2(rect.right() - right, rect.bottom()));
     let axis = TimeAxis::over(strip, playback.window, end);
     axis.interact(ui, &response, out);
     let painter = ui.painter_at(rect);
@@ -73,6 +73,9 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, left: f32, out: &mut V
     let overlaps = answer.map_or(&[][..], |answer| answer.history.overlaps());
     let times = passed.iter().map(|flag| flag.t).chain(overlaps.iter().map(Overlap::first));
     flags(&painter, times, &axis, strip, &palette);
+    if let Some(x) = axis.pointed(ui) {
+        painter.vline(x, strip.y_range(), Stroke::new(1.0, palette.weak));
+    }
     playhead(&painter, &axis, strip, t, &palette);
 }
 

@@ -2,40 +2,77 @@
 
 use egui::{Button, ComboBox, RichText, Ui};
 
-use crate::app::command::{Command, TimeCommand, Way};
+use crate::app::command::{Command, Pane, TimeCommand, Way, WindowCommand};
 use crate::app::style::icons::{self, Icon};
 use crate::app::text;
-use crate::app::time::clock::SPEEDS;
+use crate::app::time::clock::{Clock, SPEEDS};
 use crate::app::time::playback::Playback;
 use crate::scene::Motion;
 
-/// Shows the row; time is also counted in periods of the motion.
-pub(in crate::app) fn show(ui: &mut Ui, playback: &Playback, motion: &Motion, out: &mut Vec<Command>) {
+/// Width of a row with everything in it \[points\]; in a narrower one, how it is played goes into a menu.
+const WIDE: f32 = 800.0;
+
+/// Shows the row; time is also counted in periods of the motion. `plots` says whether the plots are folded, where there are any.
+pub(in crate::app) fn show(
+    ui: &mut Ui,
+    playback: &Playback,
+    (motion, plots): (&Motion, Option<bool>),
+    out: &mut Vec<Command>,
+) {
     let clock = &playback.clock;
+    let wide = ui.available_width() >= WIDE;
     ui.horizontal(|ui| {
         buttons(ui, clock.playing, out);
         ui.separator();
-        speed(ui, clock.speed, out);
-        let (mut looping, mut slow) = (clock.looping, clock.slow_at_hits);
-        if ui.checkbox(&mut looping, text::LOOP).on_hover_text(text::LOOP_HINT).changed() {
-            out.push(TimeCommand::Loop(looping).into());
+        if wide {
+            how(ui, clock, out);
+            ui.separator();
+            time(ui, clock.t, motion);
+        } else {
+            ui.label(RichText::new(text::instant(clock.t)).monospace());
+            ui.menu_button(text::PLAYING, |ui| how(ui, clock, out));
         }
-        if ui.checkbox(&mut slow, text::SLOW_AT_HITS).on_hover_text(text::SLOW_HINT).changed() {
-            out.push(TimeCommand::SlowAtHits(slow).into());
-        }
-        ui.separator();
-        time(ui, clock.t, motion);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let all = ui.add_enabled(playback.window.is_some(), Button::new(text::ALL_TIME));
-            let span = clock.span.is_some();
-            if span && ui.button(text::ALL_SPAN).on_hover_text(text::ALL_SPAN_HINT).clicked() {
-                out.push(TimeCommand::PlaySpan(None).into());
+            if let Some(folded) = plots {
+                plots_button(ui, folded, out);
             }
-            if all.on_hover_text(text::ALL_TIME_HINT).clicked() {
-                out.push(TimeCommand::Window(None).into());
-            }
+            whole(ui, playback, wide, out);
         });
     });
+}
+
+/// Speed, repetition, slowness around hits.
+fn how(ui: &mut Ui, clock: &Clock, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| speed(ui, clock.speed, out));
+    let (mut looping, mut slow) = (clock.looping, clock.slow_at_hits);
+    if ui.checkbox(&mut looping, text::LOOP).on_hover_text(text::LOOP_HINT).changed() {
+        out.push(TimeCommand::Loop(looping).into());
+    }
+    if ui.checkbox(&mut slow, text::SLOW_AT_HITS).on_hover_text(text::SLOW_HINT).changed() {
+        out.push(TimeCommand::SlowAtHits(slow).into());
+    }
+}
+
+/// Back to the whole run; in a narrow row only where a part of it is shown or played.
+fn whole(ui: &mut Ui, playback: &Playback, wide: bool, out: &mut Vec<Command>) {
+    let part = playback.window.is_some();
+    if wide || part {
+        let all = ui.add_enabled(part, Button::new(text::ALL_TIME)).on_hover_text(text::ALL_TIME_HINT);
+        if all.clicked() {
+            out.push(TimeCommand::Window(None).into());
+        }
+    }
+    if playback.clock.span.is_some() && ui.button(text::ALL_SPAN).on_hover_text(text::ALL_SPAN_HINT).clicked() {
+        out.push(TimeCommand::PlaySpan(None).into());
+    }
+}
+
+/// Folds the plots under the timeline, or opens them.
+fn plots_button(ui: &mut Ui, folded: bool, out: &mut Vec<Command>) {
+    let words = if folded { text::unfold(Pane::Plots) } else { text::fold(Pane::Plots) };
+    if sign(ui, if folded { Icon::Up } else { Icon::Down }, &words, text::pane_key(Pane::Plots)) {
+        out.push(WindowCommand::Fold(Pane::Plots, !folded).into());
+    }
 }
 
 /// A button with a sign on it and words for those who cannot see it.
@@ -81,7 +118,7 @@ fn speed(ui: &mut Ui, now: f64, out: &mut Vec<Command>) {
 
 /// The time in seconds and in periods of the shaking.
 fn time(ui: &mut Ui, t: f64, motion: &Motion) {
-    ui.label(RichText::new(format!("t = {t:.4} s")).monospace());
+    ui.label(RichText::new(text::instant(t)).monospace());
     // In a narrow window the buttons at the other end come first.
     if let Some(period) = period(motion).filter(|_| ui.available_width() > 200.0) {
         ui.label(RichText::new(text::periods(t / period)).monospace().weak());

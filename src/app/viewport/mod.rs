@@ -6,6 +6,7 @@ pub(in crate::app) mod eye;
 pub(in crate::app) mod gizmo;
 mod glide;
 pub(in crate::app) mod hand;
+mod looking;
 pub(in crate::app) mod mouse;
 pub(in crate::app) mod picture;
 pub(in crate::app) mod scene_view;

@@ -97,6 +97,10 @@ impl SceneView {
                 let (viewport, seen) = self.parts(document, replay, &[]);
                 viewport.frame(bounds_of(&seen, seen.selection));
             }
+            ViewCommand::Look(look) => {
+                let (viewport, seen) = self.parts(document, replay, &[]);
+                viewport.look(&seen, look);
+            }
             ViewCommand::Overlays(overlays) => self.display.overlays = overlays,
             ViewCommand::ForceScale(scale) => self.display.set_force_scale(scale),
             ViewCommand::Sight(sight) => {

@@ -219,7 +219,7 @@ fn lists_and_tables_change_their_shape() {
     scene.girders.push(scene.girders[0].clone());
     scene.girders[1].name = "b".into();
     scene.girders[0].heading_deg = 90.0;
-    scene.view.plots.push(PlotSettings { x: None, y: vec!["a.x".into()] });
+    scene.view.plots.push(PlotSettings::over_time(vec!["a.x".into()]));
     scene.view.overlays.grid = false;
     let pair = "between = [\"a\", \"b\"]\nmu_kinetic = 0.1\n";
     scene.contact.pairs.push(toml::from_str::<PairSettings>(pair).expect("a pair"));

@@ -1,7 +1,7 @@
 //! What a designer reads off a run, against closed forms: extremes, seats, limits and when they are passed; quantities
 //! by name.
 
-use girderbench::scene::{Limits, Motion, PlotSettings, Scene, Seat, format, presets};
+use girderbench::scene::{Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets};
 use girderbench::sim::quantity::{OfContact, Quantity, Unit};
 use girderbench::sim::{ContactState, History, readings};
 
@@ -162,8 +162,13 @@ fn limits_and_plots_are_kept_in_the_file() {
     scene.limits =
         Limits { rotation_deg: Some(1.0), drift: Some(0.01), remaining_seat: Some(0.002), force: Some(50.0) };
     scene.view.plots = vec![
-        PlotSettings { x: None, y: vec!["energy.kinetic".into()] },
-        PlotSettings { x: Some("deck.x".into()), y: vec!["deck.y".into()] },
+        PlotSettings::over_time(vec!["energy.kinetic".into()]),
+        PlotSettings { x: Some("deck.x".into()), ..PlotSettings::over_time(vec!["deck.y".into()]) },
+        PlotSettings {
+            shows: Some(PlotShows::Response),
+            log: Some(true),
+            ..PlotSettings::over_time(vec!["ground.x".into()])
+        },
     ];
     let again = format::parse(&format::write(&scene), "again").expect("reads");
     assert_eq!(again, scene, "as written");

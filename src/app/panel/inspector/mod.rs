@@ -35,7 +35,7 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
         Some(Target::Girder(i)) => {
             if let Some(girder) = form.scene.girders.get(i) {
                 girder::show(ui, form, (i, girder), document.selection().all(), out);
-                results::show_girder(ui, fresh, (i, girder), replay.t());
+                results::show_girder(ui, fresh, (i, girder), replay.t(), out);
                 pairs::show(ui, form, fresh, Some(&girder.name), out);
             }
         }

@@ -1,0 +1,91 @@
+//! Which panels are folded to a strip: as the user said, else as there is room for the view.
+
+use crate::app::command::Pane;
+
+/// Widths that the panels beside the view begin with, their margins with them \[points\].
+const WIDTHS: [f32; 3] = [262.0, 282.0, 286.0];
+
+/// Width that is left to the view before panels fold by themselves \[points\].
+const VIEW: f32 = 440.0;
+
+/// Height of a window below which the plots fold by themselves \[points\].
+const LOW: f32 = 480.0;
+
+/// What the user has said of each panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct Folds {
+    said: [Option<bool>; 4],
+}
+
+/// Which panels are folded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Folded([bool; 4]);
+
+impl Folds {
+    /// Folds a panel, or opens it.
+    pub(super) fn set(&mut self, pane: Pane, folded: bool) {
+        self.said[pane as usize] = Some(folded);
+    }
+
+    /// Folds every panel, or opens all.
+    pub(super) fn set_all(&mut self, folded: bool) {
+        self.said = [Some(folded); 4];
+    }
+
+    /// Which panels are folded in a window of this size \[points\]; `lesson` tells whether one is open. Where the view has too
+    /// little room, what is placed goes first, then the sliders, and the lesson stays.
+    pub(in crate::app) fn in_window(self, [width, height]: [f32; 2], lesson: bool) -> Folded {
+        let there = |pane: Pane| pane != Pane::Lesson || lesson;
+        let mut folded = [false, false, false, height < LOW];
+        for (own, said) in folded.iter_mut().zip(self.said) {
+            *own = said.unwrap_or(*own);
+        }
+        for pane in [Pane::Placed, Pane::WhatIf] {
+            let open = Pane::ALL.into_iter().zip(WIDTHS).filter(|(pane, _)| there(*pane) && !folded[*pane as usize]);
+            let taken: f32 = open.map(|(_, width)| width).sum();
+            if self.said[pane as usize].is_none() && width - taken < VIEW {
+                folded[pane as usize] = true;
+            }
+        }
+        Folded(folded)
+    }
+}
+
+impl Folded {
+    /// Whether a panel is.
+    pub(in crate::app) fn has(self, pane: Pane) -> bool {
+        self.0[pane as usize]
+    }
+
+    /// Whether every panel is.
+    pub(in crate::app) fn is_all(self) -> bool {
+        self.0 == [true; 4]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_fold_by_themselves_where_the_view_has_no_room() {
+        let folds = Folds::default();
+        let open = |size, lesson| Pane::ALL.map(|pane| !folds.in_window(size, lesson).has(pane));
+        assert_eq!(open([1280.0, 720.0], true), [true; 4], "room for all of them");
+        assert_eq!(open([1024.0, 640.0], false), [true; 4], "without a lesson too");
+        assert_eq!(open([1024.0, 640.0], true), [false, true, true, true], "the lesson and its sliders stay");
+        assert_eq!(open([720.0, 400.0], false), [false, true, true, false], "a small one");
+        assert_eq!(open([480.0, 400.0], true), [false, false, true, false], "a very small one");
+    }
+
+    #[test]
+    fn what_the_user_said_stays() {
+        let mut folds = Folds::default();
+        folds.set(Pane::Placed, false);
+        assert!(!folds.in_window([600.0, 640.0], true).has(Pane::Placed), "open, however narrow");
+        folds.set(Pane::Plots, true);
+        assert!(folds.in_window([2560.0, 1440.0], false).has(Pane::Plots), "folded, however large");
+        folds.set_all(true);
+        assert!(folds.in_window([2560.0, 1440.0], false).is_all(), "all of them");
+    }
+}

@@ -1,0 +1,131 @@
+//! One chart against time as it is drawn: its axis with numbers and unit, curves, the time shown, the time pointed to.
+
+use egui::{Align2, FontId, Id, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, pos2};
+use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoints, PlotUi, VLine};
+
+use crate::app::command::{Command, PlotCommand};
+use crate::app::plot::charts::Chart;
+use crate::app::plot::legend;
+use crate::app::plot::value_axis::{Ticks, ValueAxis, fitting};
+use crate::app::style::theme::Palette;
+use crate::app::text;
+use crate::app::time::time_axis::{TimeAxis, ticks};
+
+/// What a chart is drawn over: its number, its place with axis and legend, the axis of time, the time shown \[s\].
+pub(super) struct Over<'a> {
+    pub(super) number: usize,
+    pub(super) place: Rect,
+    pub(super) axis: &'a TimeAxis,
+    pub(super) t: f64,
+}
+
+/// The field of a chart, without its axis and its legend.
+fn field(over: &Over<'_>) -> Rect {
+    let [left, right] = over.axis.edges;
+    Rect::from_min_max(pos2(left, over.place.top()), pos2(right, over.place.bottom()))
+}
+
+/// Draws a chart; `shown` are the values that the user has chosen of it.
+pub(super) fn draw(
+    ui: &mut Ui,
+    chart: &Chart<'_>,
+    over: &Over<'_>,
+    (shown, palette): (Option<[f64; 2]>, &Palette),
+    out: &mut Vec<Command>,
+) {
+    let field = field(over);
+    let range = shown.unwrap_or_else(|| chart.range());
+    let axis = ValueAxis { range, edges: [field.top(), field.bottom()], log: chart.log };
+    interact(ui, chart, over, &axis, out);
+    let most = axis.range.map(|end| if chart.log { 10f64.powf(end) } else { end.abs() });
+    let (factor, unit) = fitting(chart.unit, most[0].max(most[1]));
+    let marks = axis.ticks();
+    ui.painter().rect_filled(field, 2.0, palette.track);
+    numbers(ui, over, (&axis, &marks, factor, &unit), palette);
+    curves(ui, chart, over, &axis, palette);
+    pointed(ui, chart, over, &axis, palette);
+    let beside = Rect::from_min_max(field.right_top(), over.place.max);
+    legend::show(ui, chart, beside, (factor, &unit), palette);
+}
+
+/// The mouse on the axis: the wheel zooms, a drag moves, a double click shows everything; with Alt the wheel does so over the
+/// field too.
+fn interact(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, out: &mut Vec<Command>) {
+    let field = field(over);
+    let beside = Rect::from_min_max(over.place.min, field.left_bottom());
+    let response = ui.interact(beside, ui.scope_id().with(("values", over.number)), Sense::click_and_drag());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, text::values_of(&chart.name)));
+    let mut show = |range| out.push(PlotCommand::Values(chart.name.clone(), range).into());
+    if response.double_clicked() {
+        show(None);
+    } else if response.dragged() && response.drag_delta().y != 0.0 {
+        show(Some(axis.panned(response.drag_delta().y)));
+    }
+    let (scroll, alt) = ui.input(|i| (i.smooth_scroll_delta.y, i.modifiers.alt));
+    let at = ui.input(|i| i.pointer.hover_pos()).filter(|at| response.hovered() || (alt && field.contains(*at)));
+    if let Some(at) = at.filter(|_| scroll != 0.0 && ui.rect_contains_pointer(over.place)) {
+        show(Some(axis.zoomed((-f64::from(scroll) * 0.005).exp(), at.y)));
+    }
+    response.on_hover_text(text::VALUES_HINT);
+}
+
+/// Numbers and lines of both axes, and the unit.
+fn numbers(ui: &Ui, over: &Over<'_>, (axis, marks, factor, unit): (&ValueAxis, &Ticks, f64, &str), palette: &Palette) {
+    let (field, painter) = (field(over), ui.painter_at(over.place));
+    let (small, line) = (FontId::proportional(10.5), Stroke::new(0.7, palette.line));
+    for t in ticks(over.axis.window, f64::from(field.width()) / 90.0) {
+        painter.vline(over.axis.x(t), field.y_range(), line);
+    }
+    for &value in &marks.values {
+        let y = axis.y(value);
+        painter.hline(field.x_range(), y, line);
+        let words = marks.words(value, factor);
+        painter.text(pos2(field.left() - 4.0, y), Align2::RIGHT_CENTER, words, small.clone(), palette.weak);
+    }
+    painter.text(over.place.left_center(), Align2::LEFT_CENTER, unit, small, palette.force);
+}
+
+fn curves(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, palette: &Palette) {
+    let (field, window) = (field(over), over.axis.window);
+    let mut inner = ui.new_child(UiBuilder::new().max_rect(field).id_salt(("plot", over.number)));
+    let bounds = PlotBounds::from_min_max([window[0], axis.range[0]], [window[1], axis.range[1]]);
+    let plot = Plot::new(Id::unique(("plot", over.number))).width(field.width()).height(field.height());
+    let still = plot.allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false);
+    let still = still.allow_double_click_reset(false).allow_axis_zoom_drag(false).sense(Sense::hover());
+    let bare = still.show_axes(false).show_grid(false).show_background(false).show_x(false).show_y(false);
+    bare.set_margin_fraction(Vec2::ZERO).show(&mut inner, |plot: &mut PlotUi<'_>| {
+        plot.set_plot_bounds(bounds);
+        for (band, color) in &chart.bands {
+            let area = FilledArea::new("", &band.times, &band.low, &band.high);
+            plot.add(area.fill_color(*color).allow_hover(false));
+        }
+        for drawn in &chart.curves {
+            let width = if drawn.chosen { 1.4 } else { 1.0 };
+            let points = PlotPoints::new(drawn.curve.to_vec());
+            let line = Line::new("", points).stroke(Stroke::new(width, drawn.color)).style(drawn.style);
+            let line = line.allow_hover(false);
+            plot.line(if chart.filled { line.fill(0.0).fill_alpha(1.0) } else { line });
+        }
+        plot.vline(VLine::new("", over.t).stroke(Stroke::new(1.2, palette.playhead)).allow_hover(false));
+    });
+}
+
+/// The time pointed to, through every chart, with a dot on each curve that has a value there.
+fn pointed(ui: &Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, palette: &Palette) {
+    let Some(x) = over.axis.pointed(ui) else { return };
+    let (field, painter) = (field(over), ui.painter_at(field(over)));
+    painter.vline(x, field.y_range(), Stroke::new(1.0, palette.weak));
+    if over.number == 0 {
+        let words = text::short_instant(over.axis.t(x), over.axis.per_point());
+        let left = x > field.right() - 70.0;
+        let (align, aside) = if left { (Align2::RIGHT_TOP, -4.0) } else { (Align2::LEFT_TOP, 4.0) };
+        let galley = painter.layout_no_wrap(words, FontId::proportional(11.0), palette.playhead);
+        let plate = align.anchor_size(pos2(x + aside, field.top() + 2.0), galley.size());
+        painter.rect_filled(plate.expand(2.0), 2.0, palette.track.gamma_multiply(0.9));
+        painter.galley(plate.min, galley, palette.playhead);
+    }
+    for entry in chart.entries.iter().filter(|_| !chart.filled) {
+        let Some(value) = entry.value.map(|v| if chart.log { v.abs().log10() } else { v }) else { continue };
+        painter.circle_filled(pos2(x, axis.y(value)), 2.6, entry.color);
+    }
+}

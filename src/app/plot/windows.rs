@@ -1,0 +1,82 @@
+//! Panels that are not over time, each in a small window over the view: a quantity against another, Fourier amplitudes, response
+//! spectra. The mouse moves and zooms both axes; a double click shows everything.
+
+use egui::{Id, RichText, Stroke, Ui, Window, vec2};
+use egui_plot::{GridMark, HoverPosition, Line, Plot, PlotPoints, PlotUi, Points};
+
+use crate::app::plot::charts::{color, style};
+use crate::app::plot::sampled::Sampled;
+use crate::app::plot::source::Source;
+use crate::app::plot::value_axis::ValueAxis;
+use crate::app::style::theme::Palette;
+use crate::app::text;
+
+/// Shows them.
+pub(super) fn show(ui: &Ui, source: &Source<'_>) {
+    let window = source.playback.window.unwrap_or([0.0, source.end]);
+    let (numbers, own) = source.own_panels(false, (window, POINTS));
+    for (number, panel) in numbers.into_iter().zip(own.iter()) {
+        one(ui, source, number, panel);
+    }
+}
+
+/// Points of a curve against another quantity.
+const POINTS: usize = 2000;
+
+fn one(ui: &Ui, source: &Source<'_>, number: usize, panel: &Sampled) {
+    let id = Id::unique(("own plot", number));
+    let at = ui.content_rect().left_top() + vec2(280.0 + 30.0 * number as f32, 150.0 + 24.0 * number as f32);
+    let window = Window::new(text::panel(number + 1)).id(id).default_pos(at).default_size([300.0, 240.0]);
+    window.show(ui, |ui| {
+        let palette = Palette::of(ui);
+        names(ui, panel);
+        let height = (ui.available_height() - 20.0).max(90.0);
+        draw(ui, (id, height), panel, &source.own_at(number, source.playback.clock.t), &palette);
+        ui.vertical_centered(|ui| ui.label(RichText::new(panel.x.as_deref().unwrap_or_default()).small()));
+    });
+}
+
+/// The curves' names in their colours, and their unit.
+fn names(ui: &mut Ui, panel: &Sampled) {
+    ui.horizontal_wrapped(|ui| {
+        for (i, (name, _)) in panel.curves.iter().enumerate() {
+            ui.label(RichText::new(name).small().color(color(i)));
+        }
+        ui.label(RichText::new(&panel.y).small().weak());
+    });
+}
+
+fn draw(ui: &mut Ui, (id, height): (Id, f32), panel: &Sampled, here: &[[f64; 2]], palette: &Palette) {
+    let log = panel.log;
+    let scaled = move |p: &[f64; 2]| [0, 1].map(|n| if log[n] { p[n].abs().log10() } else { p[n] });
+    let marks = move |(low, high): (f64, f64), room: f32, log: bool| -> Vec<GridMark> {
+        let axis = ValueAxis { range: [low, high], edges: [0.0, room], log };
+        let values = axis.ticks().values;
+        let step_size = high - low;
+        values.into_iter().map(|value| GridMark { value, step_size }).collect()
+    };
+    let words = move |n: usize, value: f64| text::short(if log[n] { 10f64.powf(value) } else { value });
+    let width = ui.available_width();
+    Plot::new(id.with("plot"))
+        .height(height)
+        .grid_color(palette.line)
+        .x_grid_spacer(move |grid| marks(grid.bounds, width / 5.0, log[0]))
+        .y_grid_spacer(move |grid| marks(grid.bounds, height / 2.0, log[1]))
+        .grid_spacing(6.0..=14.0)
+        .x_axis_formatter(move |mark, _| words(0, mark.value))
+        .y_axis_formatter(move |mark, _| words(1, mark.value))
+        .label_formatter(move |at| {
+            let (HoverPosition::NearDataPoint { position, .. } | HoverPosition::Elsewhere { position }) = at;
+            Some(format!("{}\n{}", words(0, position.x), words(1, position.y)))
+        })
+        .show(ui, |plot: &mut PlotUi<'_>| {
+            for (i, (name, curve)) in panel.curves.iter().enumerate() {
+                let points: Vec<[f64; 2]> =
+                    curve.iter().map(scaled).filter(|p| p[1].is_finite() && p[0].is_finite()).collect();
+                let stroke = Stroke::new(1.3, color(i));
+                plot.line(Line::new(name.as_str(), PlotPoints::new(points)).stroke(stroke).style(style(i)));
+            }
+            let here: Vec<[f64; 2]> = here.iter().map(scaled).filter(|p| p[1].is_finite()).collect();
+            plot.points(Points::new("", PlotPoints::new(here)).radius(4.0).color(palette.playhead).allow_hover(false));
+        });
+}

@@ -1,0 +1,81 @@
+//! Where a number of a run is to be seen: the moment, what is selected there, what the camera turns to.
+
+use crate::app::command::{Command, Look, SelectCommand, TimeCommand, ViewCommand};
+use crate::scene::facing::Side;
+use crate::sim::quantity::{OfPair, Quantity};
+use crate::sim::readings::Passed;
+use crate::sim::verdict::Verdict;
+use crate::sim::{History, Touch};
+use crate::view::Target;
+
+/// A moment of a run, and what is to be looked at then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Spot {
+    /// When \[s\].
+    pub(in crate::app) t: f64,
+    /// What is selected; what was stays selected when none.
+    pub(in crate::app) select: Option<Target>,
+    /// What the camera turns to.
+    pub(in crate::app) look: Look,
+}
+
+impl Spot {
+    /// A girder, from above.
+    pub(in crate::app) fn girder(girder: usize, t: f64) -> Self {
+        Self { t, select: Some(Target::Girder(girder)), look: Look::Girder(girder) }
+    }
+
+    /// A corner of a girder, by both numbers.
+    pub(in crate::app) fn corner(girder: usize, corner: usize, t: f64) -> Self {
+        Self { t, select: Some(Target::Girder(girder)), look: Look::Corner(girder, corner) }
+    }
+
+    /// A contact, by its number.
+    pub(in crate::app) fn contact(contact: usize, t: f64) -> Self {
+        Self { t, select: Some(Target::Contact(contact)), look: Look::Contact(contact) }
+    }
+
+    /// The peak of a touch.
+    pub(in crate::app) fn touch(touch: &Touch) -> Self {
+        Self::contact(touch.contact, touch.peak_time)
+    }
+
+    /// What decides a verdict on a girder.
+    pub(in crate::app) fn verdict(girder: usize, verdict: &Verdict) -> Self {
+        Self::corner(girder, verdict.corner(), verdict.t())
+    }
+
+    /// The end of a girder at the gap of its pairs that is least then; the girder where it has none.
+    pub(in crate::app) fn gap(history: &History, girder: usize, t: f64) -> Self {
+        let pairs = history.model().pairs.iter().enumerate();
+        let own = pairs.filter(|(_, pair)| !pair.met && pair.bodies.contains(&Some(girder)));
+        let at = |pair: usize| Quantity::Pair(pair, OfPair::Gap).at(history, t);
+        let least = own.min_by(|(a, _), (b, _)| at(*a).total_cmp(&at(*b)));
+        let sides = least.into_iter().flat_map(|(_, pair)| [pair.first, pair.second]);
+        let mut ends = sides.filter_map(|side| match side {
+            Side::Girder(number, end) if number == girder => Some(end),
+            _ => None,
+        });
+        let look = ends.next().map_or(Look::Girder(girder), |end| Look::End(girder, end));
+        Self { t, select: Some(Target::Girder(girder)), look }
+    }
+
+    /// Where a limit is passed for the first time.
+    pub(in crate::app) fn passed(history: &History, passed: &Passed) -> Option<Self> {
+        let model = history.model();
+        if let Some(girder) = model.girders().iter().position(|body| body.name == passed.whose) {
+            return Some(Self::girder(girder, passed.t));
+        }
+        let ours = |touch: &&Touch| model.pairs[touch.pair].name == passed.whose;
+        let mut touches = history.touches().iter().filter(ours);
+        let touch = touches.find(|touch| (touch.start..=touch.end).contains(&passed.t))?;
+        Some(Self::contact(touch.contact, passed.t))
+    }
+
+    /// What leads there.
+    pub(in crate::app) fn go(self, out: &mut Vec<Command>) {
+        out.push(TimeCommand::Seek(self.t).into());
+        out.extend(self.select.map(|target| SelectCommand::Only(Some(target)).into()));
+        out.push(ViewCommand::Look(self.look).into());
+    }
+}

@@ -1,0 +1,197 @@
+//! One sentence on the seats of a girder: whether it stays on them, what is left at the worst, or where and when it comes off
+//! (`docs/seats.md`).
+
+use super::History;
+use super::report::Extreme;
+use super::seats::{self, Seat};
+use crate::geometry::End;
+
+/// What a run says of the seats of a girder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// Every corner stays over its seat.
+    Stays {
+        /// The end with the least left.
+        end: End,
+        /// Its corner with the least left, by its number in plan.
+        corner: usize,
+        /// The least left, square to the front edge \[m\].
+        least: Extreme,
+        /// The seat as placed, square to the front edge \[m\].
+        placed: f64,
+    },
+    /// A corner comes off, and its end is not lost.
+    CornerOff {
+        /// Which end.
+        end: End,
+        /// The corner that comes off first, by its number in plan.
+        corner: usize,
+        /// When \[s\].
+        t: f64,
+        /// Whether over a side of the seat, not over its front edge.
+        side: bool,
+        /// The least left of that seat, square to the front edge \[m\].
+        least: Extreme,
+    },
+    /// Both corners of an end are off its front edge.
+    Lost {
+        /// Which end, the first of two.
+        end: End,
+        /// A corner of it, by its number in plan.
+        corner: usize,
+        /// When the end is lost \[s\].
+        t: f64,
+        /// When its first corner came off \[s\].
+        first: f64,
+    },
+}
+
+/// The verdict on a girder; none where the scene gives it no seats.
+pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
+    of_seats(&seats::of_girder(history, girder))
+}
+
+/// The verdict on the seats of one girder; none without any.
+pub fn of_seats(seats: &[Seat]) -> Option<Verdict> {
+    lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats))
+}
+
+/// The end that is lost first.
+fn lost(seats: &[Seat]) -> Option<Verdict> {
+    let all = seats.iter().filter_map(|seat| Some((seat, seat.lost_at?)));
+    let (seat, t) = all.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let corner = worst(seat).corner;
+    Some(Verdict::Lost { end: seat.ledge.end, corner, t, first: seat.off_at().unwrap_or(t) })
+}
+
+/// The corner that comes off first, over an edge or over a side.
+fn corner_off(seats: &[Seat]) -> Option<Verdict> {
+    let corners = seats.iter().flat_map(|seat| seat.corners.map(|corner| (seat, corner)));
+    let ways = corners.flat_map(|(seat, corner)| {
+        let off = [(corner.off, false), (corner.off_side, true)];
+        off.map(|(off, side)| Some((seat, corner.corner, off?.t, side)))
+    });
+    let (seat, corner, t, side) = ways.flatten().min_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some(Verdict::CornerOff { end: seat.ledge.end, corner, t, side, least: seat.least() })
+}
+
+/// The seat of which the least is left.
+fn stays(seats: &[Seat]) -> Option<Verdict> {
+    let seat = seats.iter().min_by(|a, b| a.least().value.total_cmp(&b.least().value))?;
+    let corner = worst(seat).corner;
+    Some(Verdict::Stays { end: seat.ledge.end, corner, least: seat.least(), placed: seat.ledge.placed() })
+}
+
+/// The corner of a seat with the least left.
+fn worst(seat: &Seat) -> seats::SeatCorner {
+    let [one, other] = seat.corners;
+    if other.least.value < one.least.value { other } else { one }
+}
+
+impl Verdict {
+    /// Whether the girder stays on all its seats.
+    pub fn stays(&self) -> bool {
+        matches!(self, Self::Stays { .. })
+    }
+
+    /// The moment that decides it \[s\].
+    pub fn t(&self) -> f64 {
+        match self {
+            Self::Stays { least, .. } => least.t,
+            Self::CornerOff { t, .. } | Self::Lost { t, .. } => *t,
+        }
+    }
+
+    /// The corner that decides it, by its number in plan.
+    pub fn corner(&self) -> usize {
+        match self {
+            Self::Stays { corner, .. } | Self::CornerOff { corner, .. } | Self::Lost { corner, .. } => *corner,
+        }
+    }
+
+    /// In words: `stays on its seats: at worst 1.36 m of 1.50 m left, end +x, 4.18 s`.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Stays { end, least, placed, .. } => {
+                let [left, placed] = [least.value, *placed].map(length);
+                format!("stays on its seats: at worst {left} of {placed} left, end {}, {:.2} s", end.label(), least.t)
+            }
+            Self::CornerOff { end, corner, t, side: true, .. } => {
+                format!("comes off its seat: corner {} over the side, end {}, {t:.2} s", corner + 1, end.label())
+            }
+            Self::CornerOff { end, corner, t, least, .. } => format!(
+                "comes off its seat: corner {}, end {}, {t:.2} s; at worst {} beyond the edge, {:.2} s",
+                corner + 1,
+                end.label(),
+                length(-least.value),
+                least.t
+            ),
+            Self::Lost { end, t, first, .. } => format!(
+                "comes off its seat: the whole end {} from {t:.2} s, its first corner at {first:.2} s",
+                end.label()
+            ),
+        }
+    }
+}
+
+/// A length as it is read: metres from half a metre on, millimetres below.
+fn length(metres: f64) -> String {
+    match metres.abs() {
+        m if m >= 0.5 => format!("{metres:.2} m"),
+        m if m >= 0.01 => format!("{:.0} mm", metres * 1e3),
+        _ => format!("{:.2} mm", metres * 1e3),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Seat as Seats, presets};
+
+    /// The opening scene with seats of this length under both ends \[m\].
+    fn with_seats(length: f64, side: Option<f64>) -> History {
+        let mut scene = presets::load(presets::OPENING).expect("ships");
+        scene.girders[0].seat = Seats { plus: Some(length), minus: Some(length), side };
+        History::of(&scene).expect("runs")
+    }
+
+    #[test]
+    fn a_long_seat_keeps_its_girder_and_a_short_one_does_not() {
+        let kept = verdict(&with_seats(0.2, None), 0).expect("seats");
+        let Verdict::Stays { least, placed, .. } = kept else { panic!("{kept:?}") };
+        assert!(least.value > 0.0 && least.value < placed, "a part of it: {kept:?}");
+        assert!(
+            kept.words().starts_with("stays on its seats: at worst ") && kept.words().contains(" left, end "),
+            "said"
+        );
+        // The seat that is left at the worst is the seat less what was used: as long as that it just does not hold.
+        let used = placed - least.value;
+        let short = with_seats(0.9 * used / (45.0f64.to_radians().sin()), None);
+        let off = verdict(&short, 0).expect("seats");
+        assert!(!off.stays() && off.words().starts_with("comes off its seat"), "{off:?}");
+        let seat = seats::of_girder(&short, 0);
+        let first = seat.iter().filter_map(Seat::off_at).fold(f64::INFINITY, f64::min);
+        match off {
+            Verdict::CornerOff { t, .. } => assert_eq!(t, first, "when the first corner does"),
+            Verdict::Lost { first: corner, .. } => assert!(corner >= first, "no sooner than the first corner"),
+            Verdict::Stays { .. } => panic!("{off:?}"),
+        }
+    }
+
+    #[test]
+    fn without_seats_there_is_no_verdict() {
+        let history = History::of(&presets::load(presets::OPENING).expect("ships")).expect("runs");
+        assert_eq!(verdict(&history, 0), None, "none is given");
+    }
+
+    #[test]
+    fn a_corner_that_leaves_over_a_side_is_told_apart() {
+        let narrow = verdict(&with_seats(0.2, Some(1e-5)), 0).expect("seats");
+        assert!(narrow.words().contains("over the side"), "{}", narrow.words());
+    }
+
+    #[test]
+    fn lengths_read_well() {
+        assert_eq!([1.3649, 0.034, 0.001_23].map(length), ["1.36 m", "34 mm", "1.23 mm"], "in their unit");
+    }
+}
