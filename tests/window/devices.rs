@@ -124,7 +124,8 @@ fn pictures_of_devices() {
     }
     harness.state_mut().apply(PlaceCommand::AddDevice(DeviceKind::Damper));
     let view = harness.state().files.document.scene().view.clone();
-    let plots = vec![PlotSettings { x: Some("restrainer.deformation".into()), y: vec!["restrainer.force".into()] }];
+    let force = PlotSettings::over_time(vec!["restrainer.force".into()]);
+    let plots = vec![PlotSettings { x: Some("restrainer.deformation".into()), ..force }];
     let edit = Edit::View(ViewSettings { plots, ..view });
     harness.state_mut().apply(EditCommand::Change { edit, gesture: None });
     let id = DeviceId { kind: DeviceKind::Restrainer, number: 0 };
