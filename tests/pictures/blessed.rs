@@ -11,8 +11,8 @@ use girderbench::snapshot::{Instant, Shot, Studio};
 use girderbench::view::{Background, Bounds, Camera, DrawList, ViewInput, draw_moment};
 
 const SIZE: [u32; 2] = [640, 360];
-/// So that the repository stays light.
-const LARGEST_FILE: usize = 160_000;
+/// So that the repository stays light: two girders with contacts, circle and gauge take the most, 150 kB.
+const LARGEST_FILE: usize = 151_000;
 
 fn run(scene: &Scene) -> History {
     History::of(scene).unwrap_or_else(|e| panic!("{}: {e}", scene.name))

@@ -11,6 +11,15 @@ const APART: f32 = 12.0;
 /// How far the ends of an axis stay free of numbers, so that none reaches into the next chart \[points\].
 const END: f32 = 5.0;
 
+/// Distance of two numbers, in [`APART`], below which one lies on another: a line of them is 8.5 points high.
+const CROWDED: f64 = 8.5 / 12.0;
+
+/// Steps for an axis in which no round one has three numbers with room between them, in parts of a power of ten. Neighbours differ
+/// by a third at most: the largest with three numbers is then more than a quarter of the axis.
+const LESS_ROUND: [f64; 21] = [
+    10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0, 0.8, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.12, 0.1,
+];
+
 /// Decades below the largest magnitude that a logarithmic axis shows.
 const DECADES: f64 = 6.0;
 
@@ -103,11 +112,15 @@ fn round([low, high]: [f64; 2], fit: f64) -> Ticks {
     // The finest that fits: a finer one has more numbers, and all of them round.
     let fits = |finer: &f64| *finer <= step && multiples(*finer).1 <= fit.min(6.0);
     let step = steps.into_iter().rfind(fits).unwrap_or(step);
-    let (first, count) = multiples(step);
+    let count = multiples(step).1;
     // Five or six in too little room: every other one is three.
-    let every = if count > fit && count >= 5.0 { 2 } else { 1 };
+    let every: u8 = if count > fit && count >= 5.0 { 2 } else { 1 };
+    let crowded = step * f64::from(every) / span * fit < CROWDED;
+    let less_round = LESS_ROUND.iter().map(|m| m * power).find(|step| multiples(*step).1 >= 3.0);
+    let (step, every) = less_round.filter(|_| crowded).map_or((step, every), |step| (step, 1));
+    let (first, count) = multiples(step);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few")]
-    let values = (0..count as usize).step_by(every).map(|n| (first + n as f64) * step).collect();
+    let values = (0..count as usize).step_by(usize::from(every)).map(|n| (first + n as f64) * step).collect();
     Ticks { values, step, log: false }
 }
 
