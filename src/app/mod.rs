@@ -49,14 +49,14 @@ mod viewport;
 
 pub use bench::Workbench;
 pub use command::{
-    BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan, Filming, Flank,
-    Follow, Grip, HandCommand, HandKey, Keep, Learn, Look, MapAxis, MapCommand, MapDraft, Nudge, Pane, PathCommand,
-    PlaceCommand, PlotCommand, QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool, ViewCommand, Way,
-    WindowCommand, Wish,
+    AngleCommand, BridgeDraft, Command, CompareCommand, EditCommand, Export, FileCommand, FilmFormat, FilmPlan,
+    Filming, Flank, Follow, Grip, HandCommand, HandKey, Keep, Learn, Look, MapAxis, MapCommand, MapDraft, Nudge, Pane,
+    PathCommand, PlaceCommand, PlotCommand, QuakeCommand, RowDraft, SelectCommand, Sight, TimeCommand, Tool,
+    ViewCommand, Way, WindowCommand, Wish,
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};
-pub use map::Maps;
+pub use map::{Angles, Maps};
 pub use panel::layout::show;
 pub use quake::Shaking;
 pub use run::answer::{Answer, Span};

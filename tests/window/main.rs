@@ -3,6 +3,8 @@
 mod lesson_claims;
 
 #[cfg(feature = "ui-tests")]
+mod angles;
+#[cfg(feature = "ui-tests")]
 mod compare;
 #[cfg(feature = "ui-tests")]
 mod crowd;

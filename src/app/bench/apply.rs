@@ -5,7 +5,8 @@ use egui::Ui;
 use super::window_state::Next;
 use super::workbench::Workbench;
 use crate::app::command::{
-    Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, MapCommand, ViewCommand, WindowCommand,
+    AngleCommand, Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, MapCommand, ViewCommand,
+    WindowCommand,
 };
 use crate::app::style::size::LECTURE;
 use crate::scene::edit::EditError;
@@ -36,7 +37,7 @@ impl Workbench {
             self.tasks.films.plan,
             self.tasks.paths.seen(),
             self.learning,
-            (self.maps.seen(), self.shaking.seen()),
+            (self.maps.seen(), self.angles.seen(), self.shaking.seen()),
         );
         (
             document,
@@ -75,6 +76,7 @@ impl Workbench {
             }
             Command::Learn(command) => self.apply_learn(command),
             Command::Map(command) => self.apply_map(command),
+            Command::Angles(command) => self.apply_angles(command),
             Command::Quake(command) => self.shaking.apply(command),
             Command::Plot(command) => self.plots.apply(command),
             Command::Window(command) => self.apply_window(command),
@@ -102,6 +104,14 @@ impl Workbench {
     fn apply_map(&mut self, command: MapCommand) {
         let (scene, folder) = (self.files.document.scene(), self.files.folder());
         if let Some(edit) = self.maps.apply(command, scene, folder) {
+            let done = self.files.document.edit(edit, None);
+            self.after(done);
+        }
+    }
+
+    fn apply_angles(&mut self, command: AngleCommand) {
+        let (scene, folder) = (self.files.document.scene(), self.files.folder());
+        if let Some(edit) = self.angles.apply(command, scene, folder) {
             let done = self.files.document.edit(edit, None);
             self.after(done);
         }

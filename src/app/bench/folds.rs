@@ -74,7 +74,11 @@ mod tests {
         assert_eq!(open([1280.0, 720.0], true), [true; 4], "room for all of them");
         assert_eq!(open([1024.0, 640.0], false), [true; 4], "without a lesson too");
         assert_eq!(open([1024.0, 640.0], true), [false, true, true, true], "the lesson and its sliders stay");
-        assert_eq!(open([730.0, 400.0], false), [false, true, true, false], "a small one: 730 less the sliders are 448");
+        assert_eq!(
+            open([730.0, 400.0], false),
+            [false, true, true, false],
+            "a small one: 730 less the sliders are 448"
+        );
         assert_eq!(open([480.0, 400.0], true), [false, false, true, false], "a very small one");
     }
 

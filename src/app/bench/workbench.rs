@@ -7,7 +7,7 @@ use crate::app::disk::scene_files::SceneFiles;
 use crate::app::disk::tasks::Tasks;
 use crate::app::host::Wake;
 use crate::app::learn::lessons::Learning;
-use crate::app::map::Maps;
+use crate::app::map::{Angles, Maps};
 use crate::app::plot::source::{Samples, Source};
 use crate::app::plot::views::PlotViews;
 use crate::app::quake::Shaking;
@@ -34,6 +34,8 @@ pub struct Workbench {
     pub learning: Learning,
     /// A number of the run over two keys.
     pub maps: Maps,
+    /// Numbers of the run over the angle of the shaking.
+    pub angles: Angles,
     /// Histories and response spectrum of the ground motion.
     pub shaking: Shaking,
     /// Which values of the plots are shown.
@@ -54,6 +56,7 @@ impl Workbench {
             view: SceneView::new(&scene),
             learning: Learning::default(),
             maps: Maps::default(),
+            angles: Angles::default(),
             shaking: Shaking::default(),
             plots: PlotViews::default(),
             tasks: Tasks::default(),
@@ -71,12 +74,14 @@ impl Workbench {
         self.replay.follow((document.revision(), document.work()), document.scene());
         self.comparison.turn_to(document.work());
         self.maps.follow(document.scene());
+        self.angles.follow(document.scene());
     }
 
     /// Tells who is to be woken when a thread has news; the window's event loop.
     pub fn set_wake(&mut self, wake: Wake) {
         self.replay.runner.set_wake(wake.clone());
         self.maps.set_wake(wake.clone());
+        self.angles.set_wake(wake.clone());
         self.shaking.set_wake(wake.clone());
         self.tasks.set_wake(wake);
     }

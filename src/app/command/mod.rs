@@ -3,6 +3,7 @@
 //! A panel reads the state of the window and returns commands; [`Workbench::apply`](super::Workbench::apply) is the one
 //! place where they change anything. Each group is an enum of its own, so that every match over it is exhaustive.
 
+mod angles;
 mod compare;
 mod edit;
 mod file;
@@ -17,6 +18,7 @@ mod time;
 mod view;
 mod window;
 
+pub use angles::AngleCommand;
 pub use compare::CompareCommand;
 pub use edit::{BridgeDraft, EditCommand, Nudge, PlaceCommand, RowDraft};
 pub use file::{Export, FileCommand, Keep, PathCommand, Wish};
@@ -73,6 +75,8 @@ groups! {
     Learn(Learn),
     /// The map of a run's number over two keys.
     Map(MapCommand),
+    /// The run's numbers over the angle of the shaking.
+    Angles(AngleCommand),
     /// Histories and response spectrum of the ground motion.
     Quake(QuakeCommand),
     /// How the plots are looked at.

@@ -63,7 +63,7 @@ pub(super) fn show(ui: &mut Ui, maps: &Maps, map: &Map, scene: &Scene, out: &mut
     );
     let cells = Cells { rect: field, counts: map.grid.counts() };
     let response = ui.interact(field, ui.scope_id().with("map"), Sense::click());
-    let title = text::map_of(&map.measure().title());
+    let title = text::map_of(&map.measure(0).title());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &title));
     let palette = Palette::of(ui);
     let colors = range(values(map));
@@ -90,7 +90,7 @@ pub(super) fn show(ui: &mut Ui, maps: &Maps, map: &Map, scene: &Scene, out: &mut
 
 /// Values that have come out, in the unit of pictures.
 fn values(map: &Map) -> impl Iterator<Item = f64> {
-    let factor = map.measure().drawn.1;
+    let factor = map.measure(0).drawn.1;
     map.rows.values().filter_map(move |row| Some(row.values[0]? * factor))
 }
 
@@ -100,7 +100,7 @@ fn draw_cells(painter: &Painter, cells: Cells, map: &Map, colors: [f64; 2], pale
     for cell in (0..cells.counts[0]).flat_map(|x| (0..cells.counts[1]).map(move |y| [x, y])) {
         let Some(row) = map.standing_for(cell) else { continue };
         let fill = row.values[0].map_or(palette.line, |value| {
-            let [r, g, b] = rgb(level(value * map.measure().drawn.1, colors));
+            let [r, g, b] = rgb(level(value * map.measure(0).drawn.1, colors));
             Color32::from_rgb(r, g, b)
         });
         quad(&mut mesh, cells.rect(cell), fill);
@@ -162,7 +162,7 @@ fn draw_bar(painter: &Painter, (area, field): (Rect, Rect), map: &Map, colors: [
         let at = pos2(bar.right() + 6.0, y);
         painter.text(at, Align2::LEFT_CENTER, text::short(value), small.clone(), palette.weak);
     }
-    let title = map.measure().title();
+    let title = map.measure(0).title();
     painter.text(area.right_top(), Align2::RIGHT_TOP, title, small, palette.force);
 }
 
@@ -214,7 +214,7 @@ fn said(map: &Map, [x, y]: [usize; 2], units: [Unit; 2]) -> String {
     let run = match map.row([x, y]) {
         None => text::MAP_NOT_YET.to_owned(),
         Some(row) if row.status == Status::Complete => row.values[0].map_or(text::MAP_NO_VALUE.to_owned(), |value| {
-            let measure = map.measure();
+            let measure = map.measure(0);
             text::measured(&measure.name.replace('_', " "), value * measure.drawn.1, measure.drawn.0)
         }),
         Some(row) => format!("{}: {}", row.status.word(), row.reason),

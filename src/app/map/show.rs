@@ -1,11 +1,11 @@
 //! The map's window: keys and measure above, how far it has come, the map itself.
 
-use egui::{ComboBox, Grid, Id, ProgressBar, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
+use egui::{ComboBox, Grid, Id, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
 
 use super::maps::Maps;
-use super::{field, offer};
+use super::{field, offer, progress};
 use crate::app::command::{Command, MapAxis, MapCommand, MapDraft};
-use crate::app::field::{Place, complain, number};
+use crate::app::field::{Place, number};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::scene::Scene;
@@ -32,7 +32,8 @@ pub(in crate::app) fn show(ui: &mut Ui, maps: &Maps, scene: &Scene, out: &mut Ve
         } else if maps.is_due() && !ui.input(|input| input.pointer.any_down()) {
             out.push(MapCommand::Compute.into());
         }
-        how_far(ui, maps, out);
+        let [again, cancel] = [MapCommand::Compute, MapCommand::Cancel].map(Command::from);
+        progress::show(ui, &maps.background, &text::OF_A_MAP, [again, cancel], out);
         if let Some(map) = maps.map() {
             below(ui);
             field::show(ui, maps, map, scene, out);
@@ -123,33 +124,6 @@ fn choose(ui: &mut Ui, scene: &Scene, name: &str) -> Option<String> {
     });
     ui.data_mut(|data| data.insert_temp(id, part));
     chosen
-}
-
-/// How many runs have come out, what stopped them, whether the map is the scene's.
-fn how_far(ui: &mut Ui, maps: &Maps, out: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
-        if let Some([done, all]) = maps.progress() {
-            let words = text::runs_of(done, all);
-            ui.add(ProgressBar::new(done as f32 / all.max(1) as f32).desired_width(220.0).text(words));
-            if ui.button(text::MAP_CANCEL).clicked() {
-                out.push(MapCommand::Cancel.into());
-            }
-            return;
-        }
-        let Some(map) = maps.map() else { return };
-        let [done, all] = [map.rows.len(), map.plan.runs()];
-        ui.label(RichText::new(text::runs_of(done, all)).weak());
-        if done < all || !maps.fits() {
-            let why = if maps.fits() { text::MAP_STOPPED } else { text::MAP_OF_OLD };
-            ui.label(RichText::new(why).color(Palette::of(ui).problem));
-            if ui.button(text::MAP_AGAIN).clicked() {
-                out.push(MapCommand::Compute.into());
-            }
-        }
-    });
-    for error in maps.problems().iter().flat_map(|errors| &errors.0) {
-        complain(ui, &error.to_string());
-    }
 }
 
 /// What signs mean.

@@ -1,4 +1,4 @@
-//! The runs of a map on threads of their own: coarse grids first, each run told as it comes out, to be cancelled.
+//! The runs of a sweep on threads of their own: coarse grids first, each run told as it comes out, to be cancelled.
 
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use crate::app::command::{MapAxis, MapDraft};
 use crate::app::host::Wake;
 use crate::files::Records;
 use crate::scene::{Scene, SceneErrors};
@@ -18,7 +17,7 @@ pub(super) enum News {
     Begun(Arc<Plan>),
     /// A run has come out.
     Row(Row),
-    /// The map cannot be computed.
+    /// The sweep cannot be computed.
     Refused(SceneErrors),
     /// Nothing more comes.
     Ended,
@@ -36,20 +35,28 @@ impl Drop for Job {
     }
 }
 
-/// Begins to compute a map of a scene whose records lie in `folder`.
-pub(super) fn begin(scene: Scene, draft: MapDraft, folder: PathBuf, wake: Wake) -> Job {
+/// A sweep that is asked for: `KEY=VALUES` of each key, the names of what is kept of each run.
+pub(super) struct Order {
+    pub(super) vary: Vec<String>,
+    pub(super) measures: Vec<String>,
+}
+
+/// Begins to compute a sweep of a scene whose records lie in `folder`.
+pub(super) fn begin(scene: Scene, order: Order, folder: PathBuf, wake: Wake) -> Job {
     let (send, news) = channel();
     let cancel = Arc::new(AtomicBool::new(false));
     let cancelled = cancel.clone();
     std::thread::spawn(move || {
-        let last = match plan(scene, &draft, folder) {
+        let records = Records::in_folder(folder);
+        let read = Box::new(move |scene: &mut Scene| records.complete(scene));
+        let last = match Plan::new(scene, &order.vary, &order.measures, read) {
             Ok(plan) => {
                 runs(&Arc::new(plan), &cancelled, &send);
                 News::Ended
             }
             Err(errors) => News::Refused(errors),
         };
-        // Nobody listens any more where the map is closed.
+        // Nobody listens any more where the window of the sweep is closed.
         let _ = send.send(last);
         wake();
     });
@@ -71,17 +78,4 @@ fn runs(plan: &Arc<Plan>, cancelled: &AtomicBool, send: &Sender<News>) {
         let goes_on = !cancelled.load(Ordering::Relaxed) && send.send(News::Row(row)).is_ok();
         if goes_on { Ok(()) } else { Err(()) }
     });
-}
-
-/// The sweep that a map is the picture of.
-pub(super) fn plan(scene: Scene, draft: &MapDraft, folder: PathBuf) -> Result<Plan, SceneErrors> {
-    let vary = draft.axes.each_ref().map(|axis| values(axis, draft.cells));
-    let records = Records::in_folder(folder);
-    Plan::new(scene, &vary, &[draft.measure.to_owned()], Box::new(move |scene| records.complete(scene)))
-}
-
-/// `KEY=LO..HI:N`.
-fn values(axis: &MapAxis, cells: usize) -> String {
-    let MapAxis { key, from, to, is_log } = axis;
-    format!("{key}={from:?}..{to:?}:{cells}{}", if *is_log { ":log" } else { "" })
 }

@@ -3,7 +3,7 @@
 use egui::{RichText, TextEdit, Ui};
 
 use super::{components, record_of, samples, target};
-use crate::app::command::{Command, EditCommand, FileCommand, QuakeCommand, Wish};
+use crate::app::command::{AngleCommand, Command, EditCommand, FileCommand, QuakeCommand, Wish};
 use crate::app::field::{
     CLICK, Change, Form, Look, Place, Without, act, choice_line, complain, slider_at, sliders, tag,
 };
@@ -49,13 +49,21 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) 
         Motion::Synthetic(quake) => sliders(ui, &look, quake, &[]).or(target::show(ui, look.place, quake)),
         Motion::Sweep(sweep) => sliders(ui, &look, sweep, &[]),
     };
-    if !matches!(form.scene.motion, Motion::None)
-        && ui.button(text::QUAKE_OPEN).on_hover_text(text::QUAKE_OPEN_HINT).clicked()
-    {
-        out.push(QuakeCommand::Show(true).into());
+    if !matches!(form.scene.motion, Motion::None) {
+        windows(ui, out);
     }
     if let Some(change) = kind.or(change) {
         out.push(EditCommand::Change { edit: edits::motion(new), gesture: change.gesture }.into());
+    }
+}
+
+/// What opens the windows about the motion.
+fn windows(ui: &mut Ui, out: &mut Vec<Command>) {
+    if ui.button(text::QUAKE_OPEN).on_hover_text(text::QUAKE_OPEN_HINT).clicked() {
+        out.push(QuakeCommand::Show(true).into());
+    }
+    if ui.button(text::ANGLES_OPEN).on_hover_text(text::ANGLES_OPEN_HINT).clicked() {
+        out.push(AngleCommand::Show(true).into());
     }
 }
 

@@ -57,6 +57,7 @@ fn commands(bench: &Workbench, ui: &mut Ui) -> Vec<Command> {
         panels(bench, ui, &mut out);
     }
     map::show(ui, &bench.maps, document.scene(), &mut out);
+    map::show_angles(ui, &bench.angles, document.scene(), &mut out);
     let answer = bench.replay.runner.answer().map(|answer| &**answer);
     quake::show(ui, &bench.shaking, answer, bench.replay.playback.clock.t, &mut out);
     help::show(ui, window.help, &mut out);
@@ -91,6 +92,7 @@ fn dialog_is_open(bench: &Workbench) -> bool {
 fn listen(bench: &mut Workbench, ui: &Ui) {
     bench.replay.runner.poll();
     bench.maps.poll(bench.files.document.scene());
+    bench.angles.poll(bench.files.document.scene());
     bench.shaking.follow(bench.replay.runner.answer().map(|answer| &**answer));
     bench.view.aim();
     for words in bench.tasks.ended() {
@@ -226,6 +228,7 @@ fn go_on(bench: &mut Workbench, ui: &Ui) {
     if bench.replay.runner.progress().is_some()
         || bench.tasks.films.progress().is_some()
         || bench.maps.progress().is_some()
+        || bench.angles.progress().is_some()
     {
         ui.request_repaint_after(PROGRESS);
     }

@@ -8,8 +8,8 @@ use egui::{Event, Key, Modifiers};
 
 use crate::app::bench::Folded;
 use crate::app::command::{
-    Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, Pane, PlaceCommand, SelectCommand,
-    TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
+    AngleCommand, Command, CompareCommand, EditCommand, FileCommand, MapCommand, Nudge, Pane, PlaceCommand,
+    SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
 use crate::app::time::clock::Clock;
@@ -133,6 +133,7 @@ fn plain(key: Key, modifiers: Modifiers, on: Keyboard<'_>) -> Option<Command> {
         Key::Comma => Some(Command::Time(TimeCommand::StepSpeed(-1))),
         Key::Period => Some(Command::Time(TimeCommand::StepSpeed(1))),
         Key::L => Some(Command::Time(TimeCommand::Loop(!on.clock.looping))),
+        Key::W if modifiers.shift => Some(Command::Angles(AngleCommand::Show(true))),
         Key::M if modifiers.shift => Some(Command::Map(MapCommand::Show(true))),
         Key::M => Some(Command::Time(TimeCommand::SlowAtHits(!on.clock.slow_at_hits))),
         Key::P if modifiers.shift => Some(Command::Place(PlaceCommand::AddPier)),

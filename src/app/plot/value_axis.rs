@@ -16,9 +16,8 @@ const CROWDED: f64 = 8.5 / 12.0;
 
 /// Steps for an axis in which no round one has three numbers with room between them, in parts of a power of ten. Neighbours differ
 /// by a third at most: the largest with three numbers is then more than a quarter of the axis.
-const LESS_ROUND: [f64; 21] = [
-    10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0, 0.8, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.12, 0.1,
-];
+const LESS_ROUND: [f64; 21] =
+    [10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0, 0.8, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.12, 0.1];
 
 /// Decades below the largest magnitude that a logarithmic axis shows.
 const DECADES: f64 = 6.0;

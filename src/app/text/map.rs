@@ -1,4 +1,4 @@
-//! Words of the map of a run's number over two keys.
+//! Words of what a sweep in the background shows: the map of a run's number over two keys, the angles of shaking.
 
 use super::numbers::short;
 
@@ -13,15 +13,40 @@ pub(in crate::app) const MAP_LOG: &str = "log";
 const MAP_LOG_HINT: &str = "Values grow in equal ratios; both ends need one sign";
 pub(in crate::app) const MAP_MEASURE: &str = "Shows";
 pub(in crate::app) const MAP_CELLS: &str = "Values";
-pub(in crate::app) const MAP_CANCEL: &str = "Stop the map";
-pub(in crate::app) const MAP_AGAIN: &str = "Compute the map";
-pub(in crate::app) const MAP_STOPPED: &str = "stopped";
-pub(in crate::app) const MAP_OF_OLD: &str = "of the scene as it was";
+pub(in crate::app) const SWEEP_STOPPED: &str = "stopped";
+pub(in crate::app) const SWEEP_OF_OLD: &str = "of the scene as it was";
 pub(in crate::app) const MAP_SCENE: &str = "the scene";
 pub(in crate::app) const MAP_EMPTY: &str = "no value";
 pub(in crate::app) const MAP_HINT: &str = "a click opens that run";
 pub(in crate::app) const MAP_NOT_YET: &str = "not computed yet";
 pub(in crate::app) const MAP_NO_VALUE: &str = "the run has no such value";
+
+/// What computes a sweep again, and what stops it.
+pub(in crate::app) struct Sweeping {
+    pub(in crate::app) again: &'static str,
+    pub(in crate::app) stop: &'static str,
+}
+
+pub(in crate::app) const OF_A_MAP: Sweeping = Sweeping { again: "Compute the map", stop: "Stop the map" };
+pub(in crate::app) const OF_ANGLES: Sweeping = Sweeping { again: "Compute the angles", stop: "Stop the angles" };
+
+pub(in crate::app) const ANGLES: &str = "Which way is worst?";
+pub(in crate::app) const ANGLES_OPEN: &str = "Which way is worst?…";
+pub(in crate::app) const ANGLES_OPEN_HINT: &str =
+    "Rotation, peak force and least seat over the angle of the shaking, filled while you work (Shift W)";
+pub(in crate::app) const ANGLES_STILL: &str = "The ground does not move: there is no angle to turn.";
+pub(in crate::app) const ANGLES_HINT: &str =
+    "Radius: the value. Dot: the worst. Ray: the scene. A click, or arrows and Enter, gives the scene that angle.";
+
+/// What the polar plot of a measure is called.
+pub(in crate::app) fn angles_of(measure: &str) -> String {
+    format!("{measure} by angle of shaking")
+}
+
+/// The worst angle and its value.
+pub(in crate::app) fn worst(angle: &str, value: &str) -> String {
+    format!("Worst at {angle}: {value}")
+}
 
 /// What the picture of a map is called.
 pub(in crate::app) fn map_of(measure: &str) -> String {
@@ -35,8 +60,16 @@ pub(in crate::app) fn with_unit(name: &str, suffix: &str) -> String {
 
 /// A number of a run.
 pub(in crate::app) fn measured(name: &str, value: f64, unit: &str) -> String {
-    let space = if unit.is_empty() || unit == "°" { "" } else { " " };
-    format!("{name}: {}{space}{unit}", short(value))
+    format!("{name}: {}", valued(value, unit))
+}
+
+/// A value in its unit; forces in the decimal multiple that people read.
+pub(in crate::app) fn valued(value: f64, unit: &str) -> String {
+    match unit {
+        "N" => super::force(value),
+        "" | "°" => format!("{}{unit}", short(value)),
+        _ => format!("{} {unit}", short(value)),
+    }
 }
 
 /// How many runs have come out.

@@ -348,6 +348,7 @@ pub(super) const KEYS: &[(&str, &str)] = &[
     ("P", "pin this run to compare with"),
     ("I  O  X", "play from here, play up to here, play everything"),
     ("Shift M", "map of a number of the run over two values"),
+    ("Shift W", "which way of shaking is worst"),
     ("L", "begin again at the end, or stop"),
     ("M", "slow motion around hits"),
     ("1 2 3 4", "view: iso, top, side, contact"),

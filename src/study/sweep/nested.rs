@@ -1,4 +1,4 @@
-//! Runs of a sweep over two keys from coarse to fine: nested grids, so that the whole map is seen from the first runs on.
+//! Runs of a sweep over one or two keys from coarse to fine: nested grids, so that the whole map is seen from the first runs on.
 //!
 //! The grid of stride `s` has every `s`-th value of both keys, the first among them; each stride is half of the one before,
 //! the last is 1. Each run is computed once, in the coarsest grid that has it.
@@ -8,7 +8,7 @@ use super::plan::Plan;
 /// Most steps of the coarsest grid along a key.
 const COARSEST: usize = 4;
 
-/// The grid of a plan with two keys.
+/// The grid of a plan with one or two keys; a second key of one value stands for none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nested {
     /// Values of each key.
@@ -18,10 +18,13 @@ pub struct Nested {
 }
 
 impl Nested {
-    /// The grid of a plan; none of one that has not two keys.
+    /// The grid of a plan; none of one that has neither one nor two keys.
     pub fn of(plan: &Plan) -> Option<Self> {
-        let [x, y] = plan.axes.as_slice() else { return None };
-        Some(Self::new([x.values.len(), y.values.len()]))
+        match plan.axes.as_slice() {
+            [x] => Some(Self::new([x.values.len(), 1])),
+            [x, y] => Some(Self::new([x.values.len(), y.values.len()])),
+            _ => None,
+        }
     }
 
     fn new(counts: [usize; 2]) -> Self {
@@ -62,7 +65,7 @@ mod tests {
 
     #[test]
     fn every_run_comes_once_and_coarser_grids_come_first() {
-        for counts in [[1, 1], [2, 1], [5, 5], [9, 17], [33, 33], [61, 7], [10, 4]] {
+        for counts in [[1, 1], [2, 1], [72, 1], [5, 5], [9, 17], [33, 33], [61, 7], [10, 4]] {
             let grid = Nested::new(counts);
             let order = grid.order();
             let mut sorted = order.clone();
