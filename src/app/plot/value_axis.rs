@@ -109,7 +109,7 @@ fn round([low, high]: [f64; 2], fit: f64) -> Ticks {
     let steps = [10.0, 5.0, 2.5, 2.0, 1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.025, 0.02, 0.01].map(|m| m * power);
     let Some(step) = steps.into_iter().find(|step| multiples(*step).1 >= 3.0) else { return Ticks::default() };
     // The finest that fits: a finer one has more numbers, and all of them round.
-    let fits = |finer: &f64| *finer <= step && multiples(*finer).1 <= fit.min(6.0);
+    let fits = |finer: &f64| *finer <= step && (3.0..=fit.min(6.0)).contains(&multiples(*finer).1);
     let step = steps.into_iter().rfind(fits).unwrap_or(step);
     let count = multiples(step).1;
     // Five or six in too little room: every other one is three.
