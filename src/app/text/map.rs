@@ -36,7 +36,7 @@ pub(in crate::app) const ANGLES_OPEN_HINT: &str =
     "Rotation, peak force and least seat over the angle of the shaking, filled while you work (Shift W)";
 pub(in crate::app) const ANGLES_STILL: &str = "The ground does not move: there is no angle to turn.";
 pub(in crate::app) const ANGLES_HINT: &str =
-    "Radius: the value. Dot: the worst. Ray: the scene. A click, or arrows and Enter, gives the scene that angle.";
+    "Radius: the value. Ring: the worst. Ray: the scene. A click, or arrows and Enter, gives the scene that angle.";
 
 /// What the polar plot of a measure is called.
 pub(in crate::app) fn angles_of(measure: &str) -> String {
