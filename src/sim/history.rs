@@ -299,8 +299,8 @@ impl History {
         for i in 0..=COMPARED {
             let t = end * f64::from(i) / f64::from(COMPARED);
             for body in 0..self.model.bodies.len().min(other.model.bodies.len()) {
-                let apart = self.motion(body, t).displacement - other.motion(body, t).displacement;
-                largest = largest.max(apart.length());
+                let displacement = |run: &Self| Motion::of(&run.model, body, &run.state(body, t)).displacement;
+                largest = largest.max((displacement(self) - displacement(other)).length());
             }
         }
         largest
