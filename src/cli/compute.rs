@@ -14,6 +14,9 @@ pub(super) struct Timed {
     pub(super) leads: bool,
 }
 
+/// What is said beside the time while bodies that met are computed again.
+const AGAIN: &str = ", again with contact between bodies that met";
+
 /// Runs a scene by every model that it asks for, each timed for itself, the one that leads first; never empty.
 pub(super) fn compute(scene: &Scene) -> Result<Vec<Timed>, SceneErrors> {
     let run = |(number, &kind): (usize, &ModelKind)| {
@@ -30,7 +33,7 @@ pub(super) fn compute_as_asked(scene: &Scene) -> Result<Timed, SceneErrors> {
     let mut progress = Progress::over(scene.duration, "s");
     let mut session = Session::new(scene)?;
     session.advance(scene.duration, &mut |reached| {
-        progress.show(reached.t);
+        progress.show_of(reached.t, if reached.met > 0 { AGAIN } else { "" });
         true
     });
     let history = session.finish();

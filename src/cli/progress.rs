@@ -43,6 +43,11 @@ impl Progress {
 
     /// Shows that the work has come to `reached`.
     pub(super) fn show(&mut self, reached: f64) {
+        self.show_of(reached, "");
+    }
+
+    /// The same, with more words.
+    pub(super) fn show_of(&mut self, reached: f64, words: &str) {
         if self.bar.is_none() && self.started.seconds() > PATIENCE.as_secs_f64() {
             self.bar = Some(new_bar());
         }
@@ -50,7 +55,7 @@ impl Progress {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in 0..=PARTS")]
             bar.set_position((reached / self.whole * PARTS).clamp(0.0, PARTS) as u64);
             let digits = if reached.fract() == 0.0 { 0 } else { 3 };
-            bar.set_message(format!("{reached:.digits$} of {} {}", self.whole, self.unit));
+            bar.set_message(format!("{reached:.digits$} of {} {}{words}", self.whole, self.unit));
         }
     }
 

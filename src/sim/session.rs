@@ -39,6 +39,8 @@ pub struct Reached {
     pub events: usize,
     /// How many steps of integrators were taken.
     pub steps: u64,
+    /// How many times two bodies have met that no contact joined: after each the run began anew, with contact between them.
+    pub met: usize,
 }
 
 impl Session {
@@ -90,7 +92,7 @@ impl Session {
                 from + (until - from) * f64::from(portion) / f64::from(PORTIONS)
             };
             self.work(t);
-            if !go_on(Reached { t, events: self.events(), steps: self.steps() }) {
+            if !go_on(Reached { t, events: self.events(), steps: self.steps(), met: self.met.len() }) {
                 return false;
             }
         }
