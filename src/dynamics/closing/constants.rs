@@ -14,3 +14,9 @@ pub(in crate::dynamics) const STEP_SAMPLES: usize = 5;
 pub(in crate::dynamics) const CUT_SEARCH_WORK: usize = 5_000;
 /// Horizon of one search in flight under a record, in sampling intervals \[–\]. Tuned.
 pub(in crate::dynamics) const RECORD_SAMPLES_PER_SEARCH: f64 = 64.0;
+
+/// Half of the distance of bodies that have met, in parts of the smallest side of either, within which all their pairs are searched
+/// \[–\]. Tuned: a search of all pairs has its own advances from there, which end at the touch.
+pub(in crate::dynamics) const NEAR: f64 = 1e-3;
+/// Most advances by the distance of two bodies in one search.
+pub(in crate::dynamics) const PARTED_ADVANCES: usize = 64;

@@ -6,7 +6,7 @@
 
 use crate::dynamics::closing::constants::CLOSING_INTERVAL;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
-use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error, resolution};
+use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error};
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
 use crate::dynamics::model::edge_node::{Edge, EdgeEnds};
 use crate::dynamics::world::World;
@@ -27,6 +27,9 @@ pub(super) fn search(
         let [node, face] = samples.sides(world, contact, i);
         edge.ends(node, face)
     };
+    if edge.is_of_met() && !edge.may_belong(samples.sides(world, contact, 0), samples.turned(world)) {
+        return (None, None);
+    }
     let before = ends_at(samples, 0);
     let arms = levers(world, contact, samples);
     let slots = world.contacts[contact].slots;
@@ -66,7 +69,7 @@ fn with_sense(
     };
     let before = ends_at(samples, 0);
     let slots = world.contacts[contact].slots;
-    let resolution = resolution(world, contact, t) * edge.amplification(&before).max(1.0);
+    let resolution = samples.resolution(world, contact) * edge.amplification(&before).max(1.0);
     let [gap, rate] = edge.gap(&before, sense);
     let error = rate_error(world, contact, samples.sides(world, contact, 0)) * edge.amplification(&before).max(1.0);
     let closes_now = armed && gap.abs() <= resolution && rate < -error;
@@ -76,7 +79,7 @@ fn with_sense(
     // A gap that is negative, or falls through 0 now beside the edges, was passed over.
     let armed = armed && gap >= -resolution && !closes_now;
     let pair = world.pairs[world.contacts[contact].pair].slots;
-    let bounds = GapCurvature::of(world, pair, t, until);
+    let bounds = *samples.bounds(world);
     let node = usize::from(slots[0] == pair[1]);
     let bound = |bounds: &GapCurvature, here: &EdgeEnds, stretch: f64| {
         let motion = [bounds.speed_on_face(node, arms, stretch), bounds.curvature(node, arms, stretch)];

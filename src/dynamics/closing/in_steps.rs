@@ -1,9 +1,10 @@
 //! The first closing of a pair within planned steps: subdivision with a bound on the gap's second derivative.
 
-use crate::contact::{Local, gap, locate};
+use crate::contact::gap;
 use crate::dynamics::closing::constants::{CLOSING_INTERVAL, STEP_SAMPLES};
 use crate::dynamics::closing::edge_in_step;
 use crate::dynamics::closing::gap_curvature::GapCurvature;
+use crate::dynamics::closing::shared::Shared;
 use crate::dynamics::closing::step_samples::{StepSamples, excursion, rate_error, resolution};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::positive_again::is_positive_again;
@@ -14,7 +15,7 @@ use crate::dynamics::world::tracks::PairTrack;
 
 /// Searches the first closing of a pair from `t` to `until`, the end of the first planned step; enters the closing of
 /// each contact and returns the first, infinite without one \[s\].
-pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until: f64) -> f64 {
+pub(in crate::dynamics) fn search(world: &mut World, pair: usize, [t, until]: [f64; 2], shared: &mut Shared) -> f64 {
     let contacts = world.pairs[pair].contacts.clone();
     for contact in contacts.clone() {
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
@@ -22,15 +23,16 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
     if contacts.clone().all(|c| world.contacts[c].state.closed().is_some()) {
         return f64::INFINITY;
     }
-    let mut samples = StepSamples::begin(world, pair, t, until);
-    let corners_stay = cannot_close(world, pair, &samples);
+    let samples = shared.samples(world, pair, [t, until]);
+    let corners_stay = cannot_close(world, pair, samples);
     // A crossing in the plane of the face has an end of its edge, a corner, behind that plane.
     let edges_stay = corners_stay
         && contacts.clone().all(|c| is_edge(world, c) || world.contacts[c].state == Contact::Open { armed: true });
     if corners_stay && edges_stay {
         return f64::INFINITY;
     }
-    let moved = if edges_stay { [0.0; 2] } else { edges_moved(world, pair, &samples) };
+    let moved = if edges_stay { [0.0; 2] } else { edges_moved(world, pair, samples) };
+    let edges_stay = edges_stay || faces_look_elsewhere(world, pair, samples);
     let mut first = f64::INFINITY;
     for contact in contacts {
         let edge = world.model.contacts[world.contacts[contact].site].edge.as_deref();
@@ -41,7 +43,7 @@ pub(in crate::dynamics) fn search(world: &mut World, pair: usize, t: f64, until:
         }
         let search = if is_edge { edge_in_step::search } else { in_step };
         let (closing, out) =
-            open(world, contact, t).map_or((None, None), |armed| search(world, contact, &mut samples, armed));
+            open(world, contact, t).map_or((None, None), |armed| search(world, contact, samples, armed));
         (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (closing, out);
         first = first.min(closing.unwrap_or(f64::INFINITY));
     }
@@ -61,6 +63,18 @@ fn edges_moved(world: &World, pair: usize, samples: &StepSamples) -> [f64; 2] {
     let on: f64 = bodies().map(|slot| excursion(world, slot, arm + moved, t, until)).sum();
     // The excursion at a lever is at least the rotation times the lever.
     [moved + on, turned + on / arm]
+}
+
+/// Whether no crossing of a pair of bodies that have met can belong to its two faces until the last sample time: they do not look at
+/// each other.
+fn faces_look_elsewhere(world: &World, pair: usize, samples: &StepSamples) -> bool {
+    let contacts = world.pairs[pair].contacts.clone();
+    let Some((last, edge)) =
+        contacts.last().and_then(|last| Some((last, world.model.contacts[world.contacts[last].site].edge.as_deref()?)))
+    else {
+        return false;
+    };
+    edge.looks_elsewhere(samples.sides(world, last, 0), samples.turned(world))
 }
 
 fn is_edge(world: &World, contact: usize) -> bool {
@@ -102,7 +116,7 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
         let ends = edge.ends(&world.side(contact, 0, t), &world.side(contact, 1, t));
         edge.gap(&ends, ends.sense())
     } else {
-        let here = local_at(world, contact, t);
+        let here = world.local(contact, t);
         [here.gap, here.gap_rate]
     };
     let out = is_positive_again(gap, rate, t, resolution(world, contact, t));
@@ -110,11 +124,6 @@ fn open(world: &mut World, contact: usize, t: f64) -> Option<bool> {
         world.contacts[contact].state = Contact::Open { armed: true };
     }
     Some(out)
-}
-
-fn local_at(world: &World, contact: usize, t: f64) -> Local {
-    let site = &world.model.contacts[world.contacts[contact].site];
-    locate(&site.home, &world.side(contact, 0, t), &world.side(contact, 1, t))
 }
 
 /// Closing of a contact, and time from which it is armed if it was not \[s\], where a body is in a planned step: from
@@ -143,7 +152,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
     }
     let node = usize::from(track.slots[0] == samples.slots[1]);
     let slots = samples.slots;
-    let bounds = GapCurvature::of(world, slots, t, until);
+    let bounds = *samples.bounds(world);
     let span = until - t;
     // Over the whole step the distance of the node from the face's G is at most its distance at the start plus its
     // excursion.
@@ -159,7 +168,7 @@ fn in_step(world: &World, contact: usize, samples: &mut StepSamples, armed: bool
             return curvature_bound;
         }
         let part = GapCurvature::of(world, slots, from.t, to);
-        let arms = world.model.contacts[track.site].levers(&local_at(world, contact, from.t));
+        let arms = world.model.contacts[track.site].levers(&world.local(contact, from.t));
         if part.holds(to - from.t) { part.curvature(node, arms, to - from.t) } else { f64::INFINITY }
     };
     let site = &world.model.contacts[track.site];

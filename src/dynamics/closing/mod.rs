@@ -10,4 +10,5 @@ pub(in crate::dynamics) mod in_flight;
 pub(in crate::dynamics) mod in_steps;
 pub(in crate::dynamics) mod link_closing;
 pub mod next_closing;
+pub(in crate::dynamics) mod shared;
 mod step_samples;

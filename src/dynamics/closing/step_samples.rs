@@ -1,7 +1,10 @@
 //! Poses of a pair's bodies at the sample times of a planned step, and the errors and excursions of their contacts.
 
+use std::cell::OnceCell;
+
 use crate::contact::{Frame, Local, gap, locate};
 use crate::dynamics::closing::constants::{SPEED_ROUNDING, STEP_SAMPLES};
+use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::GapSample;
 use crate::dynamics::world::World;
@@ -26,6 +29,8 @@ pub(super) struct StepSamples {
     others: Vec<[Frame; 2]>,
     pub slots: [Option<usize>; 2],
     sections: [usize; 2],
+    turned: OnceCell<f64>,
+    bounds: OnceCell<GapCurvature>,
 }
 
 impl StepSamples {
@@ -34,7 +39,15 @@ impl StepSamples {
         let PairTrack { slots, sections, .. } = world.pairs[pair];
         let part = |i: usize| (until - t) * i as f64 / (STEP_SAMPLES - 1) as f64;
         let times = std::array::from_fn(|i| if i == STEP_SAMPLES - 1 { until } else { t + part(i) });
-        Self { times, first: Self::frames(world, slots, sections, t), others: Vec::new(), slots, sections }
+        let first = Self::frames(world, slots, sections, t);
+        Self { times, first, others: Vec::new(), slots, sections, turned: OnceCell::new(), bounds: OnceCell::new() }
+    }
+
+    /// Whether these are the poses of a pair's bodies in the planned step from `t` to `until`.
+    pub(super) fn are_of(&self, world: &World, pair: usize, [t, until]: [f64; 2]) -> bool {
+        let PairTrack { slots, sections, .. } = world.pairs[pair];
+        let own = (self.slots, self.sections, self.times[0], self.times[STEP_SAMPLES - 1]);
+        own == (slots, sections, t, until)
     }
 
     /// Computes the poses of the other sample times.
@@ -62,6 +75,29 @@ impl StepSamples {
         let track = &world.contacts[contact];
         let site = &world.model.contacts[track.site];
         track.slots.map(|slot| if slot.is_some() { self.side(slot, i) } else { &site.stand })
+    }
+
+    /// Bounds on the motion of the two bodies over the step, the same for all their contacts.
+    pub(super) fn bounds(&self, world: &World) -> &GapCurvature {
+        let of_step = || GapCurvature::of(world, self.slots, self.times[0], self.times[STEP_SAMPLES - 1]);
+        self.bounds.get_or_init(of_step)
+    }
+
+    /// Bound on the rotation of the two bodies together within the step \[rad\].
+    pub(super) fn turned(&self, world: &World) -> f64 {
+        // The excursion at a lever is at least the rotation times the lever.
+        let turned = |slot: usize| {
+            let arm = world.model.bodies[world.bodies[slot].body].radius;
+            excursion(world, slot, arm, self.times[0], self.times[STEP_SAMPLES - 1]) / arm
+        };
+        *self.turned.get_or_init(|| self.slots.into_iter().flatten().map(turned).sum())
+    }
+
+    /// Depth of an excursion of the gap below zero that is round-off at the first sample time \[m\].
+    pub(super) fn resolution(&self, world: &World, contact: usize) -> f64 {
+        let track = &world.contacts[contact];
+        let moved: f64 = track.slots.into_iter().flatten().map(|slot| self.side(Some(slot), 0).shift.length()).sum();
+        RESOLUTION * (track.geometry.size + moved)
     }
 
     pub(super) fn local(&self, world: &World, contact: usize, i: usize) -> Local {

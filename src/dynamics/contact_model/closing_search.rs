@@ -1,10 +1,12 @@
 //! Times of the next closings of pairs and of the next beginnings of devices' forces, entered in the queue.
 
 use crate::dynamics::closing::found::NextClosing;
+use crate::dynamics::closing::shared::Shared;
 use crate::dynamics::closing::{link_closing, next_closing};
 use crate::dynamics::contact_model::event_source::EventSource;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Apart;
 
 /// Searches on the present trajectories of a group of bodies.
 pub(in crate::dynamics) struct ClosingSearch<'a> {
@@ -18,8 +20,9 @@ impl ClosingSearch<'_> {
     /// Searches from `t` on the next closing of every pair and the next beginning of every link's force of these
     /// bodies.
     pub(in crate::dynamics) fn around(&mut self, slots: &[usize], t: f64) {
+        let mut shared = Shared::default();
         for pair in self.world.pairs_of(slots) {
-            self.pair(pair, t);
+            self.pair_among(pair, t, &mut shared);
         }
         // A device whose force acts is not in the queue: its island finds the end of the phase.
         for link in self.world.links_of(slots) {
@@ -31,7 +34,17 @@ impl ClosingSearch<'_> {
 
     /// Searches the next closing of a pair from `t` on.
     pub(in crate::dynamics) fn pair(&mut self, number: usize, t: f64) {
-        let found = next_closing::search(self.world, number, t);
+        let mut shared = Shared::default();
+        // While bodies that have met stand apart their first pair is searched for all.
+        let all = if self.world.leads(number) { self.world.meeting_of(number) } else { number..number + 1 };
+        let apart = |&other: &usize| other == number || self.world.pairs[other].apart == Apart::Idle;
+        for pair in all.filter(apart).collect::<Vec<_>>() {
+            self.pair_among(pair, t, &mut shared);
+        }
+    }
+
+    fn pair_among(&mut self, number: usize, t: f64, shared: &mut Shared) {
+        let found = next_closing::search(self.world, number, t, shared);
         self.enter(EventSource::Pair(number), found);
     }
 

@@ -4,9 +4,12 @@
 //! convex bodies that overlap, the face of the least overlap is the shortest way out (separating axes, of the faces' normals). A
 //! contact that carries an overlap otherwise carries it along a way that is longer.
 
+use glam::DVec3;
+
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::at_instant::AtInstant;
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::world::contact_points;
 use crate::scene::facing::{Side, SolidId};
 
 /// Depths are alike up to this ratio. Chosen: of ends that stand flush they differ by the angle between them alone.
@@ -46,6 +49,53 @@ impl AtInstant<'_> {
         faces.into_iter().map(|(_, deepest)| deepest).collect()
     }
 
+    /// Depth of the least overlap of a contact's two bodies: of that by their faces \[m\] and those along the normals of edge nodes in
+    /// contact between them.
+    fn least_depth(&self, contact: usize, by_faces: f64) -> f64 {
+        let edges = self
+            .between(contact)
+            .filter(|&c| self.site(c).edge.is_some() && self.world.contacts[c].state.closed().is_some());
+        edges.filter_map(|c| self.along_normal(c)).fold(by_faces, f64::min)
+    }
+
+    /// Overlap of the two bodies of a contact along its normal \[m\]; `None` where they have not met in space.
+    fn along_normal(&self, contact: usize) -> Option<f64> {
+        self.along(contact, self.normal(contact))
+    }
+
+    /// Overlap of the two bodies of a contact along a unit vector outward of its face's body \[m\].
+    fn along(&self, contact: usize, normal: DVec3) -> Option<f64> {
+        let track = &self.world.contacts[contact];
+        let pair = &self.world.pairs[track.pair];
+        let meeting = &self.world.model.meetings[pair.meeting?];
+        let [node, face] = self.sides(contact);
+        let of_first = track.slots[0] == pair.slots[0];
+        let (out, poses) = if of_first { (1, [&node, &face]) } else { (0, [&face, &node]) };
+        Some(meeting.overlap_along(normal, out, poses))
+    }
+
+    /// Whether two edges that are `depth` \[m\] across each other at a place are where the bodies part along their normal: they overlap
+    /// along it by [`ALIKE`].
+    pub(in crate::dynamics) fn parts_along(&self, contact: usize, place: &NodePlace, depth: f64) -> bool {
+        let rounding = self.edge(contact).map_or(0.0, Edge::tolerance);
+        let overlap = self.along(contact, self.sides(contact)[1].turn(place.normal));
+        overlap.is_none_or(|overlap| overlap <= ALIKE * depth + rounding)
+    }
+
+    /// The least overlap of a contact's two bodies along the common perpendicular of two edges that are across each other without a
+    /// contact.
+    fn across_edges(&self, contact: usize) -> Option<LeastOverlap> {
+        let across = |c: usize| {
+            let edge = self.edge(c).filter(|edge| edge.is_of_met())?;
+            let is_open = self.world.contacts[c].state.closed().is_none();
+            let crossing = is_open.then(|| contact_points::crossing(self.world, c, &|c| self.sides(c)))??;
+            let normal = self.sides(c)[1].turn(edge.place(&crossing).normal);
+            Some(LeastOverlap { contact: c, depth: self.along(c, normal)? })
+        };
+        let all = self.between(contact).filter_map(across).filter(|across| across.depth > 0.0);
+        all.min_by(|a, b| a.depth.total_cmp(&b.depth))
+    }
+
     /// The contact by which a node that comes inside another body is in it; `None` where the overlap of the two bodies is
     /// carried by others.
     ///
@@ -66,21 +116,24 @@ impl AtInstant<'_> {
         };
         let from_beside = overlaps.iter().filter(of_entered).find_map(|o| self.of_node(contact, o.contact));
         let depth = |other: &usize| self.local(*other).penetration();
-        let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= ALIKE * least.depth;
+        let least = self.least_depth(contact, least.depth);
+        let is_alike = |other: &usize| depth(other) > 0.0 && depth(other) <= ALIKE * least;
         match from_beside.filter(is_alike) {
             Some(other) => Some(other),
-            None => (!self.is_carried_beside(contact, least.depth)).then_some(contact),
+            None => (!self.is_carried_beside(contact, least)).then_some(contact),
         }
     }
 
     /// Whether a node inside another body at t = 0, which came through no face, is in it by this contact: of bodies whose faces all
     /// touch, by a face along that of the least overlap, and not by the one behind it.
     pub(in crate::dynamics) fn begins_inside_by(&self, contact: usize) -> bool {
-        if self.site(contact).around.is_none() {
+        let is_edge = self.edge(contact).is_some_and(Edge::is_of_met);
+        if self.site(contact).around.is_none() && !is_edge {
             return true;
         }
         let least = self.overlaps(contact).first().map_or(0.0, |least| least.depth);
-        self.local(contact).penetration() <= ALIKE * least && self.entered_by(contact) == Some(contact)
+        let alike = self.local(contact).penetration() <= ALIKE * least;
+        alike && (is_edge || self.entered_by(contact) == Some(contact))
     }
 
     /// Whether the normals of two contacts' faces are along one line, to [`ALONG`].
@@ -90,13 +143,19 @@ impl AtInstant<'_> {
     }
 
     /// The contact that takes over where a node leaves its face over an edge while the two bodies overlap and no other contact
-    /// carries that: of the least overlap, the node's own one included, or of one [`ALIKE`] whose node is inside its face.
+    /// carries that: of the least overlap, the node's own one included, or of one [`ALIKE`] whose node is inside its face. In space
+    /// that can be along the common perpendicular of two edges.
     pub(in crate::dynamics) fn takes_over(&self, contact: usize) -> Option<LeastOverlap> {
-        self.site(contact).around?;
+        if self.site(contact).around.is_none() && !self.edge(contact).is_some_and(Edge::is_of_met) {
+            return None;
+        }
         let overlaps = self.overlaps(contact);
         let least = *overlaps.first().filter(|least| least.depth > 0.0)?;
-        if self.is_carried_beside(contact, least.depth) {
+        if self.is_carried_beside(contact, self.least_depth(contact, least.depth)) {
             return None;
+        }
+        if let Some(across) = self.across_edges(contact).filter(|across| across.depth < least.depth) {
+            return (!self.is_carried_beside(contact, across.depth)).then_some(across);
         }
         let inside = |other: &&LeastOverlap| {
             let is_before = self.site(other.contact).beyond(&NodePlace::default(), &self.local(other.contact)) < 0.0;

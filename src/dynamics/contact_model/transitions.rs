@@ -236,6 +236,7 @@ impl Transitions<'_> {
     pub(in crate::dynamics) fn change(&mut self, contact: usize, reason: Reason) {
         let Some(closed) = self.world.contacts[contact].state.closed().copied() else { return };
         match reason {
+            Reason::Opening if self.stays_across(contact, closed) => {}
             Reason::Opening => self.open(contact, &closed, EventKind::Opened),
             Reason::Edge if self.follow(contact, closed) => {}
             Reason::Edge => self.leave(contact, closed),
@@ -265,11 +266,12 @@ impl Transitions<'_> {
         // Where the pair faces each other, the vertex may have another node by now.
         let open = open && !self.at().is_carried_beside(contact, least.depth);
         if open && !self.at().touches_elsewhere(least.contact) {
+            self.place(least.contact, 0.0);
             self.close_inside(least.contact, 2.0 * least.depth);
         }
     }
 
-    fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
+    pub(super) fn open(&mut self, contact: usize, closed: &ClosedContact, kind: EventKind) {
         self.world.contacts[contact].place = closed.place;
         let (.., here) = self.at().since(contact, &self.now.since);
         let released = closed.law.strain(&here, &closed.forces(&here));

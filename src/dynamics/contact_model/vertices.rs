@@ -4,16 +4,20 @@
 
 use glam::DVec2;
 
-use crate::contact::{Local, Mode, NormalLaw};
+use crate::contact::{Local, Mode, NormalLaw, locate};
 use crate::dynamics::ContactSite;
 use crate::dynamics::contact_model::contact_law;
 use crate::dynamics::contact_model::transitions::Transitions;
-use crate::dynamics::model::edge_node::NodePlace;
+use crate::dynamics::model::edge_node::{Edge, NodePlace};
 use crate::dynamics::penalty3d::contact_force::to_world;
 use crate::dynamics::penalty3d::contact_state::{ClosedContact, Contact};
 use crate::dynamics::record::event::EventKind;
 use crate::dynamics::world::contact_points;
 use crate::scene::Sharing;
+
+/// Sine of the angle up to which two faces of bodies that have met are flush \[–\]: 10°. Chosen: forces of a vertex turn by less where
+/// one node hands it to another.
+const FLUSH: f64 = 0.174;
 
 /// What the nodes of a vertex have together.
 struct Carried {
@@ -26,17 +30,61 @@ struct Carried {
 }
 
 impl Transitions<'_> {
-    /// Moves an edge node that the slide has parted from the crossing to the present one; whether there is a crossing.
+    /// Moves an edge node that the slide has parted from the crossing to the present one; whether there is a crossing, of bodies that
+    /// have met one along whose normal they part.
     pub(super) fn follow(&mut self, contact: usize, closed: ClosedContact) -> bool {
         let here = self.here(contact);
         let depth = self.site(contact).face.depth;
         let slid = self.at().edge(contact).is_some_and(|edge| edge.has_slid(here.at)) && here.penetration() < depth;
-        let kept = closed.place.overhang;
-        let Some(place) = self.crossing(contact, kept).filter(|_| slid) else { return false };
-        let place = NodePlace { overhang: place.overhang.max(kept), ..place };
-        let before = closed.law.strain(&here, &closed.forces(&here));
-        self.enter(contact, (closed, EventKind::Moved), (place, here.penetration(), stretch(&closed, &here)), before);
+        if !slid {
+            return false;
+        }
+        let Some(place) = self.present_place(contact, &closed) else { return false };
+        let across = self.across(contact, &place);
+        if across.is_some_and(|depth| depth <= 0.0) {
+            self.open(contact, &closed, EventKind::Opened);
+            return true;
+        }
+        if across.is_some_and(|depth| !self.at().parts_along(contact, &place, depth)) {
+            return false;
+        }
+        self.go_on_at(contact, closed, (place, across.unwrap_or(here.penetration())));
         true
+    }
+
+    /// Goes on with an edge node of bodies that have met that is open by the normal of its last move, while the edges are across each
+    /// other by the present one; whether they are.
+    pub(super) fn stays_across(&mut self, contact: usize, closed: ClosedContact) -> bool {
+        let Some(place) = self.present_place(contact, &closed) else { return false };
+        let least = self.at().edge(contact).map_or(0.0, Edge::tolerance);
+        let Some(depth) = self.across(contact, &place).filter(|depth| *depth > least) else { return false };
+        if !self.at().parts_along(contact, &place, depth) {
+            return false;
+        }
+        self.go_on_at(contact, closed, (place, depth));
+        true
+    }
+
+    /// The present place of an edge node in state `closed`.
+    fn present_place(&self, contact: usize, closed: &ClosedContact) -> Option<NodePlace> {
+        let kept = closed.place.overhang;
+        let place = self.crossing(contact, kept)?;
+        Some(NodePlace { overhang: place.overhang.max(kept), ..place })
+    }
+
+    /// How deep the edges are across each other at a place, along their common perpendicular there \[m\]; `None` for a node of facing
+    /// ends, which keeps its penetration.
+    fn across(&self, contact: usize, place: &NodePlace) -> Option<f64> {
+        self.at().edge(contact).filter(|edge| edge.is_of_met())?;
+        let [node, face] = self.at().sides(contact);
+        Some(locate(&self.site(contact).home_at(place), &node, &face).penetration())
+    }
+
+    /// Goes on with an edge node at another place, in another penetration \[m\].
+    fn go_on_at(&mut self, contact: usize, closed: ClosedContact, (place, depth): (NodePlace, f64)) {
+        let here = self.here(contact);
+        let before = closed.law.strain(&here, &closed.forces(&here));
+        self.enter(contact, (closed, EventKind::Moved), (place, depth, stretch(&closed, &here)), before);
     }
 
     /// Hands the part of a vertex in K and C that a node has left over an edge, in state `closed`, to the nodes that
@@ -46,8 +94,15 @@ impl Transitions<'_> {
         if pair.edges.is_empty() {
             return;
         }
+        // Faces of bodies that have met may stand at any angle. Those that are not flush have no vertex in common: every node has a
+        // penetration of its own.
+        let tilt = self.tilt(contact);
+        let have_met = self.world.pairs[self.world.contacts[contact].pair].meeting.is_some();
+        if have_met && tilt > FLUSH {
+            return;
+        }
         // Faces that are not parallel see a vertex at places that differ by the depth times the sine of their angle.
-        let apart = self.here(contact).penetration().max(0.0) * self.tilt(contact);
+        let apart = self.here(contact).penetration().max(0.0) * tilt;
         let reaches = [[0.0, 0.0], [apart, 0.0], [apart, apart]].into_iter();
         let Some(([nodes, gone], beside)) = reaches
             .map(|reach| (self.at_vertex_of(contact, reach), reach[1]))

@@ -6,6 +6,7 @@ use crate::contact::law_of_pair;
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing, carry};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Backwall, Model};
+use crate::dynamics::model::met_solids::meetings;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
@@ -60,9 +61,11 @@ impl Model {
         }
         for (number, pair) in pairs.iter_mut().enumerate() {
             let from = contacts.len();
-            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, pair.met), &mut contacts)?;
+            let have_met = met.binary_search(&[pair.first.solid(), pair.second.solid()]).is_ok();
+            edge_sites::edge_nodes(scene, &bodies, [pair.first, pair.second], (number, have_met), &mut contacts)?;
             pair.edges = from..contacts.len();
         }
+        let meetings = meetings(scene, &bodies, &met)?;
         let mut model = Self {
             kind: scene.kind,
             duration: scene.duration,
@@ -78,6 +81,7 @@ impl Model {
             flexible,
             pairs,
             contacts,
+            meetings,
             links,
             devices: Vec::new(),
             groups: Vec::new(),

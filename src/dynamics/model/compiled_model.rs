@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::dynamics::connection::Link;
 use crate::dynamics::model::body::Body;
 use crate::dynamics::model::flexible::Flexible;
+use crate::dynamics::model::meeting::Meeting;
 use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::motion::Ground;
 use crate::scene::facing::{self, Side, SolidId};
@@ -63,6 +64,8 @@ pub struct Model {
     pub pairs: Vec<Pair>,
     /// Declared nodes and faces: corners in the order of the pairs, then edge nodes.
     pub contacts: Vec<ContactSite>,
+    /// Bodies that have met; between them every face has a pair.
+    pub meetings: Vec<Meeting>,
     /// Links: devices between two points.
     pub links: Vec<Link>,
     /// Devices of the scene, in the order of [`Scene::devices`](crate::scene::Scene::devices).

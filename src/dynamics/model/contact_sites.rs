@@ -8,7 +8,8 @@ use glam::{DMat3, DVec3};
 use crate::contact::{Frame, Home};
 use crate::dynamics::model::backwall;
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::pair::{ContactSite, CornerFaces};
+use crate::dynamics::model::face_choice::FaceChoice;
+use crate::dynamics::model::pair::ContactSite;
 use crate::geometry::shape::block_behind;
 use crate::geometry::{End, Face, Prism};
 use crate::scene::facing::{Facing, Flank, Rear, Side, SolidId};
@@ -104,16 +105,26 @@ fn level(bodies: &[Body], side: &PairSide) -> f64 {
     height(bodies, side, side.face.corners.iter().sum::<DVec3>() / 4.0)
 }
 
-/// The faces that meet in a corner of a side's body.
-fn corner_faces(scene: &Scene, bodies: &[Body], own: &PairSide, corner: usize) -> Result<CornerFaces, SceneErrors> {
+/// The face of a side among those that meet in a corner of its body.
+fn corner_faces(scene: &Scene, bodies: &[Body], own: &PairSide, corner: usize) -> Result<FaceChoice, SceneErrors> {
+    face_choice(scene, bodies, own, |side| side.corners().contains(&corner))
+}
+
+/// The face of a side among those of its body that `count`.
+pub(super) fn face_choice(
+    scene: &Scene,
+    bodies: &[Body],
+    own: &PairSide,
+    count: impl Fn(&Side) -> bool,
+) -> Result<FaceChoice, SceneErrors> {
     let axes = placed_at(bodies, own).1;
     let mut others = Vec::new();
-    for side in Side::of(scene.kind, own.side.solid()) {
-        if side != own.side && side.corners().contains(&corner) {
+    for side in Side::of(scene.kind, own.side.solid()).into_iter().filter(count) {
+        if side != own.side {
             others.push((axes * facade(scene, bodies, side)?.face.normal, own.side < side));
         }
     }
-    Ok(CornerFaces { own: axes * own.face.normal, others })
+    Ok(FaceChoice { own: axes * own.face.normal, others })
 }
 
 /// Outward unit normals, in the face's axes, of the faces along the sides of the face's polygon, from corner a on; in plan, of

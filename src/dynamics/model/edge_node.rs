@@ -12,15 +12,26 @@
 //! with the sign of `d₁ − d₀`. Its zeros are those of the distance of the two lines, and its second derivative is
 //! bounded by those of the four distances.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::contact::parameters::edge_slack;
 use crate::contact::{Frame, Home, Local, locate};
+use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::Face;
 
 /// Least sine of the angle between an edge and a side that it crosses \[–\]: 30°. Edges closer to parallel
 /// cross anywhere along their length at the least roll, and bound a sliver only.
 const LEAST_SINE: f64 = 0.5;
+
+/// The same of bodies that have met \[–\]: closer to parallel the common perpendicular is not determined well. Chosen.
+const LEAST_SINE_ACROSS: f64 = 0.02;
+
+/// Sine of the angle between two edges of bodies that have met, times that of the angle between their normal and the nearer face's, up
+/// to which edges closer to parallel than [`LEAST_SINE`] bound a sliver \[–\]: a corner comes in before they are pressed by this part
+/// of half their length. Chosen: [`LEAST_SINE_ACROSS`] at 10°.
+const SLIVER: f64 = 3.5e-3;
 
 /// Least cosine of the angle between the common perpendicular and the normal of either face \[–\]: 45°. Edges with another one
 /// belong to faces beside these, as those of two level tops that cross in plan.
@@ -70,6 +81,9 @@ pub struct Edge {
     sine: f64,
     /// Whether the side, an edge of the other body, has a node at the crossing as well.
     shared: bool,
+    /// The face that the edge bounds among those of its body, and the facing face among those of the other: of bodies that have met,
+    /// where an edge is in a pair for each of its faces with each of the other edge's.
+    faces: Option<Arc<[FaceChoice; 2]>>,
 }
 
 /// Both ends of an edge relative to the face.
@@ -128,6 +142,7 @@ impl Edge {
             clear: 0.0,
             sine: 0.0,
             shared: false,
+            faces: None,
         };
         edge.sine = edge.span.cross(edge.along()).length() / edge.length();
         edge.clear = edge.beside(&edge.ends(node, stand));
@@ -137,6 +152,57 @@ impl Edge {
     /// The same with a node of the side at the crossing as well, or not.
     pub(in crate::dynamics) fn with_other(self, shared: bool) -> Self {
         Self { shared, ..self }
+    }
+
+    /// The same of bodies that have met, with the two faces among those of their bodies.
+    pub(in crate::dynamics) fn among(self, faces: Option<Arc<[FaceChoice; 2]>>) -> Self {
+        Self { faces, ..self }
+    }
+
+    /// Whether it is of bodies that have met, between which every face can touch.
+    pub(in crate::dynamics) fn is_of_met(&self) -> bool {
+        self.faces.is_some()
+    }
+
+    /// Whether a crossing can belong to the two faces of bodies that have met while either turns relative to the other by at most
+    /// `turned` \[rad\]: the common perpendicular turns by no more than that over the sine of the angle between edge and side.
+    pub(in crate::dynamics) fn may_belong(&self, [node, face]: [&Frame; 2], turned: f64) -> bool {
+        let Some([own, facing]) = self.faces.as_deref() else { return true };
+        let seen = |own: DVec3| {
+            let own = node.turn(own);
+            own + face.turned.transpose() * own
+        };
+        let across = seen(self.span).cross(self.along());
+        let sine = across.length() / self.length();
+        if sine + turned < LEAST_SINE_ACROSS {
+            return false;
+        }
+        let normal = across.normalize_or_zero() * across.dot(facing.own).signum();
+        let slack = 2.0 * turned / sine;
+        own.may_be_opposed_most(seen, normal, slack) && facing.may_be_opposed_most(|normal| normal, -normal, slack)
+    }
+
+    /// Whether a crossing belongs to the two faces: of facing ends where its normal is within 45° of the normals of both, of bodies
+    /// that have met where of all faces of either body these two look along it the most.
+    pub(in crate::dynamics) fn is_between_faces(&self, crossing: &Crossing, [node, face]: [&Frame; 2]) -> bool {
+        let seen = |own: DVec3| {
+            let own = node.turn(own);
+            own + face.turned.transpose() * own
+        };
+        match self.faces.as_deref() {
+            Some([own, facing]) => {
+                own.is_opposed_most(seen, crossing.normal) && facing.is_opposed_most(|normal| normal, -crossing.normal)
+            }
+            None => self.looks(crossing, [node, face]).into_iter().all(|cosine| cosine >= ALONG),
+        }
+    }
+
+    /// Whether no crossing can belong to the two faces of bodies that have met while either turns relative to the other by at most
+    /// `turned` \[rad\]: the normal of a crossing is less from either face's than half of the angle to the face's neighbour.
+    pub(in crate::dynamics) fn looks_elsewhere(&self, [node, face]: [&Frame; 2], turned: f64) -> bool {
+        let Some([own, facing]) = self.faces.as_deref() else { return false };
+        let opposed = -node.turn(own.own).dot(face.turn(facing.own));
+        opposed.clamp(-1.0, 1.0).acos() > own.reach() + facing.reach() + turned
     }
 
     /// Whether the side has a node at the crossing as well.
@@ -204,11 +270,29 @@ impl Edge {
     /// Whether no crossing on the edge and the side can be while points of both bodies are displaced by at most `moved` \[m\],
     /// and unit vectors by at most `turned` \[–\], from where they were placed.
     pub(in crate::dynamics) fn stays_clear(&self, [moved, turned]: [f64; 2]) -> bool {
-        self.clear > moved || self.sine + turned < LEAST_SINE
+        self.clear > moved || self.sine + turned < self.least_sine()
     }
 
-    /// The crossing; `None` where it is more than `tolerance` \[m\] beyond an end of the edge or of the side, and where edge and
-    /// side are within 30° of parallel or either face looks elsewhere.
+    fn least_sine(&self) -> f64 {
+        if self.faces.is_some() { LEAST_SINE_ACROSS } else { LEAST_SINE }
+    }
+
+    /// Whether two edges across each other at an angle with this sine bound a sliver.
+    fn is_sliver(&self, crossing: &Crossing, sine: f64, poses: [&Frame; 2]) -> bool {
+        let [own, facing] = self.looks(crossing, poses);
+        let nearer = own.max(facing).min(1.0);
+        sine < LEAST_SINE && sine * (1.0 - nearer * nearer).sqrt() < SLIVER
+    }
+
+    /// Cosines of the angles between the normal of a crossing and those of the two faces, as far as they look at each other \[–\].
+    fn looks(&self, crossing: &Crossing, [node, face]: [&Frame; 2]) -> [f64; 2] {
+        let own = node.turn(self.outward);
+        let own = own + face.turned.transpose() * own;
+        [-crossing.normal.dot(own), crossing.normal.dot(self.ends[0].axes.z_axis)]
+    }
+
+    /// The crossing; `None` where it is more than `tolerance` \[m\] beyond an end of the edge or of the side, where edge and
+    /// side are nearly parallel, and of facing ends where either face looks elsewhere.
     pub(in crate::dynamics) fn crossing(&self, [node, face]: [&Frame; 2], tolerance: f64) -> Option<Crossing> {
         let here = self.ends(node, face);
         let part = here.inset[0] / (here.inset[0] - here.inset[1]);
@@ -218,17 +302,19 @@ impl Edge {
         let on = |at: f64, length: f64| at >= -tolerance && at <= length + tolerance;
         let across = edge.cross(side);
         let sine = across.length() / self.length();
-        if !(sine >= LEAST_SINE && on(part * self.length(), self.length()) && on(along, self.length)) {
+        if !(sine >= self.least_sine() && on(part * self.length(), self.length()) && on(along, self.length)) {
             return None;
         }
         let nearest = (self.from.extend(0.0) - start).cross(side).dot(across) / across.length_squared();
         let normal = self.ends[0].axes * across.normalize_or_zero() * across.z.signum();
-        let own = node.turn(self.outward);
-        let own = own + face.turned.transpose() * own;
-        let looks = normal.dot(self.ends[0].axes.z_axis) >= ALONG && normal.dot(own) <= -ALONG;
         let beyond = |at: f64| (at - self.length).max(-at).max(0.0);
         let overhang = beyond(along).max(beyond(along + (nearest - part) * side.dot(edge)));
-        looks.then_some(Crossing { part, along, nearest, overhang, normal })
+        let crossing = Crossing { part, along, nearest, overhang, normal };
+        let counts = match &self.faces {
+            Some(_) => !self.is_sliver(&crossing, sine, [node, face]),
+            None => self.is_between_faces(&crossing, [node, face]),
+        };
+        counts.then_some(crossing)
     }
 
     /// Sine of the angle between the two faces \[–\].
@@ -307,87 +393,4 @@ impl Edge {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::contact::turned_by;
-    use glam::DQuat;
-
-    /// A unit square in the plane z = 0 with its outward normal up, and an edge at height `h` across its side y = 0,
-    /// rising by `slope` inwards, of a face that looks down.
-    fn across(h: f64, slope: f64) -> (Edge, Home, [Frame; 2]) {
-        let quad = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)].map(DVec3::from);
-        let face = Face::new(quad, 0.5).expect("a square");
-        let frames = [DVec3::new(0.3, 0.1, 2.0), DVec3::ZERO].map(Frame::fixed);
-        let point = |y: f64| DVec3::new(0.3, y, h + slope * y);
-        let home = |at: DVec3| {
-            Home::of(at - frames[0].home, (frames[0].home, DMat3::IDENTITY), &face, (DVec3::ZERO, DMat3::IDENTITY))
-        };
-        let edge = Edge::of(
-            &[point(-0.4), point(0.6)].map(|at| (home(at), at.truncate())),
-            DVec3::NEG_Z,
-            (&face, 0),
-            [&frames[0], &frames[1]],
-        );
-        (edge, home(point(-0.4).midpoint(point(0.6))), frames)
-    }
-
-    #[test]
-    fn the_normal_is_perpendicular_to_both_edges_and_the_distance_along_it() {
-        for slope in [0.0, 0.3, -0.9] {
-            let (edge, _, [node, face]) = across(0.02, slope);
-            let crossing = edge.crossing([&node, &face], edge.tolerance()).expect("they cross");
-            let normal = DVec3::new(0.0, -slope, 1.0).normalize_or_zero();
-            assert!((crossing.normal - normal).length() < 1e-15, "{} at slope {slope}", crossing.normal);
-            let distance = edge.distance(&node, &face).expect("they cross");
-            assert!((distance - 0.02 * normal.z).abs() < 1e-15, "{distance} m at slope {slope}");
-        }
-    }
-
-    #[test]
-    fn the_gap_is_0_where_the_lines_meet_and_its_rate_is_its_derivative() {
-        let (edge, _, [node, face]) = across(0.0, 0.4);
-        let ends = edge.ends(&node, &face);
-        assert!(edge.gap(&ends, ends.sense())[0].abs() < 1e-16, "the lines meet");
-        let moving = |t: f64| Frame {
-            shift: DVec3::new(0.1, 0.2, 0.3) * t,
-            turned: turned_by(DQuat::from_scaled_axis(DVec3::new(0.5, -0.7, 0.2) * t)),
-            velocity: DVec3::new(0.1, 0.2, 0.3),
-            spin: DVec3::new(0.5, -0.7, 0.2),
-            level: false,
-            ..node
-        };
-        let at = |t: f64| edge.gap(&edge.ends(&moving(t), &face), ends.sense());
-        let dt = 1e-5;
-        let slope = (at(0.1 + dt)[0] - at(0.1 - dt)[0]) / (2.0 * dt);
-        assert!((at(0.1)[1] / slope - 1.0).abs() < 1e-8, "{} against {slope}", at(0.1)[1]);
-    }
-
-    #[test]
-    fn the_node_at_a_crossing_is_on_the_side_with_the_distance_as_its_gap() {
-        let (edge, middle, [node, face]) = across(-0.01, 0.7);
-        let crossing = edge.crossing([&node, &face], edge.tolerance()).expect("they cross");
-        let place = edge.place(&crossing);
-        let here = locate(&edge.home(&middle, &place), &node, &face);
-        let distance = edge.distance(&node, &face).expect("they cross");
-        assert!((here.gap - distance).abs() < 1e-15 && here.at.y.abs() < 1e-15, "{here:?}");
-        assert!(edge.left(&place, here.at) < 0.0 && !edge.has_slid(here.at), "on the side, not slid");
-        assert!((edge.to_face(here.at) - DVec2::new(0.3, 0.0)).length() < 1e-15, "its place on the face");
-    }
-
-    #[test]
-    fn edges_that_miss_each_other_or_are_nearly_parallel_do_not_cross() {
-        let (edge, _, [node, face]) = across(0.0, 0.0);
-        let beside = Frame { shift: DVec3::X * 0.8, ..node };
-        assert_eq!(edge.crossing([&beside, &face], edge.tolerance()), None, "beyond the side's end");
-        let turned = |degrees: f64| Frame {
-            turned: turned_by(DQuat::from_rotation_z(f64::to_radians(degrees))),
-            level: false,
-            ..node
-        };
-        assert!(edge.crossing([&turned(55.0), &face], edge.tolerance()).is_some(), "35° from parallel");
-        assert_eq!(edge.crossing([&turned(65.0), &face], edge.tolerance()), None, "25° from parallel");
-        let over = Frame { turned: turned_by(DQuat::from_rotation_y(std::f64::consts::PI)), level: false, ..node };
-        let over = Frame { shift: DVec3::new(0.0, 0.0, -4.0), ..over };
-        assert_eq!(edge.crossing([&over, &face], edge.tolerance()), None, "the edge's face looks up, too");
-    }
-}
+mod tests;

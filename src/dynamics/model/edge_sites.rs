@@ -1,13 +1,13 @@
 //! Contact sites of edge nodes (`docs/physics.md#edge-nodes`): in space every edge of a face against every side of the
 //! facing face. The node is on the steeper of the two edges, or on both.
 
-use glam::DVec3;
+use std::sync::Arc;
 
-use crate::contact::parameters::edge_slack;
 use crate::contact::{Frame, Home};
 use crate::dynamics::model::body::Body;
-use crate::dynamics::model::contact_sites::{PairSide, facade, placed_at};
+use crate::dynamics::model::contact_sites::{PairSide, facade, face_choice, placed_at};
 use crate::dynamics::model::edge_node::Edge;
+use crate::dynamics::model::face_choice::FaceChoice;
 use crate::dynamics::model::pair::ContactSite;
 use crate::scene::facing::Side;
 use crate::scene::{Kind, Scene, SceneErrors};
@@ -15,15 +15,11 @@ use crate::scene::{Kind, Scene, SceneErrors};
 /// Edges of a face by their first corner, seen from outside.
 const EDGES: [&str; 4] = ["bottom", "right", "top", "left"];
 
-/// Cosine of the angle between two faces of bodies that met up to which their edges have nodes, as placed \[–\]: 10°. Faces that
-/// are less parallel touch with a corner, or with an edge along a face. Tuned.
-const OPPOSED: f64 = 0.985;
-
 /// Steepness up to which two edges are alike \[–\]: round-off of axes.
 const ALIKE: f64 = 1e-9;
 
-/// Declares the edge nodes of a pair; of a planar scene none. With `met`, of a pair that was added because the bodies met, those of
-/// faces that look at each other as placed.
+/// Declares the edge nodes of a pair; of a planar scene none. With `met`, where every face of the two bodies is in a pair, a crossing
+/// belongs to the two faces that look along its normal the most.
 ///
 /// # Errors
 /// When an abutment's four corners are no face.
@@ -38,30 +34,25 @@ pub(in crate::dynamics) fn edge_nodes(
         return Ok(());
     }
     let [first, second] = [facade(scene, bodies, sides[0])?, facade(scene, bodies, sides[1])?];
-    if met && !look_at_each_other(bodies, [&first, &second]) {
-        return Ok(());
-    }
+    let faces = met.then(|| faces(scene, bodies, [&first, &second])).transpose()?;
     let nodes = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
     for (i, j) in nodes {
         let (one, other) = ((&first, i), (&second, j));
         let steeper = steepness(bodies, one) - steepness(bodies, other);
-        let both = [(steeper >= -ALIKE, one, other), (steeper <= ALIKE, other, one)];
+        let both = [(steeper >= -ALIKE, one, other, 0), (steeper <= ALIKE, other, one, 1)];
         let nodes = both.into_iter().filter(|(carries, ..)| *carries);
         let shared = steeper.abs() <= ALIKE;
-        sites.extend(nodes.map(|(_, own, facing)| node(bodies, own, facing, (pair, shared))));
+        let among = |first: usize| faces.as_ref().map(|faces| Arc::clone(&faces[first]));
+        sites.extend(nodes.map(|(_, own, facing, first)| node(bodies, own, facing, (pair, shared, among(first)))));
     }
     Ok(())
 }
 
-/// Whether two faces look at each other as placed: outward normals opposed, and the centre of each before the other.
-fn look_at_each_other(bodies: &[Body], sides: [&PairSide; 2]) -> bool {
-    let [(one, n), (other, m)] = sides.map(|side| {
-        let (home, axes) = placed_at(bodies, side);
-        let centre = side.face.corners.iter().sum::<DVec3>() / 4.0;
-        (home + axes * centre, axes * side.face.normal)
-    });
-    let near = edge_slack(&sides[0].face).max(edge_slack(&sides[1].face));
-    n.dot(m) <= -OPPOSED && (other - one).dot(n) >= -near && (one - other).dot(m) >= -near
+/// The faces of two sides among those of their bodies, from the first and from the second.
+fn faces(scene: &Scene, bodies: &[Body], sides: [&PairSide; 2]) -> Result<[Arc<[FaceChoice; 2]>; 2], SceneErrors> {
+    let [first, second] = sides.map(|side| face_choice(scene, bodies, side, |_| true));
+    let (first, second) = (first?, second?);
+    Ok([Arc::new([first.clone(), second.clone()]), Arc::new([second, first])])
 }
 
 /// Sine of the angle of an edge to the horizontal as placed \[–\].
@@ -75,7 +66,7 @@ fn node(
     bodies: &[Body],
     (own, i): (&PairSide, usize),
     (facing, j): (&PairSide, usize),
-    (pair, shared): (usize, bool),
+    (pair, shared, faces): (usize, bool, Option<Arc<[FaceChoice; 2]>>),
 ) -> ContactSite {
     let ends = [own.face.corners[i], own.face.corners[(i + 1) % 4]];
     let [own_placed, facing_placed] = [own, facing].map(|side| placed_at(bodies, side));
@@ -88,12 +79,13 @@ fn node(
         (&facing.face, j),
         [&stands[0], &stands[1]],
     )
-    .with_other(shared);
+    .with_other(shared)
+    .among(faces);
     let fixed = if own.body.is_none() { own.fixed } else { facing.fixed };
     let middle = ends[0].midpoint(ends[1]);
     ContactSite {
         node: format!("{}.{}-edge-at-{}", own.name, EDGES[i], EDGES[j]),
-        face_name: std::sync::Arc::clone(&facing.name),
+        face_name: Arc::clone(&facing.name),
         pair,
         ends: [own.end(), facing.end()],
         around: None,

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::contact::parameters::{edge_slack, outside};
 use crate::contact::{Frame, Home, Law, Local, returned_restitution};
 use crate::dynamics::model::edge_node::{Edge, NodePlace};
+use crate::dynamics::model::face_choice::FaceChoice;
 use crate::geometry::{End, Face};
 use crate::scene::facing::{PairContact, Side};
 
@@ -66,7 +67,7 @@ pub struct ContactSite {
     /// leaves the polygon.
     pub around: Option<[DVec3; 4]>,
     /// The faces of its body that meet in the node, where the node is in pairs of several of them.
-    pub corner: Option<CornerFaces>,
+    pub corner: Option<FaceChoice>,
     /// The body that owns the node; nothing for an abutment's corner.
     pub node_body: Option<usize>,
     /// The node in its body's frame (about `fixed`, for an abutment) \[m\].
@@ -84,28 +85,6 @@ pub struct ContactSite {
     /// For an edge node its edge and the side of the face across it; `point` and `home` are then those of the edge's
     /// middle. Nothing for a corner.
     pub edge: Option<Box<Edge>>,
-}
-
-/// Faces that meet in a node: outward unit normals as placed, world axes.
-#[derive(Clone, Debug)]
-pub struct CornerFaces {
-    /// Of the face by which the node belongs to its pair.
-    pub own: DVec3,
-    /// Of the others, and whether the own one has precedence over it where both look at a face equally.
-    pub others: Vec<(DVec3, bool)>,
-}
-
-impl CornerFaces {
-    /// Whether of all faces that meet in the node the own one is the most opposed to a face with outward normal `normal`:
-    /// exactly one of them is. `turn` takes a vector of the node's body as placed to its present one.
-    pub fn is_opposed_most(&self, turn: impl Fn(DVec3) -> DVec3, normal: DVec3) -> bool {
-        let facing = |own: DVec3| turn(own).dot(normal);
-        let own = facing(self.own);
-        self.others.iter().all(|&(other, precedes)| {
-            let other = facing(other);
-            own < other || (own == other && precedes)
-        })
-    }
 }
 
 impl ContactSite {

@@ -1,5 +1,7 @@
 //! Which pairs and links concern bodies, and which bodies are joined by connections whose force acts.
 
+use std::ops::Range;
+
 use crate::dynamics::model::groups::root_of;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
@@ -17,6 +19,23 @@ impl World {
         pairs.sort_unstable();
         pairs.dedup();
         pairs
+    }
+
+    /// Numbers of the pairs of a pair's two bodies where these have met, which are in succession; of others the pair alone.
+    pub(in crate::dynamics) fn meeting_of(&self, pair: usize) -> Range<usize> {
+        let meeting = self.pairs[pair].meeting;
+        if meeting.is_none() {
+            return pair..pair + 1;
+        }
+        let same = |other: &usize| self.pairs[*other].meeting == meeting;
+        let from = (0..pair).rev().take_while(same).last().unwrap_or(pair);
+        let until = (pair..self.pairs.len()).take_while(same).last().unwrap_or(pair);
+        from..until + 1
+    }
+
+    /// Whether a pair is the first of its two bodies, which have met.
+    pub(in crate::dynamics) fn leads(&self, pair: usize) -> bool {
+        pair == 0 || self.pairs[pair - 1].meeting != self.pairs[pair].meeting
     }
 
     /// Numbers of the links of these bodies, ascending.

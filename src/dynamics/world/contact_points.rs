@@ -30,13 +30,24 @@ pub(in crate::dynamics) fn sharers(world: &World, pair: usize, poses: Poses<'_>)
     let mut vertices = gathered(corners, near);
     let crossings = contacts.clone().filter_map(|c| Some((c, edge_vertex(world, c, poses, slack(world, c))?.1)));
     let free = crossings.filter(|(_, at)| vertices.iter().all(|vertex| (vertex.at - *at).length() > near));
-    let crossings = gathered(free.collect::<Vec<_>>().into_iter(), near);
-    vertices.extend(crossings);
+    let free: Vec<(usize, DVec2)> = free.collect();
+    vertices.extend(gathered(free.iter().map(|&crossing| (crossing.0, seen_once(world, &free, crossing))), near));
     let nodes = |contact: usize| {
         let own = vertices.iter().find(|vertex| vertex.nodes.contains(&contact));
         own.map_or(if is_shared(world, contact) { 2 } else { 1 }, |vertex| vertex.nodes.len())
     };
     (vertices.len().max(1), contacts.map(nodes).collect())
+}
+
+/// Place of a crossing: of two nodes at one crossing of bodies that have met that of the first. Faces at any angle see two edges that
+/// are apart cross at different places.
+fn seen_once(world: &World, all: &[(usize, DVec2)], (node, at): (usize, DVec2)) -> DVec2 {
+    let has_met = world.pairs[world.contacts[node].pair].meeting.is_some();
+    if !has_met || !is_shared(world, node) || is_of_first(world, node) {
+        return at;
+    }
+    // The two nodes of a crossing are declared one after the other.
+    all.iter().find(|(other, _)| other + 1 == node).map_or(at, |(_, first)| *first)
 }
 
 /// The nodes at the vertex that the node of `contact` has left, or, with an extra distance, the nearest one as far as that, with a
@@ -174,6 +185,9 @@ fn edge_vertex(world: &World, contact: usize, poses: Poses<'_>, beyond: f64) -> 
     let edge = site.edge.as_deref()?;
     let [node, face] = poses(contact);
     let crossing = edge.crossing([&node, &face], beyond)?;
+    if !edge.is_between_faces(&crossing, [&node, &face]) {
+        return None;
+    }
     Some((crossing, edge.on_face(&crossing, !is_of_first(world, contact))))
 }
 

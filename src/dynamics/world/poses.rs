@@ -1,6 +1,6 @@
 //! States and poses of the bodies of a group on their present trajectories.
 
-use crate::contact::Frame;
+use crate::contact::{Frame, Local, locate};
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::Trajectory;
@@ -52,6 +52,12 @@ impl World {
             },
             _ => Frame::fixed(body.home),
         }
+    }
+
+    /// Position and velocity of a corner relative to its face at `t`.
+    pub(in crate::dynamics) fn local(&self, contact: usize, t: f64) -> Local {
+        let site = &self.model.contacts[self.contacts[contact].site];
+        locate(&site.home, &self.side(contact, 0, t), &self.side(contact, 1, t))
     }
 
     /// Pose of the node's (`side` 0) or the face's (1) body of a contact; the fixed pose of an abutment.

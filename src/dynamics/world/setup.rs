@@ -17,7 +17,7 @@ use crate::dynamics::world::World;
 use crate::dynamics::world::axial_gap::AxialGap;
 use crate::dynamics::world::constants::{NOMINAL_FREQUENCY, NOMINAL_IMPACT_SPEED};
 use crate::dynamics::world::site_geometry::SiteGeometry;
-use crate::dynamics::world::tracks::{BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
+use crate::dynamics::world::tracks::{Apart, BodyTrack, ChangeCount, ContactTrack, LinkTrack, PairTrack, Trajectory};
 use crate::scene::facing::Side;
 
 impl World {
@@ -87,7 +87,19 @@ impl World {
             Side::Girder(body, end) => model.bodies[body].section(end),
             Side::Abutment(_) | Side::Flank(..) | Side::Rear(..) => 0,
         });
-        self.pairs.push(PairTrack { pair: number, slots, sections, contacts, sharers: 0, simultaneity, axial });
+        let ids = [pair.first, pair.second].map(Side::solid);
+        let meeting = model.meetings.iter().position(|meeting| pair.met && meeting.ids == ids);
+        self.pairs.push(PairTrack {
+            pair: number,
+            slots,
+            sections,
+            contacts,
+            sharers: 0,
+            simultaneity,
+            axial,
+            meeting,
+            apart: Apart::Near,
+        });
     }
 
     /// Adds an open contact of the pair that is added next.

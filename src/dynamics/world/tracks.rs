@@ -71,6 +71,22 @@ pub(in crate::dynamics) struct PairTrack {
     pub simultaneity: f64,
     /// Common gap of all nodes of a pair on one axis; `None` for others.
     pub axial: Option<AxialGap>,
+    /// Number in the model of the meeting of its bodies, where every face of the two has a pair.
+    pub meeting: Option<usize>,
+    /// Where the two bodies of a meeting were at the last search.
+    pub apart: Apart,
+}
+
+/// Where two bodies that have met were when a pair of theirs was searched last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::dynamics) enum Apart {
+    /// Near each other, or not searched yet: nodes are armed and disarmed as they pass planes.
+    #[default]
+    Near,
+    /// Apart, and the pair was searched from the time on at which they can touch.
+    Searched,
+    /// Apart for as long as is known: none of the pair's contacts has a closing.
+    Idle,
 }
 
 /// A link of the group.

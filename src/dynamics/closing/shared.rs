@@ -1,0 +1,135 @@
+//! What the searches of several pairs of the same two bodies have in common at one time: poses, and until when the bodies stand
+//! apart.
+//!
+//! Between bodies that have met every face has a pair. While the bodies stand apart nodes pass planes of faces beside these, which
+//! closes nothing: the pairs are searched from the time on at which the bodies can touch, and which nodes are before their faces
+//! and which are behind, beside them, is looked at then. The distance of two bodies changes by no more than their relative
+//! displacement and the way that their corners turn by.
+
+use crate::dynamics::closing::constants::{NEAR, PARTED_ADVANCES};
+use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
+use crate::dynamics::closing::step_samples::{StepSamples, excursion};
+use crate::dynamics::penalty3d::contact_state::Contact;
+use crate::dynamics::world::World;
+use crate::dynamics::world::tracks::Apart;
+
+/// Of searches from one time on, on the same trajectories.
+#[derive(Default)]
+pub(in crate::dynamics) struct Shared {
+    samples: Option<StepSamples>,
+    /// Number of a meeting, and how long its bodies stand apart.
+    parted: Option<(usize, Parted)>,
+}
+
+/// How long two bodies stand apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Parted {
+    /// They are near, or have not met: every pair is searched.
+    Near,
+    /// Until this time in flight, from which on every pair is searched \[s\].
+    Until(f64),
+    /// Until the end of the search, this time; infinite where that is the end of the run \[s\].
+    Throughout(f64),
+}
+
+impl Shared {
+    /// Poses of a pair's bodies in the planned step from `t` to `until`.
+    pub(super) fn samples(&mut self, world: &World, pair: usize, [t, until]: [f64; 2]) -> &mut StepSamples {
+        let known = self.samples.take().filter(|samples| samples.are_of(world, pair, [t, until]));
+        self.samples.insert(known.unwrap_or_else(|| StepSamples::begin(world, pair, t, until)))
+    }
+
+    /// How long the bodies of a pair stand apart from `t` on, in the planned step that ends at `step_end` or in flight. Nodes of the
+    /// pair are armed or disarmed for the time from which it is searched.
+    pub(super) fn parted(&mut self, world: &mut World, pair: usize, (t, step_end): (f64, Option<f64>)) -> Parted {
+        let Some(meeting) = world.pairs[pair].meeting else { return Parted::Near };
+        let parted = match (self.parted, step_end) {
+            (Some((known, parted)), _) if known == meeting => parted,
+            (_, Some(until)) => in_step(world, meeting, self.samples(world, pair, [t, until])),
+            (_, None) => in_flight(world, (meeting, pair), t),
+        };
+        self.parted = Some((meeting, parted));
+        match parted {
+            Parted::Throughout(_) if part(world, pair) => parted,
+            Parted::Throughout(_) => Parted::Near,
+            Parted::Until(from) => {
+                approach(world, pair, from);
+                world.pairs[pair].apart = Apart::Searched;
+                parted
+            }
+            Parted::Near => {
+                if std::mem::take(&mut world.pairs[pair].apart) != Apart::Near {
+                    approach(world, pair, t);
+                }
+                parted
+            }
+        }
+    }
+}
+
+/// By the planes of the faces at the beginning of a planned step, and bounds on the way of all corners in it.
+fn in_step(world: &World, meeting: usize, samples: &StepSamples) -> Parted {
+    let (meeting, slots) = (&world.model.meetings[meeting], samples.slots);
+    let [t, until] = [samples.times[0], samples.times[samples.times.len() - 1]];
+    let reach =
+        |side: usize| slots[side].map_or(0.0, |slot| excursion(world, slot, meeting.solids[side].radius, t, until));
+    let apart = meeting.apart(slots.map(|slot| samples.side(slot, 0)));
+    if apart > reach(0) + reach(1) { Parted::Throughout(f64::INFINITY) } else { Parted::Near }
+}
+
+/// By conservative advancement: from a distance `d` on the bodies are `near` apart for as long as `(d − near)/v` at the least, with `v`
+/// a bound on the speed at which it changes. It ends within twice `near`, so that a touch is always ahead of the time from which
+/// the pairs are searched.
+fn in_flight(world: &mut World, (number, pair): (usize, usize), t: f64) -> Parted {
+    let duration = world.model.duration;
+    let until = horizon(&world.model.ground, t, duration);
+    remember(world, world.pairs[pair].slots, until);
+    let meeting = &world.model.meetings[number];
+    let near = NEAR * meeting.least_side;
+    let mut from = t;
+    for _ in 0..PARTED_ADVANCES {
+        let sample = FlightSample::of_pair(world, pair, from, until);
+        let apart = meeting.apart([&sample.frames[0], &sample.frames[1]]);
+        if apart <= 2.0 * near {
+            break;
+        }
+        let turning = |side: usize| sample.bounds[side].spin * meeting.solids[side].radius;
+        let window = sample.bounds.iter().map(|bound| bound.window).fold(sample.between.window, f64::min);
+        let advance = (apart - near) / (sample.between.speed + turning(0) + turning(1));
+        from += advance.min(window);
+        if from >= until {
+            return Parted::Throughout(if until >= duration { f64::INFINITY } else { until });
+        }
+    }
+    if from > t { Parted::Until(from) } else { Parted::Near }
+}
+
+/// Ends the search of a pair whose bodies stand apart; `false` where one of its contacts is closed.
+fn part(world: &mut World, pair: usize) -> bool {
+    if world.pairs[pair].apart == Apart::Idle {
+        return true;
+    }
+    let contacts = world.pairs[pair].contacts.clone();
+    if contacts.clone().any(|contact| world.contacts[contact].state.closed().is_some()) {
+        return false;
+    }
+    for contact in contacts {
+        (world.contacts[contact].closing, world.contacts[contact].rearmed_at) = (None, None);
+    }
+    world.pairs[pair].apart = Apart::Idle;
+    true
+}
+
+/// Arms the open nodes of a pair that are before their faces at `t`, and disarms those behind, beside the face.
+fn approach(world: &mut World, pair: usize, t: f64) {
+    for contact in world.pairs[pair].contacts.clone() {
+        let track = &world.contacts[contact];
+        if track.state.closed().is_none() {
+            // The sign of an edge node's gap tells by itself.
+            let is_edge = world.model.contacts[track.site].edge.is_some();
+            let armed = is_edge || world.local(contact, t).gap > 0.0;
+            let track = &mut world.contacts[contact];
+            (track.state, track.closing, track.rearmed_at) = (Contact::Open { armed }, None, None);
+        }
+    }
+}
