@@ -2,10 +2,12 @@
 //! other.
 
 mod crossing;
+mod edges;
 mod offset;
 mod ramp;
 mod round_a_corner;
 mod stacked;
+mod thrown_in_space;
 
 use girderbench::scene::{Between, ModelKind, STANDARD_GRAVITY, Scene};
 use girderbench::sim::History;

@@ -43,11 +43,17 @@ const HOUR: u64 = 7;
 pub const THROWN: &str = "thrown";
 /// The seeds from this one on throw girders at one another; those below stay what they have always been.
 pub const FIRST_THROWN: u64 = 1_000_000;
+/// The same in space.
+pub const THROWN_IN_SPACE: &str = "thrown-in-space";
+/// The seeds from this one on do so in space.
+pub const FIRST_THROWN_IN_SPACE: u64 = 3_000_000;
 
 /// The scene of a seed, and the name of its family.
 pub fn scene(seed: u64) -> (&'static str, Scene) {
     let mut dice = Dice::new(seed);
-    let (family, maker) = if seed >= FIRST_THROWN {
+    let (family, maker) = if seed >= FIRST_THROWN_IN_SPACE {
+        (THROWN_IN_SPACE, thrown::thrown_in_space as Maker)
+    } else if seed >= FIRST_THROWN {
         (THROWN, thrown::thrown as Maker)
     } else if seed % HOUR_EVERY == HOUR {
         (HOURS, shaken::hour as Maker)
@@ -63,5 +69,5 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
 
 /// Names of all families.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN])
+    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN, THROWN_IN_SPACE])
 }

@@ -1,4 +1,5 @@
-//! Girders without bearings thrown at one another from anywhere: every face meets every other.
+//! Girders without bearings thrown at one another from anywhere, in plan and in space: every face, edge and corner meets every
+//! other.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,6 +12,9 @@ const LENGTH: [f64; 2] = [0.4, 1.2];
 const WIDTH: [f64; 2] = [0.2, 0.6];
 /// Thickness \[m\]: heights have no meaning in plan.
 const THICKNESS: f64 = 0.2;
+/// Thicknesses in space, and heights from which girders are thrown, either way \[m\].
+const THICKNESSES: [f64; 2] = [0.1, 0.5];
+const ASIDE: f64 = 0.2;
 /// Masses \[kg\], stiffness \[N/m\] and speeds \[m/s\]: a few centimetres deep at the most.
 const MASS: [f64; 2] = [1.0, 5.0];
 const STIFFNESS: [f64; 2] = [3e4, 1e7];
@@ -19,6 +23,21 @@ const SPEED: [f64; 2] = [0.5, 3.0];
 const SPIN: f64 = 200.0;
 /// From where they are thrown, about the origin \[m\].
 const FROM: [f64; 2] = [1.3, 1.8];
+
+/// The same in space, thicker, in any attitude and turning about any axis, without weight.
+pub(super) fn thrown_in_space(dice: &mut Dice) -> Scene {
+    let mut scene = thrown(dice);
+    (scene.kind, scene.gravity) = (Kind::Spatial, 0.0);
+    for girder in &mut scene.girders {
+        girder.thickness = three_digits(dice.range(THICKNESSES[0], THICKNESSES[1]));
+        girder.position[2] = three_digits(dice.range(-ASIDE, ASIDE));
+        girder.initial.roll_deg = Some(three_digits(dice.range(-180.0, 180.0)));
+        girder.initial.pitch_deg = Some(three_digits(dice.range(-80.0, 80.0)));
+        girder.initial.roll_deg_s = Some(three_digits(dice.range(-SPIN, SPIN)));
+        girder.initial.pitch_deg_s = Some(three_digits(dice.range(-SPIN, SPIN)));
+    }
+    scene
+}
 
 /// Two to four girders that fly towards one another, each as it lies.
 pub(super) fn thrown(dice: &mut Dice) -> Scene {
