@@ -29,6 +29,56 @@ impl BearingAxis {
     }
 }
 
+/// The axes as their forces need them: coordinate by coordinate, so that one pass serves all axes.
+#[derive(Clone, Debug)]
+pub(super) struct BearingRows {
+    /// Displacements along the axes by each coordinate in turn, those of an axis that is not there 0.
+    rows: Vec<[f64; LANES]>,
+    /// Groups of axes, each with the first of its rows.
+    groups: Vec<Group>,
+}
+
+/// Axes of which one pass takes care: as many as most girders have, four bearings with two axes each.
+const LANES: usize = 8;
+
+/// k \[N/m\] and c \[N·s/m\] of axes, 0 of one that is not there.
+#[derive(Clone, Copy, Debug)]
+struct Group {
+    stiffness: [f64; LANES],
+    damping: [f64; LANES],
+}
+
+impl BearingRows {
+    /// Of axes over this many coordinates.
+    pub(super) fn of(axes: &[BearingAxis], coordinates: usize) -> Self {
+        let (mut rows, mut groups) = (Vec::new(), Vec::new());
+        for some in axes.chunks(LANES) {
+            let each = |of: &dyn Fn(&BearingAxis) -> f64| std::array::from_fn(|i| some.get(i).map_or(0.0, of));
+            rows.extend((0..coordinates).map(|k| each(&|axis| axis.row[k])));
+            groups.push(Group { stiffness: each(&|axis| axis.stiffness), damping: each(&|axis| axis.damping) });
+        }
+        Self { rows, groups }
+    }
+
+    /// Adds the generalised forces of all axes.
+    pub(super) fn resist(&self, place: &[f64], rate: &[f64], out: &mut [f64]) {
+        for (group, rows) in self.groups.iter().zip(self.rows.chunks(place.len())) {
+            let (mut moved, mut moving) = ([0.0; LANES], [0.0; LANES]);
+            for ((row, x), v) in rows.iter().zip(place).zip(rate) {
+                for i in 0..LANES {
+                    moved[i] += row[i] * x;
+                    moving[i] += row[i] * v;
+                }
+            }
+            let force: [f64; LANES] =
+                std::array::from_fn(|i| group.stiffness[i] * moved[i] + group.damping[i] * moving[i]);
+            for (out, row) in out.iter_mut().zip(rows) {
+                *out -= row.iter().zip(&force).map(|(row, force)| row * force).sum::<f64>();
+            }
+        }
+    }
+}
+
 /// Both axes of every bearing, those without spring and dashpot left out.
 pub(super) fn axes_of(bearings: &[Bearing], modes: &Modes, cot: f64, axes: &DMat3) -> Vec<BearingAxis> {
     let mut all = Vec::new();

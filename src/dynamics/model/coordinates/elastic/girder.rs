@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bearings::{BearingAxis, axes_of};
+use super::bearings::{BearingAxis, BearingRows, axes_of};
 use super::section::Section;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::body::Body;
@@ -51,6 +51,8 @@ pub struct ElasticGirder {
     pub(super) ends: [Section; 2],
     /// Bearings, axis by axis.
     pub(in crate::dynamics) bearings: Vec<BearingAxis>,
+    /// The same for their forces.
+    pub(super) rows: BearingRows,
     /// Constant load of the given push on the modes.
     pub(super) pushed: Vec<f64>,
     /// Amplitudes at the ends of each mode, the larger: |(u, v)| and |φ|.
@@ -72,9 +74,11 @@ impl ElasticGirder {
             .iter()
             .zip(&ends[1].fields)
             .map(|(a, b)| [a.truncate().length().max(b.truncate().length()), a.z.abs().max(b.z.abs())]);
+        let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
         Self {
             springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
-            bearings: axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes),
+            rows: BearingRows::of(&bearings, RIGID + modes.count()),
+            bearings,
             most: most.collect(),
             rigid: rigid.clone(),
             modes,

@@ -30,6 +30,7 @@ use crate::motion::Ground;
 pub(in crate::dynamics) use bearings::BearingAxis;
 use girder::{DEFORMED, RIGID};
 pub use girder::{ElasticGirder, ModalDamping};
+use section::Turns;
 use section_bounds::SectionBounds;
 pub use section_forces::{Equilibrium, SectionForces};
 use turn::{in_space, planar_turn};
@@ -46,7 +47,7 @@ impl ElasticGirder {
         let mut frame = Frame {
             home: self.rigid.home,
             shift: DVec3::new(place[0], place[1], height),
-            turned: in_space(planar_turn(angle)),
+            turned: DMat3::ZERO,
             heading: angle,
             velocity: DVec3::new(rate[0], rate[1], 0.0),
             spin: DVec3::Z * spin,
@@ -54,11 +55,15 @@ impl ElasticGirder {
         };
         if let Some(end) = self.end(section) {
             let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
+            let turns = Turns::of(angle, deformation.of.z);
+            let offset = end.offset(&turns, &deformation);
             frame.heading = angle + deformation.of.z;
-            frame.turned = in_space(planar_turn(frame.heading));
-            frame.shift += end.offset(angle, &deformation).extend(0.0);
-            frame.velocity += end.velocity(angle, spin, &deformation).extend(0.0);
+            frame.turned = in_space(turns.whole);
+            frame.shift += offset.extend(0.0);
+            frame.velocity += end.velocity(&turns, offset, spin, deformation.rate).extend(0.0);
             frame.spin.z += deformation.rate.z;
+        } else {
+            frame.turned = in_space(planar_turn(angle));
         }
         frame
     }
@@ -73,8 +78,9 @@ impl ElasticGirder {
             }
             if let Some(end) = self.end(section) {
                 let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
-                end.push(&end.load(place[2], &deformation, force, moment), &mut out[RIGID..]);
-                moment += end.offset(place[2], &deformation).perp_dot(force);
+                let turns = Turns::of(place[2], deformation.of.z);
+                end.push(&end.load(&turns, force, moment), &mut out[RIGID..]);
+                moment += end.offset(&turns, &deformation).perp_dot(force);
             }
             out[0] += force.x;
             out[1] += force.y;
@@ -84,10 +90,7 @@ impl ElasticGirder {
 
     /// Adds what bearings, springs, dashpots and the given push do, of places since the girder was placed.
     fn resist(&self, place: &[f64], rate: &[f64], out: &mut [f64]) {
-        for axis in &self.bearings {
-            let force = axis.stiffness * axis.along(place) + axis.damping * axis.along(rate);
-            out.iter_mut().zip(&axis.row).for_each(|(out, row)| *out -= row * force);
-        }
+        self.rows.resist(place, rate, out);
         let modal = out[RIGID..].iter_mut().zip(&self.springs).zip(place[RIGID..].iter().zip(&rate[RIGID..]));
         modal.for_each(|((out, [k, c]), (q, v))| *out -= k * q + c * v);
         let Body { push, moment, .. } = &self.rigid;
@@ -99,7 +102,8 @@ impl ElasticGirder {
 
     /// Accelerations by generalised forces and the ground; 0 where the girder is held.
     fn accelerate(&self, ground: DVec3, out: &mut [f64]) {
-        out.iter_mut().zip(self.masses()).for_each(|(out, mass)| *out /= mass);
+        // Of the modes the mass is 1.
+        out.iter_mut().zip(self.masses()).take(RIGID).for_each(|(out, mass)| *out /= mass);
         out[0] -= ground.x;
         out[1] -= ground.y;
         for (i, free) in planar::free(&self.rigid).into_iter().enumerate() {
@@ -215,9 +219,12 @@ impl Coordinates for ElasticGirder {
 
     // A modal coordinate counts by √m: the mean square of the displacement that it is.
     fn size2(&self, body: &Body, difference: &[f64]) -> [f64; 2] {
-        let weights = || self.masses().map(|mass| mass / body.mass);
         let (places, rates) = self.halves(difference);
-        [places, rates].map(|half| half.iter().zip(weights()).map(|(d, weight)| weight * d * d).sum())
+        [places, rates].map(|half| {
+            let (rigid, modal) = half.split_at(RIGID);
+            let rigid: f64 = rigid.iter().zip(self.masses()).map(|(d, mass)| mass * d * d).sum();
+            (rigid + modal.iter().map(|d| d * d).sum::<f64>()) / body.mass
+        })
     }
 
     fn hold(&self, body: &Body, difference: &mut [f64]) {
@@ -274,9 +281,9 @@ impl Coordinates for ElasticGirder {
         load[RIGID..].fill(0.0);
         if let Some(end) = self.end(point.section) {
             // φ is small beside the angle of the frame.
-            let still = section::Deformation { of: DVec3::ZERO, rate: DVec3::ZERO };
+            let turns = Turns::of(point.frame.heading, 0.0);
             let moment = point.arm.cross(force).z;
-            end.push(&end.load(point.frame.heading, &still, force.truncate(), moment), &mut load[RIGID..]);
+            end.push(&end.load(&turns, force.truncate(), moment), &mut load[RIGID..]);
         }
         let free = planar::free(&self.rigid).into_iter().chain(std::iter::repeat(true));
         for (((response, load), mass), free) in response[places..].iter_mut().zip(&*load).zip(self.masses()).zip(free) {

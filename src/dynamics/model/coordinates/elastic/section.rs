@@ -2,7 +2,7 @@
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
-use super::turn::planar_turn;
+use super::turn::{composed, planar_turn};
 use crate::dynamics::elastic::Modes;
 
 /// A rigid section of the girder: its station, and its motion in every mode.
@@ -28,6 +28,25 @@ pub(in crate::dynamics) struct SectionLoad {
     pub moment: f64,
 }
 
+/// What the rotations of the body and of a section against it add to the identity.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::dynamics) struct Turns {
+    /// By θ.
+    body: DMat2,
+    /// By φ.
+    own: DMat2,
+    /// By θ + φ.
+    pub whole: DMat2,
+}
+
+impl Turns {
+    /// Of a section turned by φ in a body that is turned by θ.
+    pub(in crate::dynamics) fn of(theta: f64, phi: f64) -> Self {
+        let [body, own] = [theta, phi].map(planar_turn);
+        Self { body, own, whole: composed(body, own) }
+    }
+}
+
 impl Section {
     /// At ξ = 2s/a0 of a girder whose axes as placed are the columns.
     pub(in crate::dynamics) fn at(modes: &Modes, axes: &DMat3, xi: f64) -> Self {
@@ -49,32 +68,23 @@ impl Section {
         Deformation { of, rate }
     }
 
-    /// Displacement of the origin of the section's frame against G, where the body has turned by `angle`: a point that was at `l` from G
-    /// is at `R(angle + φ) l` from the origin.
-    pub(in crate::dynamics) fn offset(&self, angle: f64, deformation: &Deformation) -> DVec2 {
-        let turned = planar_turn(deformation.of.z) * self.lever;
-        let own = deformation.of.truncate() - turned;
-        own + planar_turn(angle) * own
+    /// Displacement of the origin of the section's frame against G: a point that was at `l` from G is at `R(θ + φ) l` from the origin.
+    pub(in crate::dynamics) fn offset(&self, turns: &Turns, deformation: &Deformation) -> DVec2 {
+        let own = deformation.of.truncate() - turns.own * self.lever;
+        own + turns.body * own
     }
 
-    /// Velocity of that origin against G, where the body turns at `spin`.
-    pub(in crate::dynamics) fn velocity(&self, angle: f64, spin: f64, deformation: &Deformation) -> DVec2 {
-        let turn = |by: f64, v: DVec2| v + planar_turn(by) * v;
-        let carried = self.offset(angle, deformation).perp() * spin;
-        let own = turn(angle, deformation.rate.truncate());
-        carried + own - turn(angle + deformation.of.z, self.lever).perp() * deformation.rate.z
+    /// Velocity of that origin, which is at `offset`, against G, where the body turns at `spin`.
+    pub(in crate::dynamics) fn velocity(&self, turns: &Turns, offset: DVec2, spin: f64, rate: DVec3) -> DVec2 {
+        let moved = rate.truncate();
+        let turned = self.lever + turns.whole * self.lever;
+        offset.perp() * spin + moved + turns.body * moved - turned.perp() * rate.z
     }
 
     /// A force on the section with its moment about the frame's origin as it acts on the modes.
-    pub(in crate::dynamics) fn load(
-        &self,
-        angle: f64,
-        deformation: &Deformation,
-        force: DVec2,
-        moment: f64,
-    ) -> SectionLoad {
-        let lever = self.lever + planar_turn(angle + deformation.of.z) * self.lever;
-        let back = force + planar_turn(-angle) * force;
+    pub(in crate::dynamics) fn load(&self, turns: &Turns, force: DVec2, moment: f64) -> SectionLoad {
+        let lever = self.lever + turns.whole * self.lever;
+        let back = force + turns.body.transpose() * force;
         SectionLoad { force: back, moment: moment - lever.perp_dot(force) }
     }
 

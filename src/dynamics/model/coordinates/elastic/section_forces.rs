@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::girder::{ElasticGirder, RIGID};
+use super::section::Turns;
 use crate::dynamics::elastic::legendre::{integrals_to_end, moments_to_end, slopes, values};
 use crate::dynamics::model::wrench::Wrench;
 
@@ -76,7 +77,8 @@ impl ElasticGirder {
                 let back = glam::DMat2::from_angle(-place[2]) * force;
                 return Load { station: 0.0, force: self.girder_axes(back), moment };
             };
-            let load = end.load(place[2], &end.deformation(&place[RIGID..], &rate[RIGID..]), force, moment);
+            let turns = Turns::of(place[2], end.deformation(&place[RIGID..], &rate[RIGID..]).of.z);
+            let load = end.load(&turns, force, moment);
             let station = if section == 1 { -half } else { half };
             Load { station, force: self.girder_axes(load.force), moment: load.moment }
         };

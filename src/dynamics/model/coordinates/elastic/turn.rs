@@ -3,13 +3,21 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 /// What a rotation in plan by `angle` adds to the identity, without loss where it is small.
+#[inline]
 pub(super) fn planar_turn(angle: f64) -> DMat2 {
     let (s, c) = (0.5 * angle).sin_cos();
     let (sine, less) = (2.0 * s * c, -2.0 * s * s);
     DMat2::from_cols(DVec2::new(less, sine), DVec2::new(-sine, less))
 }
 
+/// What a rotation that adds `a` to the identity adds to it together with one that adds `b`.
+#[inline]
+pub(super) fn composed(a: DMat2, b: DMat2) -> DMat2 {
+    a + b + a * b
+}
+
 /// The same as a matrix in space.
+#[inline]
 pub(super) fn in_space(turned: DMat2) -> DMat3 {
     DMat3::from_cols(turned.x_axis.extend(0.0), turned.y_axis.extend(0.0), DVec3::ZERO)
 }
