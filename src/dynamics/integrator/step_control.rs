@@ -182,6 +182,7 @@ impl StepController {
 
     /// Accepts the attempted step and compares its cost with that of the other method.
     fn accept(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &mut [f64], h: f64, error: f64) -> DenseOutput {
+        let cost = system.implicit_cost();
         let (dense, doubt) = match &mut self.radau {
             Some(radau) if self.state.stiff => {
                 let dense = radau.accept(t, y, h);
@@ -192,7 +193,7 @@ impl StepController {
                     dense,
                     system.auxiliary_count() == 0
                         && error > GROWING_ERROR
-                        && h * radau.fastest(system) < IMPLICIT_STEP_WORTH,
+                        && h * radau.fastest(system) < IMPLICIT_STEP_WORTH * cost,
                 )
             }
             _ => {
@@ -204,11 +205,14 @@ impl StepController {
         };
         self.doubts = if doubt { self.doubts + 1 } else { 0 };
         self.steps += 1;
-        let try_it = !self.state.stiff && self.steps >= self.trial && self.size <= LARGEST_IMPLICIT;
+        let waited = f64::from(self.steps) >= f64::from(self.trial) * cost;
+        let try_it = !self.state.stiff && waited && self.size <= LARGEST_IMPLICIT;
         if try_it {
             self.trial = self.trial.saturating_mul(2);
         }
-        if self.doubts >= METHOD_CHANGE_STEPS || try_it {
+        // A change to implicit steps is paid with as many of them: so much is first spent on explicit ones.
+        let patience = f64::from(METHOD_CHANGE_STEPS) * if self.state.stiff { 1.0 } else { cost };
+        if f64::from(self.doubts) >= patience || try_it {
             self.change_method();
         }
         dense

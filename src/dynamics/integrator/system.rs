@@ -43,6 +43,11 @@ pub trait ImplicitSystem: System {
     fn relative_tolerance(&self) -> f64 {
         0.0
     }
+    /// What an implicit step costs against an explicit one, in parts of what it does for a few bodies: that of a long state is an
+    /// elimination, which grows with its cube, where its slope grows with its length.
+    fn implicit_cost(&self) -> f64 {
+        1.0
+    }
     /// Number of auxiliary components.
     fn auxiliary_count(&self) -> usize {
         0
