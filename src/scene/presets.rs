@@ -26,13 +26,14 @@ macro_rules! preset {
     };
 }
 
-static PRESETS: [Preset; 10] = [
+static PRESETS: [Preset; 11] = [
     preset!("straight-abutment", "paper: straight girder head-on against an abutment, 2.4 Hz, 0.40 g"),
     preset!("skew60-abutment", "paper: 60° girder against an abutment, 2.6 Hz, 0.40 g"),
     preset!("skew45-abutment", "paper: 45° girder against an abutment, 2.6 Hz, 0.40 g"),
     preset!("straight-straight", "paper: two straight girders of different period, shaken at 22.5°, 0.40 g"),
     preset!("flush-free-hit", "one flush hit of a free girder at 0.5 m/s: it returns the restitution asked for"),
     preset!("deck-30m", "full scale, spatial, with gravity: 30 m deck of 60° skew between two abutments"),
+    preset!("deck-30m-elastic", "the same deck in plan, of concrete that shortens, bends and rings, one abutment"),
     preset!("el-centro-45", "45° girder under a synthetic earthquake with the peak of El Centro, 0.313 g"),
     preset!("two-components", "45° girder under two horizontal components of a synthetic earthquake at once"),
     preset!("row-of-5", "five 30 m girders of different period in a row, 50 mm apart: neighbours pound"),
