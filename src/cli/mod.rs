@@ -30,6 +30,7 @@ mod seats;
 mod study;
 mod summary;
 mod sweep;
+mod waves;
 
 use console::Console;
 use failure::Failure;
@@ -72,6 +73,7 @@ enum Command {
     },
     Study(study::StudyArgs),
     Sweep(sweep::SweepArgs),
+    Waves(waves::WavesArgs),
     /// List the scenes that come with the program
     Presets,
     #[cfg(feature = "render")]
@@ -131,6 +133,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Identify(args)) => identify::run(&args, console),
         Some(Command::Study(args)) => study::run(&args, console),
         Some(Command::Sweep(args)) => sweep::run(&args, console),
+        Some(Command::Waves(args)) => waves::run(&args, console),
         Some(Command::Presets) => {
             presets::run(console);
             Ok(())

@@ -137,8 +137,12 @@ impl History {
 
     /// Stress of the extreme fibre, the larger of both edges \[Pa\].
     pub fn stress(&self, girder: usize, station: f64, t: f64) -> f64 {
-        self.flexible(girder)
-            .map_or(0.0, |flexible| self.stress_of(girder, flexible, &self.section_forces(girder, station, t)))
+        self.fibre_stress(girder, &self.section_forces(girder, station, t))
+    }
+
+    /// The same from section forces.
+    pub(super) fn fibre_stress(&self, girder: usize, forces: &SectionForces) -> f64 {
+        self.flexible(girder).map_or(0.0, |flexible| self.stress_of(girder, flexible, forces))
     }
 
     fn stress_of(&self, girder: usize, flexible: &Flexible, forces: &SectionForces) -> f64 {
@@ -187,7 +191,7 @@ impl History {
                 inertia: bent.value / flexible.beam.length,
                 thrust: axial.value / buckling,
             },
-            hit: self.hardest_hit(girder, flexible),
+            hit: self.elastic_hit(girder),
         }
     }
 
@@ -206,8 +210,9 @@ impl History {
         times
     }
 
-    fn hardest_hit(&self, girder: usize, flexible: &Flexible) -> Option<ElasticHit> {
-        let model = self.model();
+    /// The hardest hit of an elastic girder that bends.
+    pub fn elastic_hit(&self, girder: usize) -> Option<ElasticHit> {
+        let (flexible, model) = (self.flexible(girder)?, self.model());
         let own = |touch: &&Touch| model.pairs[touch.pair].bodies.contains(&Some(girder));
         let hardest = self.touches().iter().filter(own).max_by(|a, b| a.peak_force.total_cmp(&b.peak_force))?;
         let pause = 2.0 * flexible.beam.transit_time();

@@ -25,7 +25,8 @@ pub mod readings;
 mod replayed;
 mod report;
 pub mod seats;
-pub mod section_quantity;
+pub mod section_field;
+mod section_quantity;
 mod session;
 pub mod spectra;
 mod summary;
@@ -44,6 +45,8 @@ pub use overlap::{Unjoined, unjoined};
 pub use piers::{PierNow, PierReading};
 pub use quantity::Quantity;
 pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
+pub use section_field::SectionField;
+pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
 

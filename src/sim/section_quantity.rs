@@ -15,6 +15,35 @@ pub enum OfSection {
     Stress,
 }
 
+impl OfSection {
+    /// All, each with its word.
+    pub const ALL: [(&'static str, Self); 4] = OF_SECTION;
+
+    /// What it is, with its sign, for titles and legends.
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Axial => "normal force N, tension +",
+            Self::Shear => "shear force Q",
+            Self::Moment => "bending moment M, + compresses the +y edge",
+            Self::Stress => "stress of the extreme fibre",
+        }
+    }
+
+    /// The unit that it is shown in, and SI units in one of it.
+    pub const fn unit(self) -> (&'static str, f64) {
+        match self {
+            Self::Axial | Self::Shear => ("MN", 1e6),
+            Self::Moment => ("MN·m", 1e6),
+            Self::Stress => ("MPa", 1e6),
+        }
+    }
+
+    /// Whether it has a sign.
+    pub const fn is_signed(self) -> bool {
+        !matches!(self, Self::Stress)
+    }
+}
+
 const OF_SECTION: [(&str, OfSection); 4] = [
     ("axial", OfSection::Axial),
     ("shear", OfSection::Shear),
@@ -22,7 +51,7 @@ const OF_SECTION: [(&str, OfSection); 4] = [
     ("stress", OfSection::Stress),
 ];
 /// Stations with a name, in parts of half the length: the ends, the quarters, mid-span.
-pub const STATIONS: [(&str, f64); 5] =
+pub(super) const STATIONS: [(&str, f64); 5] =
     [("-x", -1.0), ("quarter-x", -0.5), ("mid", 0.0), ("quarter+x", 0.5), ("+x", 1.0)];
 
 /// Those of a girder, each with its name, the number of its station, and what it is; none of a rigid girder.
@@ -39,11 +68,5 @@ pub(super) fn named(history: &History, girder: usize) -> Vec<(String, usize, OfS
 pub(super) fn at(history: &History, girder: usize, station: usize, what: OfSection, t: f64) -> f64 {
     let Some((flexible, (_, xi))) = history.flexible(girder).zip(STATIONS.get(station)) else { return 0.0 };
     let station = 0.5 * flexible.beam.length * xi;
-    let forces = || history.section_forces(girder, station, t);
-    match what {
-        OfSection::Axial => forces().axial,
-        OfSection::Shear => forces().shear,
-        OfSection::Moment => forces().moment,
-        OfSection::Stress => history.stress(girder, station, t),
-    }
+    history.of_section(girder, &history.section_forces(girder, station, t), what)
 }

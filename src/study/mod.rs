@@ -17,6 +17,7 @@ pub mod plot;
 pub mod size;
 pub mod stability;
 pub mod sweep;
+pub mod waves;
 
 /// What a page says of the occasion: when, where, how.
 #[derive(Clone, Debug, Default)]

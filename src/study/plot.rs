@@ -10,6 +10,8 @@ pub mod heat_map;
 #[cfg(feature = "study")]
 mod raster;
 
+pub use color_map::Colors;
+
 #[cfg(feature = "study")]
 pub use raster::{RasterError, png};
 

@@ -37,3 +37,27 @@ fn mistaken_flags_are_told() {
         assert!(said.status == Some(2) && said.err.contains(word), "{flags:?}: {}", said.err);
     }
 }
+
+#[test]
+fn waves_are_drawn_and_what_does_not_bend_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a UTF-8 path");
+    let drawn = call(&["waves", "deck-30m-elastic", "--until", "1.2", "--force", "moment", "--out", out]);
+    assert_eq!(drawn.status, Some(0), "{}", drawn.err);
+    let svg = std::fs::read_to_string(folder.path().join("deck-moment.svg")).expect("the picture");
+    assert!(
+        svg.contains("bending moment M") && svg.contains("[MN·m]") && svg.contains("A wave runs"),
+        "it says what it is"
+    );
+    let table = std::fs::read_to_string(folder.path().join("deck-moment.csv")).expect("the table");
+    assert_eq!(table.lines().count(), 161 * 81 + 1, "a heading and a line each");
+    for (args, word) in [
+        (vec!["skew45-abutment"], "no girder bends"),
+        (vec!["deck-30m-elastic", "--girder", "bridge"], "nobody is called that; there are deck"),
+        (vec!["deck-30m-elastic", "--until", "1", "--from", "2"], "--from 2: the run ends at 1 s"),
+        (vec!["deck-30m-elastic", "--until", "1", "--to", "0.5"], "--to without --from"),
+    ] {
+        let said = call(&[&["waves"], args.as_slice(), &["--out", out]].concat());
+        assert!(said.status == Some(2) && said.err.contains(word), "{args:?}: {}", said.err);
+    }
+}

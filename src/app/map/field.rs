@@ -11,8 +11,9 @@ use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::unit::Unit;
 use crate::scene::Scene;
+use crate::study::plot::Colors;
 use crate::study::plot::chart::{range, ticks};
-use crate::study::plot::color_map::{LEVELS, level, rgb};
+use crate::study::plot::color_map::{LEVELS, level};
 use crate::study::sweep::Status;
 
 /// Room for the numbers of the upright axis, and for those of the level one with its name \[points\].
@@ -100,7 +101,7 @@ fn draw_cells(painter: &Painter, cells: Cells, map: &Map, colors: [f64; 2], pale
     for cell in (0..cells.counts[0]).flat_map(|x| (0..cells.counts[1]).map(move |y| [x, y])) {
         let Some(row) = map.standing_for(cell) else { continue };
         let fill = row.values[0].map_or(palette.line, |value| {
-            let [r, g, b] = rgb(level(value * map.measure(0).drawn.1, colors));
+            let [r, g, b] = Colors::Even.rgb(level(value * map.measure(0).drawn.1, colors));
             Color32::from_rgb(r, g, b)
         });
         quad(&mut mesh, cells.rect(cell), fill);
@@ -148,7 +149,7 @@ fn draw_bar(painter: &Painter, (area, field): (Rect, Rect), map: &Map, colors: [
     let mut mesh = Mesh::default();
     let part = bar.height() / (f32::from(LEVELS) + 1.0);
     for level in 0..=LEVELS {
-        let [r, g, b] = rgb(level);
+        let [r, g, b] = Colors::Even.rgb(level);
         let bottom = bar.bottom() - part * f32::from(level);
         let step = Rect::from_min_max(pos2(bar.left(), bottom - part), pos2(bar.right(), bottom));
         quad(&mut mesh, step, Color32::from_rgb(r, g, b));

@@ -15,6 +15,27 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [0xfd, 0xe7, 0x25],
 ];
 
+/// Both sides of 0: C. Brewer's `RdBu` of seven classes turned round, light in the middle, told apart by every kind of colour vision.
+const SIGNED: [[u8; 3]; 7] = [
+    [0x21, 0x66, 0xac],
+    [0x67, 0xa9, 0xcf],
+    [0xd1, 0xe5, 0xf0],
+    [0xf7, 0xf7, 0xf7],
+    [0xfd, 0xdb, 0xc7],
+    [0xef, 0x8a, 0x62],
+    [0xb2, 0x18, 0x2b],
+];
+
+/// A map of numbers to colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colors {
+    /// From the lowest to the highest.
+    #[default]
+    Even,
+    /// From as far below 0 as above it.
+    Signed,
+}
+
 /// Levels that a map is drawn in: two neighbours look alike.
 pub(crate) const LEVELS: u8 = 255;
 
@@ -26,11 +47,33 @@ pub(crate) fn level(value: f64, [low, high]: [f64; 2]) -> u8 {
     level
 }
 
-/// The colour of a level, red, green and blue.
-pub(crate) fn rgb(level: u8) -> [u8; 3] {
-    let at = usize::from(level) * (VIRIDIS.len() - 1);
+impl Colors {
+    /// The colour of a level, red, green and blue.
+    pub(crate) fn rgb(self, level: u8) -> [u8; 3] {
+        match self {
+            Self::Even => between(&VIRIDIS, level),
+            Self::Signed => between(&SIGNED, level),
+        }
+    }
+
+    /// The colour of a level, `#rrggbb`.
+    pub(super) fn hex(self, level: u8) -> String {
+        let [r, g, b] = self.rgb(level);
+        format!("#{r:02x}{g:02x}{b:02x}")
+    }
+
+    /// The range of the colours for values in a range.
+    pub(crate) fn range(self, [low, high]: [f64; 2]) -> [f64; 2] {
+        let most = low.abs().max(high.abs());
+        if self == Self::Signed { [-most, most] } else { [low, high] }
+    }
+}
+
+/// The colour of a level between samples.
+fn between(samples: &[[u8; 3]], level: u8) -> [u8; 3] {
+    let at = usize::from(level) * (samples.len() - 1);
     let (sample, over) = (at / usize::from(LEVELS), at % usize::from(LEVELS));
-    let (from, to) = (VIRIDIS[sample], VIRIDIS[(sample + 1).min(VIRIDIS.len() - 1)]);
+    let (from, to) = (samples[sample], samples[(sample + 1).min(samples.len() - 1)]);
     [0, 1, 2].map(|i| {
         let part = over as f64 / f64::from(LEVELS);
         let mixed = f64::from(from[i]) + part * (f64::from(to[i]) - f64::from(from[i]));
@@ -38,12 +81,6 @@ pub(crate) fn rgb(level: u8) -> [u8; 3] {
         let byte = mixed.round() as u8;
         byte
     })
-}
-
-/// The colour of a level, `#rrggbb`.
-pub(super) fn hex(level: u8) -> String {
-    let [r, g, b] = rgb(level);
-    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 #[cfg(test)]
@@ -56,7 +93,7 @@ mod tests {
             let c = f64::from(byte) / 255.0;
             if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
-        let [r, g, b] = rgb(level).map(linear);
+        let [r, g, b] = Colors::Even.rgb(level).map(linear);
         0.2126 * r + 0.7152 * g + 0.0722 * b
     }
 
@@ -73,6 +110,8 @@ mod tests {
     fn ends_and_middle_are_those_of_the_range() {
         assert_eq!([level(1.0, [1.0, 3.0]), level(2.0, [1.0, 3.0]), level(3.0, [1.0, 3.0])], [0, 128, 255], "in it");
         assert_eq!([level(-9.0, [1.0, 3.0]), level(9.0, [1.0, 3.0])], [0, 255], "beyond it");
-        assert_eq!([hex(0), hex(255)], ["#440154", "#fde725"], "the ends of the map");
+        assert_eq!([0, 255].map(|at| Colors::Even.hex(at)), ["#440154", "#fde725"], "the ends of the map");
+        assert_eq!(Colors::Signed.range([-1.0, 3.0]), [-3.0, 3.0], "0 in the middle");
+        assert_eq!([0, 255].map(|at| Colors::Signed.hex(at)), ["#2166ac", "#b2182b"], "the ends of the signed map");
     }
 }

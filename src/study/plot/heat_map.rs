@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::chart::{number, range, ticks};
-use super::color_map::{LEVELS, hex, level};
+use super::color_map::{Colors, LEVELS, level};
 use super::draw::{escape, line, text};
 
 /// Side of a panel's field.
@@ -55,6 +55,8 @@ pub struct HeatMap {
     pub y: Steps,
     /// Name of the colour bar with its unit.
     pub bar: String,
+    /// What numbers are as colours.
+    pub colors: Colors,
     /// From left to right.
     pub maps: Vec<Map>,
 }
@@ -72,7 +74,7 @@ impl HeatMap {
         let _ = writeln!(svg, r##"<rect width="{width}" height="{height}" fill="#ffffff"/>"##);
         text(&mut svg, (LEFT, 28.0), 17.0, "start", INK, &escape(&self.title));
         text(&mut svg, (LEFT, 48.0), 12.0, "start", GREY, &escape(&self.subtitle));
-        let colors = range(self.maps.iter().flat_map(|map| &map.values).flatten().copied());
+        let colors = self.colors.range(range(self.maps.iter().flat_map(|map| &map.values).flatten().copied()));
         for (number, map) in self.maps.iter().enumerate() {
             self.draw(&mut svg, map, LEFT + PANEL * number as f64, colors);
         }
@@ -121,7 +123,7 @@ impl HeatMap {
             }
         }
         let used = (0..=LEVELS).zip(paths).filter(|(_, path)| !path.is_empty());
-        used.map(|(level, path)| (hex(level), path)).collect()
+        used.map(|(level, path)| (self.colors.hex(level), path)).collect()
     }
 
     /// A ring where the scene itself is.
@@ -156,7 +158,7 @@ impl HeatMap {
                 svg,
                 r#"<rect x="{left}" y="{y:.2}" width="16" height="{:.2}" fill="{}"/>"#,
                 part + 0.3,
-                hex(level)
+                self.colors.hex(level)
             );
         }
         for value in ticks(colors, 6.0) {
@@ -210,6 +212,7 @@ mod tests {
             x: steps(columns, Some(0.5)),
             y: steps(rows, Some(0.0)),
             bar: "x [mm]".into(),
+            colors: Colors::Even,
             maps: vec![Map { name: "one".into(), values }],
         }
     }

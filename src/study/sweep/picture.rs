@@ -3,9 +3,9 @@
 use super::axis::Axis;
 use super::dataset::Dataset;
 use super::measure::Measure;
-use crate::study::plot::COLORS;
 use crate::study::plot::chart::{Chart, Curve, Panel};
 use crate::study::plot::heat_map::{HeatMap, Map, Steps};
+use crate::study::plot::{COLORS, Colors};
 
 /// Most panels of a heat map, and most lines of a chart: as many as there are colours.
 const MOST: usize = COLORS.len();
@@ -115,6 +115,7 @@ impl Dataset<'_> {
             x: steps(x),
             y: steps(y),
             bar: measure.1.title(),
+            colors: Colors::default(),
             maps: others.iter().map(map).collect(),
         }
     }

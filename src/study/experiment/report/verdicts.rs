@@ -6,6 +6,7 @@ use crate::study::experiment::earthquake::Earthquake;
 use crate::study::experiment::findings::{Finding, Outcome, Verdict};
 use crate::study::experiment::results::Results;
 use crate::study::experiment::scan::{Knob, Scan, steps};
+use crate::study::plot::Colors;
 use crate::study::plot::draw::escape;
 use crate::study::plot::heat_map::{HeatMap, Map, Steps};
 
@@ -122,6 +123,7 @@ pub(super) fn map(scan: &Scan, results: &Results) -> Option<String> {
             x: axis(scan.x),
             y: axis(scan.y),
             bar: scan.measure.label().to_owned(),
+            colors: Colors::default(),
             maps: maps.collect(),
         }
         .to_svg(),

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Bar, bars, case, force_on_first, moving, on_a_wall};
 use crate::support::{run, within};
-use girderbench::sim::History;
+use girderbench::sim::{History, OfSection};
 
 /// Force of (F11) in parts of F₀, where touching begins at 0: `a` is K/Z of the wall, 2K/Z of two bars.
 fn st_venant(a: f64, back: f64, t: f64) -> f64 {
@@ -157,6 +157,12 @@ fn a_wave_runs_through_a_bar_and_comes_back_as_tension() {
         }
     }
     within("N(s, t) against the travelling wave", worst, 7e-3);
+    let until = start + bar.there_and_back();
+    let field = history.section_field(0, OfSection::Axial, [start, until], [41, 21]).expect("it bends");
+    for (i, value) in field.values.iter().enumerate() {
+        let (t, station) = (field.times[i % 41], field.stations[i / 41]);
+        within("the field is N(s, t)", value - history.section_forces(0, station, t).axial, 1e-9 * largest);
+    }
     let turned = (0..200).map(|i| history.section_forces(0, 0.0, start + 1.45 * half / c * f64::from(i) / 100.0).axial);
     assert!(turned.fold(0.0, f64::max) < 7e-3 * largest, "compression until the front comes back");
 }

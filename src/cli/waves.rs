@@ -1,0 +1,121 @@
+//! `girderbench waves`: a section force of a girder that bends over time and station.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use super::args::{SceneArgs, Threads, not_negative};
+use super::compute::compute_as_asked;
+use super::console::Console;
+use super::domain;
+use super::failure::Failure;
+use super::output::write_files;
+use super::plot_files::plot_files;
+use crate::files::check_folder;
+use crate::sim::{History, OfSection};
+use crate::study::waves::{Wanted, Waves};
+
+/// Run a scene and draw a section force of a girder that bends over time and station: waves are seen to run and turn
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct WavesArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// The girder, by its name; the first that bends when left out
+    #[arg(long, value_name = "NAME")]
+    girder: Option<String>,
+    /// What is drawn: axial (N), shear (Q), moment (M), stress of the extreme fibre
+    #[arg(long, value_name = "FORCE", value_parser = section_force(), default_value = "axial")]
+    force: OfSection,
+    /// When the picture begins [s]; shortly before the hardest hit when left out
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
+    from: Option<f64>,
+    /// When it ends [s]; some passages of a wave after that hit when left out
+    #[arg(long, value_name = "S", value_parser = not_negative, allow_negative_numbers = true)]
+    to: Option<f64>,
+    /// The folder of picture and table
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    out: PathBuf,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+/// A section force by its word.
+pub(super) fn section_force() -> impl TypedValueParser<Value = OfSection> {
+    let of =
+        |word: String| OfSection::ALL.into_iter().find(|(name, _)| *name == word).map(|(_, what)| what).ok_or(word);
+    PossibleValuesParser::new(OfSection::ALL.map(|(name, _)| name)).try_map(of)
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input, no girder that bends, a time that the run does not reach, no place to write; a run that gave up, after its
+/// picture has been written.
+pub(super) fn run(args: &WavesArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.scene.load()?;
+    args.threads.start()?;
+    check_folder(&args.out)?;
+    domain::warn(&scene, console);
+    let timed = compute_as_asked(&scene)?;
+    let history = &timed.history;
+    let wanted = Wanted { girder: girder(history, args)?, what: args.force, span: span(history, args)? };
+    let waves = Waves::of(history, &wanted).ok_or_else(rigid)?;
+    let word = OfSection::ALL.iter().find(|(_, what)| *what == args.force).map_or("", |(word, _)| word);
+    let name = format!("{}-{word}", plain(&waves.girder));
+    let mut files = vec![(format!("{name}.csv"), waves.csv().into_bytes())];
+    files.extend(plot_files(&name, waves.picture().to_svg())?);
+    write_files(&args.out, &files)?;
+    let (unit, size) = args.force.unit();
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    console.print(&format!(
+        "{}: largest {:.6} {unit}\nwritten to {}: {}\n",
+        args.force.label(),
+        waves.field.largest() / size,
+        args.out.display(),
+        names.join(", ")
+    ));
+    match history.stop() {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// Number of the girder that is asked for.
+fn girder(history: &History, args: &WavesArgs) -> Result<usize, Failure> {
+    let girders = &history.scene().girders;
+    let bends = |&number: &usize| history.flexible(number).is_some();
+    let Some(name) = &args.girder else { return (0..girders.len()).find(bends).ok_or_else(rigid) };
+    let of_name = (0..girders.len()).find(|&number| girders[number].name == *name);
+    let number = of_name.ok_or_else(|| {
+        let names: Vec<&str> = girders.iter().map(|girder| girder.name.as_str()).collect();
+        Failure::Input(format!("--girder {name}: nobody is called that; there are {}", names.join(", ")))
+    })?;
+    Some(number).filter(bends).ok_or_else(rigid)
+}
+
+fn rigid() -> Failure {
+    let remedy = "give it [girder.elastic], and contacts stiff enough that it softens them";
+    Failure::Input(format!("no girder bends, so no wave runs in one: {remedy}"))
+}
+
+/// From when to when.
+fn span(history: &History, args: &WavesArgs) -> Result<[Option<f64>; 2], Failure> {
+    let end = history.end();
+    for (flag, t) in [("--from", args.from), ("--to", args.to)] {
+        if let Some(t) = t.filter(|t| *t > end) {
+            return Err(Failure::Input(format!("{flag} {t}: the run ends at {end} s: give a time from 0 to {end}")));
+        }
+    }
+    match (args.from, args.to) {
+        (Some(from), Some(to)) if from >= to => {
+            Err(Failure::Input(format!("--to {to}: the picture begins at {from} s: give a later time")))
+        }
+        (None, Some(_)) => Err(Failure::Input("--to without --from: say when the picture begins".to_owned())),
+        span => Ok(span.into()),
+    }
+}
+
+/// A name that a file can have.
+fn plain(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
+}

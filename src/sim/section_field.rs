@@ -1,0 +1,63 @@
+//! A section force of an elastic girder over stations and time: where waves are seen to run and turn.
+
+use super::History;
+use super::section_quantity::OfSection;
+use crate::dynamics::model::coordinates::elastic::SectionForces;
+
+/// Values over stations and times, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionField {
+    /// Times \[s\].
+    pub times: Vec<f64>,
+    /// Stations from −a0/2 to a0/2 \[m\].
+    pub stations: Vec<f64>,
+    /// Of the first station at every time, then of the next.
+    pub values: Vec<f64>,
+}
+
+impl SectionField {
+    /// Greatest absolute value.
+    pub fn largest(&self) -> f64 {
+        self.values.iter().fold(0.0, |most, value| most.max(value.abs()))
+    }
+}
+
+impl History {
+    /// One of the section forces of an elastic girder, SI.
+    pub fn of_section(&self, girder: usize, forces: &SectionForces, what: OfSection) -> f64 {
+        match what {
+            OfSection::Axial => forces.axial,
+            OfSection::Shear => forces.shear,
+            OfSection::Moment => forces.moment,
+            OfSection::Stress => self.fibre_stress(girder, forces),
+        }
+    }
+
+    /// A section force of an elastic girder at `counts` even times from `from` to `until` and even stations from end to end; `None`
+    /// of a girder that does not bend.
+    pub fn section_field(
+        &self,
+        girder: usize,
+        what: OfSection,
+        [from, until]: [f64; 2],
+        [times, stations]: [usize; 2],
+    ) -> Option<SectionField> {
+        let half = 0.5 * self.flexible(girder)?.beam.length;
+        let times = even([from, until], times);
+        let stations = even([-half, half], stations);
+        let mut values = vec![0.0; times.len() * stations.len()];
+        for (column, &t) in times.iter().enumerate() {
+            let equilibrium = self.equilibrium(girder, t)?;
+            for (row, &station) in stations.iter().enumerate() {
+                values[row * times.len() + column] = self.of_section(girder, &equilibrium.at(station), what);
+            }
+        }
+        Some(SectionField { times, stations, values })
+    }
+}
+
+/// So many numbers, evenly from one to the other.
+fn even([from, until]: [f64; 2], count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| from + (until - from) * i as f64 / last).collect()
+}
