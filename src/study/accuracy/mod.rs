@@ -5,6 +5,7 @@
 //! [`Study`] then writes itself as a table, as plots and as a page.
 
 pub mod answer;
+mod line;
 pub mod method;
 mod others;
 mod page;

@@ -15,7 +15,7 @@ fn style(method: &str) -> (&'static str, Marker) {
         "event-driven" => (COLORS[0], Marker::Circle),
         "semi-implicit-euler" => (COLORS[3], Marker::Square),
         "rk4" => (COLORS[2], Marker::Triangle),
-        "newmark" => (COLORS[1], Marker::Diamond),
+        "newmark" | "newmark-elements" => (COLORS[1], Marker::Diamond),
         _ => (COLORS[4], Marker::Down),
     }
 }

@@ -22,6 +22,10 @@ pub enum Source {
     },
     /// A damped oscillator in stick, a parabola plus a sine in slip, switched at roots.
     Block,
+    /// Two equal elastic bars head on: the force in closed form (F11).
+    StVenant,
+    /// An elastic bar on springs before a wall: spectral elements, the exponential of their matrix.
+    Bar,
     /// The second formulation: its own kinematics, forces, laws, integrator and event search.
     Second,
 }
@@ -60,7 +64,7 @@ const fn problem(
     Problem { name, summary, source, contact, scene }
 }
 
-static PROBLEMS: [Problem; 13] = [
+static PROBLEMS: [Problem; 15] = [
     problem("free-decay", "straight girder let go, nothing to touch, 4 s", Source::FreeDecay, scenes::free_decay),
     problem(
         "harmonic-response",
@@ -118,6 +122,18 @@ static PROBLEMS: [Problem; 13] = [
         "30 m deck of 60° skew between two abutments, six degrees of freedom, 20 s",
         Source::Second,
         || presets::load("deck-30m"),
+    ),
+    problem(
+        "F1",
+        "two elastic bars of 30 m head on, κ = 1, degree 24, no damping, 50 ms",
+        Source::StVenant,
+        scenes::two_bars,
+    ),
+    problem(
+        "F2",
+        "30 m concrete deck on bearings against an abutment, κ = 0.25, degree 16, 0.4 g at 0.8 Hz, 10 s",
+        Source::Bar,
+        scenes::deck_that_rings,
     ),
 ];
 

@@ -1,7 +1,10 @@
 //! The scenes of the problems: presets with changes.
 
 use super::record;
-use crate::scene::{Direction, FrictionLaw, ModelKind, Motion, RecordMotion, Scene, SceneErrors, SineMotion, presets};
+use crate::scene::{
+    Degree, Direction, Elastic, FrictionLaw, ModelKind, Motion, Rayleigh, RecordMotion, Scene, SceneErrors, SineMotion,
+    presets,
+};
 
 /// Amplitude of the P problems, 0.4 × 9.81 \[m/s²\].
 const AMPLITUDE: f64 = 3.924;
@@ -109,4 +112,48 @@ pub(super) fn under_a_record() -> Result<Scene, SceneErrors> {
     });
     scene.duration = record::SAMPLES as f64 * record::INTERVAL;
     Ok(scene)
+}
+
+/// F1: two equal bars of concrete without damping, 1 mm apart, the first under way at 0.5 m/s.
+pub(super) fn two_bars() -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("deck-30m-elastic")?;
+    "F1".clone_into(&mut scene.name);
+    smooth(&mut scene, 8e9, 24.0);
+    scene.abutments.clear();
+    let first = &mut scene.girders[0];
+    first.bearings = None;
+    first.elastic = first.elastic.map(|elastic| Elastic { damping_ratio: Some(0.0), ..elastic });
+    first.position = [-15.0005, 0.0, 0.0];
+    let mut second = first.clone();
+    first.initial.velocity = [0.5, 0.0, 0.0];
+    "other".clone_into(&mut second.name);
+    second.position = [15.0005, 0.0, 0.0];
+    scene.girders.push(second);
+    scene.motion = Motion::None;
+    scene.duration = 0.05;
+    Ok(scene)
+}
+
+/// F2: the deck, straight and without friction, before its abutment; damped like β E ε̇, 0.02 of critical of its first mode.
+pub(super) fn deck_that_rings() -> Result<Scene, SceneErrors> {
+    let mut scene = presets::load("deck-30m-elastic")?;
+    "F2".clone_into(&mut scene.name);
+    smooth(&mut scene, 2e9, 16.0);
+    let rayleigh = Some(Rayleigh { mass: 0.0, stiffness: 1.1e-4 });
+    let deck = &mut scene.girders[0];
+    deck.elastic = deck.elastic.map(|elastic| Elastic { rayleigh, ..elastic });
+    scene.motion = sine(AMPLITUDE, 0.8, 0.0);
+    Ok(scene)
+}
+
+/// Straight ends, elastic contact of this stiffness without friction, polynomials of this degree.
+fn smooth(scene: &mut Scene, stiffness: f64, degree: f64) {
+    let contact = &mut scene.contact;
+    contact.stiffness = Some(stiffness);
+    (contact.restitution_normal, contact.restitution_tangential) = (1.0, 1.0);
+    (contact.mu_static, contact.mu_kinetic) = (0.0, 0.0);
+    for girder in &mut scene.girders {
+        girder.skew_deg = 90.0;
+        girder.elastic = girder.elastic.map(|elastic| Elastic { modes: Degree(Some(degree)), ..elastic });
+    }
 }

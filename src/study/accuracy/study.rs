@@ -87,7 +87,7 @@ pub fn study(
         let scene = problem.scene()?;
         let reference = reference::of(problem.source, &scene)?;
         let mut rows = Vec::new();
-        for method in methods.iter().filter(|method| method.knows(scene.model.kind)) {
+        for method in methods.iter().filter(|method| method.knows(&scene)) {
             said(&format!("{}: {}", problem.name, method.name()));
             sweep(problem, *method, &scene, &reference, options, &mut rows);
         }

@@ -138,3 +138,26 @@ fn a_study_writes_every_measurement_into_its_table_and_page() {
     assert!(name == "free-decay" && svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "a plot");
     assert!(svg.contains("event-driven") && svg.contains("order 4"), "lines and slopes are named");
 }
+
+#[test]
+fn elastic_bars_agree_with_closed_form_and_spectral_elements() {
+    // Floors are those of the polynomials, of degree 24 and 16: waves with kinks converge like a power of the degree.
+    let bars = known("F1", 0.05);
+    within("F1: displacement [m]", bars.floor.displacement, 1e-6);
+    within("F1: peak force", bars.floor.peak_force, 2e-3);
+    let deck = known("F2", 3.0);
+    assert!(deck.answer.peak_force > 1e7, "it hits: {} N", deck.answer.peak_force);
+    within("F2: displacement [m]", deck.floor.displacement, 1e-6);
+    within("F2: peak force", deck.floor.peak_force, 1e-4);
+}
+
+#[test]
+fn newmarks_steps_with_elements_are_of_order_two_without_a_touch_and_less_across_touches() {
+    // The deck comes to its abutment at 0.93 s.
+    let seen = order(&errors("F2", "newmark-elements", &[1.0, 2.0, 4.0], 0.9));
+    within("F2 before its touch: order less 2", seen - 2.0, 0.2);
+    let across = order(&errors("F2", "newmark-elements", &[1.0, 2.0, 4.0, 8.0, 16.0], 4.0));
+    assert!((0.7..2.6).contains(&across), "F2 across touches: order {across}");
+    let kinks = order(&errors("F1", "newmark-elements", &[1.0, 2.0, 4.0], 0.05));
+    assert!((0.7..2.8).contains(&kinks), "F1, whose kinks no damping smooths: order {kinks}");
+}

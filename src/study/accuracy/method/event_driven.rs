@@ -2,7 +2,7 @@
 //! state a root. Asked by its continuous answer, so the instants of comparison cost it nothing on the way.
 
 use super::interface::{Job, Knob, Method, Work};
-use crate::scene::ModelKind;
+use crate::scene::Scene;
 use crate::sim::History;
 
 /// See above.
@@ -18,7 +18,7 @@ impl Method for EventDriven {
         Knob::Tolerance
     }
 
-    fn knows(&self, _: ModelKind) -> bool {
+    fn knows(&self, _: &Scene) -> bool {
         true
     }
 

@@ -51,9 +51,9 @@ pub trait Method: Sync {
     /// What it is turned by.
     fn knob(&self) -> Knob;
 
-    /// Whether it computes a scene by this model.
-    fn knows(&self, model: ModelKind) -> bool {
-        model == ModelKind::Contact
+    /// Whether it computes such a scene: here the contact model with rigid girders.
+    fn knows(&self, scene: &Scene) -> bool {
+        scene.model.kind == ModelKind::Contact && scene.girders.iter().all(|girder| girder.elastic.is_none())
     }
 
     /// The work that is timed: from the scene to what can be asked for its motion.

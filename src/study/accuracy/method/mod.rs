@@ -10,6 +10,7 @@ mod event_driven;
 mod interface;
 mod march;
 mod newmark;
+mod newmark_elements;
 mod runge_kutta4;
 mod semi_implicit_euler;
 mod solve;
@@ -17,11 +18,12 @@ mod world;
 
 pub use interface::{Job, Knob, Method, Work};
 
-static METHODS: [&dyn Method; 5] = [
+static METHODS: [&dyn Method; 6] = [
     &event_driven::EventDriven,
     &semi_implicit_euler::SemiImplicitEuler,
     &runge_kutta4::RungeKutta4,
     &newmark::Newmark,
+    &newmark_elements::NewmarkElements,
     &dormand_prince::DormandPrince,
 ];
 

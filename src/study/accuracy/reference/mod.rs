@@ -1,11 +1,14 @@
 //! Answers to measure errors against, computed by other methods than the ones that are measured.
 
+mod bar;
 mod block;
 mod bouncer;
 mod closed_form;
 pub mod second;
+mod st_venant;
 pub mod wide;
 
+use super::line::Line;
 use super::problem::Source;
 use super::{Answer, Instants};
 use crate::scene::{Scene, SceneErrors};
@@ -39,6 +42,8 @@ pub fn describe(source: Source) -> &'static str {
         Source::FreeDecay | Source::HarmonicResponse => "closed form",
         Source::Bouncer { .. } | Source::Rigid { .. } => "Taylor series in 32 digits, events as roots",
         Source::Block => "closed form between roots",
+        Source::StVenant => "closed form of the force, integrated",
+        Source::Bar => "spectral elements, exponential of their matrix, touches by halving",
         Source::Second => "second formulation: own forces and laws, extrapolation, own event search",
     }
 }
@@ -55,6 +60,8 @@ pub fn of(source: Source, scene: &Scene) -> Result<Reference, SceneErrors> {
         Source::Bouncer { restitution } => bouncer::answer(restitution, false, instants),
         Source::Rigid { restitution } => bouncer::answer(restitution, true, instants),
         Source::Block => block::answer(instants),
+        Source::StVenant => Line::of(scene).map(|line| st_venant::answer(&line, instants)).unwrap_or_default(),
+        Source::Bar => Line::of(scene).map(|line| bar::answer(&line, instants)).unwrap_or_default(),
         Source::Second => second::answer(scene, instants)?,
     };
     let tight = tightest(scene, instants)?;
