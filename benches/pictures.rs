@@ -70,6 +70,7 @@ fn list_of((scene, moment): &(Scene, Moment), close: bool) -> DrawList {
         selected: &[],
         kept: &[],
         exaggeration: 1.0,
+        bent: None,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

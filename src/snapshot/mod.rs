@@ -19,7 +19,7 @@ pub use gif::{GifError, MOST_FPS, gif};
 use crate::render::{Fault, Gpu, GpuError, Image, Quality, Renderer};
 use crate::scene::{Overlays, Scene, SceneErrors, ViewPreset};
 use crate::sim::History;
-use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, draw_list, marks};
+use crate::view::{Background, Bending, Bent, Bounds, Camera, DrawList, Target, ViewInput, draw_list, marks};
 
 /// Which instant of a run a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -64,6 +64,8 @@ pub struct Shot {
     pub selected: Option<Target>,
     /// Title; the scene's name when absent.
     pub title: Option<String>,
+    /// How girders that bend are drawn; as rigid ones when absent.
+    pub bent: Option<Bending>,
     /// A picture of marks of this diameter alone, for a camera straight above \[m\].
     pub marks: Option<f64>,
 }
@@ -81,6 +83,7 @@ impl Default for Shot {
             force_scale: None,
             selected: None,
             title: None,
+            bent: None,
             marks: None,
         }
     }
@@ -121,6 +124,7 @@ impl Shot {
             selected: self.selected.as_slice(),
             kept: &[],
             exaggeration: 1.0,
+            bent: self.bent.and_then(|bending| Bent::of(history, bending)),
             size: self.size,
             pixels_per_point: points(self.size),
             background: self.background,

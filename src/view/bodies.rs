@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, exaggerated, piers, walls};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, exaggerated, piers, walls};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -96,7 +96,14 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
             }
         }
         let selected = input.selected.contains(&Target::Girder(i));
-        out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected);
+        match bent::slices(input, (i, girder, motion), palette, selected) {
+            Some(slices) => {
+                out.solids.extend(slices.solids);
+                out.lines.extend(slices.edges);
+                out.outline.extend(slices.outline);
+            }
+            None => out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected),
+        }
     }
     for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {
         out.add_ghost(input, &moved_girder_block(girder, motion), palette.ghost, 0.55);

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::bent::Bent;
 use super::camera::Camera;
 use super::list::Background;
 use crate::scene::{DeviceId, Overlays, Scene};
@@ -41,6 +42,8 @@ pub struct ViewInput<'a> {
     pub selected: &'a [Target],
     /// How many times larger than they are displacements and rotations are shown; 1 is as they are.
     pub exaggeration: f64,
+    /// How girders that bend are drawn; as rigid ones when absent.
+    pub bent: Option<Bent>,
     /// Other runs, seen as ghosts at the same instant, each with its number among [`MOST_KEPT`].
     pub kept: &'a [(&'a History, usize)],
     /// Width and height \[pixels\].

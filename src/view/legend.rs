@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::ViewInput;
 use super::area::Area;
+use super::bent;
 use super::devices;
 use super::forces::glyph;
 use super::labels::text_size;
@@ -18,6 +19,10 @@ use crate::sim::ContactState;
 const ROW: f32 = 19.0;
 /// Width of the signs' column \[points\].
 const SIGN: f32 = 40.0;
+/// Length of the bar of a section force's colours \[points\].
+const COLOR_BAR: f32 = 120.0;
+/// Its parts of one colour each.
+const COLOR_PARTS: u8 = 40;
 /// Longest force bar \[points\].
 const LONGEST_BAR: f64 = 150.0;
 
@@ -41,6 +46,8 @@ enum Sign {
     Grid,
     Girder,
     Ghost,
+    /// Colours of a section force, from −1 or 0 to 1.
+    Colors(f64),
 }
 
 fn row(sign: Sign, text: impl Into<String>) -> Row {
@@ -96,6 +103,13 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
         rows.push(row(Sign::Bar(length), round_impulse(impulse)));
         rows.push(row(Sign::Arrow(IMPULSE), "impulse of a hit, fading"));
     }
+    if let Some((force, most)) = input.bent.and_then(|bent| bent.colored) {
+        let (unit, size) = force.unit();
+        let low = if force.is_signed() { -1.0 } else { 0.0 };
+        let end = |part: f64| three(part * most / size);
+        rows.push(row(Sign::Colors(low), format!("{} to {} {unit}", end(low), end(1.0))));
+        rows.push(row(Sign::None, force.label()));
+    }
     if !moment.ghosts.is_empty() {
         rows.push(row(Sign::Girder, "contact model"));
         rows.push(row(Sign::Ghost, "impact model, and its states"));
@@ -120,6 +134,12 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
     }
     rows.extend(grid.map(|g| row(Sign::Grid, format!("grid {}", round_length(g)))));
     rows
+}
+
+/// A number of three digits.
+fn three(value: f64) -> String {
+    let digits = if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 6) };
+    format!("{value:.*}", usize::try_from(digits).unwrap_or(0))
 }
 
 fn input_resultant(input: &ViewInput<'_>) -> Rgba {
@@ -158,6 +178,7 @@ fn sign_width(row: &Row, ppp: f32) -> f32 {
     match row.sign {
         Sign::None => 0.0,
         Sign::Bar(length) => length + 10.0 * ppp,
+        Sign::Colors(_) => (COLOR_BAR + 10.0) * ppp,
         _ => SIGN * ppp,
     }
 }
@@ -195,6 +216,16 @@ fn sign_marks(sign: Sign, at: Vec2, ppp: f32, palette: &Palette, out: &mut Vec<M
             let outline = [p(2.0, -6.0), p(28.0, -6.0), p(28.0, 6.0), p(2.0, 6.0), p(2.0, -6.0)];
             out.push(stroke(outline, 2.2 * ppp, OVERLAP));
             out.extend([2.0, 9.0, 16.0].map(|x| stroke([p(x, 6.0), p(x + 12.0, -6.0)], 1.1 * ppp, OVERLAP)));
+        }
+        Sign::Colors(low) => {
+            for k in 0..COLOR_PARTS {
+                let [from, to] = [k, k + 1].map(|k| COLOR_BAR * f32::from(k) / f32::from(COLOR_PARTS));
+                let value = low + (1.0 - low) * (f64::from(k) + 0.5) / f64::from(COLOR_PARTS);
+                let points = vec![p(from, -5.0), p(to, -5.0), p(to, 5.0), p(from, 5.0)];
+                out.push(Mark::Fill { points, color: bent::of_value(value) });
+            }
+            let rim = [p(0.0, -5.0), p(COLOR_BAR, -5.0), p(COLOR_BAR, 5.0), p(0.0, 5.0), p(0.0, -5.0)];
+            out.push(stroke(rim, ppp, palette.edge));
         }
         Sign::Girder => {
             let points = vec![p(2.0, -5.0), p(28.0, -5.0), p(28.0, 5.0), p(2.0, 5.0)];

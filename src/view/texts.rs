@@ -11,6 +11,7 @@ use super::list::{ArrowKind, Mark};
 use super::moment::{Moment, period};
 use super::palette::Palette;
 use super::{ViewInput, forces::Forces, scale};
+use crate::sim::History;
 
 /// Height of ordinary text \[points\].
 pub(super) const TEXT: f32 = 13.0;
@@ -42,11 +43,7 @@ pub(super) fn keep_clear(input: &ViewInput<'_>, moment: &Moment, forces: &Forces
 pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, placer: &mut Placer) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let left = Vec2::new(18.0, 14.0) * ppp;
-    let factor = if input.exaggeration == 1.0 || !input.exaggeration.is_finite() {
-        String::new()
-    } else {
-        format!("motion shown × {}", (input.exaggeration * 10.0).round() / 10.0)
-    };
+    let factor = factors(input);
     let title = one_line(input.title.unwrap_or(&input.scene.name));
     let rows = [
         (title, TITLE, palette.ink, 0.0),
@@ -63,6 +60,17 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
             Mark::Text { at, align: Vec2::ZERO, size: size * ppp, text, color, plate }
         })
         .collect()
+}
+
+/// What is drawn larger than it is, and how much.
+fn factors(input: &ViewInput<'_>) -> String {
+    let one_digit = |factor: f64| (factor * 10.0).round() / 10.0;
+    let motion = (input.exaggeration != 1.0 && input.exaggeration.is_finite())
+        .then(|| format!("motion shown × {}", one_digit(input.exaggeration)));
+    let bends = |history: &History| (0..history.scene().girders.len()).any(|girder| history.flexible(girder).is_some());
+    let bent = input.bent.filter(|_| input.history.is_some_and(bends));
+    let deformation = bent.map(|bent| format!("deformation drawn × {}", one_digit(bent.factor)));
+    motion.into_iter().chain(deformation).collect::<Vec<_>>().join(", ")
 }
 
 /// A text without line breaks and other control characters, which no glyph shows: spaces in their place.

@@ -5,12 +5,12 @@
 use girderbench::geometry::End;
 use girderbench::scene::facing::Side;
 use girderbench::scene::{ModelKind, Overlays, Scene, ViewPreset, presets};
-use girderbench::sim::{ContactState, History, SolidId, seats};
+use girderbench::sim::{ContactState, History, OfSection, SolidId, seats};
 use girderbench::view::list::{ArrowKind, Mark};
 use girderbench::view::moment::OverlapNow;
 use girderbench::view::{
-    Background, Bounds, Camera, DrawList, Moment, Projection, Target, ViewInput, auto_force_scale, draw_list, gap,
-    pick, scale,
+    Background, Bending, Bent, Bounds, Camera, DrawList, Moment, Projection, Target, ViewInput, auto_force_scale,
+    draw_list, gap, pick, scale,
 };
 use glam::{DVec3, Vec3};
 
@@ -38,6 +38,7 @@ fn input<'a>(scene: &'a Scene, history: Option<&'a History>, t: f64, camera: &'a
         selected: &[],
         kept: &[],
         exaggeration: 1.0,
+        bent: None,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,
@@ -530,4 +531,40 @@ fn an_end_off_its_seat_is_drawn_with_the_edge_that_it_left() {
     assert_eq!(lines, 2, "front edge, and the part of the end beyond it");
     scene.girders[0].seat.plus = Some(0.5);
     assert_eq!(drawn(&scene).0, 0, "on its seat nothing is marked");
+}
+
+#[test]
+fn a_girder_that_bends_keeps_the_end_that_faces_something_where_it_is() {
+    let mut scene = load("deck-30m-elastic");
+    scene.duration = 1.2;
+    let history = History::of(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+    let t = history.touches()[0].peak_time;
+    let camera = Camera::preset(ViewPreset::Top, Bounds::of_scene(&scene), ASPECT);
+    let drawn = |factor: f64| {
+        let bending = Bending { factor: Some(factor), force: Some(OfSection::Axial) };
+        let bent = Bent::of(&history, bending).expect("it bends");
+        draw_list(&ViewInput { bent: Some(bent), ..input(&scene, Some(&history), t, &camera) })
+    };
+    let ends = |list: &DrawList| {
+        let slices: Vec<_> = list.solids.iter().filter(|solid| solid.name == "deck").collect();
+        assert!(slices.len() > 20, "in slices");
+        (slices[0].face[0], slices[slices.len() - 1].face[3], slices[slices.len() - 1].face[2])
+    };
+    let ((far, ..), (far_50, ..)) = (ends(&drawn(1.0)), ends(&drawn(50.0)));
+    let ((_, a, b), (_, a_50, b_50)) = (ends(&drawn(1.0)), ends(&drawn(50.0)));
+    assert!((a - a_50).length() < 1e-5 && (b - b_50).length() < 1e-5, "corners before the wall are where they are");
+    assert!((far - far_50).length() > 0.02, "the other end is drawn farther off: {far} and {far_50}");
+    // Corners of the end by the run itself.
+    let place = history.section_place(0, End::Plus, t);
+    let centre = 0.5 * (a + b);
+    let placed = DVec3::new(15.0, 0.0, 0.0) + place;
+    assert!((centre.as_dvec3().truncate() - placed.truncate()).length() < 1e-5, "{centre} against {placed}");
+    let words = drawn(50.0).to_string();
+    assert!(words.contains("deformation drawn × 50"), "the factor is in the picture");
+    assert!(
+        words.contains("normal force N, tension +") && words.contains("MN"),
+        "what the colours mean is in the picture"
+    );
+    let auto = Bent::of(&history, Bending::default()).expect("it bends");
+    assert!(auto.factor > 10.0 && auto.colored.is_none(), "{auto:?}");
 }

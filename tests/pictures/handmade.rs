@@ -100,6 +100,7 @@ pub(crate) fn input<'a>(
         selected: &[],
         kept: &[],
         exaggeration: 1.0,
+        bent: None,
         size,
         pixels_per_point,
         background: Background::Studio,

@@ -115,6 +115,7 @@ fn view<'a>(scene: &'a Scene, history: Option<&'a History>, camera: &'a Camera) 
         selected: &[],
         kept: &[],
         exaggeration: 1.0,
+        bent: None,
         size: SIZE,
         pixels_per_point: 1.0,
         background: Background::Studio,

@@ -2,7 +2,7 @@
 
 use crate::geometry::End;
 use crate::scene::{Overlays, ViewPreset};
-use crate::view::Camera;
+use crate::view::{Bending, Camera};
 
 /// What the mouse does in the 3D view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,6 +30,8 @@ pub enum Follow {
 pub struct Sight {
     /// How many times larger than they are displacements are shown.
     pub exaggeration: f64,
+    /// How girders that bend are drawn; as rigid ones by none.
+    pub bent: Option<Bending>,
     /// What the camera goes with.
     pub follow: Option<Follow>,
     /// Whether the plan is shown beside the view.
@@ -42,7 +44,7 @@ pub struct Sight {
 
 impl Default for Sight {
     fn default() -> Self {
-        Self { exaggeration: 1.0, follow: None, plan: false, section: false, lecture: false }
+        Self { exaggeration: 1.0, bent: None, follow: None, plan: false, section: false, lecture: false }
     }
 }
 

@@ -7,6 +7,8 @@ use crate::app::edits::Document;
 use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
 use crate::app::text;
+use crate::sim::OfSection;
+use crate::view::Bending;
 
 /// The menu of views beyond the standing ones.
 pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: &mut Vec<Command>) {
@@ -14,6 +16,8 @@ pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: 
     ui.checkbox(&mut new.plan, text::PLAN_BESIDE);
     ui.checkbox(&mut new.section, text::GAP_SECTION);
     ui.checkbox(&mut new.lecture, text::LECTURE);
+    ui.separator();
+    bending(ui, &mut new.bent);
     ui.separator();
     ui.label(text::FOLLOW);
     let girder = document.girder_shown();
@@ -34,6 +38,20 @@ pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: 
     });
     if new != sight {
         out.push(ViewCommand::Sight(new).into());
+    }
+}
+
+/// How girders that bend are drawn: as rigid ones, or bent, plain or coloured by a section force.
+fn bending(ui: &mut Ui, bent: &mut Option<Bending>) {
+    let mut on = bent.is_some();
+    if ui.checkbox(&mut on, text::BENT).changed() {
+        *bent = on.then(Bending::default);
+    }
+    if let Some(bending) = bent {
+        ui.radio_value(&mut bending.force, None, text::BENT_PLAIN);
+        for (_, force) in OfSection::ALL {
+            ui.radio_value(&mut bending.force, Some(force), force.label());
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The picture of the 3D view, kept until something changes that it depends on, and its camera.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use egui::{Pos2, Rect};
@@ -12,7 +13,7 @@ use crate::app::viewport::seen::Seen;
 use crate::scene::device::Joint;
 use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::sim::History;
-use crate::view::{Background, Bounds, Camera, DrawList, Target, ViewInput, block, draw_list};
+use crate::view::{Background, Bending, Bent, Bounds, Camera, DrawList, Target, ViewInput, block, draw_list};
 
 /// Everything that a picture depends on; the same key is the same picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +27,7 @@ pub(super) struct Key {
     pub(super) selected: Vec<Target>,
     pub(super) kept: Vec<u64>,
     pub(super) exaggeration: f64,
+    pub(super) bent: Option<Bent>,
     pub(super) size: [u32; 2],
     pub(super) pixels_per_point: f32,
     pub(super) background: Background,
@@ -43,6 +45,8 @@ pub struct Viewport {
     pub hand: Hand,
     /// Where what is followed was at the last look \[m\].
     pub(in crate::app) followed: Option<DVec3>,
+    /// How girders that bend were drawn last: of which answer, as asked how.
+    bent: Cell<Option<(u64, Bending, Option<Bent>)>>,
     /// The plan beside the view: its picture, and how many there have been.
     pub(super) plan: (Option<(Key, Arc<DrawList>)>, u64),
 }
@@ -59,7 +63,21 @@ impl Viewport {
             size: [1280, 720],
             hand: Hand::default(),
             followed: None,
+            bent: Cell::new(None),
             plan: (None, 0),
+        }
+    }
+
+    /// How girders that bend are drawn, looked for in a run once.
+    pub(super) fn bent(&self, seen: &Seen<'_>) -> Option<Bent> {
+        let (bending, answer) = (seen.display.sight.bent?, seen.answer()?);
+        match self.bent.get() {
+            Some((number, asked, bent)) if number == answer.number && asked == bending => bent,
+            _ => {
+                let bent = Bent::of(&answer.history, bending);
+                self.bent.set(Some((answer.number, bending, bent)));
+                bent
+            }
         }
     }
 
@@ -203,6 +221,7 @@ pub(super) fn input<'a>(seen: &Seen<'a>, camera: &'a Camera, key: &'a Key) -> Vi
         selected: &key.selected,
         kept: &[],
         exaggeration: key.exaggeration,
+        bent: key.bent,
         size: key.size,
         pixels_per_point: key.pixels_per_point,
         background: key.background,

@@ -136,6 +136,7 @@ impl SceneView {
             overlays: Some(self.display.overlays),
             background: self.viewport.background(),
             force_scale: self.display.force_scale(),
+            bent: self.display.sight.bent,
             ..Shot::default()
         }
     }

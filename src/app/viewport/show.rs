@@ -137,6 +137,7 @@ fn key(ui: &Ui, camera: Camera, (viewport, seen): (&Viewport, &Seen<'_>)) -> Key
         selected: seen.selection.to_vec(),
         kept: seen.pins.iter().map(|p| p.answer.number).collect(),
         exaggeration: seen.display.sight.exaggeration,
+        bent: viewport.bent(seen),
         size: viewport.size,
         pixels_per_point,
         background: if ui.visuals().dark_mode { Background::Dark } else { Background::Studio },

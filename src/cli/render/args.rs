@@ -2,14 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use super::choices::{Behind, Size, Work, frame_rate, instant, layer, size, view};
+use super::choices::{Behind, BendingFactor, Size, Work, bending_factor, frame_rate, instant, layer, size, view};
 use super::mark_args::{MarkArgs, PAPERS_CAMERA};
 use crate::cli::args::{SceneArgs, Threads, not_negative, positive};
 use crate::cli::failure::Failure;
+use crate::cli::waves::section_force;
 use crate::files;
 use crate::scene::{Layer, Scene, ViewPreset};
-use crate::sim::History;
+use crate::sim::{History, OfSection};
 use crate::snapshot::{Instant, Shot};
+use crate::view::Bending;
 
 /// Extensions of pictures and films in formats that are not written.
 const OTHER_FORMATS: &[&str] = &[
@@ -65,6 +67,12 @@ pub(crate) struct RenderArgs {
     /// Scale of the force arrows [N per m]; from the run's peak when left out
     #[arg(long, value_name = "N_PER_M", value_parser = positive, allow_negative_numbers = true)]
     force_scale: Option<f64>,
+    /// Draw girders that bend as they are bent, so many times larger; `auto` draws the largest deflection as 3 % of the length
+    #[arg(long, value_name = "FACTOR|auto", value_parser = bending_factor, allow_negative_numbers = true)]
+    bent: Option<BendingFactor>,
+    /// Colour them by a section force: axial (N), shear (Q), moment (M), stress of the extreme fibre
+    #[arg(long, value_name = "FORCE", value_parser = section_force(), requires = "bent")]
+    force: Option<OfSection>,
     /// Title; the scene's name when left out
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
@@ -92,6 +100,7 @@ impl RenderArgs {
             force_scale: self.force_scale,
             selected: None,
             title: self.title.clone(),
+            bent: self.bent.map(|factor| Bending { factor: factor.0, force: self.force }),
             marks: self.marks.diameter(scene),
         }
     }

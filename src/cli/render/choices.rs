@@ -20,6 +20,19 @@ pub(super) fn layer() -> impl TypedValueParser<Value = Layer> {
     PossibleValuesParser::new(Overlays::ALL.iter().map(|layer| layer.key)).try_map(of)
 }
 
+/// How many times larger deformations are drawn; nothing: as large as is well seen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BendingFactor(pub(super) Option<f64>);
+
+/// A factor, or `auto`.
+pub(super) fn bending_factor(text: &str) -> Result<BendingFactor, String> {
+    if text == "auto" {
+        return Ok(BendingFactor(None));
+    }
+    let factor = text.parse::<f64>().ok().filter(|factor| factor.is_finite() && (0.0..=1e6).contains(factor));
+    factor.map(|factor| BendingFactor(Some(factor))).ok_or_else(|| "a number from 0 to 1e6, or auto".to_owned())
+}
+
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(super) enum Behind {
     Studio,
