@@ -43,7 +43,7 @@ fn keys(set: &Try) -> Vec<&str> {
 
 #[test]
 fn every_lesson_can_be_read_and_tried_in_any_order() {
-    assert_eq!(lessons().len(), 7, "all of them are read");
+    assert_eq!(lessons().len(), 8, "all of them are read");
     for lesson in lessons() {
         let scene = lesson.scene().expect("a good scene");
         assert_eq!(scene.name, lesson.name, "called like its file");
@@ -199,6 +199,36 @@ fn what_holds_a_skewed_deck_on_its_seat() {
     says(lesson, Some(0), &format!("{} hits instead of {}", hits(Some(0)), hits(None)));
     let yields = |number| run(lesson, number).link_phases(0).iter().any(|(_, phase)| phase.law == 2);
     assert!(yields(Some(0)), "the tight cable yields");
+}
+
+/// How long the first hit lasts, pauses of less than a wave's way there and back included \[s\], and the speed at which the girders part
+/// over that at which they met.
+fn hit(history: &History) -> (f64, f64) {
+    let touches = history.touches();
+    let (start, pause) = (touches[0].start, 0.0173);
+    let end = touches.iter().fold(touches[0].end, |end, t| if t.start < end + pause { end.max(t.end) } else { end });
+    let speed = |t: f64| history.motion(0, t).velocity.x - history.motion(1, t).velocity.x;
+    (end - start, -speed(end) / speed(0.0))
+}
+
+#[test]
+fn how_long_a_hit_lasts() {
+    let lesson = lesson("how-long-a-hit");
+    for number in each(lesson) {
+        let history = run(lesson, number);
+        let (time, returned) = hit(&history);
+        if number != Some(3) {
+            says(lesson, number, &format!("{:.1} ms", 1e3 * time));
+        }
+        says(lesson, number, &format!("{returned:.3} of their speed"));
+    }
+    let own = run(lesson, None);
+    let beam = own.flexible(0).expect("it bends").beam;
+    says(lesson, None, &format!("to the far end and back in {:.1} ms", 2e3 * beam.transit_time()));
+    let ringing = |number, girder| run(lesson, number).elastic_hit(girder).expect("a hit").ringing / 1e3;
+    says(lesson, None, &format!("{:.1} kJ are left ringing in each", ringing(None, 1)));
+    says(lesson, Some(3), &format!("{:.1} kJ are left ringing in the long one", ringing(Some(3), 0)));
+    assert!(run(lesson, Some(0)).flexible(0).is_none(), "rigid decks");
 }
 
 /// Whether a corner begins its touch in stick.

@@ -62,13 +62,14 @@ macro_rules! lesson {
 }
 
 /// Name, words, scene; in the order of the menu.
-const FILES: [(&str, &str, &str); 7] = [
+const FILES: [(&str, &str, &str); 8] = [
     lesson!("one-hit-or-two"),
     lesson!("skewed-deck"),
     lesson!("which-way-to-shake"),
     lesson!("stick-and-slip"),
     lesson!("friction-cone"),
     lesson!("skewed-seat"),
+    lesson!("how-long-a-hit"),
     lesson!("what-the-paper-saw" of "straight-abutment"),
 ];
 
