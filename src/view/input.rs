@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::bent::Bent;
+use super::bending::Bent;
 use super::camera::Camera;
 use super::list::Background;
 use crate::scene::{DeviceId, Overlays, Scene};

@@ -6,6 +6,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "f64 becomes f32 in this room, for the renderer's sake")]
 
 mod area;
+mod bending;
 mod bent;
 pub mod block;
 mod bodies;
@@ -40,7 +41,7 @@ mod scale_bar;
 mod texts;
 mod walls;
 
-pub use bent::{Bending, Bent};
+pub use bending::{Bending, Bent};
 pub use bounds::Bounds;
 pub use camera::{Basis, Camera, Projection};
 pub use framing::{InView, in_view};

@@ -1,0 +1,170 @@
+//! How girders that bend are drawn: how much larger than it is their deformation, relative to what.
+//!
+//! An end that faces something is drawn where it is, so that no gap seems to close that is open: what is drawn larger is the
+//! deformation relative to such ends.
+
+use glam::DVec3;
+
+use crate::geometry::End;
+use crate::scene::facing::Side;
+use crate::sim::{History, OfSection, SectionField};
+
+/// Largest drawn deflection without a factor that is asked for, in parts of the length.
+const DRAWN: f64 = 0.03;
+/// Times of a run at which the largest deflection and force are looked for, beside those of the hardest hit.
+const LOOKS: usize = 200;
+/// Stations at which they are looked for.
+const STATIONS: usize = 17;
+
+/// How girders that bend are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bent {
+    /// How many times larger than it is the deformation is drawn.
+    pub factor: f64,
+    /// Section force that colours them, and its value at the ends of the colours, SI.
+    pub colored: Option<(OfSection, f64)>,
+}
+
+/// How they are asked to be drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bending {
+    /// How many times larger than it is; by none, the largest deflection is 3 % of the girder's length.
+    pub factor: Option<f64>,
+    /// Section force that colours them.
+    pub force: Option<OfSection>,
+}
+
+impl Bent {
+    /// Of a run; without a factor the largest deflection is drawn as 3 % of the girder's length. `None` where no girder bends.
+    pub fn of(history: &History, Bending { factor, force }: Bending) -> Option<Self> {
+        let girders = (0..history.scene().girders.len()).filter(|&girder| history.flexible(girder).is_some());
+        let girders: Vec<usize> = girders.collect();
+        let _ = girders.first()?;
+        let most = |of: &dyn Fn(usize) -> f64| girders.iter().map(|&girder| of(girder)).fold(0.0, f64::max);
+        let factor =
+            factor.unwrap_or_else(|| round_factor(most(&|girder| 1.0 / largest_part(history, girder).max(1e-12))));
+        let colored = force.map(|force| (force, most(&|girder| largest_force(history, girder, force))));
+        Some(Self { factor, colored: colored.filter(|(_, most)| *most > 0.0) })
+    }
+}
+
+/// A factor of two digits at most.
+fn round_factor(factor: f64) -> f64 {
+    let power = 10f64.powf(factor.max(1.0).log10().floor() - 1.0);
+    (factor / power).floor().max(1.0) * power
+}
+
+/// Times at which a girder is looked at: all over the run, and closely in its hardest hit.
+fn spans(history: &History, girder: usize) -> Vec<[f64; 2]> {
+    let hit = history.elastic_hit(girder);
+    let close = hit.map(|hit| [hit.t, (hit.t + 2.0 * hit.contact_time).min(history.end())]);
+    std::iter::once([0.0, history.end()]).chain(close).collect()
+}
+
+fn largest_force(history: &History, girder: usize, force: OfSection) -> f64 {
+    let of = |span| history.section_field(girder, force, span, [LOOKS, STATIONS]);
+    spans(history, girder).into_iter().filter_map(of).map(|field: SectionField| field.largest()).fold(0.0, f64::max)
+}
+
+/// Largest deflection that is drawn larger, over what it is to be drawn as.
+fn largest_part(history: &History, girder: usize) -> f64 {
+    let Some(length) = history.flexible(girder).map(|flexible| flexible.beam.length) else { return 0.0 };
+    let fixed = ends_that_face(history, girder);
+    let mut most = 0.0f64;
+    for [from, until] in spans(history, girder) {
+        for i in 0..LOOKS {
+            let t = from + (until - from) * i as f64 / LOOKS as f64;
+            let shape = Shape::of(history, girder, fixed, t);
+            for k in 0..STATIONS {
+                let s = length * (k as f64 / (STATIONS - 1) as f64 - 0.5);
+                most = most.max(shape.beyond(history, s).truncate().length());
+            }
+        }
+    }
+    most / (DRAWN * length)
+}
+
+/// Which ends face something: −x, +x.
+pub(super) fn ends_that_face(history: &History, girder: usize) -> [bool; 2] {
+    let faces = |end: End| {
+        history
+            .model()
+            .pairs
+            .iter()
+            .flat_map(|pair| [pair.first, pair.second])
+            .any(|side| side == Side::Girder(girder, end))
+    };
+    [faces(End::Minus), faces(End::Plus)]
+}
+
+/// The deformation of a girder at one time.
+pub(super) struct Shape {
+    girder: usize,
+    t: f64,
+    /// Of the girder \[m\].
+    pub(super) length: f64,
+    /// u, v, φ of the ends.
+    ends: [DVec3; 2],
+    fixed: [bool; 2],
+}
+
+impl Shape {
+    pub(super) fn of(history: &History, girder: usize, fixed: [bool; 2], t: f64) -> Self {
+        let length = history.flexible(girder).map_or(1.0, |flexible| flexible.beam.length);
+        let ends = [-0.5, 0.5].map(|part| history.deformation(girder, part * length, t));
+        Self { girder, t, length, ends, fixed }
+    }
+
+    /// What is not drawn larger at a station: the motion of the end that faces something as a rigid body; of both, the cubic between
+    /// them; of none, nothing.
+    fn carried(&self, s: f64) -> DVec3 {
+        let with = |end: DVec3, from: f64| DVec3::new(end.x, end.y + end.z * (s - from), end.z);
+        let half = 0.5 * self.length;
+        match self.fixed {
+            [false, false] => DVec3::ZERO,
+            [true, false] => with(self.ends[0], -half),
+            [false, true] => with(self.ends[1], half),
+            [true, true] => cubic(self.ends, self.length, s / self.length + 0.5),
+        }
+    }
+
+    /// What is.
+    fn beyond(&self, history: &History, s: f64) -> DVec3 {
+        history.deformation(self.girder, s, self.t) - self.carried(s)
+    }
+
+    /// What is drawn.
+    pub(super) fn drawn(&self, history: &History, s: f64, factor: f64) -> DVec3 {
+        self.carried(s) + factor * self.beyond(history, s)
+    }
+}
+
+/// u linear, v the cubic of Hermite with the ends' turns as slopes, φ its slope; x from 0 to 1.
+fn cubic([a, b]: [DVec3; 2], length: f64, x: f64) -> DVec3 {
+    let (x2, x3) = (x * x, x * x * x);
+    let v = a.y * (1.0 - 3.0 * x2 + 2.0 * x3)
+        + b.y * (3.0 * x2 - 2.0 * x3)
+        + length * (a.z * (x - 2.0 * x2 + x3) + b.z * (x3 - x2));
+    let slope =
+        (b.y - a.y) * (6.0 * x - 6.0 * x2) / length + a.z * (1.0 - 4.0 * x + 3.0 * x2) + b.z * (3.0 * x2 - 2.0 * x);
+    DVec3::new(a.x + (b.x - a.x) * x, v, slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cubic_keeps_places_and_turns_of_both_ends() {
+        let ends = [DVec3::new(0.1, 0.2, 0.03), DVec3::new(-0.1, 0.5, -0.02)];
+        assert_eq!(cubic(ends, 30.0, 0.0), ends[0]);
+        assert!((cubic(ends, 30.0, 1.0) - ends[1]).length() < 1e-15);
+        let [before, after] = [0.4999, 0.5001].map(|x| cubic(ends, 30.0, x).y);
+        assert!(((after - before) / (30.0 * 0.0002) - cubic(ends, 30.0, 0.5).z).abs() < 1e-8, "φ is the slope of v");
+    }
+
+    #[test]
+    fn factors_are_round_and_no_larger_than_asked() {
+        assert_eq!([1.0, 9.99, 34.7, 1234.0].map(round_factor), [1.0, 9.9, 34.0, 1200.0]);
+    }
+}
