@@ -7,6 +7,7 @@ mod handmade;
 mod blessed;
 #[cfg(feature = "render")]
 mod gauge;
+#[cfg(feature = "render")]
 mod golden;
 #[cfg(feature = "render")]
 #[path = "../support/row.rs"]
