@@ -19,6 +19,7 @@ mod motion;
 mod motion_processing;
 mod open;
 mod output;
+mod plot;
 mod plot_files;
 mod presets;
 mod progress;
@@ -62,6 +63,7 @@ enum Command {
     Check(check::CheckArgs),
     Compare(compare::CompareArgs),
     Motion(motion::MotionArgs),
+    Plot(plot::PlotArgs),
     Identify(identify::IdentifyArgs),
     #[cfg(feature = "render")]
     Measure(measure::MeasureArgs),
@@ -130,6 +132,7 @@ fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
         Some(Command::Check(args)) => check::run(&args, console),
         Some(Command::Compare(args)) => compare::run(&args, console),
         Some(Command::Motion(args)) => motion::run(&args, console),
+        Some(Command::Plot(args)) => plot::run(&args, console),
         Some(Command::Identify(args)) => identify::run(&args, console),
         Some(Command::Study(args)) => study::run(&args, console),
         Some(Command::Sweep(args)) => sweep::run(&args, console),

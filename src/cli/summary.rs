@@ -2,7 +2,7 @@
 
 use super::{flexible, seats};
 use crate::scene::shown::{escaped, shown};
-use crate::tables::{OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
+use crate::tables::{LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -36,7 +36,24 @@ fn head(report: &Report) -> Vec<Line> {
     let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
     let gave_up =
         gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
-    model.into_iter().chain(gave_up).chain(outside).chain(overlaps(&report.overlaps)).chain(law_sense(report)).collect()
+    let lost = report.lost_supports.iter().take(MOST_LISTED).map(lost);
+    model
+        .into_iter()
+        .chain(gave_up)
+        .chain(lost)
+        .chain(outside)
+        .chain(overlaps(&report.overlaps))
+        .chain(law_sense(report))
+        .collect()
+}
+
+/// A bearing without support.
+fn lost(lost: &LostReport) -> Line {
+    let LostReport { bearing, t, place: [x, y, _] } = lost;
+    line(
+        "support lost",
+        format!("{} at {t:.6} s, at ({x:.4}, {y:.4}) m: later samples are without it", escaped(bearing)),
+    )
 }
 
 /// What the run did to a pier.

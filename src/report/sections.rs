@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
-use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits};
+use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
 use crate::tables::{DemandReport, Report, SeatReport};
@@ -80,7 +80,7 @@ pub(super) fn scene(history: &History) -> String {
             trimmed(girder.thickness),
             trimmed(girder.skew_deg),
             trimmed(girder.mass / 1e3),
-            bearings(girder, body.bearings.len()),
+            bearings(girder, body.bearings.len(), scene.setting()),
             seats.join(", ")
         );
     }
@@ -88,10 +88,10 @@ pub(super) fn scene(history: &History) -> String {
     html
 }
 
-/// How many bearings a girder has, and how many of them yield: its frequencies are those after yield.
-fn bearings(girder: &Girder, count: usize) -> String {
-    let Some(Bearings::Each(each)) = &girder.bearings else { return count.to_string() };
-    match each.iter().filter(|bearing| bearing.yielding().is_some()).count() {
+/// How many bearings a girder has, and how many of them yield or slide: its frequencies are those after yield.
+fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
+    let supports = girder.supports(setting);
+    match supports.iter().filter(|b| b.yielding.is_some() || b.sliding.is_some()).count() {
         0 => count.to_string(),
         yielding => format!("{count}, {yielding} of them yield (frequencies: after yield)"),
     }
@@ -119,6 +119,15 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     }));
     if contact.stiffness.is_none() {
         items.push("contact stiffness of a pair: E A/L of what touches, or its own; <b class=\"part\">assumed</b> where no number is given".to_owned());
+    }
+    for girder in &history.scene().girders {
+        let Some(Bearings::Deck(deck)) = &girder.bearings else { continue };
+        let assumed = deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", trimmed(number)));
+        let assumed: Vec<String> = assumed.collect();
+        if !assumed.is_empty() {
+            let (name, kind) = (escape(&girder.name), deck.kind.label());
+            items.push(format!("{kind} bearings of {name}: {} <b class=\"part\">assumed</b>", assumed.join(", ")));
+        }
     }
     let mut inputs: Vec<String> = Vec::new();
     for DemandReport { demand, .. } in report.seats.iter().flat_map(|seat| &seat.codes) {

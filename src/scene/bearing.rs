@@ -4,9 +4,10 @@
 //! be one or two; both are read by hand, because serde's untagged enums forget what was wrong and where.
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, IntoDeserializer as _, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::DeckBearings;
 use super::keys::{Fallback, Keyed as _, Range, Stands, Stated, table};
 
 /// One number for both horizontal directions, or `[x, y]` along and across the girder as placed.
@@ -60,6 +61,8 @@ table! {
         at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
             Fallback::Needed("this or the last"),
             "places before skewing, m: y cot β is added to x, so that they follow the skew";
+        travel: Option<f64> = "travel_m" as "Free travel", Range::Positive, Fallback::Words("no end"),
+            "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
         height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
         on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier"), Fallback::Words("the ground"),
@@ -87,6 +90,16 @@ table! {
             Fallback::Needed("must be given with yield_force_n"), "u_y = Q/(k₁ − k₂), m";
         per_axis: Option<bool> = "yields_per_axis", Range::Switch, Fallback::Words("false"),
             "whether it yields along x and y each for itself; otherwise on one circle";
+        friction: Option<f64> = "friction" as "Friction μ", Range::Positive, Fallback::Words("none"),
+            "μ of a slider or a friction pendulum, in place of yield_force_n";
+        radius: Option<f64> = "radius_m" as "Radius R", Range::NotNegative, Fallback::Words("0.0: flat"),
+            "R of a friction pendulum, which has the stiffness N/R beside its own, m";
+        slider_displacement: Option<f64> = "slider_displacement_m" as "Slides at", Range::Positive, Fallback::Words("0.0005"),
+            "displacement at which the friction is fully there, a regularisation; full scale, m";
+        load: Option<f64> = "load_n" as "Load N", Range::Positive, Fallback::Words("an equal share of the weight"),
+            "N at rest that friction goes by; of all bearings or of none, in a planar scene, N";
+        travel: Option<f64> = "travel_m" as "Free travel", Range::Positive, Fallback::Words("no end"),
+            "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
         height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
         on: Option<String> = "on", Range::Like("a pier"), Fallback::Words("the ground"), "the pier that it stands on";
@@ -97,6 +110,16 @@ impl Bearing {
     /// A linear bearing at a place in the girder's frame \[m\], at the underside \[N/m, N·s/m\].
     pub fn linear(at: [f64; 2], stiffness: [f64; 3], damping: [f64; 3]) -> Self {
         Self { at, stiffness, damping, ..Self::by_default() }
+    }
+
+    /// Its friction, where it has one: a slider with its share of the weight \[N\].
+    pub(super) fn sliding(&self, share: f64) -> Option<BearingSlide> {
+        Some(BearingSlide {
+            friction: self.friction?,
+            curvature: self.radius.filter(|radius| *radius > 0.0).map_or(0.0, f64::recip),
+            displacement: self.slider_displacement.unwrap_or(SLIDER_DISPLACEMENT),
+            load: self.load.unwrap_or(share),
+        })
     }
 
     /// Its yield, where it has both numbers of one.
@@ -124,12 +147,42 @@ impl BearingYield {
     }
 }
 
+/// Displacement at which the friction of a slider is fully there: a regularisation, full scale \[m\].
+pub(super) const SLIDER_DISPLACEMENT: f64 = 5e-4;
+
+/// A slider, flat or in a dish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingSlide {
+    /// μ \[–\].
+    pub friction: f64,
+    /// 1/R; 0 of a flat slider \[1/m\].
+    pub curvature: f64,
+    /// `u_y` \[m\].
+    pub displacement: f64,
+    /// N at rest \[N\].
+    pub load: f64,
+}
+
+impl BearingSlide {
+    /// Under a constant load: Q = μN up to `u_y`, on one circle.
+    pub fn yielding(&self) -> BearingYield {
+        BearingYield { force: self.friction * self.load, displacement: self.displacement, per_axis: false }
+    }
+
+    /// N/R \[N/m\].
+    pub fn restoring(&self) -> f64 {
+        self.load * self.curvature
+    }
+}
+
 /// The bearings of a girder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Bearings {
     /// `bearings = { frequency_hz = …, … }`.
     Shared(SharedBearings),
+    /// `bearings = { kind = …, … }`.
+    Deck(DeckBearings),
     /// `bearings = [{ at_m = …, stiffness_n_per_m = …, … }, …]`.
     Each(Vec<Bearing>),
 }
@@ -184,14 +237,42 @@ impl<'de> Visitor<'de> for BearingsVisitor {
     type Value = Bearings;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("a table { frequency_hz = …, damping_ratio = …, at_m = … }, or a list of single bearings")
+        f.write_str("a table { frequency_hz = …, damping_ratio = …, at_m = … } or { kind = …, at_m = … }, or a list of single bearings")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Bearings, A::Error> {
-        SharedBearings::deserialize(MapAccessDeserializer::new(map)).map(Bearings::Shared)
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Bearings, A::Error> {
+        let first: Option<String> = map.next_key()?;
+        let of_kind = first.as_deref() == Some("kind");
+        let whole = MapAccessDeserializer::new(Begun { first, rest: map });
+        if of_kind {
+            DeckBearings::deserialize(whole).map(Bearings::Deck)
+        } else {
+            SharedBearings::deserialize(whole).map(Bearings::Shared)
+        }
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Bearings, A::Error> {
         Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Bearings::Each)
+    }
+}
+
+/// A table whose first key has been read. The reader hands out `kind` first.
+struct Begun<A> {
+    first: Option<String>,
+    rest: A,
+}
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for Begun<A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
+        match self.first.take() {
+            Some(key) => seed.deserialize(key.into_deserializer()).map(Some),
+            None => self.rest.next_key_seed(seed),
+        }
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
+        self.rest.next_value_seed(seed)
     }
 }

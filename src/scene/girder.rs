@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::keys::{Fallback, Keyed as _, Range, Stands, table};
+use super::keys::{Fallback, Keyed as _, Range, Stands, table, words};
 use super::{Bearings, Elastic};
 use crate::geometry::Prism;
 
@@ -94,6 +94,19 @@ impl Push {
     }
 }
 
+words! {
+    /// What a planar run does when a bearing loses its support.
+    AfterUnseating, by default Stop {
+        /// It stops, with the reason.
+        Stop = "stop",
+        /// It goes on without that bearing, and every later sample says so.
+        Continue = "continue",
+    }
+}
+
+/// How far a corner of a spatial girder that lost a support drops before its run stops, where the file does not say \[m\].
+const DROP: f64 = 0.1;
+
 /// A girder whose ends are square to its axis \[degrees\].
 const STRAIGHT: f64 = 90.0;
 
@@ -128,6 +141,11 @@ table! {
         seat: Seat = "seat_m", Range::Free, Fallback::Words("none"), "length of seat under each end, see below";
         elastic: Option<Elastic> = "elastic", Range::Free, Fallback::Words("none: it is rigid"),
             "how it bends and shortens, see below; planar scenes under the contact model";
+        after_unseating: Option<AfterUnseating> = "after_unseating" as "Off a seat", Range::Words(AfterUnseating::WORDS),
+            Fallback::Words("stop where a bearing has travel_m; seats are only measured"),
+            "what a planar run does when a bearing loses its support; given, bearings are lost over the front edges of seats as well";
+        drop: Option<f64> = "drop_m" as "Stops dropped by", Range::Positive, Fallback::Words("0.1"),
+            "how far a corner of a spatial girder that lost a support drops before the run stops, m", in in_space;
     }
 }
 
@@ -149,6 +167,11 @@ impl Girder {
     /// A straight girder of this length, width and thickness \[m\] and mass \[kg\], at rest in the origin without bearings.
     pub fn straight(name: impl Into<String>, [length, width, thickness]: [f64; 3], mass: f64) -> Self {
         Self { name: name.into(), length, width, thickness, mass, ..Self::by_default() }
+    }
+
+    /// How far a corner drops, in space, before the run stops \[m\].
+    pub fn drop(&self) -> f64 {
+        self.drop.unwrap_or(DROP)
     }
 
     /// Its shape. 90° is π/2 to the last bit, so a straight girder has no shear.

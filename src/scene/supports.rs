@@ -18,6 +18,14 @@ impl Bearings {
                 };
                 places.iter().map(under).collect()
             }
+            Self::Deck(deck) => {
+                let shear = girder.prism().shear();
+                let under = |&[x, y]: &[f64; 2]| match end_of([x, y], shear)? {
+                    End::Plus => deck.on_plus_x.as_deref(),
+                    End::Minus => deck.on_minus_x.as_deref(),
+                };
+                deck.places(girder).iter().map(under).collect()
+            }
             Self::Each(each) => each.iter().map(|bearing| bearing.on.as_deref()).collect(),
         }
     }
@@ -26,6 +34,7 @@ impl Bearings {
     pub(super) fn pier_names(&mut self) -> Vec<&mut Option<String>> {
         match self {
             Self::Shared(shared) => vec![&mut shared.on_minus_x, &mut shared.on_plus_x],
+            Self::Deck(deck) => vec![&mut deck.on_minus_x, &mut deck.on_plus_x],
             Self::Each(each) => each.iter_mut().map(|bearing| &mut bearing.on).collect(),
         }
     }
@@ -40,6 +49,11 @@ impl Girder {
             None => false,
             Some(Bearings::Shared(shared)) => {
                 let under = if end == End::Plus { &mut shared.on_plus_x } else { &mut shared.on_minus_x };
+                *under = on();
+                true
+            }
+            Some(Bearings::Deck(deck)) => {
+                let under = if end == End::Plus { &mut deck.on_plus_x } else { &mut deck.on_minus_x };
                 *under = on();
                 true
             }
@@ -76,7 +90,7 @@ impl Scene {
     pub fn supports(&self, girder: &Girder) -> Vec<Option<usize>> {
         let Some(bearings) = &girder.bearings else { return Vec::new() };
         if self.piers.is_empty() {
-            return vec![None; bearings.resolve(girder, self.kind).len()];
+            return vec![None; bearings.resolve(girder, self.setting()).len()];
         }
         bearings.piers(girder).into_iter().map(|name| self.pier_named(name?)).collect()
     }
@@ -84,7 +98,7 @@ impl Scene {
     /// The pier that an end of a girder stands on: that of all bearings nearer to this end than to the other.
     pub fn pier_under(&self, girder: &Girder, end: End) -> Option<usize> {
         let shear = girder.prism().shear();
-        let resolved = girder.bearings.as_ref()?.resolve(girder, self.kind);
+        let resolved = girder.bearings.as_ref()?.resolve(girder, self.setting());
         let near = resolved.iter().zip(self.supports(girder));
         let mut near = near.filter(|(b, _)| end_of([b.place.x, b.place.y], shear) == Some(end)).map(|(_, pier)| pier);
         let first = near.next()??;
@@ -94,7 +108,7 @@ impl Scene {
     /// Bearings that stand on a pier: number of the girder, and the bearing's place in the world \[m\].
     pub(super) fn standing_on(&self, pier: usize) -> Vec<(usize, DVec3)> {
         let of_girder = |(number, girder): (usize, &Girder)| {
-            let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, self.kind)).unwrap_or_default();
+            let resolved = girder.supports(self.setting());
             let axes = placed::axes(girder);
             let on = resolved.into_iter().zip(self.supports(girder)).filter(move |(_, under)| *under == Some(pier));
             let place = move |place: DVec3| DVec3::from(girder.position) + axes * place;
@@ -104,6 +118,7 @@ impl Scene {
             let name = self.piers[pier].name.as_str();
             girder.bearings.as_ref().is_some_and(|b| match b {
                 Bearings::Shared(b) => [&b.on_minus_x, &b.on_plus_x].into_iter().flatten().any(|on| on == name),
+                Bearings::Deck(b) => [&b.on_minus_x, &b.on_plus_x].into_iter().flatten().any(|on| on == name),
                 Bearings::Each(each) => each.iter().any(|b| b.on.as_deref() == Some(name)),
             })
         };

@@ -30,6 +30,7 @@ mod section_quantity;
 mod session;
 pub mod spectra;
 mod summary;
+mod supports;
 mod touches;
 pub mod verdict;
 
@@ -49,5 +50,6 @@ pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};
 pub use summary::Summary;
+pub use supports::LostSupport;
 
 pub use crate::dynamics::impact2d::{Hit, LastingInterval, Record, Row, State, Transition};

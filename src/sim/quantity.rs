@@ -224,8 +224,11 @@ impl Quantity {
             all.extend(named);
         }
         for (i, link) in model.links.iter().enumerate() {
-            let of_bearing = |body: usize| link.name.starts_with(&format!("{}.bearing", model.bodies[body].name));
-            // The parts of a bearing are in that.
+            let of_bearing = |body: usize| {
+                let own = |what: &str| link.name.starts_with(&format!("{}.{what}", model.bodies[body].name));
+                own("bearing") || own("drop")
+            };
+            // The parts of a bearing are in that; the watch on a corner has no force.
             if !link.bodies[0].is_some_and(of_bearing) {
                 all.extend(OF_LINK.map(|(of, what)| (format!("{}.{of}", link.name), Self::Link(i, what))));
             }

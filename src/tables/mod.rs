@@ -9,6 +9,7 @@ mod contacts;
 mod events;
 mod flexible;
 mod impact;
+mod quantities;
 pub mod read;
 mod seats;
 mod summary;
@@ -18,9 +19,10 @@ pub use contacts::{contact_cells, contacts};
 pub use events::events;
 pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
+pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
-    BackfillReport, DroppedReport, OutsideReport, OverlapReport, PairReport, PierReport, Report, TooDeepReport,
+    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report, TooDeepReport,
     VerdictReport, Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};

@@ -8,7 +8,8 @@ use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
 use crate::scene::{Girder, Kind, Scene, domain};
 use crate::sim::{
-    BackfillReading, DegreeCheck, History, Ledger, Overlap, PierReading, Stop, Summary, TooDeep, readings, verdict,
+    BackfillReading, DegreeCheck, History, Ledger, LostSupport, Overlap, PierReading, Stop, Summary, TooDeep, readings,
+    verdict,
 };
 
 /// Everything a summary says, SI.
@@ -35,6 +36,9 @@ pub struct Report {
     pub verdicts: Vec<VerdictReport>,
     /// What remains of the seats that the scene gives.
     pub seats: Vec<SeatReport>,
+    /// Bearings that lost their support, the earliest first: every later sample is without them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lost_supports: Vec<LostReport>,
     /// What the run did to the soil behind backwalls that move.
     pub backfill: Vec<BackfillReport>,
     /// What the run did to piers.
@@ -114,6 +118,17 @@ pub struct PassedReport {
     pub t: f64,
     /// How far at the most, in the unit of the limit.
     pub reached: f64,
+}
+
+/// A bearing that lost its support.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LostReport {
+    /// `deck.bearing1`.
+    pub bearing: String,
+    /// When \[s\].
+    pub t: f64,
+    /// Where its point of the girder was, world \[m\].
+    pub place: [f64; 3],
 }
 
 /// Soil behind one backwall.
@@ -248,6 +263,7 @@ impl Report {
             pairs: pairs(history),
             verdicts: verdicts(history),
             seats: seats::of(history),
+            lost_supports: lost(history),
             backfill: backfill(history),
             piers: piers(history),
             flexible: flexible::of(history),
@@ -300,6 +316,11 @@ fn verdicts(history: &History) -> Vec<VerdictReport> {
         Some(VerdictReport { girder, stays: verdict.stays(), t: verdict.t(), words })
     };
     history.scene().girders.iter().enumerate().filter_map(of).collect()
+}
+
+fn lost(history: &History) -> Vec<LostReport> {
+    let report = |lost: LostSupport| LostReport { bearing: lost.name, t: lost.t, place: lost.place.to_array() };
+    history.lost_supports(history.end()).into_iter().map(report).collect()
 }
 
 fn backfill(history: &History) -> Vec<BackfillReport> {

@@ -12,23 +12,28 @@ const PLANAR: [&str; 6] = ["x", "y", "theta", "vx", "vy", "omega"];
 const SPATIAL: [&str; 8] = ["z", "qx", "qy", "qz", "qw", "vz", "wx", "wy"];
 
 /// The table: `t`, then per girder `NAME.x, NAME.y, NAME.theta, NAME.vx, NAME.vy, NAME.omega`; a spatial girder adds
-/// `z, qx, qy, qz, qw, vz, wx, wy`; under the impact model `state` follows, a letter from a to f.
+/// `z, qx, qy, qz, qw, vz, wx, wy`; under the impact model `state` follows, a letter from a to f. Last, of a run that lost supports, how many
+/// until then.
 ///
 /// # Errors
 /// What the writer says.
 pub fn trajectory(history: &History, sample_hz: f64, out: &mut dyn Write) -> std::io::Result<()> {
     let spatial = history.scene().kind == Kind::Spatial;
     let bodies = &history.model().bodies;
+    let losses: Vec<f64> = history.lost_supports(history.end()).iter().map(|lost| lost.t).collect();
     let rows = sample_times(history.end(), sample_hz).map(|t| {
         let mut row = vec![number(t)];
         for girder in 0..bodies.len() {
             row.extend(columns(&history.motion(girder, t), spatial));
             row.extend(history.impact().map(|record| record.state(girder, t).letter().to_string()));
         }
+        row.extend((!losses.is_empty()).then(|| losses.partition_point(|lost| *lost <= t).to_string()));
         row
     });
     let state = history.impact().is_some();
-    to_csv(&header(bodies.iter().map(|body| body.name.as_str()), spatial, state), rows, out)
+    let mut columns = header(bodies.iter().map(|body| body.name.as_str()), spatial, state);
+    columns.extend((!losses.is_empty()).then(|| "lost_supports".to_owned()));
+    to_csv(&columns, rows, out)
 }
 
 /// Columns of the table of a scene.

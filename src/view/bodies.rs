@@ -225,5 +225,6 @@ fn bearing_places(girder: &Girder) -> Vec<[f64; 2]> {
         None => Vec::new(),
         Some(Bearings::Each(each)) => each.iter().map(|b| b.at).collect(),
         Some(Bearings::Shared(shared)) => shared.places(girder),
+        Some(Bearings::Deck(deck)) => deck.places(girder),
     }
 }

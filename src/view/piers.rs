@@ -137,7 +137,7 @@ fn parted(corners: &[DVec3], sweep: DVec3) -> Vec<Block> {
 /// The seats of a girder's ends that stand on the ground, in scenes with piers: walls from the ground to the bearings.
 pub(super) fn seats(scene: &Scene, girder: &Girder, level: f64) -> Vec<Block> {
     let supports = scene.supports(girder);
-    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
+    let resolved = girder.supports(scene.setting());
     let prism = girder.prism();
     let (shear, axes, home) = (prism.shear(), placed::axes(girder), DVec3::from(girder.position));
     let seat = |end: End| {

@@ -41,9 +41,11 @@ mod physics {
     mod piers;
     mod reference;
     mod rows;
+    mod sliders;
     mod spatial;
     mod spatial_reference;
     mod stick_slip;
+    mod supports;
     mod symmetry;
     mod tilt;
     mod turns;

@@ -123,6 +123,7 @@ fn girder(index: usize, body: &Value) -> Girder {
             on_plus_x: None,
             at_skewed: None,
             height: None,
+            travel: None,
             at: Some(legs),
         })
     });

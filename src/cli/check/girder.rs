@@ -2,16 +2,17 @@
 
 use std::f64::consts::TAU;
 
+use super::supports;
 use crate::cli::digits::{list, six};
 use crate::dynamics::Body;
 use crate::dynamics::model::bearing::{Bearing, BearingQuantities};
 use crate::scene::shown::escaped;
-use crate::scene::{Direction, Girder, Initial, Kind, Push, ResolvedBearing, Scene, Seat};
+use crate::scene::{Direction, Girder, Initial, Kind, Push, ResolvedBearing, Scene, Seat, Setting};
 
 /// All of it, a fact a line.
 pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
-    let kind = scene.kind;
-    let own = bearings_of(girder, body, kind);
+    let (kind, setting) = (scene.kind, scene.setting());
+    let own = bearings_of(girder, body, setting);
     let shape = shape(girder, body);
     let place = format!("  at {} m, heading {}°\n", list(&girder.position), six(girder.heading_deg));
     let rotation = rotation(girder);
@@ -20,7 +21,7 @@ pub(super) fn text(scene: &Scene, girder: &Girder, body: &Body) -> String {
         .chain([
             bearings(&BearingQuantities::of(&own, body.mass, body.gyration2), own.len()),
             on_piers(scene, girder),
-            yields(girder, kind),
+            supports::text(girder, setting),
             vertical(body, &own, kind),
             rotation,
         ])
@@ -119,14 +120,13 @@ fn bearings(q: &BearingQuantities, count: usize) -> String {
 }
 
 /// Its bearings as on ground, wherever they stand.
-fn bearings_of(girder: &Girder, body: &Body, kind: Kind) -> Vec<Bearing> {
-    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+fn bearings_of(girder: &Girder, body: &Body, setting: Setting) -> Vec<Bearing> {
     let as_given = |(own, given): (&Bearing, ResolvedBearing)| Bearing {
         stiffness: given.stiffness.into(),
         damping: given.damping.into(),
         ..*own
     };
-    body.bearings.iter().zip(resolved).map(as_given).collect()
+    body.bearings.iter().zip(girder.supports(setting)).map(as_given).collect()
 }
 
 /// How many of its bearings stand on piers, and on which.
@@ -140,24 +140,6 @@ fn on_piers(scene: &Scene, girder: &Girder) -> String {
     piers.dedup();
     let names: Vec<String> = piers.iter().map(|&number| escaped(&scene.piers[number].name).into_owned()).collect();
     format!("  {count} of them on {}; frequencies are those on piers that stand still\n", names.join(", "))
-}
-
-/// Bearings that yield: the sum of Q, and their stiffness before, which the frequencies are without.
-fn yields(girder: &Girder, kind: Kind) -> String {
-    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
-    let yielding: Vec<_> = resolved.iter().filter_map(|b| b.yielding.map(|y| (y, b.initial_stiffness()))).collect();
-    if yielding.is_empty() {
-        return String::new();
-    }
-    let force: f64 = yielding.iter().map(|(y, _)| y.force).sum();
-    let stiffness = |axis: usize| six(yielding.iter().map(|(_, k)| k[axis]).sum::<f64>());
-    format!(
-        "  {} of them yield: Q = {} N, k_x, k_y before = {}, {} N/m; frequencies are those after yield\n",
-        yielding.len(),
-        six(force),
-        stiffness(0),
-        stiffness(1)
-    )
 }
 
 /// What the bearings make of a spatial girder that moves straight up and down.

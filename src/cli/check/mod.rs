@@ -5,6 +5,7 @@ mod device;
 mod flexible;
 mod girder;
 mod pier;
+mod supports;
 
 use super::args::SceneArgs;
 use super::console::Console;

@@ -81,6 +81,18 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
+    /// Whether the support that it is has been lost in this phase.
+    fn is_lost(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        false
+    }
+
+    /// Whether a run ends where this phase begins.
+    fn ends_run(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        false
+    }
+
     /// A switching function of such a phase, in its [unit](Device::switch_unit): negative while the phase lasts.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let _ = (number, phase, motion);

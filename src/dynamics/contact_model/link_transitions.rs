@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
+use crate::contact::Frame;
 use crate::dynamics::connection::{Phase, Separation, Switch};
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::constants::DEVICE_EVENTS_PER_INSTANT;
@@ -48,6 +51,28 @@ impl LinkTransitions<'_> {
         let track = &mut self.world.links[number];
         track.phase = phase;
         track.log.push(self.now.t, phase, released);
+        let link = &self.world.model.links[track.link];
+        if link.device.ends_run(&phase) {
+            let reason = self.end_of_support(number, &link.name);
+            let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
+            self.schedule.give_up(self.now.t, self.world.names(&slots), reason);
+        }
+    }
+
+    /// Why the run ends where a support is lost or a corner has dropped, with the place of the link's point.
+    fn end_of_support(&self, number: usize, name: &str) -> String {
+        let LinkTrack { link, slots, phase, .. } = &self.world.links[number];
+        let link = &self.world.model.links[*link];
+        let frame = slots[0].and_then(|slot| self.now.pose(slot)).unwrap_or_else(|| Frame::fixed(link.homes[0]));
+        let DVec3 { x, y, z } = frame.origin() + frame.turn(link.arms[0]);
+        if link.device.is_lost(phase) {
+            format!(
+                "vertical support is lost: {name} left its seat at ({x:.4}, {y:.4}) m; give after_unseating = \"continue\" to go \
+                 on without it"
+            )
+        } else {
+            format!("the girder tips off its supports: {name} has dropped to ({x:.4}, {y:.4}, {z:.4}) m")
+        }
     }
 
     /// Relative motion of a link's points at the time of the event.

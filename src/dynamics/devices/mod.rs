@@ -7,20 +7,26 @@
 mod backfill;
 mod bumper;
 mod damper;
+mod drop;
 mod hysteretic_bearing;
 mod line;
 mod linear_bearing;
 mod maxwell_damper;
 mod placed;
 mod restrainer;
+mod slider;
 mod stopper;
+mod support;
 
 pub use backfill::{Backfill, Envelope};
 pub use bumper::Bumper;
 pub use damper::ViscousDamper;
+pub use drop::Drop;
 pub use hysteretic_bearing::{Hysteresis, Play};
 pub use linear_bearing::LinearBearing;
 pub use maxwell_damper::MaxwellDamper;
 pub use placed::{Law, laws};
 pub use restrainer::{Restrainer, Yielding};
+pub use slider::Slider;
 pub use stopper::{Failure, Stopper};
+pub use support::Support;

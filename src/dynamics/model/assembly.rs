@@ -11,7 +11,7 @@ use crate::dynamics::model::pair::{ContactSite, Pair};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::dynamics::model::rotation;
 use crate::dynamics::model::single_axis;
-use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier};
+use crate::dynamics::model::{backwall, contact_sites, edge_sites, flexible, pier, supports};
 use crate::motion::Ground;
 use crate::scene::facing::{Facing, SolidId};
 use crate::scene::{
@@ -44,6 +44,7 @@ impl Model {
             body
         };
         let mut bodies: Vec<Body> = scene.girders.iter().map(|g| straight(body(scene, g))).collect();
+        supports::pressed(scene, &bodies)?;
         let flexible = flexible::add(scene, &facings, &mut bodies);
         let mut links = Vec::new();
         let walls = backwall::add(scene, &mut bodies, &mut links)?;
@@ -83,6 +84,7 @@ impl Model {
             contacts,
             meetings,
             links,
+            supports: Vec::new(),
             devices: Vec::new(),
             groups: Vec::new(),
             group_pairs: Vec::new(),
@@ -90,10 +92,7 @@ impl Model {
         };
         model.add_piers(scene);
         for (number, girder) in scene.girders.iter().enumerate() {
-            let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
-            let supports = scene.supports(girder);
-            model.add_bearings_on_piers(number, &resolved, &supports);
-            model.add_yielding_bearings(number, &resolved, &supports);
+            model.add_supports(number, girder, scene.setting(), &scene.supports(girder));
         }
         model.add_devices(scene);
         model.regroup();
@@ -157,7 +156,7 @@ fn recorded(record: &RecordMotion, direction: DVec3) -> Option<Ground> {
 fn body(scene: &Scene, girder: &Girder) -> Body {
     let prism = girder.prism();
     let axes = placed::axes(girder);
-    let resolved = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
+    let resolved = girder.supports(scene.setting());
     let mut bearings: Vec<Bearing> = resolved
         .iter()
         .map(|b| Bearing {

@@ -68,6 +68,8 @@ pub struct Model {
     pub meetings: Vec<Meeting>,
     /// Links: devices between two points.
     pub links: Vec<Link>,
+    /// For each girder and bearing its links; none for one that is linear, stands on the ground and stays there.
+    pub supports: Vec<Vec<Vec<usize>>>,
     /// Devices of the scene, in the order of [`Scene::devices`](crate::scene::Scene::devices).
     pub devices: Vec<ModelDevice>,
     /// Groups of bodies that a chain of pairs and links joins, each in rising order; no force acts between two groups.

@@ -5,11 +5,10 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
-use crate::dynamics::devices::{Hysteresis, Law, Play, laws};
-use crate::dynamics::model::body::Body;
+use crate::dynamics::devices::{Law, laws};
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
 use crate::scene::device::Joint;
-use crate::scene::{Kind, ResolvedBearing, Scene};
+use crate::scene::{Kind, Scene};
 
 /// Why a link cannot be put into a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -74,40 +73,6 @@ impl Model {
         // A device can lead its bodies off an axis.
         link.bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
         self.links.push(link);
-    }
-
-    /// Adds the hysteretic parts of a body's bearings, each between its place and the ground or the pier below, whose number is
-    /// in `supports`; their groups are formed later.
-    pub(in crate::dynamics) fn add_yielding_bearings(
-        &mut self,
-        body: usize,
-        bearings: &[ResolvedBearing],
-        supports: &[Option<usize>],
-    ) {
-        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
-        for (number, bearing) in bearings.iter().enumerate() {
-            let Some(yielding) = bearing.yielding else { continue };
-            let play = Play { stiffness: yielding.stiffness(), force: yielding.force };
-            let device = if yielding.per_axis { Hysteresis::PerAxis([play; 2]) } else { Hysteresis::Circle(play) };
-            let Body { name, home, axes, .. } = &self.bodies[body];
-            let name = format!("{name}.bearing{}", number + 1);
-            if let Some(pier) = supports[number] {
-                let pier = self.piers[pier].body;
-                let link = self.bearing_link(name, [body, pier], bearing.place, Arc::new(device));
-                self.add_link(link);
-                continue;
-            }
-            let arm = *axes * bearing.place;
-            self.add_link(Link {
-                name,
-                bodies: [Some(body), None],
-                arms: [arm, DVec3::ZERO],
-                homes: [*home, *home + arm],
-                axes: *axes,
-                kinematics,
-                device: Arc::new(device),
-            });
-        }
     }
 
     /// Adds the devices of a scene that has been checked; their groups are formed later.

@@ -23,4 +23,5 @@ pub mod reference_pose;
 pub mod rigid_body;
 pub(in crate::dynamics) mod rotation;
 pub(in crate::dynamics) mod single_axis;
+mod supports;
 pub mod wrench;

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::dynamics::connection::{Kinematics, Link};
-use crate::dynamics::devices::{Hysteresis, LinearBearing, Play};
+use crate::dynamics::devices::{Hysteresis, Play};
 use crate::dynamics::model::bearing::{Bearing, PlanarBearings, Standing};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::compiled_model::{Model, Pier};
 use crate::dynamics::model::rate_bounds::RateBounds;
 use crate::geometry::Prism;
-use crate::scene::{Kind, ResolvedBearing, ResolvedPier, Scene};
+use crate::scene::{Kind, ResolvedPier, Scene};
 
 /// The bodies of a scene's piers; their column is a bearing of the body, less what yields of it.
 pub(super) fn bodies(scene: &Scene) -> Vec<Body> {
@@ -93,23 +93,6 @@ impl Model {
         };
         self.add_link(link);
         Some(self.links.len() - 1)
-    }
-
-    /// Adds the bearings of a girder that stand on piers, each between its place and the pier's point below; `supports` are the
-    /// numbers of these.
-    pub(in crate::dynamics) fn add_bearings_on_piers(
-        &mut self,
-        girder: usize,
-        bearings: &[ResolvedBearing],
-        supports: &[Option<usize>],
-    ) {
-        for (number, (bearing, pier)) in bearings.iter().zip(supports).enumerate() {
-            let Some(pier) = pier else { continue };
-            let device = LinearBearing { stiffness: bearing.stiffness.into(), damping: bearing.damping.into() };
-            let name = format!("{}.bearing{}", self.bodies[girder].name, number + 1);
-            let link = self.bearing_link(name, [girder, self.piers[*pier].body], bearing.place, Arc::new(device));
-            self.add_link(link);
-        }
     }
 
     /// A link between a place of a girder and the point of a pier below.

@@ -3,17 +3,17 @@
 use glam::DVec3;
 
 use crate::scene::facing::{Facing, Side};
-use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, placed};
+use crate::scene::{Direction, Girder, Kind, ResolvedBearing, Scene, Setting, placed};
 
 /// The fastest rate that bearings give a girder, `max(√(k/m), c/m)` over its translations and rotations each by itself; 0
 /// without bearings \[rad/s\].
 ///
 /// Each is a Rayleigh quotient of the girder's matrices, so the fastest mode of all is as fast or faster.
-pub(super) fn bearing_rate(girder: &Girder, kind: Kind) -> f64 {
-    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+pub(super) fn bearing_rate(girder: &Girder, of: Setting) -> f64 {
+    let bearings = girder.supports(of);
     let inertia = girder.prism().inertia_per_mass() * girder.mass;
     let held = |direction: Direction| girder.held.contains(&direction);
-    let spatial = kind == Kind::Spatial;
+    let spatial = of.kind == Kind::Spatial;
     let translations = [(DVec3::X, true), (DVec3::Y, true), (DVec3::Z, spatial && !held(Direction::Z))];
     let tilts = spatial && !(held(Direction::Roll) && held(Direction::Pitch));
     let rotations = [(DVec3::X, tilts), (DVec3::Y, tilts), (DVec3::Z, !held(Direction::Yaw))];
@@ -34,8 +34,8 @@ fn rate(bearings: &[ResolvedBearing], motion: impl Fn(DVec3) -> DVec3, inertia: 
 }
 
 /// Distance of the farthest bearing from G, in parts of that of the farthest corner; 0 without bearings.
-pub(in crate::scene) fn bearing_place(girder: &Girder, kind: Kind) -> f64 {
-    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, kind)).unwrap_or_default();
+pub(in crate::scene) fn bearing_place(girder: &Girder, of: Setting) -> f64 {
+    let bearings = girder.supports(of);
     bearings.iter().map(|bearing| bearing.place.length()).fold(0.0, f64::max) / radius(girder)
 }
 

@@ -254,15 +254,15 @@ fn look_at_girder(scene: &Scene, girder: &Girder, found: &mut Departures) {
     }
     found.look(at("skew_deg"), girder.skew_deg, SKEW);
     found.look(at("mass_kg"), girder.mass, MASS);
-    found.look(at("bearings"), measures::bearing_place(girder, scene.kind), BEARING_PLACE);
-    found.look(at("bearings"), measures::bearing_rate(girder, scene.kind) * scene.duration, MOTION_PHASE);
+    found.look(at("bearings"), measures::bearing_place(girder, scene.setting()), BEARING_PLACE);
+    found.look(at("bearings"), measures::bearing_rate(girder, scene.setting()) * scene.duration, MOTION_PHASE);
     let [speed, corner_speed] = measures::start_speeds(girder);
     found.look(at("initial.velocity_m_s"), speed, SPEED);
     found.look(at("initial.spin_deg_s"), corner_speed, SPEED);
     found.look(at("initial.spin_deg_s"), measures::spin(girder) * scene.duration, MOTION_PHASE);
     found.look(at("initial.rotation_deg"), girder.initial.rotation_deg.abs(), TURN);
     let [shifted, turned] = measures::start_displacements(girder);
-    let rate = measures::bearing_rate(girder, scene.kind);
+    let rate = measures::bearing_rate(girder, scene.setting());
     found.look(at("initial.displacement_m"), rate * shifted, SPEED);
     found.look(at("initial.rotation_deg"), rate * turned, SPEED);
     let [force, moment] = measures::push_accelerations(girder);

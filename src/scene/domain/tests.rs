@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::motion::format::{Channel, Record};
-use crate::scene::{Bearing, Bearings, Direction, Kind, PairSettings, SineMotion, keys, presets};
+use crate::scene::{
+    Bearing, Bearings, Direction, Kind, PairSettings, STANDARD_GRAVITY, Setting, SineMotion, keys, presets,
+};
 
 /// The paper's girder before its wall: 2 kg, K = 1.55e5 N/m, 10 s.
 fn paper() -> Scene {
@@ -22,6 +24,9 @@ fn only(found: &[Departure]) -> (&str, f64, Limit) {
     assert!(keys::of_place(&one.place).is_some(), "a key of the scene file: {}", one.place);
     (&one.place, one.value, one.limit)
 }
+
+const PLANAR: Setting = Setting { kind: Kind::Planar, gravity: STANDARD_GRAVITY };
+const SPATIAL: Setting = Setting { kind: Kind::Spatial, gravity: STANDARD_GRAVITY };
 
 #[test]
 fn presets_are_inside() {
@@ -217,20 +222,20 @@ fn a_bearings_rate_is_that_of_its_stiffness_its_damping_and_its_lever() {
     let mut girder = paper().girders.remove(0);
     let close = |rate: f64, wanted: f64| assert!((rate / wanted - 1.0).abs() < 1e-12, "{rate} against {wanted}");
     girder.bearings = bearings([100.0, 0.0, 0.0], [0.0; 3]);
-    close(measures::bearing_rate(&girder, Kind::Planar), 10.0);
+    close(measures::bearing_rate(&girder, PLANAR), 10.0);
     girder.bearings = bearings([100.0, 0.0, 0.0], [30.0, 0.0, 0.0]);
-    close(measures::bearing_rate(&girder, Kind::Planar), 30.0);
+    close(measures::bearing_rate(&girder, PLANAR), 30.0);
     // Along y the levers turn it: 2 k l² over m i², faster than 10 rad/s where l exceeds i.
     girder.bearings = bearings([0.0, 100.0, 0.0], [0.0; 3]);
     let i2 = girder.prism().inertia_per_mass().z_axis.z;
-    close(measures::bearing_rate(&girder, Kind::Planar), 10.0 * (0.07_f64.powi(2) / i2).sqrt().max(1.0));
+    close(measures::bearing_rate(&girder, PLANAR), 10.0 * (0.07_f64.powi(2) / i2).sqrt().max(1.0));
     girder.bearings = bearings([1.0, 1.0, 900.0], [0.0; 3]);
-    assert!(measures::bearing_rate(&girder, Kind::Planar) < 2.0, "nothing moves up");
-    assert!(measures::bearing_rate(&girder, Kind::Spatial) >= 30.0, "straight up, or pitching");
+    assert!(measures::bearing_rate(&girder, PLANAR) < 2.0, "nothing moves up");
+    assert!(measures::bearing_rate(&girder, SPATIAL) >= 30.0, "straight up, or pitching");
     girder.held = vec![Direction::Z, Direction::Roll, Direction::Pitch, Direction::Yaw];
-    close(measures::bearing_rate(&girder, Kind::Spatial), 1.0);
+    close(measures::bearing_rate(&girder, SPATIAL), 1.0);
     girder.bearings = None;
-    assert_eq!(measures::bearing_rate(&girder, Kind::Spatial), 0.0, "it stands on nothing");
+    assert_eq!(measures::bearing_rate(&girder, SPATIAL), 0.0, "it stands on nothing");
 }
 
 #[test]

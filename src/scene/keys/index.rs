@@ -2,8 +2,8 @@
 
 use super::key::Key;
 use super::{
-    ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, ELASTIC, GIRDER, IMPACT, INITIAL,
-    LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD, RESTRAINER, SEAT, SINE,
+    ABUTMENT, BACKFILL, BEARING, BEARINGS, BUMPER, CODES, COMPONENT, CONTACT, DAMPER, DECK_BEARINGS, ELASTIC, GIRDER,
+    IMPACT, INITIAL, LIMITS, MODEL, MOTION, OVERLAYS, PAIR, PIER, PLOT, PROCESSING, PUSH, RAYLEIGH, RECORD, RESTRAINER, SEAT, SINE,
     SOLVER, STOPPER, SWEEP, SYNTHETIC, TOP, VIEW,
 };
 use crate::scene::DeviceKind;
@@ -11,8 +11,8 @@ use crate::scene::DeviceKind;
 /// A table of the scene file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table {
-    /// The way to it, without names and numbers: `girder.initial`; `[]` marks single bearings, `kind =` the keys of one
-    /// kind of motion.
+    /// The way to it, without names and numbers: `girder.initial`; `[]` marks single bearings, `kind` bearings
+    /// given by their kind, `kind =` the keys of one kind of motion.
     pub path: &'static str,
     /// Its keys, in the order of the documentation.
     pub keys: &'static [Key],
@@ -24,6 +24,7 @@ pub const TABLES: &[Table] = &[
     Table { path: "", keys: TOP },
     Table { path: "girder", keys: GIRDER },
     Table { path: "girder.bearings", keys: BEARINGS },
+    Table { path: "girder.bearings kind", keys: DECK_BEARINGS },
     Table { path: "girder.bearings[]", keys: BEARING },
     Table { path: "girder.initial", keys: INITIAL },
     Table { path: "girder.push", keys: PUSH },

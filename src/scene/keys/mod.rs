@@ -14,6 +14,7 @@ pub use super::backfill::BACKFILL;
 pub use super::bearing::{BEARING, BEARINGS};
 pub use super::codes::CODES;
 pub use super::contact::{CONTACT, PAIR};
+pub use super::deck_bearings::DECK_BEARINGS;
 pub use super::device::{BUMPER, DAMPER, ENDS, RESTRAINER, STOPPER};
 pub use super::elastic::{ELASTIC, RAYLEIGH};
 pub use super::girder::{GIRDER, INITIAL, PUSH, SEAT};

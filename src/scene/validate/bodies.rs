@@ -1,55 +1,22 @@
 //! Girders with what they stand on, and abutments, each for itself.
 
 use super::complaints::{At, numbers};
+use super::{bearings, elastic};
 use crate::geometry::{End, Face};
 use crate::scene::domain::measures::bearing_place;
-use crate::scene::keys::{self, Range};
-use crate::scene::{Abutment, Bearing, Bearings, Direction, Girder, Kind, SharedBearings};
+use crate::scene::keys;
+use crate::scene::{Abutment, Direction, Girder, Kind, Setting};
 
-pub(super) fn girder(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+pub(super) fn girder(girder: &Girder, setting: Setting, at: &mut At<'_>) {
+    let kind = setting.kind;
     at.all(girder);
+    at.fits(girder, kind);
     at.below("seat_m", keys::SEAT).all(&girder.seat);
     start(girder, kind, at);
     end_faces(girder, at);
-    far_bearings(girder, kind, at);
-    elastic(girder, kind, at);
-    match &girder.bearings {
-        None => {}
-        Some(Bearings::Shared(bearings)) => {
-            let mut table = at.below("bearings", keys::BEARINGS);
-            table.fits(bearings, kind);
-            shared(bearings, needs_vertical(girder, kind), &mut table);
-        }
-        Some(Bearings::Each(bearings)) => single(bearings, needs_vertical(girder, kind), kind, at),
-    }
-}
-
-/// Numbers of an elastic girder, and what it cannot be yet.
-fn elastic(girder: &Girder, kind: Kind, at: &mut At<'_>) {
-    let Some(elastic) = &girder.elastic else { return };
-    if kind == Kind::Spatial {
-        let remedy = "elastic girders are known in planar scenes only so far: set kind = \"planar\", or leave it out";
-        at.add("elastic", "an elastic girder in a spatial scene", remedy);
-    }
-    if let Some(Bearings::Each(bearings)) = &girder.bearings
-        && bearings.iter().any(|bearing| bearing.yield_force.is_some())
-    {
-        let remedy = "bearings of an elastic girder are linear so far: leave out yield_force_n, or `elastic`";
-        at.add("elastic", "an elastic girder on bearings that yield", remedy);
-    }
-    if girder.bearings.as_ref().is_some_and(|bearings| bearings.piers(girder).iter().any(Option::is_some)) {
-        let remedy =
-            "bearings of an elastic girder stand on the ground so far: leave out the pier under them, or `elastic`";
-        at.add("elastic", "an elastic girder on a pier", remedy);
-    }
-    let mut at = at.below("elastic", keys::ELASTIC);
-    at.all(elastic);
-    for (key, value, remedy) in elastic.faults(girder) {
-        at.add(key, value, remedy);
-    }
-    if let Some(rayleigh) = &elastic.rayleigh {
-        at.below("rayleigh", keys::RAYLEIGH).all(rayleigh);
-    }
+    far_bearings(girder, setting, at);
+    elastic::check(girder, kind, at);
+    bearings::check(girder, setting, needs_vertical(girder, kind), at);
 }
 
 /// Whether something must carry the girder's weight.
@@ -99,64 +66,13 @@ fn is_sound(girder: &Girder) -> bool {
 }
 
 /// Bearings so far outside that their places can only be in another unit.
-fn far_bearings(girder: &Girder, kind: Kind, at: &mut At<'_>) {
+fn far_bearings(girder: &Girder, setting: Setting, at: &mut At<'_>) {
     /// Places in mm for m are a thousand times as far, at least four hundred times the farthest corner.
     const FAR: f64 = 100.0;
-    let far = if is_sound(girder) { bearing_place(girder, kind) } else { 0.0 };
+    let far = if is_sound(girder) { bearing_place(girder, setting) } else { 0.0 };
     if far > FAR {
         let value = format!("a bearing {far:.3e} times as far from G as the farthest corner");
         at.add("bearings", value, "no bearing carries a girder from there: give its place in m, relative to G");
-    }
-}
-
-fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
-    at.all_but("vertical_frequency_hz", bearings);
-    match bearings.vertical_frequency_hz {
-        Some(f) if needs_vertical => at.number("vertical_frequency_hz", f),
-        // Where it carries nothing it may say so.
-        Some(f) => at.obeys("vertical_frequency_hz", f, Range::NotNegative),
-        None if needs_vertical => {
-            let remedy = "a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz";
-            at.add("vertical_frequency_hz", "nothing", remedy);
-        }
-        None => {}
-    }
-    let (key, places) = match (&bearings.at, &bearings.at_skewed) {
-        (Some(places), None) => ("at_m", places),
-        (None, Some(places)) => ("at_skewed_m", places),
-        (None, None) => {
-            return at.add("at_m", "nothing", "give the bearings' places: at_m = [[x, y], …], or at_skewed_m");
-        }
-        (Some(_), Some(_)) => return at.add("at_m", "at_m and at_skewed_m", "give one of the two"),
-    };
-    if places.is_empty() {
-        at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
-    }
-}
-
-fn single(bearings: &[Bearing], needs_vertical: bool, kind: Kind, at: &mut At<'_>) {
-    if bearings.is_empty() {
-        at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
-    }
-    for (n, bearing) in bearings.iter().enumerate() {
-        let key = format!("bearings[{n}]");
-        let mut table = at.below(&key, keys::BEARING);
-        table.all(bearing);
-        table.fits(bearing, kind);
-        match (bearing.yield_force, bearing.yield_displacement) {
-            (Some(_), None) => {
-                table.add("yield_displacement_m", "nothing", "give the displacement at which the bearing yields, in m");
-            }
-            (None, Some(_)) => table.add("yield_force_n", "nothing", "give the force Q in N, or leave out both"),
-            _ => {}
-        }
-        if bearing.per_axis.is_some() && bearing.yield_force.is_none() {
-            table.add("yields_per_axis", "a switch", "give yield_force_n and yield_displacement_m, or leave it out");
-        }
-    }
-    if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
-        let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
-        at.add("bearings[0].stiffness_n_per_m", numbers(&bearings[0].stiffness[..2]), remedy);
     }
 }
 

@@ -3,9 +3,11 @@
 //! All complaints are collected, so that one reading of them is enough to mend the file. What needs sound sizes
 //! (faces, overlaps, facing ends) is asked only where the sizes are sound.
 
+mod bearings;
 mod bodies;
 mod complaints;
 mod devices;
+mod elastic;
 mod numbers;
 mod piers;
 mod placing;
@@ -35,7 +37,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
     top(scene, &mut complaints);
     placing::names(scene, &mut complaints);
     for girder in &scene.girders {
-        bodies::girder(girder, scene.kind, &mut complaints.of("girder", &girder.name, keys::GIRDER));
+        bodies::girder(girder, scene.setting(), &mut complaints.of("girder", &girder.name, keys::GIRDER));
     }
     for abutment in &scene.abutments {
         bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));

@@ -75,11 +75,20 @@ fn bearings(scene: &Scene, girder: &Girder, complaints: &mut Complaints) {
             let ends = [("on_minus_x", &shared.on_minus_x), ("on_plus_x", &shared.on_plus_x)];
             ends.iter().filter_map(|(key, on)| Some((format!("bearings.{key}"), on.as_deref()?))).collect()
         }
+        Some(Bearings::Deck(deck)) => {
+            let ends = [("on_minus_x", &deck.on_minus_x), ("on_plus_x", &deck.on_plus_x)];
+            ends.iter().filter_map(|(key, on)| Some((format!("bearings.{key}"), on.as_deref()?))).collect()
+        }
         Some(Bearings::Each(each)) => {
             let named = each.iter().enumerate();
             named.filter_map(|(n, b)| Some((format!("bearings[{n}].on"), b.on.as_deref()?))).collect()
         }
     };
+    let slides = girder.supports(scene.setting()).into_iter().map(|bearing| bearing.sliding.is_some());
+    if slides.zip(scene.supports(girder)).any(|(slides, pier)| slides && pier.is_some()) {
+        let remedy = "in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene";
+        at.add("bearings", "a slider on a pier", remedy);
+    }
     for (key, name) in named.iter().filter(|(_, name)| scene.pier_named(name).is_none()) {
         let known: Vec<&str> = scene.piers.iter().map(|pier| pier.name.as_str()).collect();
         let known = if known.is_empty() {

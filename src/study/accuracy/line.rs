@@ -78,7 +78,7 @@ fn bar(scene: &Scene, girder: &crate::scene::Girder) -> Option<Bar> {
         (None, Some(rayleigh)) if rayleigh.mass == 0.0 => rayleigh.stiffness,
         _ => return None,
     };
-    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.kind)).unwrap_or_default();
+    let bearings = girder.bearings.as_ref().map(|b| b.resolve(girder, scene.setting())).unwrap_or_default();
     let legs = bearings.iter().map(|leg| [leg.place.x + 0.5 * girder.length, leg.stiffness[0], leg.damping[0]]);
     Some(Bar {
         length: girder.length,

@@ -63,6 +63,7 @@ fn girder(number: usize, x: f64, frequency: f64) -> Girder {
             on_minus_x: None,
             on_plus_x: None,
             at_skewed: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
+            travel: None,
             height: None,
             at: None,
         })),

@@ -4,7 +4,7 @@ use super::dice::{Dice, three_digits};
 use crate::geometry::End;
 use crate::scene::{
     Abutment, Bearing, Bearings, Between, ContactSettings, FrictionLaw, Girder, Kind, Motion, PerDirection,
-    RecordMotion, STANDARD_GRAVITY, Scene, SharedBearings, Sharing, SineMotion, Tension,
+    RecordMotion, STANDARD_GRAVITY, Scene, Setting, SharedBearings, Sharing, SineMotion, Tension,
 };
 
 /// Contact stiffness \[N/m\].
@@ -85,6 +85,7 @@ pub(super) fn stand(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64) {
             on_minus_x: None,
             on_plus_x: None,
             at_skewed: Some(vec![[x, y], [x, -y], [-x, y], [-x, -y]]),
+            travel: None,
             height: None,
             at: None,
         };
@@ -98,7 +99,8 @@ pub(super) fn stand(dice: &mut Dice, scene: &mut Scene, frequency_hz: f64) {
 /// The same bearings one by one, each stiffer or softer than the others.
 fn uneven(dice: &mut Dice, girder: &mut Girder, kind: Kind) {
     let Some(bearings) = &girder.bearings else { return };
-    let each = bearings.resolve(girder, kind).into_iter().map(|b| {
+    let setting = Setting { kind, gravity: STANDARD_GRAVITY };
+    let each = bearings.resolve(girder, setting).into_iter().map(|b| {
         let factor = dice.log(0.3, 3.0);
         let scaled = |v: [f64; 3]| v.map(|x| three_digits(x * factor));
         let at = [b.place.x, b.place.y].map(three_digits);

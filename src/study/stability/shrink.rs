@@ -133,6 +133,7 @@ fn undamped(scene: &Scene) -> Scene {
         for girder in &mut s.girders {
             match &mut girder.bearings {
                 Some(Bearings::Shared(shared)) => shared.damping_ratio = crate::scene::PerDirection::Both(0.0),
+                Some(Bearings::Deck(deck)) => deck.damping_ratio = None,
                 Some(Bearings::Each(each)) => each.iter_mut().for_each(|b| b.damping = [0.0; 3]),
                 None => {}
             }

@@ -307,6 +307,7 @@ fn a_long_search_misses_no_touch() {
             on_plus_x: None,
             at_skewed: None,
             height: None,
+            travel: None,
             at: Some(vec![[0.07, 0.025], [0.07, -0.025], [-0.07, 0.025], [-0.07, -0.025]]),
         }));
     }

@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use girderbench::scene::{Bearings, Kind, Motion, Scene, format, overrides, placed, presets};
+use girderbench::scene::{
+    Bearings, Kind, Motion, STANDARD_GRAVITY, Scene, Setting, format, overrides, placed, presets,
+};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 
@@ -15,10 +17,14 @@ fn bearings(scene: &Scene) -> &Bearings {
     scene.girders[0].bearings.as_ref().unwrap_or_else(|| panic!("{} has bearings", scene.name))
 }
 
+fn setting(kind: Kind) -> Setting {
+    Setting { kind, gravity: STANDARD_GRAVITY }
+}
+
 #[test]
 fn shared_bearings_together_have_the_stiffness_and_damping_asked_for() {
     let scene = preset("skew45-abutment", &["girder.deck.bearings.frequency_hz=[2.6, 3.1]"]);
-    let legs = bearings(&scene).resolve(&scene.girders[0], Kind::Planar);
+    let legs = bearings(&scene).resolve(&scene.girders[0], setting(Kind::Planar));
     assert_eq!(legs.len(), 4, "four legs");
     let sum = |of: &dyn Fn(usize) -> f64| (0..4).map(of).sum::<f64>();
     for (axis, f) in [(0, 2.6), (1, 3.1)] {
@@ -35,7 +41,7 @@ fn shared_bearings_together_have_the_stiffness_and_damping_asked_for() {
 #[test]
 fn skewed_places_follow_the_skew() {
     let straight = preset("straight-abutment", &[]);
-    let at = |scene: &Scene| bearings(scene).resolve(&scene.girders[0], Kind::Planar)[0].place;
+    let at = |scene: &Scene| bearings(scene).resolve(&scene.girders[0], setting(Kind::Planar))[0].place;
     assert_eq!(at(&straight).to_array(), [0.07, 0.025, 0.0], "a straight girder: as written");
     let skewed = at(&preset("skew45-abutment", &[]));
     assert!((skewed.x - 0.095).abs() < 1e-16 * 4.0, "x + y cot 45°: {}", skewed.x);
@@ -44,7 +50,7 @@ fn skewed_places_follow_the_skew() {
 #[test]
 fn spatial_bearings_stand_at_the_underside_with_their_own_vertical() {
     let scene = preset("deck-30m", &[]);
-    let legs = bearings(&scene).resolve(&scene.girders[0], Kind::Spatial);
+    let legs = bearings(&scene).resolve(&scene.girders[0], setting(Kind::Spatial));
     assert_eq!(legs[0].place.z, -0.75, "half the thickness below G");
     let k = 600e3 * (TAU * 10.0).powi(2) / 4.0;
     assert!((legs[0].stiffness[2] / k - 1.0).abs() < 1e-15 * 4.0, "vertical: {} for {k}", legs[0].stiffness[2]);
@@ -56,7 +62,7 @@ fn spatial_bearings_stand_at_the_underside_with_their_own_vertical() {
 fn single_bearings_are_taken_as_they_are() {
     let one = "girder.deck.bearings=[{ at_m = [1, 2], stiffness_n_per_m = [3, 4], damping_n_s_per_m = [5, 6, 7] }]";
     let scene = preset("deck-30m", &[one]);
-    let found = bearings(&scene).resolve(&scene.girders[0], Kind::Spatial)[0];
+    let found = bearings(&scene).resolve(&scene.girders[0], setting(Kind::Spatial))[0];
     assert_eq!(found.place.to_array(), [1.0, 2.0, -0.75], "true place");
     assert_eq!((found.stiffness, found.damping), ([3.0, 4.0, 0.0], [5.0, 6.0, 7.0]), "two or three numbers");
 }

@@ -3,10 +3,14 @@
 use egui::{ComboBox, RichText, Ui};
 
 use super::rows::{grid, note};
-use crate::app::field::{CLICK, Change, Place, act, number, optional, switched, tag};
-use crate::app::unit::{HERTZ, PURE, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
+use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, optional, rows, switched, tag};
+use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
-use crate::scene::{Bearing, Bearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, SharedBearings};
+use crate::scene::keys::Key;
+use crate::scene::{
+    Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, PerDirection, STANDARD_GRAVITY, Scene, Setting,
+    SharedBearings,
+};
 
 /// Q of all bearings per weight \[–\], and k₁/k₂ \[–\], of a lead-rubber bearing to begin with: usual Japanese values, from
 /// memory.
@@ -18,6 +22,10 @@ const SLIDER_YIELD: f64 = 5e-4;
 /// Shows a girder's bearings.
 pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind, g: &mut Girder) -> Option<Change> {
     let (length, shear) = (length_unit(g.length), g.prism().shear());
+    let deck_radius = match &g.bearings {
+        Some(Bearings::Deck(deck)) => deck.radius(STANDARD_GRAVITY),
+        _ => 0.0,
+    };
     match &mut g.bearings {
         Some(Bearings::Shared(shared)) => {
             let underside = -0.5 * g.thickness;
@@ -34,7 +42,28 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
                 let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
-            let places = places(ui, place, length, shear, shared);
+            let places = places(ui, place, length, shear, (&mut shared.at, &mut shared.at_skewed));
+            let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
+            let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
+            if each {
+                g.bearings = Some(one_by_one(g, kind));
+            } else if gone {
+                g.bearings = None;
+            }
+            numbers.or(places).or(if each || gone { CLICK } else { None })
+        }
+        Some(Bearings::Deck(deck)) => {
+            let size = Size { length: g.length, mass: g.mass };
+            let table = format!("{}.bearings", place.table);
+            let assumed = deck.assumed();
+            let reckoned = |key: &Key| {
+                let number = assumed.iter().find(|(name, _)| *name == key.name).map(|(_, number)| *number);
+                number.unwrap_or(if key.name == "radius_m" { deck_radius } else { 0.0 })
+            };
+            let whole = Place { table: &table, ..place };
+            let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(whole, kind, size) };
+            let numbers = grid(ui, "bearings", |ui| rows(ui, &look, deck, &[]));
+            let places = places(ui, place, length, shear, (&mut deck.at, &mut deck.at_skewed));
             let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
             let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
             if each {
@@ -54,19 +83,30 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
         }
         None => {
             grid(ui, "no bearings", |ui| note(ui, text::BEARINGS_NONE));
-            if !act(ui, place, "bearings", text::BEARINGS_ADD) {
-                return None;
-            }
-            g.bearings = Some(Bearings::Shared(four_below(g)));
+            let shared = act(ui, place, "bearings", text::BEARINGS_ADD);
+            let lead = act(ui, place, "bearings", text::BEARINGS_ADD_LEAD);
+            let pendulum = act(ui, place, "bearings", text::BEARINGS_ADD_PENDULUM);
+            let deck = |kind| Bearings::Deck(DeckBearings::proposed(kind, corners(g)));
+            g.bearings = match (shared, lead, pendulum) {
+                (true, ..) => Some(Bearings::Shared(four_below(g))),
+                (_, true, _) => Some(deck(BearingKind::LeadRubber)),
+                (.., true) => Some(deck(BearingKind::Pendulum)),
+                _ => return None,
+            };
             CLICK
         }
     }
 }
 
-/// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
-fn four_below(g: &Girder) -> SharedBearings {
+/// Four places near the corners, before skewing \[m\].
+fn corners(g: &Girder) -> Vec<[f64; 2]> {
     let round = |v: f64| (v * 1e4).round() / 1e4;
     let (a, b) = (round(0.37 * g.length), round(0.36 * g.width));
+    vec![[-a, -b], [a, -b], [a, b], [-a, b]]
+}
+
+/// Four equal bearings near the corners, at the paper's frequency and damping (Table 1).
+fn four_below(g: &Girder) -> SharedBearings {
     SharedBearings {
         frequency_hz: PerDirection::Both(2.6),
         damping_ratio: PerDirection::Both(0.28),
@@ -74,8 +114,9 @@ fn four_below(g: &Girder) -> SharedBearings {
         vertical_damping_ratio: None,
         on_minus_x: None,
         on_plus_x: None,
-        at_skewed: Some(vec![[-a, -b], [a, -b], [a, b], [-a, b]]),
+        at_skewed: Some(corners(g)),
         at: None,
+        travel: None,
         height: None,
     }
 }
@@ -86,24 +127,43 @@ fn tidy(place: [f64; 2]) -> [f64; 2] {
 
 /// The same bearings, each with its own numbers.
 fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
-    let resolved = g.bearings.as_ref().map(|b| b.resolve(g, kind)).unwrap_or_default();
-    let height = |g: &Girder| match &g.bearings {
+    let resolved = g.supports(Setting { kind, gravity: STANDARD_GRAVITY });
+    let height = match &g.bearings {
         Some(Bearings::Shared(shared)) => shared.height,
+        Some(Bearings::Deck(deck)) => deck.height,
         _ => None,
     };
     let piers = g.bearings.as_ref().map(|b| b.piers(g)).unwrap_or_default();
-    let single = |(b, on): (&crate::scene::ResolvedBearing, Option<&str>)| Bearing {
-        height: height(g),
-        on: on.map(str::to_owned),
-        ..Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping)
+    let pendulum = match &g.bearings {
+        Some(Bearings::Deck(deck)) if deck.kind == BearingKind::Pendulum => Some(deck),
+        _ => None,
+    };
+    let single = |(b, on): (&crate::scene::ResolvedBearing, Option<&str>)| {
+        let linear = Bearing::linear([b.place.x, b.place.y], b.stiffness, b.damping);
+        let linear = Bearing { height, travel: b.travel, on: on.map(str::to_owned), ..linear };
+        match pendulum {
+            // N/R is of the pendulum, beside no spring of its own.
+            Some(deck) => Bearing {
+                stiffness: [0.0, 0.0, b.stiffness[2]],
+                friction: Some(deck.whole(g, STANDARD_GRAVITY).yielding.force / (g.mass * STANDARD_GRAVITY)),
+                radius: Some(deck.radius(STANDARD_GRAVITY)),
+                slider_displacement: deck.slider_displacement,
+                ..linear
+            },
+            None => Bearing {
+                yield_force: b.yielding.map(|yielding| yielding.force),
+                yield_displacement: b.yielding.map(|yielding| yielding.displacement),
+                ..linear
+            },
+        }
     };
     Bearings::Each(resolved.iter().zip(piers).map(single).collect())
 }
 
 /// Places of equal bearings: in the girder's own frame, or in the frame that is skewed with it.
-fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, shear: f64, b: &mut SharedBearings) -> Option<Change> {
-    let follows = follows_skew(ui, place, shear, b);
-    let lists = [("bearings.at_m", &mut b.at, text::AT), ("bearings.at_skewed_m", &mut b.at_skewed, text::AT_SKEWED)];
+fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, shear: f64, (at, skewed): Places<'_>) -> Option<Change> {
+    let follows = follows_skew(ui, place, shear, (&mut *at, &mut *skewed));
+    let lists = [("bearings.at_m", at, text::AT), ("bearings.at_skewed_m", skewed, text::AT_SKEWED)];
     let mut change = None;
     for (key, list, title) in lists {
         let Some(list) = list.as_mut() else { continue };
@@ -113,9 +173,12 @@ fn places(ui: &mut Ui, place: Place<'_>, unit: Unit, shear: f64, b: &mut SharedB
     change.or(follows)
 }
 
+/// Places in the girder's frame, and those before skewing.
+type Places<'a> = (&'a mut Option<Vec<[f64; 2]>>, &'a mut Option<Vec<[f64; 2]>>);
+
 /// Whether the places go with the skew; switched, the bearings stay where they are.
-fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, b: &mut SharedBearings) -> Option<Change> {
-    let mut follows = b.at_skewed.is_some();
+fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, (at, skewed): Places<'_>) -> Option<Change> {
+    let mut follows = skewed.is_some();
     let response = ui.checkbox(&mut follows, text::AT_FOLLOWS);
     let switched = tag(ui, &response, place, ("bearings.at_skewed_m", text::AT_FOLLOWS)).changed();
     if !switched {
@@ -123,7 +186,7 @@ fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, b: &mut SharedBearing
     }
     let moved =
         |list: Vec<[f64; 2]>, sign: f64| list.into_iter().map(|[x, y]| tidy([x + sign * y * shear, y])).collect();
-    (b.at, b.at_skewed) = match (b.at.take(), b.at_skewed.take()) {
+    (*at, *skewed) = match (at.take(), skewed.take()) {
         (Some(at), _) => (None, Some(moved(at, -1.0))),
         (None, Some(at)) => (Some(moved(at, 1.0)), None),
         (None, None) => (Some(vec![[0.0; 2]]), None),

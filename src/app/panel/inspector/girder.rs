@@ -26,7 +26,8 @@ pub(super) fn show(
     let table = format!("girder.{}", girder.name);
     let [starts, pushes, seats] = ["initial", "push", "seat_m"].map(|below| format!("{table}.{below}"));
     let place = form.place(&table);
-    let look = |place| Look { without: Without::Reckoned(&|_| 0.0), ..Look::new(place, kind, Size::of(girder)) };
+    let reckoned = |key: &Key| if key.name == "drop_m" { girder.drop() } else { 0.0 };
+    let look = |place| Look { without: Without::Reckoned(&reckoned), ..Look::new(place, kind, Size::of(girder)) };
     let first = grid(ui, "girder", |ui| {
         name_field::show(ui, place, Target::Girder(i), &girder.name, out);
         rows(ui, &look(place), &mut new, &["name"])

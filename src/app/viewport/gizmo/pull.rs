@@ -186,18 +186,20 @@ fn stretched(girder: &Girder, along: f64, across: f64, skew_deg: f64) -> Girder 
         let y_new = y * across;
         edits::tidy(DVec3::new((x - y * before) * along + y_new * after, y_new, 0.0))
     };
+    let lists = |at: &mut Option<Vec<[f64; 2]>>, skewed: &mut Option<Vec<[f64; 2]>>| {
+        for place in at.iter_mut().flatten() {
+            let [x, y, _] = moved(*place);
+            *place = [x, y];
+        }
+        for place in skewed.iter_mut().flatten() {
+            let [x, y, _] = edits::tidy(DVec3::new(place[0] * along, place[1] * across, 0.0));
+            *place = [x, y];
+        }
+    };
     let mut new = girder.clone();
     match &mut new.bearings {
-        Some(Bearings::Shared(shared)) => {
-            for place in shared.at.iter_mut().flatten() {
-                let [x, y, _] = moved(*place);
-                *place = [x, y];
-            }
-            for place in shared.at_skewed.iter_mut().flatten() {
-                let [x, y, _] = edits::tidy(DVec3::new(place[0] * along, place[1] * across, 0.0));
-                *place = [x, y];
-            }
-        }
+        Some(Bearings::Shared(shared)) => lists(&mut shared.at, &mut shared.at_skewed),
+        Some(Bearings::Deck(deck)) => lists(&mut deck.at, &mut deck.at_skewed),
         Some(Bearings::Each(each)) => {
             for bearing in each {
                 let [x, y, _] = moved(bearing.at);

@@ -1,0 +1,97 @@
+//! What `check` says of bearings that yield, slide or can lose their support: the numbers in force, and which of them are assumed.
+
+use crate::cli::digits::six;
+use crate::scene::{Bearings, DeckBearings, Girder, Kind, ResolvedBearing, Setting, seating};
+
+/// Amplitudes at which the effective numbers of a deck's bearings are given, full scale \[m\].
+const AMPLITUDES: [f64; 2] = [0.1, 0.2];
+
+/// All of it, a fact a line; nothing of linear bearings that stay on their supports.
+pub(super) fn text(girder: &Girder, setting: Setting) -> String {
+    let supports = girder.supports(setting);
+    let deck = match &girder.bearings {
+        Some(Bearings::Deck(deck)) => self::deck(deck, girder, setting),
+        _ => String::new(),
+    };
+    [yields(&supports), slides(&supports), deck, rooms(girder, &supports, setting)].concat()
+}
+
+/// Bearings that yield: the sum of Q, and their stiffness before, which the frequencies are without.
+fn yields(supports: &[ResolvedBearing]) -> String {
+    let yielding: Vec<_> = supports.iter().filter_map(|b| b.yielding.map(|y| (y, b.initial_stiffness()))).collect();
+    if yielding.is_empty() {
+        return String::new();
+    }
+    let force: f64 = yielding.iter().map(|(y, _)| y.force).sum();
+    let stiffness = |axis: usize| six(yielding.iter().map(|(_, k)| k[axis]).sum::<f64>());
+    format!(
+        "  {} of them yield: Q = {} N, k_x, k_y before = {}, {} N/m; frequencies are those after yield\n",
+        yielding.len(),
+        six(force),
+        stiffness(0),
+        stiffness(1)
+    )
+}
+
+/// Sliders in space, whose friction follows their vertical force.
+fn slides(supports: &[ResolvedBearing]) -> String {
+    let sliding: Vec<_> = supports.iter().filter_map(|b| b.sliding).collect();
+    let Some(first) = sliding.first() else { return String::new() };
+    let radius = if first.curvature > 0.0 { format!("R = {} m", six(first.curvature.recip())) } else { "flat".into() };
+    format!(
+        "  {} of them slide: μ = {}, {radius} (of the first), friction there at {} m; N follows their vertical force, \
+         frequencies are without N/R\n",
+        sliding.len(),
+        six(first.friction),
+        six(first.displacement)
+    )
+}
+
+/// Bearings of a whole deck: the numbers in force together, and what of them is assumed.
+fn deck(deck: &DeckBearings, girder: &Girder, setting: Setting) -> String {
+    let whole = deck.whole(girder, setting.gravity);
+    let at = |amplitude: f64| {
+        let [stiffness, period, damping] = [
+            whole.effective_stiffness(amplitude),
+            whole.effective_period(amplitude, girder.mass),
+            whole.equivalent_damping(amplitude),
+        ]
+        .map(six);
+        format!("at {amplitude} m k_eff = {stiffness} N/m, T_eff = {period} s, h_eq = {damping}")
+    };
+    let beyond = AMPLITUDES.into_iter().filter(|amplitude| *amplitude > whole.yielding.displacement);
+    let effective: Vec<String> = beyond.map(at).collect();
+    let assumed: Vec<String> =
+        deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", six(number))).collect();
+    let assumed = if assumed.is_empty() { String::new() } else { format!("; assumed: {}", assumed.join(", ")) };
+    format!(
+        "  {} together: k₁, k₂ = {}, {} N/m, Q = {} N, u_y = {} m{assumed}\n  {}\n",
+        deck.kind.label(),
+        six(whole.first_stiffness()),
+        six(whole.stiffness),
+        six(whole.yielding.force),
+        six(whole.yielding.displacement),
+        effective.join("; ")
+    )
+}
+
+/// Bearings that can lose their support, and what then happens.
+fn rooms(girder: &Girder, supports: &[ResolvedBearing], setting: Setting) -> String {
+    let rooms: Vec<_> = supports.iter().filter_map(|bearing| seating::room(girder, bearing)).collect();
+    if rooms.is_empty() {
+        return String::new();
+    }
+    let least = rooms.iter().flat_map(|room| [-room.from, room.to]).fold(f64::INFINITY, f64::min);
+    let then = match setting.kind {
+        Kind::Spatial => format!("the run stops when a corner has dropped by {} m", six(girder.drop())),
+        Kind::Planar => match girder.after_unseating.unwrap_or_default() {
+            crate::scene::AfterUnseating::Stop => "the run then stops".to_owned(),
+            crate::scene::AfterUnseating::Continue => "the run goes on without it, and says so".to_owned(),
+        },
+    };
+    format!(
+        "  {} of them lose their support, the first beyond {} m square to the ends: {then}\n",
+        rooms.len(),
+        six(least)
+    )
+}

@@ -1,0 +1,113 @@
+//! `girderbench plot`: quantities of a run against time or against each other, as CSV, SVG and PNG: histories, hysteresis loops.
+
+use std::path::PathBuf;
+
+use super::args::{SceneArgs, Threads, positive};
+use super::compute::compute;
+use super::console::Console;
+use super::failure::Failure;
+use super::output::write_files;
+use super::plot_files::plot_files;
+use crate::sim::quantity::Unit;
+use crate::sim::{History, Quantity};
+use crate::study::plot::COLORS;
+use crate::study::plot::chart::{Chart, Curve, Panel};
+use crate::tables::{DEFAULT_SAMPLE_HZ, quantities};
+
+/// Plot quantities of a run against time or each other, e.g. a hysteresis loop; without `--y`, list their names
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct PlotArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// A quantity of the upright axis, e.g. `deck.bearing1.force-x`; may be given several times
+    #[arg(long, value_name = "NAME")]
+    y: Vec<String>,
+    /// The quantity of the level axis, e.g. `deck.bearing1.x`; the time when left out
+    #[arg(long, value_name = "NAME")]
+    x: Option<String>,
+    /// Points per second [Hz]
+    #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
+    sample: f64,
+    #[command(flatten)]
+    threads: Threads,
+    /// Write plot.csv, plot.svg and plot.png into this folder
+    #[arg(long, value_name = "DIR", default_value = "out")]
+    out: PathBuf,
+    /// Print the names of all quantities of the run and nothing else
+    #[arg(long)]
+    list: bool,
+}
+
+/// Does it.
+///
+/// # Errors
+/// Bad input; names that the run does not have; files that cannot be written.
+pub(super) fn run(args: &PlotArgs, console: &mut Console) -> Result<(), Failure> {
+    let scene = args.scene.load()?;
+    args.threads.start()?;
+    let timed = compute(&scene)?;
+    let Some(history) = timed.first().map(|timed| &timed.history) else { return Ok(()) };
+    if args.list || args.y.is_empty() {
+        let names: String = Quantity::all(history).into_iter().map(|(name, _)| name + "\n").collect();
+        console.print(&names);
+        return Ok(());
+    }
+    let x = args.x.as_ref().map(|name| found(history, name)).transpose()?;
+    let y = args.y.iter().map(|name| found(history, name)).collect::<Result<Vec<_>, _>>()?;
+    let columns: Vec<(String, Quantity)> = x.iter().chain(&y).cloned().collect();
+    let mut csv = Vec::new();
+    quantities(history, &columns, args.sample, &mut csv)
+        .map_err(|error| Failure::Input(format!("plot.csv: {error}")))?;
+    let mut files = vec![("plot.csv".to_owned(), csv)];
+    files.extend(plot_files("plot", chart(history, x.as_ref(), &y, args.sample).to_svg())?);
+    write_files(&args.out, &files)?;
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    console.print(&format!("written to {}: {}\n", args.out.display(), names.join(", ")));
+    Ok(())
+}
+
+/// A quantity with its name.
+fn found(history: &History, name: &str) -> Result<(String, Quantity), Failure> {
+    let all = Quantity::all(history);
+    let known = all.iter().find(|(known, _)| known == name).cloned();
+    known.ok_or_else(|| {
+        let near: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+        let hint = crate::scene::format::did_you_mean(name, &near);
+        Failure::Input(format!("{name}: the run has no such quantity{hint}; `--list` prints all names"))
+    })
+}
+
+fn chart(history: &History, x: Option<&(String, Quantity)>, y: &[(String, Quantity)], hz: f64) -> Chart {
+    let times: Vec<f64> = crate::tables::sample_times(history.end(), hz).collect();
+    let level = |t: f64| x.map_or(t, |(_, quantity)| quantity.at(history, t));
+    let curve = |(number, (name, quantity)): (usize, &(String, Quantity))| Curve {
+        name: name.clone(),
+        color: COLORS[number % COLORS.len()].to_owned(),
+        dashes: "none",
+        points: times.iter().map(|&t| [level(t), quantity.at(history, t)]).collect(),
+    };
+    let mut panels: Vec<Panel> = Vec::new();
+    for of in y.iter().enumerate() {
+        // Quantities of one unit share a field.
+        let name = format!("[{}]", unit(of.1.1.unit()));
+        match panels.iter_mut().find(|panel| panel.name == name) {
+            Some(panel) => panel.curves.push(curve(of)),
+            None => panels.push(Panel { name, curves: vec![curve(of)] }),
+        }
+    }
+    let x = x.map_or("time [s]".to_owned(), |(name, quantity)| format!("{name} [{}]", unit(quantity.unit())));
+    Chart { title: history.scene().name.clone(), x, panels }
+}
+
+fn unit(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Metre => "m",
+        Unit::Radian => "rad",
+        Unit::MetrePerSecond => "m/s",
+        Unit::RadianPerSecond => "rad/s",
+        Unit::MetrePerSecond2 => "m/s²",
+        Unit::Newton => "N",
+        Unit::Joule => "J",
+        Unit::One => "1",
+    }
+}

@@ -1,0 +1,76 @@
+//! A watch without force on how far a corner of a girder in space drops: the first point along the third axis of its link
+//! (`docs/physics.md#loss-of-support`). Pier tops are no bodies, so that a girder off its supports would fall for ever.
+
+use glam::DVec3;
+
+use crate::dynamics::connection::{Connection, Device, Phase, Separation, SeparationBounds, Switch};
+
+/// Ends the run where its point has dropped by this depth \[m\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drop(pub f64);
+
+const DROPPED: u32 = 1;
+
+impl Connection for Drop {
+    type State = Phase;
+    type Motion = Separation;
+
+    fn force(&self, _: &Phase, _: &Separation) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    fn stored_energy(&self, _: &Phase, _: &Separation) -> f64 {
+        0.0
+    }
+
+    fn dissipated_power(&self, _: &Phase, _: &Separation) -> f64 {
+        0.0
+    }
+
+    fn stiffness_bound(&self, _: &Phase) -> f64 {
+        0.0
+    }
+
+    fn damping_bound(&self, _: &Phase) -> f64 {
+        0.0
+    }
+}
+
+impl Device for Drop {
+    fn initial(&self, _: &Separation) -> Phase {
+        Phase::default()
+    }
+
+    fn acts(&self, _: &Phase) -> bool {
+        false
+    }
+
+    fn state(&self, phase: &Phase) -> &'static str {
+        if phase.law == DROPPED { "dropped" } else { "up" }
+    }
+
+    fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
+        [self.0 + motion.moved.z, motion.rate.z]
+    }
+
+    fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
+        bounds.acceleration
+    }
+
+    fn has_ended(&self, phase: &Phase) -> bool {
+        phase.law == DROPPED
+    }
+
+    fn ends_run(&self, phase: &Phase) -> bool {
+        phase.law == DROPPED
+    }
+
+    fn next(&self, _: Switch, _: &Phase, _: &Separation) -> (Phase, f64) {
+        (Phase { law: DROPPED, ..Phase::default() }, 0.0)
+    }
+
+    /// Nothing to draw.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
+    }
+}

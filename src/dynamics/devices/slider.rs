@@ -1,0 +1,280 @@
+//! A slider in space, flat or in a spherical dish, under the vertical force N of its own bearing
+//! (`docs/physics.md#sliders-in-space`). Its link has the ground as its second end and the girder's axes as placed; the vertical
+//! spring `k_z`, dashpot and preload P are the girder's bearing, as are any horizontal springs beside.
+//!
+//! In a dish of radius R the point rises by `h = u²/2R`: `N = P − k_z (w − h)`, the horizontal force is `−(N/R) u − z`. Friction:
+//! elastic `ż = k_t u̇`, `k_t` = `μP/u_y` constant, up to `Q = μN`; sliding, `z = Q (cos φ, sin φ)` with
+//! `φ̇ = (k_t/Q)(−sin φ u̇_x + cos φ u̇_y)` until `k_t n·u̇ − Q̇` turns. Where N falls to 0 the bearing is lifted: no force at all until
+//! it lands.
+
+use glam::{DVec2, DVec3};
+
+use crate::dynamics::connection::{
+    Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
+};
+use crate::dynamics::model::bearing::Bearing;
+
+/// Q below which the direction of friction turns as fast as with it, per that at rest: at N = 0 friction has no direction.
+const LEAST_LOAD: f64 = 1e-2;
+
+/// A slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slider {
+    /// μ \[–\].
+    pub friction: f64,
+    /// 1/R; 0 of a flat slider \[1/m\].
+    pub curvature: f64,
+    /// `u_y` under the load at rest \[m\].
+    pub displacement: f64,
+    /// P \[N\].
+    pub load: f64,
+    /// `k_z`, more than 0 \[N/m\].
+    pub stiffness: f64,
+    /// `c_z` \[N·s/m\].
+    pub damping: f64,
+}
+
+const ELASTIC: u32 = 0;
+const SLIDING: u32 = 1;
+const LIFTED: u32 = 2;
+
+impl Slider {
+    /// Of friction, 1/R and `u_y` above a girder's bearing.
+    pub fn on(bearing: &Bearing, [friction, curvature, displacement]: [f64; 3]) -> Self {
+        let [load, stiffness, damping] = [bearing.preload.z, bearing.stiffness.z, bearing.damping.z];
+        Self { friction, curvature, displacement, load, stiffness, damping }
+    }
+
+    /// `k_t` \[N/m\].
+    fn tangential(&self) -> f64 {
+        self.friction * self.load / self.displacement
+    }
+
+    /// h \[m\].
+    fn rise(&self, motion: &Separation) -> f64 {
+        0.5 * self.curvature * motion.moved.truncate().length_squared()
+    }
+
+    /// N without uplift; negative where it would pull \[N\].
+    fn normal(&self, motion: &Separation) -> f64 {
+        self.load - self.stiffness * (motion.moved.z - self.rise(motion))
+    }
+
+    /// Its rate \[N/s\].
+    fn normal_rate(&self, motion: &Separation) -> f64 {
+        let rising = self.curvature * motion.moved.truncate().dot(motion.rate.truncate());
+        -self.stiffness * (motion.rate.z - rising)
+    }
+
+    /// Q \[N\].
+    fn limit(&self, motion: &Separation) -> f64 {
+        self.friction * self.normal(motion).max(0.0)
+    }
+
+    /// z \[N\]. Elastic, the memory is `z − k_t u`; sliding, the angle φ \[rad\].
+    fn friction_force(&self, phase: &Phase, motion: &Separation) -> DVec2 {
+        match phase.law {
+            ELASTIC => DVec2::new(phase.memory[0], phase.memory[1]) + motion.moved.truncate() * self.tangential(),
+            SLIDING => DVec2::from_angle(phase.memory[0]) * self.limit(motion),
+            _ => DVec2::ZERO,
+        }
+    }
+
+    /// `n·u̇ − Q̇/k_t`: positive while it slides \[m/s\].
+    fn slip_rate(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let growing = self.friction * self.normal_rate(motion) / self.tangential();
+        DVec2::from_angle(phase.memory[0]).dot(motion.rate.truncate()) - growing
+    }
+
+    fn elastic(&self, z: DVec2, motion: &Separation) -> Phase {
+        let remembered = z - motion.moved.truncate() * self.tangential();
+        Phase { law: ELASTIC, memory: [remembered.x, remembered.y, 0.0] }
+    }
+
+    /// On landing there is no friction yet: it slides at once unless Q grows faster than the spring.
+    fn landed(&self, motion: &Separation) -> Phase {
+        let slides = Phase { law: SLIDING, memory: [motion.rate.truncate().to_angle(), 0.0, 0.0] };
+        if self.slip_rate(&slides, motion) > 0.0 { slides } else { self.elastic(DVec2::ZERO, motion) }
+    }
+}
+
+impl Connection for Slider {
+    type State = Phase;
+    type Motion = Separation;
+
+    /// Lifted, it takes away what the girder's vertical bearing has.
+    fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
+        if phase.law == LIFTED {
+            let [w, rate] = [motion.moved.z, motion.rate.z];
+            return DVec3::Z * (self.stiffness * w + self.damping * rate - self.load);
+        }
+        let pendulum = motion.moved.truncate() * (self.curvature * self.normal(motion));
+        (-pendulum - self.friction_force(phase, motion)).extend(self.stiffness * self.rise(motion))
+    }
+
+    /// Beside the girder's bearing `k_z w²/2 − P w`: `h (P − k_z w + k_z h/2) + z²/(2 k_t)`; lifted, what leaves nothing of it
+    /// but the energy of the unloaded spring.
+    fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
+        let upright = self.load - self.stiffness * motion.moved.z;
+        if phase.law == LIFTED {
+            return -upright * upright / (2.0 * self.stiffness);
+        }
+        let rise = self.rise(motion);
+        let friction = self.friction_force(phase, motion).length_squared() / (2.0 * self.tangential());
+        rise * (upright + 0.5 * self.stiffness * rise) + friction
+    }
+
+    fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
+        match phase.law {
+            SLIDING => self.limit(motion) * self.slip_rate(phase, motion),
+            LIFTED => -self.damping * motion.rate.z * motion.rate.z,
+            _ => 0.0,
+        }
+    }
+
+    fn stiffness_bound(&self, _: &Phase) -> f64 {
+        (self.tangential() + self.curvature * self.load).max(self.stiffness)
+    }
+
+    fn damping_bound(&self, phase: &Phase) -> f64 {
+        if phase.law == LIFTED { self.damping } else { 0.0 }
+    }
+}
+
+impl Device for Slider {
+    /// At rest as placed under its preload.
+    fn initial(&self, motion: &Separation) -> Phase {
+        if self.normal(motion) > 0.0 { Phase::default() } else { Phase { law: LIFTED, ..Phase::default() } }
+    }
+
+    fn acts(&self, _: &Phase) -> bool {
+        true
+    }
+
+    fn state(&self, phase: &Phase) -> &'static str {
+        match phase.law {
+            ELASTIC => "elastic",
+            SLIDING => "slides",
+            _ => "lifted",
+        }
+    }
+
+    /// μP, under the load at rest.
+    fn strength(&self) -> Option<f64> {
+        Some(self.friction * self.load)
+    }
+
+    fn gap(&self, _: &Phase, motion: &Separation) -> [f64; 2] {
+        [-motion.moved.length(), -motion.rate.length()]
+    }
+
+    /// No line: the bearing itself is drawn.
+    fn centre_line(&self, _: &Phase, _: [DVec3; 2]) -> Vec<DVec3> {
+        Vec::new()
+    }
+
+    fn gap_curvature(&self, _: &Phase, bounds: &SeparationBounds) -> f64 {
+        bounds.acceleration
+    }
+
+    fn evolves(&self, phase: &Phase) -> bool {
+        phase.law == SLIDING
+    }
+
+    fn evolution(&self, phase: &Phase, motion: &Separation) -> Evolution {
+        let (outwards, rate) = (DVec2::from_angle(phase.memory[0]), motion.rate.truncate());
+        let (along, limit) = (outwards.perp(), self.limit(motion));
+        let turning = self.tangential() / limit.max(LEAST_LOAD * self.friction * self.load);
+        Evolution {
+            rate: turning * along.dot(rate),
+            decay: (-turning * outwards.dot(rate)).min(0.0),
+            force: (along * -limit).extend(0.0),
+            drive: (along * turning).extend(0.0),
+        }
+    }
+
+    fn switches(&self, _: &Phase) -> usize {
+        2
+    }
+
+    fn switch_unit(&self, number: usize, phase: &Phase) -> SwitchUnit {
+        if number == 0 && phase.law == SLIDING { SwitchUnit::Speed } else { SwitchUnit::Length }
+    }
+
+    /// Sliding or its end, or, lifted, landing; then uplift.
+    fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
+        let normal = self.normal(motion);
+        match (number, phase.law) {
+            (0, ELASTIC) => (self.friction_force(phase, motion).length() - self.friction * normal) / self.tangential(),
+            (0, SLIDING) => -self.slip_rate(phase, motion),
+            (0, _) => normal / self.stiffness,
+            (_, LIFTED) => -1.0,
+            _ => -normal / self.stiffness,
+        }
+    }
+
+    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
+        let z = self.friction_force(phase, motion);
+        let next = match (event, phase.law) {
+            (Switch::Closing, _) => *phase,
+            (Switch::Function(0), ELASTIC) => Phase { law: SLIDING, memory: [z.to_angle(), 0.0, 0.0] },
+            (Switch::Function(0), SLIDING) => self.elastic(z, motion),
+            (Switch::Function(_), LIFTED) => self.landed(motion),
+            (Switch::Function(_), _) => Phase { law: LIFTED, ..Phase::default() },
+        };
+        let released = if next.law == LIFTED { z.length_squared() / (2.0 * self.tangential()) } else { 0.0 };
+        (next, released)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SLIDER: Slider =
+        Slider { friction: 0.1, curvature: 0.5, displacement: 1e-3, load: 50.0, stiffness: 4e3, damping: 3.0 };
+
+    fn at(moved: [f64; 3], rate: [f64; 3]) -> Separation {
+        Separation { moved: moved.into(), rate: rate.into(), ..Separation::default() }
+    }
+
+    #[test]
+    fn work_is_stored_or_lost_in_every_phase() {
+        let (place, rate) = (DVec3::new(0.03, -0.02, 0.004), DVec3::new(0.2, 0.1, -0.05));
+        for law in [ELASTIC, SLIDING, LIFTED] {
+            let begin = Phase { law, memory: [0.4, 0.2, 0.0] };
+            let step = 1e-6;
+            let phase_at = |t: f64| {
+                let mut phase = begin;
+                if law == SLIDING {
+                    let motion = at(place.to_array(), rate.to_array());
+                    phase.memory[0] += SLIDER.evolution(&begin, &motion).rate * t;
+                }
+                phase
+            };
+            let stored =
+                |t: f64| SLIDER.stored_energy(&phase_at(t), &at((place + rate * t).to_array(), rate.to_array()));
+            let gained = (stored(step) - stored(-step)) / (2.0 * step);
+            let here = at(place.to_array(), rate.to_array());
+            let lost = SLIDER.dissipated_power(&begin, &here);
+            let work = -SLIDER.force(&begin, &here).dot(rate);
+            assert!((gained + lost - work).abs() < 1e-7 * work.abs().max(1.0), "{law}: {gained} + {lost} for {work}");
+        }
+    }
+
+    #[test]
+    fn uplift_takes_the_whole_vertical_force_and_keeps_the_energy() {
+        let lifts = 50.0 / 4e3;
+        let here = at([0.0, 0.0, lifts], [0.3, 0.0, 0.1]);
+        let (lifted, released) = SLIDER.next(Switch::Function(1), &Phase { law: SLIDING, memory: [0.0; 3] }, &here);
+        assert_eq!((lifted.law, released), (LIFTED, 0.0));
+        assert!(SLIDER.stored_energy(&lifted, &here).abs() < 1e-12, "continuous where N is 0");
+        let above = at([0.0, 0.0, 2.0 * lifts], [0.3, 0.0, 0.1]);
+        let bearing = 50.0 - 4e3 * 2.0 * lifts - 3.0 * 0.1;
+        assert!((SLIDER.force(&lifted, &above).z + bearing).abs() < 1e-12, "nothing is left of the bearing's force");
+        let down = at([0.0, 0.0, lifts], [0.3, 0.0, -0.1]);
+        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.law, SLIDING, "too fast for the spring");
+        let down = at([0.0, 0.0, lifts], [1e-4, 0.0, -0.1]);
+        assert_eq!(SLIDER.next(Switch::Function(0), &lifted, &down).0.law, ELASTIC, "Q grows faster");
+    }
+}

@@ -1,0 +1,127 @@
+//! Links of a girder's bearings: the parts that yield or slide, supports that can be lost, and the watch on corners that drop.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use crate::dynamics::connection::{Device, Kinematics, Link};
+use crate::dynamics::devices::{Drop, Hysteresis, LinearBearing, Play, Slider, Support};
+use crate::dynamics::model::bearing::Bearing;
+use crate::dynamics::model::body::Body;
+use crate::dynamics::model::compiled_model::Model;
+use crate::scene::{AfterUnseating, Girder, Kind, ResolvedBearing, Scene, SceneError, SceneErrors, Setting, seating};
+
+impl Model {
+    /// Adds the links of a girder's bearings, each between its place and the ground or the pier below, whose number is in
+    /// `piers`; their groups are formed later.
+    pub(in crate::dynamics) fn add_supports(
+        &mut self,
+        body: usize,
+        girder: &Girder,
+        setting: Setting,
+        piers: &[Option<usize>],
+    ) {
+        let mut can_be_lost = false;
+        let ends_run = setting.kind == Kind::Planar && girder.after_unseating != Some(AfterUnseating::Continue);
+        let mut links = vec![Vec::new(); piers.len()];
+        // Springs between girders and piers first, then what yields or slides.
+        for on_pier in [true, false] {
+            for (number, bearing) in girder.supports(setting).iter().enumerate() {
+                let own = self.bodies[body].bearings[number];
+                let pier = piers[number].map(|pier| self.piers[pier].body);
+                let (law, own) = match (on_pier, pier) {
+                    (true, None) => continue,
+                    (true, Some(_)) => (Some(spring(bearing)), own),
+                    // The girder's share of the weight is lost with the spring.
+                    (false, Some(_)) => (law(bearing, &own), Bearing { preload: DVec3::ZERO, ..own }),
+                    (false, None) => (law(bearing, &own), own),
+                };
+                let room = seating::room(girder, bearing);
+                can_be_lost |= room.is_some();
+                let device: Arc<dyn Device> = match (law, room) {
+                    (None, None) => continue,
+                    (None, Some(_)) if pier.is_some() => continue,
+                    (Some(law), None) => law,
+                    (law, Some(room)) => Arc::new(Support { room, bearing: own, law, ends_run }),
+                };
+                links[number].push(self.links.len());
+                let name = format!("{}.bearing{}", self.bodies[body].name, number + 1);
+                match pier {
+                    Some(pier) => {
+                        let link = self.bearing_link(name, [body, pier], bearing.place, device);
+                        self.add_link(link);
+                    }
+                    None => self.add_to_ground(body, name, bearing.place, device),
+                }
+            }
+        }
+        self.supports.push(links);
+        if can_be_lost && setting.kind == Kind::Spatial {
+            self.watch_corners(body, girder.drop());
+        }
+    }
+
+    /// A link of a place of a body \[m\] and the ground there, in the body's axes as placed.
+    fn add_to_ground(&mut self, body: usize, name: String, place: DVec3, device: Arc<dyn Device>) {
+        let kinematics = if self.kind == Kind::Planar { Kinematics::Linear } else { Kinematics::Points };
+        let Body { home, axes, .. } = &self.bodies[body];
+        let (arm, axes): (DVec3, DMat3) = (*axes * place, *axes);
+        self.add_link(Link {
+            name,
+            bodies: [Some(body), None],
+            arms: [arm, DVec3::ZERO],
+            homes: [*home, *home + arm],
+            axes,
+            kinematics,
+            device,
+        });
+    }
+
+    fn watch_corners(&mut self, body: usize, depth: f64) {
+        let corners = self.bodies[body].prism.corners();
+        let lowest = corners.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
+        for (number, corner) in corners.into_iter().filter(|corner| corner.z <= lowest).enumerate() {
+            let name = format!("{}.drop{}", self.bodies[body].name, number + 1);
+            self.add_to_ground(body, name, corner, Arc::new(Drop(depth)));
+        }
+    }
+}
+
+/// Refuses sliders in space that the weight would lift.
+///
+/// # Errors
+/// A slider whose load at rest is not more than 0.
+pub(super) fn pressed(scene: &Scene, bodies: &[Body]) -> Result<(), SceneErrors> {
+    let mut errors = Vec::new();
+    for (girder, body) in scene.girders.iter().zip(bodies) {
+        let supports = girder.supports(scene.setting());
+        for number in (0..supports.len()).filter(|&number| supports[number].sliding.is_some()) {
+            let load = body.bearings[number].preload.z;
+            if load <= 0.0 {
+                errors.push(SceneError {
+                    file: "scene".to_owned(),
+                    place: format!("girder.{}.bearings", girder.name),
+                    value: format!("bearing {} under {load:.4e} N at rest", number + 1),
+                    remedy: "a slider cannot pull: place the bearings about G, or give them other vertical stiffness"
+                        .to_owned(),
+                });
+            }
+        }
+    }
+    if errors.is_empty() { Ok(()) } else { Err(SceneErrors(errors)) }
+}
+
+/// Spring and dashpot of a bearing that stands on a pier.
+fn spring(bearing: &ResolvedBearing) -> Arc<dyn Device> {
+    Arc::new(LinearBearing { stiffness: bearing.stiffness.into(), damping: bearing.damping.into() })
+}
+
+/// The law of a bearing beside its spring and dashpot.
+fn law(resolved: &ResolvedBearing, bearing: &Bearing) -> Option<Arc<dyn Device>> {
+    if let Some(slide) = resolved.sliding {
+        return Some(Arc::new(Slider::on(bearing, [slide.friction, slide.curvature, slide.displacement])));
+    }
+    let yielding = resolved.yielding?;
+    let play = Play { stiffness: yielding.stiffness(), force: yielding.force };
+    Some(Arc::new(if yielding.per_axis { Hysteresis::PerAxis([play; 2]) } else { Hysteresis::Circle(play) }))
+}

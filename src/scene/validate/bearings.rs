@@ -1,0 +1,205 @@
+//! What a girder stands on: equal bearings by frequency or by kind, single ones, sliders with their loads, supports that can be
+//! lost.
+
+use super::complaints::{At, numbers};
+use crate::scene::keys::{self, Keyed, Range};
+use crate::scene::{Bearing, BearingKind, Bearings, DeckBearings, Girder, Kind, Setting, SharedBearings, seating};
+
+/// Loads of sliders that add up to the weight, and leave no moment about G, within this part of the weight, and of it times the
+/// farthest bearing's distance: numbers of a drawing have three to four digits.
+const UNBALANCED: f64 = 1e-3;
+
+pub(super) fn check(girder: &Girder, setting: Setting, needs_vertical: bool, at: &mut At<'_>) {
+    match &girder.bearings {
+        None => {}
+        Some(Bearings::Shared(bearings)) => {
+            let mut table = at.below("bearings", keys::BEARINGS);
+            table.fits(bearings, setting.kind);
+            shared(bearings, needs_vertical, &mut table);
+        }
+        Some(Bearings::Deck(bearings)) => {
+            let mut table = at.below("bearings", keys::DECK_BEARINGS);
+            table.fits(bearings, setting.kind);
+            deck(bearings, setting, needs_vertical, &mut table);
+        }
+        Some(Bearings::Each(bearings)) => single(bearings, needs_vertical, setting, at),
+    }
+    loads(girder, setting, at);
+    seats(girder, setting, at);
+}
+
+fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
+    vertical(bearings, bearings.vertical_frequency_hz, needs_vertical, at);
+    places(&bearings.at, &bearings.at_skewed, at);
+}
+
+fn deck(bearings: &DeckBearings, setting: Setting, needs_vertical: bool, at: &mut At<'_>) {
+    vertical(bearings, bearings.vertical_frequency_hz, needs_vertical, at);
+    places(&bearings.at, &bearings.at_skewed, at);
+    for key in bearings.foreign() {
+        let remedy = format!("bearings of kind {:?} have none: leave it out", bearings.kind.label());
+        at.add(key, "a number", remedy);
+    }
+    if let Some(ratio) = bearings.stiffness_ratio.filter(|ratio| *ratio <= 1.0) {
+        at.add("stiffness_ratio", ratio, "give more than 1: the bearing is stiffer before it yields");
+    }
+    if bearings.kind == BearingKind::Pendulum && bearings.radius.is_some() && bearings.period.is_some() {
+        at.add("radius_m", "radius_m and post_yield_period_s", "give one of the two: T = 2π √(R/g)");
+    }
+    weightless(setting, "kind", at);
+}
+
+/// Numbers from a weight need gravity.
+fn weightless(setting: Setting, key: &str, at: &mut At<'_>) {
+    if setting.gravity <= 0.0 {
+        at.add(
+            key,
+            format!("gravity {:?} m/s²", setting.gravity),
+            "its force follows from the weight: give gravity_m_s2",
+        );
+    }
+}
+
+/// Every number of a table of equal bearings, and the vertical frequency where something must carry the weight.
+fn vertical(bearings: &impl Keyed, frequency: Option<f64>, needs_vertical: bool, at: &mut At<'_>) {
+    at.all_but("vertical_frequency_hz", bearings);
+    match frequency {
+        Some(f) if needs_vertical => at.number("vertical_frequency_hz", f),
+        // Where it carries nothing it may say so.
+        Some(f) => at.obeys("vertical_frequency_hz", f, Range::NotNegative),
+        None if needs_vertical => {
+            let remedy = "a girder in a spatial scene stands on its bearings: give their vertical frequency in Hz";
+            at.add("vertical_frequency_hz", "nothing", remedy);
+        }
+        None => {}
+    }
+}
+
+fn places(at_m: &Option<Vec<[f64; 2]>>, at_skewed: &Option<Vec<[f64; 2]>>, at: &mut At<'_>) {
+    let (key, places) = match (at_m, at_skewed) {
+        (Some(places), None) => ("at_m", places),
+        (None, Some(places)) => ("at_skewed_m", places),
+        (None, None) => {
+            return at.add("at_m", "nothing", "give the bearings' places: at_m = [[x, y], …], or at_skewed_m");
+        }
+        (Some(_), Some(_)) => return at.add("at_m", "at_m and at_skewed_m", "give one of the two"),
+    };
+    if places.is_empty() {
+        at.add(key, "[]", "give at least one place [x, y], or leave out `bearings`");
+    }
+}
+
+fn single(bearings: &[Bearing], needs_vertical: bool, setting: Setting, at: &mut At<'_>) {
+    if bearings.is_empty() {
+        at.add("bearings", "[]", "give at least one bearing, or leave out `bearings`");
+    }
+    for (n, bearing) in bearings.iter().enumerate() {
+        let key = format!("bearings[{n}]");
+        let mut table = at.below(&key, keys::BEARING);
+        table.all(bearing);
+        table.fits(bearing, setting.kind);
+        yielding(bearing, &mut table);
+        sliding(bearing, setting, &mut table);
+    }
+    if needs_vertical && !bearings.is_empty() && bearings.iter().all(|b| b.stiffness[2] == 0.0) {
+        let remedy = "a girder in a spatial scene stands on its bearings: give a third, vertical number";
+        at.add("bearings[0].stiffness_n_per_m", numbers(&bearings[0].stiffness[..2]), remedy);
+    }
+}
+
+fn yielding(bearing: &Bearing, at: &mut At<'_>) {
+    match (bearing.yield_force, bearing.yield_displacement) {
+        (Some(_), None) => {
+            at.add("yield_displacement_m", "nothing", "give the displacement at which the bearing yields, in m");
+        }
+        (None, Some(_)) => at.add("yield_force_n", "nothing", "give the force Q in N, or leave out both"),
+        _ => {}
+    }
+    if bearing.per_axis.is_some() && bearing.yield_force.is_none() {
+        at.add("yields_per_axis", "a switch", "give yield_force_n and yield_displacement_m, or leave it out");
+    }
+}
+
+fn sliding(bearing: &Bearing, setting: Setting, at: &mut At<'_>) {
+    if bearing.friction.is_none() {
+        let beside = [
+            ("radius_m", bearing.radius),
+            ("slider_displacement_m", bearing.slider_displacement),
+            ("load_n", bearing.load),
+        ];
+        for (key, value) in beside.into_iter().filter_map(|(key, value)| Some((key, value?))) {
+            // A load without friction is a share of the weight that others do not carry.
+            if key != "load_n" {
+                at.add(key, value, "give `friction` as well, or leave it out");
+            }
+        }
+        return;
+    }
+    if bearing.yield_force.is_some() {
+        at.add("friction", "friction and yield_force_n", "give one of the two");
+    }
+    weightless(setting, "friction", at);
+    if setting.kind == Kind::Spatial && bearing.stiffness[2] == 0.0 {
+        let remedy = "a slider in space goes by its vertical force: give a third, vertical stiffness";
+        at.add("stiffness_n_per_m", numbers(&bearing.stiffness), remedy);
+    }
+}
+
+/// Loads of sliders: of all bearings or of none, in plan only; they carry the weight without a moment about G.
+fn loads(girder: &Girder, setting: Setting, at: &mut At<'_>) {
+    let Some((key, loads)) = loads_in_plan(girder, setting, at) else { return };
+    let weight = girder.mass * setting.gravity;
+    let sum: f64 = loads.iter().map(|(_, load)| load).sum();
+    if (sum - weight).abs() > UNBALANCED * weight {
+        let remedy = format!("loads at rest add up to the girder's weight, {weight:.6e} N");
+        return at.add(&format!("bearings[0].{key}"), format!("{sum:.6e} N in all"), remedy);
+    }
+    let farthest = loads.iter().map(|([x, y], _)| x.hypot(*y)).fold(0.0, f64::max);
+    let moment = [0, 1].map(|axis| loads.iter().map(|(place, load)| place[axis] * load).sum::<f64>());
+    if moment[0].hypot(moment[1]) > UNBALANCED * weight * farthest {
+        let value = format!("loads that act at [{:.4}, {:.4}] m from G", moment[0] / sum, moment[1] / sum);
+        let remedy = "friction goes by loads that carry the girder without a moment about G: place the bearings about G, or give \
+                      load_n of each";
+        at.add("bearings", value, remedy);
+    }
+}
+
+/// Places and loads of all bearings of a planar girder that has a slider among them, and the key that gives the loads.
+fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<(&'static str, Vec<([f64; 2], f64)>)> {
+    let bearings = girder.bearings.as_ref()?;
+    let given = match bearings {
+        Bearings::Shared(_) => return None,
+        Bearings::Deck(deck) if deck.kind != BearingKind::Pendulum => return None,
+        Bearings::Deck(_) => vec![None],
+        Bearings::Each(each) => each.iter().map(|bearing| bearing.load).collect(),
+    };
+    if setting.kind == Kind::Spatial {
+        if given.iter().any(Option::is_some) {
+            at.add("bearings[0].load_n", "loads", "in a spatial scene vertical stiffness says them: leave load_n out");
+        }
+        return None;
+    }
+    let slides = match bearings {
+        Bearings::Each(each) => each.iter().any(|bearing| bearing.friction.is_some()),
+        _ => true,
+    };
+    if given.iter().any(Option::is_some) && (!slides || given.iter().any(Option::is_none)) {
+        at.add("bearings[0].load_n", "some loads", "give load_n of all bearings, sliders among them, or of none");
+        return None;
+    }
+    let places: Vec<[f64; 2]> = bearings.resolve(girder, setting).iter().map(|b| [b.place.x, b.place.y]).collect();
+    let share = girder.mass * setting.gravity / places.len().max(1) as f64;
+    let load = |n: usize| given.get(n).copied().flatten().unwrap_or(share);
+    slides.then(|| ("load_n", places.into_iter().enumerate().map(|(n, place)| (place, load(n))).collect()))
+}
+
+/// Bearings that stand on their seats as placed, where these can be lost.
+fn seats(girder: &Girder, setting: Setting, at: &mut At<'_>) {
+    for (n, bearing) in girder.supports(setting).iter().enumerate() {
+        let Some(room) = seating::room(girder, bearing) else { continue };
+        if room.excess(0.0) >= 0.0 {
+            let value = format!("bearing {} beyond the front edge of its seat as placed", n + 1);
+            at.add("bearings", value, "place it over the seat, make the seat longer, or leave out after_unseating");
+        }
+    }
+}

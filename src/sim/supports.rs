@@ -1,0 +1,33 @@
+//! Supports that a run lost.
+
+use glam::DVec3;
+
+use super::History;
+
+/// A support that was lost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostSupport {
+    /// The bearing, `deck.bearing1`.
+    pub name: String,
+    /// When \[s\].
+    pub t: f64,
+    /// Where its point of the girder was, world \[m\].
+    pub place: DVec3,
+}
+
+impl History {
+    /// Supports that were lost up to `t`, in order of time.
+    pub fn lost_supports(&self, t: f64) -> Vec<LostSupport> {
+        let model = self.model();
+        let lost = |link: usize| {
+            let (device, phases) = (&model.links[link].device, self.link_phases(link));
+            let (at, _) = phases.iter().find(|(_, phase)| device.is_lost(phase))?;
+            let place = self.link(link, *at)?.ends[0];
+            Some(LostSupport { name: model.links[link].name.clone(), t: *at, place })
+        };
+        let all = model.supports.iter().flatten().filter_map(|links| lost(*links.first()?));
+        let mut all: Vec<LostSupport> = all.filter(|lost| lost.t <= t).collect();
+        all.sort_by(|a, b| a.t.total_cmp(&b.t));
+        all
+    }
+}
