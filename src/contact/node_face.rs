@@ -33,7 +33,7 @@ pub struct Frame {
 
 impl Frame {
     /// A body at rest as placed, with G at `home`.
-    pub fn fixed(home: DVec3) -> Self {
+    pub const fn fixed(home: DVec3) -> Self {
         let still = DVec3::ZERO;
         Self { home, shift: still, turned: DMat3::ZERO, heading: 0.0, velocity: still, spin: still, level: true }
     }

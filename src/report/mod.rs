@@ -2,6 +2,7 @@
 //! limits and codes, errors, ledger, versions. Every picture is inside; nothing outside is linked.
 
 mod ground;
+mod loops;
 mod orbit;
 mod plan;
 mod sections;
@@ -45,6 +46,13 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     page.push_str("<h2>Motion of the girders</h2>\n");
     page.push_str(&ground::girders(history));
+    let loops = loops::pictures(history);
+    if !loops.is_empty() {
+        page.push_str("<h2>Hysteresis loops</h2>\n");
+    }
+    for (caption, svg) in loops {
+        figure(&mut page, &svg, &caption);
+    }
     page.push_str("<h2>Readings and limits</h2>\n");
     page.push_str(&sections::readings(history, &report));
     page.push_str("<h2>Seats and codes</h2>\n");

@@ -199,7 +199,7 @@ impl DeckBearings {
 
     /// True places in the frame of a girder \[m\].
     pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
-        super::resolved::places(girder, &self.at, &self.at_skewed)
+        super::resolved::places(girder, self.at.as_deref(), self.at_skewed.as_deref())
     }
 }
 

@@ -26,7 +26,7 @@ macro_rules! preset {
     };
 }
 
-static PRESETS: [Preset; 11] = [
+static PRESETS: [Preset; 13] = [
     preset!("straight-abutment", "paper: straight girder head-on against an abutment, 2.4 Hz, 0.40 g"),
     preset!("skew60-abutment", "paper: 60° girder against an abutment, 2.6 Hz, 0.40 g"),
     preset!("skew45-abutment", "paper: 45° girder against an abutment, 2.6 Hz, 0.40 g"),
@@ -38,6 +38,14 @@ static PRESETS: [Preset; 11] = [
     preset!("two-components", "45° girder under two horizontal components of a synthetic earthquake at once"),
     preset!("row-of-5", "five 30 m girders of different period in a row, 50 mm apart: neighbours pound"),
     preset!("viaduct-5", "five 30 m spans of 60° skew on four piers between abutments, two components"),
+    preset!(
+        "span-as-built",
+        "full scale: a 60° span on lead rubber, with restrainers, backfill and seats, 40 s of an earthquake"
+    ),
+    preset!(
+        "twin-span-restrained",
+        "full scale: two spans on lead rubber of different period, tied over their pier by cables"
+    ),
 ];
 
 /// Every preset, the paper's first.

@@ -77,16 +77,16 @@ impl ResolvedBearing {
 }
 
 /// True places in the frame of a girder: as given, or moved by `y cot β` with the skew \[m\].
-pub(super) fn places(girder: &Girder, at: &Option<Vec<[f64; 2]>>, skewed: &Option<Vec<[f64; 2]>>) -> Vec<[f64; 2]> {
+pub(super) fn places(girder: &Girder, at: Option<&[[f64; 2]]>, skewed: Option<&[[f64; 2]]>) -> Vec<[f64; 2]> {
     let shear = girder.prism().shear();
-    let skewed = skewed.iter().flatten().map(|&[x, y]| [x + y * shear, y]);
-    at.iter().flatten().copied().chain(skewed).collect()
+    let skewed = skewed.into_iter().flatten().map(|&[x, y]| [x + y * shear, y]);
+    at.into_iter().flatten().copied().chain(skewed).collect()
 }
 
 impl SharedBearings {
     /// True places in the frame of a girder \[m\].
     pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
-        places(girder, &self.at, &self.at_skewed)
+        places(girder, self.at.as_deref(), self.at_skewed.as_deref())
     }
 
     /// `(f, h)` along x, y, z; the vertical is 0 in a planar scene, or where none is given.

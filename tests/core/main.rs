@@ -76,6 +76,7 @@ mod study {
     mod camera;
     mod experiment;
     mod identify;
+    mod laws;
     mod measured_mutations;
     mod stability;
     mod sweep;

@@ -3,6 +3,7 @@
 mod accuracy;
 mod camera;
 mod experiment;
+mod laws;
 mod page;
 mod size;
 mod stability;
@@ -22,6 +23,7 @@ enum Study {
     Accuracy(accuracy::AccuracyArgs),
     Camera(camera::CameraArgs),
     Experiment(experiment::ExperimentArgs),
+    Laws(laws::LawsArgs),
     Size(size::SizeArgs),
     Stability(stability::StabilityArgs),
 }
@@ -35,6 +37,7 @@ pub(super) fn run(args: &StudyArgs, console: &mut Console) -> Result<(), Failure
         Study::Accuracy(args) => accuracy::run(args, console),
         Study::Camera(args) => camera::run(args, console),
         Study::Experiment(args) => experiment::run(args, console),
+        Study::Laws(args) => laws::run(args, console),
         Study::Size(args) => size::run(args, console),
         Study::Stability(args) => stability::run(args, console),
     }

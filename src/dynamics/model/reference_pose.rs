@@ -72,6 +72,12 @@ impl ReferencePose {
         Frame { shift, turned, heading: self.angle + since.heading, ..*since }
     }
 
+    /// Displacement and rotation about the vertical of that pose alone.
+    #[inline]
+    pub(in crate::dynamics) fn whole_in_plan(&self, since: &Frame) -> (DVec3, f64) {
+        (self.shift + since.shift, self.angle + since.heading)
+    }
+
     /// How many numbers say where it is, unless it is where the body was placed.
     pub(in crate::dynamics) fn size(&self) -> usize {
         if self.level { 3 } else { 7 }

@@ -4,10 +4,13 @@ use glam::DVec3;
 
 use crate::contact::Frame;
 use crate::dynamics::Model;
-use crate::dynamics::connection::{Evolution, Link, Phase, Separation};
+use crate::dynamics::connection::{Evolution, Kinematics, Link, Phase, Separation};
 use crate::dynamics::model::coordinates::state_layout::StateLayout;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+
+/// The ground; where it is placed does not matter to a motion.
+static STILL: Frame = Frame::fixed(DVec3::ZERO);
 
 /// A link whose force acts.
 #[derive(Clone, Copy, Debug)]
@@ -45,9 +48,30 @@ impl ActiveLink {
         frames: &[Frame],
     ) -> (Separation, [DVec3; 2]) {
         let link = self.of(model);
-        let whole = |end: usize| self.ends[end].map(|body| bases[body].whole(&frames[self.sections[end]]));
-        let frames = link.frames(whole);
-        link.motion([&frames[0], &frames[1]])
+        if let ([Some(body), None], Kinematics::Linear) = (self.ends, link.kinematics) {
+            // Of a planar bearing: no rotation matrix.
+            let frame = &frames[self.sections[0]];
+            let (shift, turn) = bases[body].whole_in_plan(frame);
+            let motion = Separation::linear_to_ground([shift, frame.velocity], [turn, frame.spin.z], link);
+            return (motion, link.arms);
+        }
+        // Poses stay where they are made: of eight bearings a step copied little else.
+        let (first, second);
+        let one = match self.ends[0] {
+            Some(body) => {
+                first = bases[body].whole(&frames[self.sections[0]]);
+                &first
+            }
+            None => &STILL,
+        };
+        let other = match self.ends[1] {
+            Some(body) => {
+                second = bases[body].whole(&frames[self.sections[1]]);
+                &second
+            }
+            None => &STILL,
+        };
+        link.motion([one, other])
     }
 
     /// Phase with what its law remembers in the island's state `y`.
@@ -87,8 +111,13 @@ impl ActiveLink {
         vector: DVec3,
     ) -> DVec3 {
         let link = self.of(model);
-        let second = self.ends[1].map(|body| bases[body].whole(&frames[self.sections[1]]));
-        link.kinematics.in_world(&link.axes, &second.unwrap_or_else(|| Frame::fixed(link.homes[1])), vector)
+        match self.ends[1] {
+            Some(body) => {
+                let second = bases[body].whole(&frames[self.sections[1]]);
+                link.kinematics.in_world(&link.axes, &second, vector)
+            }
+            None => link.kinematics.in_world(&link.axes, &STILL, vector),
+        }
     }
 
     /// Upper bound of the relative acceleration of its points per unit force, summed over its bodies \[1/kg\]. A point at a

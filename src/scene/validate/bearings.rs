@@ -30,12 +30,12 @@ pub(super) fn check(girder: &Girder, setting: Setting, needs_vertical: bool, at:
 
 fn shared(bearings: &SharedBearings, needs_vertical: bool, at: &mut At<'_>) {
     vertical(bearings, bearings.vertical_frequency_hz, needs_vertical, at);
-    places(&bearings.at, &bearings.at_skewed, at);
+    places(bearings.at.as_deref(), bearings.at_skewed.as_deref(), at);
 }
 
 fn deck(bearings: &DeckBearings, setting: Setting, needs_vertical: bool, at: &mut At<'_>) {
     vertical(bearings, bearings.vertical_frequency_hz, needs_vertical, at);
-    places(&bearings.at, &bearings.at_skewed, at);
+    places(bearings.at.as_deref(), bearings.at_skewed.as_deref(), at);
     for key in bearings.foreign() {
         let remedy = format!("bearings of kind {:?} have none: leave it out", bearings.kind.label());
         at.add(key, "a number", remedy);
@@ -75,7 +75,7 @@ fn vertical(bearings: &impl Keyed, frequency: Option<f64>, needs_vertical: bool,
     }
 }
 
-fn places(at_m: &Option<Vec<[f64; 2]>>, at_skewed: &Option<Vec<[f64; 2]>>, at: &mut At<'_>) {
+fn places(at_m: Option<&[[f64; 2]]>, at_skewed: Option<&[[f64; 2]]>, at: &mut At<'_>) {
     let (key, places) = match (at_m, at_skewed) {
         (Some(places), None) => ("at_m", places),
         (None, Some(places)) => ("at_skewed_m", places),
@@ -147,12 +147,12 @@ fn sliding(bearing: &Bearing, setting: Setting, at: &mut At<'_>) {
 
 /// Loads of sliders: of all bearings or of none, in plan only; they carry the weight without a moment about G.
 fn loads(girder: &Girder, setting: Setting, at: &mut At<'_>) {
-    let Some((key, loads)) = loads_in_plan(girder, setting, at) else { return };
+    let Some(loads) = loads_in_plan(girder, setting, at) else { return };
     let weight = girder.mass * setting.gravity;
     let sum: f64 = loads.iter().map(|(_, load)| load).sum();
     if (sum - weight).abs() > UNBALANCED * weight {
         let remedy = format!("loads at rest add up to the girder's weight, {weight:.6e} N");
-        return at.add(&format!("bearings[0].{key}"), format!("{sum:.6e} N in all"), remedy);
+        return at.add("bearings[0].load_n", format!("{sum:.6e} N in all"), remedy);
     }
     let farthest = loads.iter().map(|([x, y], _)| x.hypot(*y)).fold(0.0, f64::max);
     let moment = [0, 1].map(|axis| loads.iter().map(|(place, load)| place[axis] * load).sum::<f64>());
@@ -164,8 +164,11 @@ fn loads(girder: &Girder, setting: Setting, at: &mut At<'_>) {
     }
 }
 
-/// Places and loads of all bearings of a planar girder that has a slider among them, and the key that gives the loads.
-fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<(&'static str, Vec<([f64; 2], f64)>)> {
+/// Place of a bearing in the girder's frame \[m\], and its load at rest \[N\].
+type Loaded = ([f64; 2], f64);
+
+/// Places and loads of all bearings of a planar girder that has a slider among them.
+fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<Vec<Loaded>> {
     let bearings = girder.bearings.as_ref()?;
     let given = match bearings {
         Bearings::Shared(_) => return None,
@@ -190,7 +193,7 @@ fn loads_in_plan(girder: &Girder, setting: Setting, at: &mut At<'_>) -> Option<(
     let places: Vec<[f64; 2]> = bearings.resolve(girder, setting).iter().map(|b| [b.place.x, b.place.y]).collect();
     let share = girder.mass * setting.gravity / places.len().max(1) as f64;
     let load = |n: usize| given.get(n).copied().flatten().unwrap_or(share);
-    slides.then(|| ("load_n", places.into_iter().enumerate().map(|(n, place)| (place, load(n))).collect()))
+    slides.then(|| places.into_iter().enumerate().map(|(n, place)| (place, load(n))).collect())
 }
 
 /// Bearings that stand on their seats as placed, where these can be lost.

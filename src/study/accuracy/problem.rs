@@ -64,7 +64,7 @@ const fn problem(
     Problem { name, summary, source, contact, scene }
 }
 
-static PROBLEMS: [Problem; 15] = [
+static PROBLEMS: [Problem; 16] = [
     problem("free-decay", "straight girder let go, nothing to touch, 4 s", Source::FreeDecay, scenes::free_decay),
     problem(
         "harmonic-response",
@@ -96,6 +96,7 @@ static PROBLEMS: [Problem; 15] = [
     problem("P2k", "the same shaken at 5°: it sticks at every touch, 5 s", Source::Second, || {
         scenes::oblique("P2k", 5.0)
     }),
+    problem("P2h", "P2 with Hertz's spring in place of the linear one, 5 s", Source::Second, scenes::hertz),
     problem("skew45", "45° girder, law of the paper, 2.6 Hz, 0.40 g, 10 s", Source::Second, || {
         presets::load("skew45-abutment")
     }),

@@ -2,8 +2,8 @@
 
 use super::record;
 use crate::scene::{
-    Degree, Direction, Elastic, FrictionLaw, ModelKind, Motion, Rayleigh, RecordMotion, Scene, SceneErrors, SineMotion,
-    presets,
+    Degree, Direction, Elastic, FrictionLaw, ModelKind, Motion, NormalName, Rayleigh, RecordMotion, Scene, SceneErrors,
+    SineMotion, presets,
 };
 
 /// Amplitude of the P problems, 0.4 × 9.81 \[m/s²\].
@@ -70,6 +70,13 @@ pub(super) fn rigid() -> Result<Scene, SceneErrors> {
 /// P2 (45°, it slips only) and P2k (5°, it sticks at every touch).
 pub(super) fn oblique(name: &str, angle_deg: f64) -> Result<Scene, SceneErrors> {
     pounding(name, angle_deg, 5.0)
+}
+
+/// P2 with Hertz's spring, as deep as the linear one at 0.3 m/s.
+pub(super) fn hertz() -> Result<Scene, SceneErrors> {
+    let mut scene = oblique("P2h", 45.0)?;
+    scene.contact.normal_law = NormalName::Hertz;
+    Ok(scene)
 }
 
 /// The straight girder 5 mm before a wall, from rest, elastic contact, `μ_s = μ_k`, return mapping.

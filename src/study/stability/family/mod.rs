@@ -1,6 +1,7 @@
 //! Families of random scenes: each looks for trouble in another place.
 
 mod bodies;
+mod devices;
 mod faces;
 mod pressed;
 mod shaken;
@@ -48,11 +49,18 @@ pub const THROWN_IN_SPACE: &str = "thrown-in-space";
 /// The seeds from this one on do so in space.
 pub const FIRST_THROWN_IN_SPACE: u64 = 3_000_000;
 
+/// Bearings that yield, slide and come off, devices, backfill, every normal law.
+pub const DEVICES: &str = "devices";
+/// The seeds from this one on.
+pub const FIRST_DEVICES: u64 = 2_000_000;
+
 /// The scene of a seed, and the name of its family.
 pub fn scene(seed: u64) -> (&'static str, Scene) {
     let mut dice = Dice::new(seed);
     let (family, maker) = if seed >= FIRST_THROWN_IN_SPACE {
         (THROWN_IN_SPACE, thrown::thrown_in_space as Maker)
+    } else if seed >= FIRST_DEVICES {
+        (DEVICES, devices::devices as Maker)
     } else if seed >= FIRST_THROWN {
         (THROWN, thrown::thrown as Maker)
     } else if seed % HOUR_EVERY == HOUR {
@@ -69,5 +77,5 @@ pub fn scene(seed: u64) -> (&'static str, Scene) {
 
 /// Names of all families.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN, THROWN_IN_SPACE])
+    FAMILIES.iter().map(|(name, _)| *name).chain([HOURS, THROWN, DEVICES, THROWN_IN_SPACE])
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::bodies::{Load, Pose};
 use crate::dynamics::{ContactSite, Model};
-use crate::scene::{FrictionLaw, Sharing};
+use crate::scene::{FrictionLaw, NormalName, Sharing};
 
 /// A node this far over an edge, in parts of the face, is still inside.
 const EDGE: f64 = 1e-9;
@@ -14,7 +14,10 @@ const STILL: f64 = 1e-12;
 /// The numbers of a contact, its share taken.
 #[derive(Clone, Copy)]
 pub(super) struct Numbers {
+    /// Stiffness of the tangential spring, and of the normal one where that is linear \[N/m\].
     pub(super) k: f64,
+    /// `k_h` of a Hertz spring \[N/m^1.5\].
+    hertz: Option<f64>,
     c_n: f64,
     c_t: f64,
     mu_s: f64,
@@ -22,6 +25,28 @@ pub(super) struct Numbers {
     paper: bool,
     /// Where the slip turns: the length that eases it near opening, as the solver states it \[m\].
     ease: f64,
+}
+
+impl Numbers {
+    /// Elastic normal force at a depth \[N\].
+    fn elastic(&self, depth: f64) -> f64 {
+        self.hertz.map_or(self.k * depth, |k_h| k_h * depth * depth.abs().sqrt())
+    }
+
+    /// Stretch of the tangential spring that carries it, per μ \[m\].
+    fn length(&self, depth: f64) -> f64 {
+        self.hertz.map_or(depth, |_| self.elastic(depth) / self.k)
+    }
+
+    /// Derivative of that by the depth.
+    fn slope(&self, depth: f64) -> f64 {
+        self.hertz.map_or(1.0, |k_h| 1.5 * k_h * depth.abs().sqrt() / self.k)
+    }
+
+    /// Where the reaction acts: at what holds the node, or, where the springs differ, at the node.
+    fn at(&self, held: DVec3, node: DVec3) -> DVec3 {
+        if self.hertz.is_some() { node } else { held }
+    }
 }
 
 /// A contact's state.
@@ -121,27 +146,29 @@ pub(super) fn force(state: &State, angle: f64, view: &View, face: &Pose) -> Opti
             let stretch = view.arm - held;
             let v = view.velocity(-stretch);
             let v_n = v.dot(view.normal);
-            let spring = view.normal * (n.k * depth) - view.along(stretch) * n.k;
-            Some((Force { on_node: spring - view.normal * (n.c_n * v_n) - view.along(v) * n.c_t, at: held }, 0.0))
+            let spring = view.normal * n.elastic(depth) - view.along(stretch) * n.k;
+            let on_node = spring - view.normal * (n.c_n * v_n) - view.along(v) * n.c_t;
+            Some((Force { on_node, at: n.at(held, view.arm) }, 0.0))
         }
         State::Slip { numbers: n } => {
             let d = view.direction(angle);
-            let stretch = if n.paper { 0.0 } else { n.mu_k * depth };
+            let stretch = if n.paper { 0.0 } else { n.mu_k * n.length(depth) };
             let held = view.arm - view.normal * view.gap - d * stretch;
             let v = view.velocity(held - view.arm);
-            let normal = view.normal * (n.k * depth - n.c_n * v.dot(view.normal));
-            let friction = d * (-n.mu_k * n.k * depth);
+            let normal = view.normal * (n.elastic(depth) - n.c_n * v.dot(view.normal));
+            let friction = d * (-n.mu_k * n.elastic(depth));
+            let at = n.at(held, view.arm);
             if n.paper {
-                return Some((Force { on_node: normal + friction, at: held }, 0.0));
+                return Some((Force { on_node: normal + friction, at }, 0.0));
             }
             // p moves along the face as the node does, less what the stretch grows and turns by.
             let rate = view.along(view.passing);
             let across = view.normal.cross(d);
             let turning = if n.ease > 0.0 { across.dot(rate) / (stretch.max(0.0) + n.ease) } else { 0.0 };
-            let growth = d * (-n.mu_k * view.passing.dot(view.normal));
+            let growth = d * (-n.mu_k * n.slope(depth) * view.passing.dot(view.normal));
             let moving = rate - growth - across * (turning * stretch.max(0.0));
             let dashpot = (view.along(v) - moving) * -n.c_t;
-            Some((Force { on_node: normal + friction + dashpot, at: held }, turning))
+            Some((Force { on_node: normal + friction + dashpot, at }, turning))
         }
     }
 }
@@ -176,14 +203,14 @@ pub(super) fn watched(site: &ContactSite, state: &State, angle: f64, poses: &[Po
             return if armed { vec![(Kind::Enter, -view.gap)] } else { Vec::new() };
         }
         State::Stick { numbers: n, anchor } => {
-            view.along(view.arm - face.attitude * anchor).length() + n.mu_s * view.gap
+            view.along(view.arm - face.attitude * anchor).length() - n.mu_s * n.length(-view.gap)
         }
         State::Slip { numbers: n } => {
             let d = view.direction(angle);
             if n.paper {
                 -view.velocity(-view.normal * view.gap).dot(d)
             } else {
-                -(view.passing.dot(d) + n.mu_k * view.passing.dot(view.normal))
+                -(view.passing.dot(d) + n.mu_k * n.slope(-view.gap) * view.passing.dot(view.normal))
             }
         }
     };
@@ -221,7 +248,7 @@ pub(super) fn after(
             (State::Slip { numbers }, view.angle(if by_speed { sliding } else { stretch }))
         }
         (Kind::Switch, State::Slip { numbers }) => {
-            let stretch = if numbers.paper { 0.0 } else { -numbers.mu_k * view.gap };
+            let stretch = if numbers.paper { 0.0 } else { numbers.mu_k * numbers.length(-view.gap) };
             let held = view.arm - view.normal * view.gap - view.direction(angle) * stretch;
             (State::Stick { numbers, anchor: face.attitude.transpose() * held }, 0.0)
         }
@@ -231,7 +258,9 @@ pub(super) fn after(
 
 fn enter(numbers: Numbers, view: &View, face: &Pose, v_n: f64) -> (State, f64) {
     let sliding = view.along(view.velocity(-view.normal * view.gap));
-    if sliding.length() < numbers.mu_s * v_n {
+    // A Hertz spring has no stiffness at the closing: what moves along the face slips.
+    let limit = if numbers.hertz.is_some() { STILL } else { numbers.mu_s };
+    if sliding.length() < limit * v_n {
         let anchor = face.attitude.transpose() * (view.arm - view.normal * view.gap);
         (State::Stick { numbers, anchor }, 0.0)
     } else {
@@ -278,10 +307,16 @@ fn numbers(model: &Model, site: &ContactSite, poses: &[Pose], sharers: &mut usiz
         -2.0 * log / std::f64::consts::PI.hypot(log) * (given.stiffness * reduced).sqrt()
     };
     let share = *sharers as f64;
+    // Of the same greatest elastic depth as K at the design speed, unless it is given.
+    let deep = given.design_speed * (reduced / given.stiffness).sqrt();
+    let by_speed = 1.25 * given.stiffness / deep.sqrt();
+    let elastic = given.normal_law == NormalName::Hertz;
+    let k_h = given.hertz_stiffness.unwrap_or(by_speed);
     let turns = !pair.one_way && given.law == FrictionLaw::ReturnMapping;
     Numbers {
         k: given.stiffness / share,
-        c_n: dashpot(given.restitution_normal) / share,
+        hertz: elastic.then(|| k_h / share),
+        c_n: if elastic { 0.0 } else { dashpot(given.restitution_normal) / share },
         c_t: dashpot(given.restitution_tangential) / share,
         mu_s: given.mu_static,
         mu_k: given.mu_kinetic,
