@@ -18,7 +18,7 @@ pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
 
 fn bearings(history: &History) -> Vec<(String, String)> {
     let supports = history.model().supports.iter().enumerate();
-    let numbers = supports.flat_map(|(girder, links)| (0..links.len()).map(move |n| (girder, n, links[n])));
+    let numbers = supports.flat_map(|(girder, all)| (0..all.len()).map(move |n| (girder, n, all[n].last().copied())));
     let yields = |(girder, number, link): (usize, usize, Option<usize>)| {
         let name = &history.model().links[link?].name;
         let curve = |axis: usize| {

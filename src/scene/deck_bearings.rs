@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 
 use serde::{Deserialize, Serialize};
 
-use super::bearing::{BearingSlide, BearingYield, SLIDER_DISPLACEMENT};
+use super::Kind;
+use super::bearing_law::{BearingSlide, BearingYield, SLIDER_DISPLACEMENT};
 use super::keys::{Fallback, Range, table, words};
-use super::{Girder, Kind};
 
 /// Period after yield, or of a pendulum \[s\].
 const PERIOD: f64 = 2.0;
@@ -117,12 +117,12 @@ impl DeckBearings {
         self.radius.unwrap_or(gravity * (self.period() / TAU).powi(2))
     }
 
-    /// Loop of all bearings together under a deck's weight.
-    pub fn whole(&self, girder: &Girder, gravity: f64) -> Loop {
-        let weight = girder.mass * gravity;
+    /// Loop of all bearings together under a deck of this mass \[kg\].
+    pub fn whole(&self, mass: f64, gravity: f64) -> Loop {
+        let weight = mass * gravity;
         match self.kind {
             BearingKind::LeadRubber => {
-                let stiffness = girder.mass * (TAU / self.period()).powi(2);
+                let stiffness = mass * (TAU / self.period()).powi(2);
                 let force = self.force_per_weight.unwrap_or(FORCE_PER_WEIGHT) * weight;
                 let beside = (self.stiffness_ratio.unwrap_or(STIFFNESS_RATIO) - 1.0) * stiffness;
                 Loop { stiffness, yielding: BearingYield { force, displacement: force / beside, per_axis: false } }
@@ -145,9 +145,9 @@ impl DeckBearings {
         }
     }
 
-    /// c of all of them along a horizontal axis \[N·s/m\].
-    pub(super) fn damping(&self, girder: &Girder) -> f64 {
-        2.0 * self.damping_ratio.unwrap_or(0.0) * girder.mass * TAU / self.period()
+    /// c of all of them along a horizontal axis, under a deck of this mass \[N·s/m\].
+    pub(super) fn damping(&self, mass: f64) -> f64 {
+        2.0 * self.damping_ratio.unwrap_or(0.0) * mass * TAU / self.period()
     }
 
     /// `(f, h)` straight up and down; 0 in a planar scene, or where none is given.
@@ -196,11 +196,6 @@ impl DeckBearings {
         };
         keys.into_iter().filter(|(_, given)| given.is_some()).map(|(key, _)| key).collect()
     }
-
-    /// True places in the frame of a girder \[m\].
-    pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
-        super::resolved::places(girder, self.at.as_deref(), self.at_skewed.as_deref())
-    }
 }
 
 #[cfg(test)]
@@ -208,10 +203,8 @@ mod tests {
     use super::*;
     use crate::scene::STANDARD_GRAVITY;
 
-    /// A deck of 30 m and 300 t.
-    fn deck() -> Girder {
-        Girder::straight("deck", [30.0, 10.0, 1.7], 3.0e5)
-    }
+    /// A deck of 30 m \[kg\].
+    const MASS: f64 = 3.0e5;
 
     fn near(what: &str, got: f64, expected: f64) {
         assert!((got / expected - 1.0).abs() < 1e-3, "{what}: {got} is not {expected}");
@@ -220,7 +213,7 @@ mod tests {
     #[test]
     fn lead_rubber_of_a_30_m_deck_has_the_worked_numbers() {
         let proposed = DeckBearings::proposed(BearingKind::LeadRubber, vec![[0.0; 2]; 8]);
-        let whole = proposed.whole(&deck(), STANDARD_GRAVITY);
+        let whole = proposed.whole(MASS, STANDARD_GRAVITY);
         near("k₂", whole.stiffness, 2.961e6);
         near("k₂ a leg", whole.stiffness / 8.0, 370.1e3);
         near("Q", whole.yielding.force, 205.9e3);
@@ -229,7 +222,7 @@ mod tests {
         near("u_y", whole.yielding.displacement, 12.65e-3);
         for (amplitude, stiffness, period, damping) in [(0.1, 5.020e6, 1.536, 0.2281), (0.2, 3.991e6, 1.723, 0.1539)] {
             near("k_eff", whole.effective_stiffness(amplitude), stiffness);
-            near("T_eff", whole.effective_period(amplitude, 3.0e5), period);
+            near("T_eff", whole.effective_period(amplitude, MASS), period);
             near("h_eq", whole.equivalent_damping(amplitude), damping);
         }
         assert_eq!(proposed.assumed().len(), 3, "all of it is assumed");
@@ -240,13 +233,9 @@ mod tests {
         let pendulum = DeckBearings::proposed(BearingKind::Pendulum, vec![[0.0; 2]]);
         let radius = pendulum.radius(STANDARD_GRAVITY);
         near("T = 2π √(R/g)", TAU * (radius / STANDARD_GRAVITY).sqrt(), 2.0);
-        let whole = pendulum.whole(&deck(), STANDARD_GRAVITY);
-        near("N/R", whole.stiffness, 3.0e5 * STANDARD_GRAVITY / radius);
-        near("μN", whole.yielding.force, 0.05 * 3.0e5 * STANDARD_GRAVITY);
-        assert_eq!(
-            DeckBearings { radius: Some(0.0), ..pendulum }.whole(&deck(), STANDARD_GRAVITY).stiffness,
-            0.0,
-            "flat"
-        );
+        let whole = pendulum.whole(MASS, STANDARD_GRAVITY);
+        near("N/R", whole.stiffness, MASS * STANDARD_GRAVITY / radius);
+        near("μN", whole.yielding.force, 0.05 * MASS * STANDARD_GRAVITY);
+        assert_eq!(DeckBearings { radius: Some(0.0), ..pendulum }.whole(MASS, STANDARD_GRAVITY).stiffness, 0.0, "flat");
     }
 }

@@ -8,6 +8,7 @@ mod abutment;
 mod angle;
 mod backfill;
 mod bearing;
+mod bearing_law;
 mod codes;
 mod contact;
 mod deck_bearings;
@@ -47,7 +48,8 @@ pub mod validate;
 pub use crate::motion::format::Unit as RecordUnit;
 pub use abutment::Abutment;
 pub use backfill::{Backfill, BackfillLaw};
-pub use bearing::{Bearing, BearingSlide, BearingYield, Bearings, PerDirection, SharedBearings};
+pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
+pub use bearing_law::{BearingSlide, BearingYield};
 pub use codes::{Codes, EuropeanGround, JapaneseGround, Support};
 pub use contact::{
     Between, Calibration, ContactNumber, ContactSettings, FrictionLaw, NormalName, PairSettings, Sharing, Tension,

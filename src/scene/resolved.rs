@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::bearing::BearingSlide;
-use super::{Bearing, BearingKind, BearingYield, Bearings, DeckBearings, Girder, Kind, Scene, SharedBearings};
+use super::{
+    Bearing, BearingKind, BearingSlide, BearingYield, Bearings, DeckBearings, Girder, Kind, Scene, SharedBearings,
+};
 
 /// What bearings depend on beside their girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +78,7 @@ impl ResolvedBearing {
 }
 
 /// True places in the frame of a girder: as given, or moved by `y cot β` with the skew \[m\].
-pub(super) fn places(girder: &Girder, at: Option<&[[f64; 2]]>, skewed: Option<&[[f64; 2]]>) -> Vec<[f64; 2]> {
+fn places(girder: &Girder, at: Option<&[[f64; 2]]>, skewed: Option<&[[f64; 2]]>) -> Vec<[f64; 2]> {
     let shear = girder.prism().shear();
     let skewed = skewed.into_iter().flatten().map(|&[x, y]| [x + y * shear, y]);
     at.into_iter().flatten().copied().chain(skewed).collect()
@@ -111,12 +112,17 @@ impl SharedBearings {
 }
 
 impl DeckBearings {
+    /// True places in the frame of a girder \[m\].
+    pub fn places(&self, girder: &Girder) -> Vec<[f64; 2]> {
+        places(girder, self.at.as_deref(), self.at_skewed.as_deref())
+    }
+
     fn resolve(&self, girder: &Girder, of: Setting, at: impl Fn([f64; 2]) -> DVec3) -> Vec<ResolvedBearing> {
         let places = self.places(girder);
         let count = places.len() as f64;
-        let whole = self.whole(girder, of.gravity);
+        let whole = self.whole(girder.mass, of.gravity);
         let (f, h) = self.vertical(of.kind);
-        let (omega, share, c) = (std::f64::consts::TAU * f, girder.mass / count, self.damping(girder) / count);
+        let (omega, share, c) = (std::f64::consts::TAU * f, girder.mass / count, self.damping(girder.mass) / count);
         let damping = [c, c, 2.0 * h * share * omega];
         let bearing = |horizontal: f64, place| {
             ResolvedBearing::linear(at(place), [horizontal, horizontal, share * omega.powi(2)], damping)

@@ -22,8 +22,8 @@ pub use impact::{hits, transitions};
 pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
-    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report, TooDeepReport,
-    VerdictReport, Versions,
+    BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report,
+    TooDeepReport, VerdictReport, Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};
 

@@ -49,7 +49,7 @@ fn slides(supports: &[ResolvedBearing]) -> String {
 
 /// Bearings of a whole deck: the numbers in force together, and what of them is assumed.
 fn deck(deck: &DeckBearings, girder: &Girder, setting: Setting) -> String {
-    let whole = deck.whole(girder, setting.gravity);
+    let whole = deck.whole(girder.mass, setting.gravity);
     let at = |amplitude: f64| {
         let [stiffness, period, damping] = [
             whole.effective_stiffness(amplitude),

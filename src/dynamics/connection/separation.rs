@@ -3,7 +3,6 @@
 use glam::{DMat3, DVec3};
 
 use crate::contact::Frame;
-use crate::dynamics::connection::Link;
 
 /// Motion of the first point of a connection against the second, in the connection's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,16 +49,6 @@ impl Separation {
             rate: axes.mul_transpose_vec3(rate - other_rate),
         };
         (separation, arms)
-    }
-}
-
-impl Separation {
-    /// The same against the ground, of a body with this displacement and rotation about the vertical, and their rates.
-    #[inline]
-    pub fn linear_to_ground([shift, velocity]: [DVec3; 2], [turn, spin]: [f64; 2], link: &Link) -> Self {
-        let (across, axes) = (DVec3::Z.cross(link.arms[0]), &link.axes);
-        let (moved, rate) = (shift + across * turn, velocity + across * spin);
-        Self { placed: link.placed(), moved: axes.mul_transpose_vec3(moved), rate: axes.mul_transpose_vec3(rate) }
     }
 }
 

@@ -12,7 +12,6 @@ use glam::{DVec2, DVec3};
 use crate::dynamics::connection::{
     Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
-use crate::dynamics::model::bearing::Bearing;
 
 /// Q below which the direction of friction turns as fast as with it, per that at rest: at N = 0 friction has no direction.
 const LEAST_LOAD: f64 = 1e-2;
@@ -39,12 +38,6 @@ const SLIDING: u32 = 1;
 const LIFTED: u32 = 2;
 
 impl Slider {
-    /// Of friction, 1/R and `u_y` above a girder's bearing.
-    pub fn on(bearing: &Bearing, [friction, curvature, displacement]: [f64; 3]) -> Self {
-        let [load, stiffness, damping] = [bearing.preload.z, bearing.stiffness.z, bearing.damping.z];
-        Self { friction, curvature, displacement, load, stiffness, damping }
-    }
-
     /// `k_t` \[N/m\].
     fn tangential(&self) -> f64 {
         self.friction * self.load / self.displacement

@@ -8,10 +8,10 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::LinearBearing;
 use crate::dynamics::connection::{
     Connection, Device, Evolution, Phase, Separation, SeparationBounds, Switch, SwitchUnit,
 };
-use crate::dynamics::model::bearing::Bearing;
 use crate::scene::seating::Room;
 
 /// A support.
@@ -19,8 +19,10 @@ use crate::scene::seating::Room;
 pub struct Support {
     /// Displacements that keep it.
     pub room: Room,
-    /// The girder's bearing.
-    pub bearing: Bearing,
+    /// Spring and dashpot of the girder's bearing.
+    pub spring: LinearBearing,
+    /// P, its share of the weight \[N\].
+    pub preload: DVec3,
     /// The law of the bearing's own link, whose force acts at all times.
     pub law: Option<Arc<dyn Device>>,
     /// Whether a run ends where it is lost.
@@ -44,9 +46,9 @@ impl Support {
 
     /// What the girder's bearing has stored, with the spring under its preload \[J\].
     fn of_bearing(&self, motion: &Separation) -> f64 {
-        let Bearing { stiffness, preload, .. } = self.bearing;
+        let (stiffness, preload) = (self.spring.stiffness, self.preload);
         let squeezed = if stiffness.z > 0.0 { preload.z * preload.z / (2.0 * stiffness.z) } else { 0.0 };
-        self.bearing.stored_energy(&(), motion) - preload.dot(motion.moved) + squeezed
+        self.spring.stored_energy(&Phase::default(), motion) - preload.dot(motion.moved) + squeezed
     }
 }
 
@@ -57,7 +59,7 @@ impl Connection for Support {
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
         match self.standing(phase) {
             Some(law) => law.force(phase, motion),
-            None if phase.law == LOST => -self.bearing.force(&(), motion) - self.bearing.preload,
+            None if phase.law == LOST => -self.spring.force(phase, motion) - self.preload,
             None => DVec3::ZERO,
         }
     }
@@ -73,17 +75,17 @@ impl Connection for Support {
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         match self.standing(phase) {
             Some(law) => law.dissipated_power(phase, motion),
-            None if phase.law == LOST => -self.bearing.dissipated_power(&(), motion),
+            None if phase.law == LOST => -self.spring.dissipated_power(phase, motion),
             None => 0.0,
         }
     }
 
     fn stiffness_bound(&self, phase: &Phase) -> f64 {
-        self.standing(phase).map_or_else(|| self.bearing.stiffness_bound(&()), |law| law.stiffness_bound(phase))
+        self.standing(phase).map_or_else(|| self.spring.stiffness_bound(phase), |law| law.stiffness_bound(phase))
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        self.standing(phase).map_or_else(|| self.bearing.damping_bound(&()), |law| law.damping_bound(phase))
+        self.standing(phase).map_or_else(|| self.spring.damping_bound(phase), |law| law.damping_bound(phase))
     }
 }
 

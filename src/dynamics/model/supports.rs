@@ -42,7 +42,10 @@ impl Model {
                     (None, None) => continue,
                     (None, Some(_)) if pier.is_some() => continue,
                     (Some(law), None) => law,
-                    (law, Some(room)) => Arc::new(Support { room, bearing: own, law, ends_run }),
+                    (law, Some(room)) => {
+                        let spring = LinearBearing { stiffness: own.stiffness, damping: own.damping };
+                        Arc::new(Support { room, spring, preload: own.preload, law, ends_run })
+                    }
                 };
                 links[number].push(self.links.len());
                 let name = format!("{}.bearing{}", self.bodies[body].name, number + 1);
@@ -119,7 +122,14 @@ fn spring(bearing: &ResolvedBearing) -> Arc<dyn Device> {
 /// The law of a bearing beside its spring and dashpot.
 fn law(resolved: &ResolvedBearing, bearing: &Bearing) -> Option<Arc<dyn Device>> {
     if let Some(slide) = resolved.sliding {
-        return Some(Arc::new(Slider::on(bearing, [slide.friction, slide.curvature, slide.displacement])));
+        return Some(Arc::new(Slider {
+            friction: slide.friction,
+            curvature: slide.curvature,
+            displacement: slide.displacement,
+            load: bearing.preload.z,
+            stiffness: bearing.stiffness.z,
+            damping: bearing.damping.z,
+        }));
     }
     let yielding = resolved.yielding?;
     let play = Play { stiffness: yielding.stiffness(), force: yielding.force };

@@ -52,7 +52,7 @@ impl ActiveLink {
             // Of a planar bearing: no rotation matrix.
             let frame = &frames[self.sections[0]];
             let (shift, turn) = bases[body].whole_in_plan(frame);
-            let motion = Separation::linear_to_ground([shift, frame.velocity], [turn, frame.spin.z], link);
+            let motion = link.motion_on_ground([shift, frame.velocity], [turn, frame.spin.z]);
             return (motion, link.arms);
         }
         // Poses stay where they are made: of eight bearings a step copied little else.

@@ -86,7 +86,8 @@ fn bearings(scene: &Scene, girder: &Girder, complaints: &mut Complaints) {
     };
     let slides = girder.supports(scene.setting()).into_iter().map(|bearing| bearing.sliding.is_some());
     if slides.zip(scene.supports(girder)).any(|(slides, pier)| slides && pier.is_some()) {
-        let remedy = "in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene";
+        let remedy =
+            "in space a slider goes by the force of its own spring on the ground: put it there, or use a planar scene";
         at.add("bearings", "a slider on a pier", remedy);
     }
     for (key, name) in named.iter().filter(|(_, name)| scene.pier_named(name).is_none()) {

@@ -145,7 +145,7 @@ fn one_by_one(g: &Girder, kind: Kind) -> Bearings {
             // N/R is of the pendulum, beside no spring of its own.
             Some(deck) => Bearing {
                 stiffness: [0.0, 0.0, b.stiffness[2]],
-                friction: Some(deck.whole(g, STANDARD_GRAVITY).yielding.force / (g.mass * STANDARD_GRAVITY)),
+                friction: Some(deck.whole(g.mass, STANDARD_GRAVITY).yielding.force / (g.mass * STANDARD_GRAVITY)),
                 radius: Some(deck.radius(STANDARD_GRAVITY)),
                 slider_displacement: deck.slider_displacement,
                 ..linear
