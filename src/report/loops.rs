@@ -22,7 +22,7 @@ fn bearings(history: &History) -> Vec<(String, String)> {
     let yields = |(girder, number, link): (usize, usize, Option<usize>)| {
         let name = &history.model().links[link?].name;
         let curve = |axis: usize| {
-            let [x, y] = [OfBearing::Displacement(axis), OfBearing::Force(axis)];
+            let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
             curve(history, ["along the girder", "across it"][axis], axis, [x, y])
         };
@@ -37,7 +37,7 @@ fn links(history: &History) -> Vec<(String, String)> {
         _ => None,
     };
     let of_link = |link: usize| {
-        let pair = [OfLink::Displacement, OfLink::Force].map(|what| Quantity::Link(link, what));
+        let pair = [OfLink::Deformation, OfLink::Force].map(|what| Quantity::Link(link, what));
         drawn(&history.model().links[link].name, curve(history, "", 0, pair).into_iter().collect())
     };
     Quantity::all(history).iter().filter_map(link_of).filter_map(of_link).collect()
