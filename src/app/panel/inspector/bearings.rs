@@ -3,6 +3,7 @@
 use egui::{ComboBox, RichText, Ui};
 
 use super::rows::{grid, note};
+use super::sliders;
 use crate::app::field::{CLICK, Change, Look, Place, Without, act, number, optional, rows, switched, tag};
 use crate::app::unit::{HERTZ, PURE, Size, Unit, damping_unit, force_unit, length_unit, stiffness_unit};
 use crate::app::{edits, text};
@@ -40,6 +41,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
                 ));
                 let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS);
                 let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
+                let rows = rows.or(sliders::travel(ui, place, length, &mut shared.travel));
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
             let places = places(ui, place, length, shear, (&mut shared.at, &mut shared.at_skewed));
@@ -276,7 +278,7 @@ fn single(
         changes.push(number(ui, place, (&key.0, &format!("k {name}")), k, unit_k));
         changes.push(number(ui, place, (&key.1, &format!("c {name}")), c, unit_c));
     }
-    changes.extend([yield_rows(ui, place, unit, n, b, first_yield)]);
+    changes.extend([yield_rows(ui, place, unit, n, b, first_yield), sliders::rows_of(ui, place, kind, n, b)]);
     changes.into_iter().flatten().next()
 }
 

@@ -11,6 +11,7 @@ mod pairs;
 mod pier;
 mod rows;
 mod scene;
+mod sliders;
 
 use egui::{RichText, Ui};
 
