@@ -205,7 +205,8 @@ impl Device for Backfill {
             (Switch::Function(0), _) => next(ELASTIC, push.max(greatest)),
             (Switch::Function(_), _) => next(FAILED, greatest),
         };
-        (next, 0.0)
+        // A change is noticed a rounding of the place late.
+        (next, self.stored_energy(phase, motion) - self.stored_energy(&next, motion))
     }
 
     /// The soil is drawn behind its wall.

@@ -203,6 +203,9 @@ impl Device for Hysteresis {
                 states[0] + STATES * states[1]
             }
         };
-        (self.going_on(law, z, motion), 0.0)
+        let next = self.going_on(law, z, motion);
+        // Yield is noticed a rounding of the place beyond Q.
+        let released = self.stored_energy(phase, motion) - self.stored_energy(&next, motion);
+        (next, released)
     }
 }
