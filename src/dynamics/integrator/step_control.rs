@@ -35,6 +35,8 @@ impl ControllerState {
 pub(in crate::dynamics) struct StepLimits {
     /// Latest end \[s\].
     pub cap: f64,
+    /// Where the motion of the ground has its next kink: a step that ends there is as long as any can be \[s\].
+    pub kink: f64,
     /// Length of the first attempt without a known step length \[s\].
     pub first: f64,
     /// Largest length \[s\].
@@ -66,7 +68,7 @@ pub(in crate::dynamics) struct StepController {
     state: ControllerState,
     /// Successive steps that favour the other method.
     doubts: u32,
-    /// Steps with the method in use, and explicit steps after which the implicit method is tried.
+    /// Steps with the method in use that do not end at a kink, and explicit ones after which the implicit method is tried.
     steps: u32,
     trial: u32,
 }
@@ -136,7 +138,7 @@ impl StepController {
             if error <= 1.0 {
                 let cut = end == limits.cap || reach < h;
                 self.state.step = if cut { h.max(taken * factor) } else { taken * factor }.min(limits.longest);
-                return Ok((self.accept(system, t, y, taken, error), end));
+                return Ok((self.accept(system, t, y, taken, (error, end >= limits.kink)), end));
             }
             // After a second rejection the error estimate is unreliable: a motion within the step is over long before
             // its end.
@@ -180,8 +182,16 @@ impl StepController {
         }
     }
 
-    /// Accepts the attempted step and compares its cost with that of the other method.
-    fn accept(&mut self, system: &mut impl ImplicitSystem, t: f64, y: &mut [f64], h: f64, error: f64) -> DenseOutput {
+    /// Accepts the attempted step and compares its cost with that of the other method. A step that ends at a kink is limited by
+    /// neither method: that is no reason for an implicit one, nor will the next be longer.
+    fn accept(
+        &mut self,
+        system: &mut impl ImplicitSystem,
+        t: f64,
+        y: &mut [f64],
+        h: f64,
+        (error, at_kink): (f64, bool),
+    ) -> DenseOutput {
         let cost = system.implicit_cost();
         let (dense, doubt) = match &mut self.radau {
             Some(radau) if self.state.stiff => {
@@ -192,19 +202,19 @@ impl StepController {
                 (
                     dense,
                     system.auxiliary_count() == 0
-                        && error > GROWING_ERROR
+                        && (at_kink || error > GROWING_ERROR)
                         && h * radau.fastest(system) < IMPLICIT_STEP_WORTH * cost,
                 )
             }
             _ => {
                 let dense = self.rk.accept(system, t, y, h);
-                let spare = self.size <= LARGEST_IMPLICIT && error < LIMITED_ERROR;
+                let spare = self.size <= LARGEST_IMPLICIT && error < LIMITED_ERROR && !at_kink;
                 let doubt = spare && self.rk.stiffness(system, &dense) > STABILITY_LIMITED;
                 (dense, doubt)
             }
         };
         self.doubts = if doubt { self.doubts + 1 } else { 0 };
-        self.steps += 1;
+        self.steps += u32::from(!at_kink);
         let waited = f64::from(self.steps) >= f64::from(self.trial) * cost;
         let try_it = !self.state.stiff && waited && self.size <= LARGEST_IMPLICIT;
         if try_it {
@@ -234,7 +244,8 @@ mod tests {
 
     #[test]
     fn a_step_ends_soon_after_a_likely_change_but_not_at_once() {
-        let limits = |soon: f64| StepLimits { cap: 1.0, first: 1e-9, longest: 1.0, soon, smallest: 1e-18 };
+        let limits =
+            |soon: f64| StepLimits { cap: 1.0, kink: f64::INFINITY, first: 1e-9, longest: 1.0, soon, smallest: 1e-18 };
         assert_eq!(limits(1e-6).reach(9.0, 1e-4), BEYOND_EVENT * 1e-6, "a little beyond the change");
         assert_eq!(limits(9e-5).reach(9.0, 1e-4), 1e-4, "not worth a step of its own");
         assert_eq!(limits(5e-16).reach(9.0, 1e-4), 1e-4, "less than a bit of the time it would end at");
@@ -260,7 +271,7 @@ mod tests {
     impl ImplicitSystem for Relaxation {}
 
     fn open(cap: f64, first: f64) -> StepLimits {
-        StepLimits { cap, first, longest: f64::INFINITY, soon: f64::INFINITY, smallest: 1e-12 }
+        StepLimits { cap, kink: f64::INFINITY, first, longest: f64::INFINITY, soon: f64::INFINITY, smallest: 1e-12 }
     }
 
     #[test]
@@ -301,6 +312,24 @@ mod tests {
         assert!(control.state().stiff && explicit <= TRIAL_STEPS, "{explicit} explicit steps");
         assert!(system.evaluations < 20_000, "1e5 time constants in {} evaluations", system.evaluations);
         assert!((y[0] - 1f64.cos()).abs() < 1e-8, "{}", y[0]);
+    }
+
+    #[test]
+    fn steps_that_end_at_kinks_stay_explicit_however_small_their_error() {
+        let mut system = Relaxation { rate: 100.0, evaluations: 0 };
+        let pace = ControllerState { step: 0.01, stiff: true };
+        let (mut control, mut y) = (StepController::new(1, pace), [1.0]);
+        control.start(&mut system, 0.0, &y);
+        let mut implicit = 0;
+        for number in 0..200 {
+            let [t, kink] = [number, number + 1].map(|i| f64::from(i) * 0.01);
+            let limits = StepLimits { kink, ..open(kink, 0.01) };
+            control.step(&mut system, t, &mut y, limits).expect("a step");
+            control.start(&mut system, kink, &y);
+            implicit += u32::from(control.state().stiff);
+        }
+        assert!(implicit < METHOD_CHANGE_STEPS, "{implicit} implicit steps of one time constant");
+        assert!((y[0] - 2f64.cos()).abs() < 1e-9, "{}", y[0]);
     }
 
     #[test]

@@ -68,10 +68,9 @@ impl Island {
             let device = &link.of(model).device;
             let phase = link.phase_in(&self.y);
             let [gap, rate] = device.gap(&phase, &motion);
-            // A bearing moves as far as its bodies do, however fast the contacts beside it are.
-            let own = device.is_linear().then(|| (device.stiffness_bound(&phase) * link.mobility(model)).sqrt());
-            let omega = own.map_or(omega, |own| own.min(omega));
-            speed2 = speed2.max((omega * gap).powi(2) + rate * rate);
+            // A device swings its bodies no faster than by its own stiffness, however fast the contacts beside it are.
+            let own = (device.stiffness_bound(&phase) * link.mobility(model)).sqrt().min(omega);
+            speed2 = speed2.max((own * gap).powi(2) + rate * rate);
             if link.evolving.is_some() {
                 // Displacement that changes the force as much as a unit of the memory does.
                 memories.push(device.evolution(&phase, &motion).force.length() / device.stiffness_bound(&phase));

@@ -176,8 +176,9 @@ impl Island {
         let quickest = if self.stepper.state().step > 0.0 { 0.0 } else { self.system.quickest };
         let first = FIRST_PHASE * together / scale.omega.max(quickest) * (model.tolerance / 1e-10).powf(0.125);
         let longest = self.longest(model);
+        let kink = self.limiting_kink(model, &piece);
         let cap = self.drive_cap(model, cap);
-        let limits = StepLimits { cap, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
+        let limits = StepLimits { cap, kink, first, longest, soon, smallest: SMALLEST_PHASE / scale.omega };
         let (mut stepper, mut y) = (std::mem::take(&mut self.stepper), std::mem::take(&mut self.y));
         let outcome = stepper.step(&mut self.field(model, piece, scale), t, &mut y, limits);
         std::mem::swap(&mut self.raw, &mut self.next_raw);
@@ -189,6 +190,13 @@ impl Island {
         self.sloped = (t + dense.step, number);
         (self.dense, self.until) = (Some(dense), end);
         Ok(())
+    }
+
+    /// Where a kink of the ground limits steps rather than a method \[s\]: between bodies joined by devices that change their law, whose
+    /// forces are smooth in between.
+    fn limiting_kink(&self, model: &Model, piece: &LinearPiece) -> f64 {
+        let changes = |link: &ActiveLink| !link.of(model).device.is_linear();
+        if self.system.links.iter().any(changes) { piece.until } else { f64::INFINITY }
     }
 
     /// Whether no connection acts on its bodies but their bearings.
