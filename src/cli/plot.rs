@@ -107,6 +107,8 @@ fn unit(unit: Unit) -> &'static str {
         Unit::RadianPerSecond => "rad/s",
         Unit::MetrePerSecond2 => "m/s²",
         Unit::Newton => "N",
+        Unit::NewtonMetre => "N·m",
+        Unit::Pascal => "Pa",
         Unit::Joule => "J",
         Unit::One => "1",
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Keyed as _, Range, Stands, table, words};
 use super::{Bearings, Elastic};
-use crate::geometry::Prism;
+use crate::geometry::{End, Prism};
 
 /// A direction that a body can be held in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -72,6 +72,16 @@ table! {
             "length of seat under the -x end, m";
         side: Option<f64> = "side" as "Seat beyond the sides", Range::NotNegative, Fallback::Words("not looked at"),
             "by how much both seats are wider than the deck at either side, along their front edge, m";
+    }
+}
+
+impl Seat {
+    /// Length under an end along the axis \[m\].
+    pub fn length(self, end: End) -> Option<f64> {
+        match end {
+            End::Plus => self.plus,
+            End::Minus => self.minus,
+        }
     }
 }
 

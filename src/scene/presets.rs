@@ -26,7 +26,7 @@ macro_rules! preset {
     };
 }
 
-static PRESETS: [Preset; 12] = [
+static PRESETS: [Preset; 13] = [
     preset!("straight-abutment", "paper: straight girder head-on against an abutment, 2.4 Hz, 0.40 g"),
     preset!("skew60-abutment", "paper: 60° girder against an abutment, 2.6 Hz, 0.40 g"),
     preset!("skew45-abutment", "paper: 45° girder against an abutment, 2.6 Hz, 0.40 g"),
@@ -41,6 +41,10 @@ static PRESETS: [Preset; 12] = [
     preset!(
         "span-as-built",
         "full scale: a 60° span on lead rubber, with restrainers, backfill and seats, 40 s of an earthquake"
+    ),
+    preset!(
+        "twin-span-restrained",
+        "full scale: two 60° spans on lead rubber of different period, tied by cables over the pier"
     ),
 ];
 

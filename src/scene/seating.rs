@@ -71,12 +71,12 @@ pub fn room(girder: &Girder, bearing: &ResolvedBearing) -> Option<Room> {
 /// \[m\]; `None` where it is not watched.
 fn seat(girder: &Girder, along: f64) -> Option<(End, f64)> {
     girder.after_unseating?;
-    let (end, length) = match along {
-        along if along > 0.0 => (End::Plus, girder.seat.plus),
-        along if along < 0.0 => (End::Minus, girder.seat.minus),
+    let end = match along {
+        along if along > 0.0 => End::Plus,
+        along if along < 0.0 => End::Minus,
         _ => return None,
     };
-    length.map(|length| (end, length))
+    Some((end, girder.seat.length(end)?))
 }
 
 #[cfg(test)]

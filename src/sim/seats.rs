@@ -143,11 +143,7 @@ impl Seat {
 
 /// Length of the seat under an end along the axis, where the scene gives one \[m\].
 pub(super) fn length(history: &History, girder: usize, end: End) -> Option<f64> {
-    let seat = history.scene().girders.get(girder)?.seat;
-    match end {
-        End::Plus => seat.plus,
-        End::Minus => seat.minus,
-    }
+    history.scene().girders.get(girder)?.seat.length(end)
 }
 
 /// What remains of a seat along the axis at its worse corner; of a seat without length how far the end has moved off, negative

@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, exaggerated, piers, walls};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, exaggerated, piers, seats, walls};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -80,8 +80,11 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
     }
     out.add_piers(input, moment, palette);
     for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {
+        for seat in seats::blocks(input.scene, girder, level) {
+            out.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
+        }
         if !moment.piers.is_empty() {
-            out.add_viaduct(input, (girder, motion), level, palette);
+            out.add_parapets(input, (girder, motion), palette);
         }
         if input.overlays.bearings {
             for (k, pad) in pads(input.scene, girder, (motion, moment), level).iter().enumerate() {
@@ -147,17 +150,8 @@ impl Bodies {
         }
     }
 
-    /// What a deck has in a viaduct: parapets, and the seats of its ends on the ground.
-    fn add_viaduct(
-        &mut self,
-        input: &ViewInput<'_>,
-        (girder, motion): (&Girder, &Motion),
-        level: f64,
-        palette: &Palette,
-    ) {
-        for seat in piers::seats(input.scene, girder, level) {
-            self.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
-        }
+    /// Parapets, as a deck has them in a viaduct.
+    fn add_parapets(&mut self, input: &ViewInput<'_>, (girder, motion): (&Girder, &Motion), palette: &Palette) {
         for parapet in piers::parapets(girder, motion) {
             self.add(input, &parapet, &format!("{} parapet", girder.name), palette.girder, palette.edge, false);
         }
@@ -199,18 +193,18 @@ fn pads(scene: &Scene, girder: &Girder, (motion, moment): (&Motion, &Moment), le
     let underside = -girder.thickness / 2.0;
     let half = PAD_SIDE * girder.thickness / 2.0;
     let home = super::moment::at_rest(girder);
-    let below = |place: DVec3, pier: Option<usize>| match pier.and_then(|number| moment.piers.get(number)) {
-        Some(pier) => pier.moved(place) - DVec3::Z * piers::pad(scene),
-        // At the end of a viaduct it stands on a seat.
-        None if !moment.piers.is_empty() => place - DVec3::Z * piers::pad(scene),
-        None => place.with_z(level),
-    };
+    let below =
+        |place: DVec3, (at, pier): ([f64; 2], Option<usize>)| match pier.and_then(|number| moment.piers.get(number)) {
+            Some(pier) => pier.moved(place) - DVec3::Z * piers::pad(scene),
+            None if seats::carries(scene, girder, at) => place - DVec3::Z * piers::pad(scene),
+            None => place.with_z(level),
+        };
     bearing_places(girder)
         .into_iter()
         .zip(supports)
         .map(|([x, y], pier)| {
             let at = DVec3::new(x, y, underside);
-            let foot = below(home.place + home.attitude * at, pier);
+            let foot = below(home.place + home.attitude * at, ([x, y], pier));
             let top = motion.place + motion.attitude * at;
             let (u, v) = (home.attitude * DVec3::X * half, home.attitude * DVec3::Y * half);
             // Seen from below, against the clock seen from above.

@@ -38,6 +38,7 @@ mod piers;
 mod print;
 pub mod scale;
 mod scale_bar;
+mod seats;
 mod texts;
 mod walls;
 

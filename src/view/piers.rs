@@ -1,12 +1,11 @@
-//! Piers: footings, columns and cap beams, the seats at abutments, and parapets, as a viaduct has them.
+//! Piers: footings, columns and cap beams, and parapets, as a viaduct has them.
 
 use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec2, DVec3};
 
 use super::block::Block;
-use crate::geometry::End;
-use crate::scene::{Girder, PerDirection, ResolvedPier, Scene, placed};
+use crate::scene::{Girder, PerDirection, ResolvedPier, Scene};
 use crate::sim::{History, Motion};
 
 /// Sides of a round column as drawn; even.
@@ -17,8 +16,6 @@ const PAD: f64 = 0.16;
 const FOOTING: [f64; 2] = [0.5, 1.7];
 /// Height of a parapet in deck depths, and its width in deck widths.
 const PARAPET: [f64; 2] = [0.55, 0.035];
-/// How far a seat reaches beyond its bearings towards the span, in deck depths.
-const LEDGE: f64 = 0.6;
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,37 +129,6 @@ fn parted(corners: &[DVec3], sweep: DVec3) -> Vec<Block> {
     let strip =
         |i: usize| Block { face: [corners[i], corners[count - 1 - i], corners[count - 2 - i], corners[i + 1]], sweep };
     (0..count / 2 - 1).map(strip).collect()
-}
-
-/// The seats of a girder's ends that stand on the ground, in scenes with piers: walls from the ground to the bearings.
-pub(super) fn seats(scene: &Scene, girder: &Girder, level: f64) -> Vec<Block> {
-    let supports = scene.supports(girder);
-    let resolved = girder.supports(scene.setting());
-    let prism = girder.prism();
-    let (shear, axes, home) = (prism.shear(), placed::axes(girder), DVec3::from(girder.position));
-    let seat = |end: End| {
-        let sign = end.sign();
-        // Along the axis before skewing, outwards.
-        let ways = resolved.iter().zip(&supports).filter(|(_, pier)| pier.is_none());
-        let ways = ways.map(|(b, _)| sign * (b.place.x - b.place.y * shear)).filter(|way| *way > 0.0);
-        let nearest = ways.reduce(f64::min)?;
-        let inner = nearest - LEDGE * girder.thickness;
-        let outer = 0.5 * girder.length + abutment_gap(scene, girder, end);
-        let top = -0.5 * girder.thickness - pad(scene);
-        let corner = |way: f64, y: f64| home + axes * DVec3::new(sign * way + y * shear, y, top);
-        let half = 0.5 * girder.width;
-        let face = [corner(inner, -half), corner(outer, -half), corner(outer, half), corner(inner, half)];
-        let face = if sign > 0.0 { face } else { [face[3], face[2], face[1], face[0]] };
-        let down = level - face[0].z;
-        (down < 0.0).then_some(Block { face, sweep: DVec3::Z * down })
-    };
-    End::BOTH.into_iter().filter_map(seat).collect()
-}
-
-/// Distance from an end to the abutment before it; 0 without one \[m\].
-fn abutment_gap(scene: &Scene, girder: &Girder, end: End) -> f64 {
-    let before = scene.abutments.iter().find(|a| a.faces == girder.name && a.end == end);
-    before.and_then(|abutment| abutment.gap).unwrap_or(0.0)
 }
 
 /// An abutment's block reaching down to the ground, as one does at the end of a viaduct.

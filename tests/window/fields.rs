@@ -138,6 +138,11 @@ fn windows() -> Vec<Window> {
         one(&damper, DeviceKind::Damper),
         one(key, DeviceKind::Stopper),
     ];
+    let span = presets::load("span-as-built").expect("ships");
+    let lead = "girder.g1.bearings={ kind = \"lead-rubber\", at_m = [[14, 0], [-14, 0]], on_plus_x = \"p1\" }";
+    let lead = with(&viaduct, &[lead]);
+    let high = "girder.deck.bearings={ kind = \"pendulum\", at_m = [[10, 0], [-10, 0]], vertical_frequency_hz = 5 }";
+    let high = with(&deck, &[high]);
     let elastic = "girder.deck.elastic={ area_m2 = 0.001, rayleigh = { mass = 0.1, stiffness = 1e-5 } }";
     // Before the first hit: steps in contact follow the fastest modes.
     let elastic = with(&planar, &["duration_s=0.2", elastic]);
@@ -167,6 +172,9 @@ fn windows() -> Vec<Window> {
         show(with(&viaduct, &["pier.p1.stiffness_n_per_m=5e7", "pier.p1.yield_force_n=1e6"]), Some(Target::Pier(0))),
         show(with(&viaduct, &[one_by_one]), Some(Target::Girder(0))),
         show(elastic, Some(Target::Girder(0))),
+        show(span, Some(Target::Girder(0))),
+        show(lead, Some(Target::Girder(0))),
+        show(high, Some(Target::Girder(0))),
     ];
     others.into_iter().chain(devices).collect()
 }
@@ -187,11 +195,8 @@ fn every_key_of_the_scene_file_has_a_field_that_says_its_range_and_default() {
         let path = if table.is_empty() { key.name.to_owned() } else { format!("{stands_at}.{}", key.name) };
         let is_table = TABLES.iter().any(|t| t.path.split(" kind").next() == Some(path.as_str()));
         let excused = NO_FIELD.iter().any(|(t, name, _)| *t == table && (name.is_empty() || *name == key.name));
-        // Kinds of motion have keys of one name: one place in the file, found as that of the first kind.
-        let twins = TABLES
-            .iter()
-            .map(|t| t.path)
-            .filter(|path| path.starts_with("motion kind") && table.starts_with("motion kind"));
+        // Kinds of motion, and of bearings, have keys of one name: one place in the file, found as that of the first kind.
+        let twins = TABLES.iter().map(|t| t.path).filter(|path| path.split(" kind").next() == Some(stands_at));
         let twin = twins.into_iter().find_map(|twin| found.get(&(twin, key.name)));
         let Some(said) = found.get(&(table, key.name)).or(twin) else {
             if !is_table && !excused {

@@ -5,6 +5,7 @@ use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use girderbench::app::{Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, Workbench, lessons};
+use girderbench::files::SceneSource;
 use girderbench::render::Image;
 use girderbench::scene::presets;
 use girderbench::view::Target;
@@ -20,11 +21,22 @@ fn labels(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
     named.map(|n| (n.accesskit_node().label().or(n.accesskit_node().value()).unwrap_or_default(), n.rect())).collect()
 }
 
+/// A workbench on a preset without its plots of one quantity against another, which are windows over the view.
+fn beside_the_view(preset: &str) -> Workbench {
+    let mut scene = presets::load(preset).expect("ships");
+    scene.view.plots.retain(|plot| plot.x.is_none());
+    let mut bench = Workbench::new(scene, SceneSource::New);
+    bench.replay.runner.set_estimates(false);
+    bench.replay.runner.wait();
+    bench
+}
+
 #[test]
 fn panels_keep_their_words_to_themselves() {
     for preset in presets::all() {
         for (size, scale) in [([1024.0, 640.0], 1.0), ([1280.0, 720.0], 2.0), ([2560.0, 1440.0], 1.0)] {
-            let mut harness = builder(size).with_pixels_per_point(scale).build_ui_state(show, bench(preset.name));
+            let mut harness =
+                builder(size).with_pixels_per_point(scale).build_ui_state(show, beside_the_view(preset.name));
             harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);

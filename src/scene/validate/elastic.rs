@@ -12,10 +12,8 @@ const YIELDING: [&str; 2] = [
     "an elastic girder on bearings that yield",
     "bearings of an elastic girder are linear so far: leave out yield_force_n",
 ];
-const SLIDING: [&str; 2] = [
-    "an elastic girder on sliders",
-    "bearings of an elastic girder are linear so far: leave out friction",
-];
+const SLIDING: [&str; 2] =
+    ["an elastic girder on sliders", "bearings of an elastic girder are linear so far: leave out friction"];
 const WITH_TRAVEL: [&str; 2] = [
     "an elastic girder on bearings that can be lost",
     "bearings of an elastic girder keep their support so far: leave out travel_m",
@@ -66,4 +64,46 @@ fn refused_bearings(girder: &Girder) -> Vec<[&'static str; 2]> {
         (bearings.piers(girder).iter().any(Option::is_some), ON_A_PIER),
     ];
     refused.into_iter().filter(|(has, _)| *has).map(|(_, words)| words).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::format;
+
+    /// What is said of an elastic deck with these lines in its table.
+    fn said(lines: &str) -> String {
+        let text = format!(
+            "name = \"elastic\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+             thickness_m = 1.5\nmass_kg = 6e5\nseat_m = {{ \"+x\" = 1.0, \"-x\" = 1.0 }}\n{lines}\n[girder.elastic]\narea_m2 = 8.0\n"
+        );
+        format::read(&text, "elastic").map_or_else(|errors| errors.to_string(), |_| String::new())
+    }
+
+    #[test]
+    fn each_bearing_that_an_elastic_girder_cannot_have_is_refused_in_words() {
+        let list = |more: &str| {
+            let one = |x: f64| {
+                format!(
+                    "{{ at_m = [{x:?}, 0.0], stiffness_n_per_m = [1e6, 1e6], damping_n_s_per_m = [0.0, 0.0]{more} }}"
+                )
+            };
+            format!("bearings = [{}, {}]", one(-14.5), one(14.5))
+        };
+        assert_eq!(said(&list("")), "", "linear ones stand");
+        for (lines, left_out) in [
+            (list(", yield_force_n = 1e4, yield_displacement_m = 0.01"), "yield_force_n"),
+            (list(", friction = 0.05"), "friction"),
+            (list(", travel_m = 0.3"), "travel_m"),
+            (format!("after_unseating = \"continue\"\n{}", list("")), "after_unseating"),
+            (
+                "bearings = { kind = \"lead-rubber\", at_m = [[-14.5, 0.0], [14.5, 0.0]] }".to_owned(),
+                "in place of kind",
+            ),
+            ("bearings = { kind = \"pendulum\", at_m = [[-14.5, 0.0], [14.5, 0.0]] }".to_owned(), "in place of kind"),
+        ] {
+            let words = said(&lines);
+            assert!(words.contains("girder.deck.elastic") || words.contains("elastic girder"), "{lines}: {words}");
+            assert!(words.contains(left_out), "{lines}: {words}");
+        }
+    }
 }

@@ -64,7 +64,12 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             };
             let whole = Place { table: &table, ..place };
             let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(whole, kind, size) };
-            let numbers = grid(ui, "bearings", |ui| rows(ui, &look, deck, &[]));
+            let numbers = grid(ui, "bearings", |ui| {
+                let rows = rows(ui, &look, deck, &[]);
+                let minus = (&mut deck.on_minus_x, "bearings.on_minus_x", text::ON_MINUS);
+                let plus = (&mut deck.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
+                [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
+            });
             let places = places(ui, place, length, shear, (&mut deck.at, &mut deck.at_skewed));
             let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
             let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
