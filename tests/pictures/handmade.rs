@@ -26,6 +26,7 @@ pub(crate) fn pressed(states: [ContactState; 2]) -> (Scene, Moment) {
 }
 
 /// The same with one contact, in stick with this share of its cone used.
+#[cfg(feature = "render")]
 pub(crate) fn sticking(share: f64) -> (Scene, Moment) {
     let (scene, mut moment) = pressed([ContactState::Stick; 2]);
     moment.contacts.truncate(1);

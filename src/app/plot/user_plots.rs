@@ -161,7 +161,7 @@ fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
                 ui.selectable_value(&mut shown, *shows, words(*shows));
             }
         });
-        mark(&combo.response.labelled_by(label.id), place, ("shows", text::SHOWS));
+        tag(ui, &combo.response.labelled_by(label.id), place, ("shows", text::SHOWS));
         plot.shows = Some(shown).filter(|shown| *shown != PlotShows::DEFAULT);
     });
     let mut log = plot.is_log();
