@@ -14,6 +14,7 @@ pub mod read;
 mod seats;
 mod summary;
 mod trajectory;
+mod verdicts;
 
 pub use contacts::{contact_cells, contacts};
 pub use events::events;
@@ -23,9 +24,10 @@ pub use quantities::quantities;
 pub use seats::{CornerReport, DemandReport, SeatReport};
 pub use summary::{
     BackfillReport, DroppedReport, LostReport, OutsideReport, OverlapReport, PairReport, PierReport, Report,
-    TooDeepReport, VerdictReport, Versions,
+    TooDeepReport, Versions,
 };
 pub use trajectory::{trajectory, trajectory_columns};
+pub use verdicts::VerdictReport;
 
 use std::io::Write;
 

@@ -6,10 +6,10 @@ use super::TableOptions;
 use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
-use crate::scene::{Girder, Kind, Scene, domain};
+use super::verdicts::{self, VerdictReport};
+use crate::scene::{Kind, Scene, domain};
 use crate::sim::{
     BackfillReading, DegreeCheck, History, Ledger, LostSupport, Overlap, PierReading, Stop, Summary, TooDeep, readings,
-    verdict,
 };
 
 /// Everything a summary says, SI.
@@ -79,19 +79,6 @@ pub struct Report {
     pub versions: Versions,
     /// Files of the answer, this one among them; a later answer in the same folder removes those that it does not have.
     pub files: Vec<String>,
-}
-
-/// Whether a girder stays on its seats.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct VerdictReport {
-    /// The girder.
-    pub girder: String,
-    /// Whether every corner stays over its seat.
-    pub stays: bool,
-    /// The moment that decides it \[s\].
-    pub t: f64,
-    /// The same in words.
-    pub words: String,
 }
 
 /// A facing pair in short.
@@ -261,7 +248,7 @@ impl Report {
             gave_up: history.stop().cloned(),
             numbers: history.summary(),
             pairs: pairs(history),
-            verdicts: verdicts(history),
+            verdicts: verdicts::of(history),
             seats: seats::of(history),
             lost_supports: lost(history),
             backfill: backfill(history),
@@ -307,15 +294,6 @@ fn pairs(history: &History) -> Vec<PairReport> {
         }
     };
     history.listed_pairs().into_iter().map(of_pair).collect()
-}
-
-fn verdicts(history: &History) -> Vec<VerdictReport> {
-    let of = |(number, girder): (usize, &Girder)| {
-        let verdict = verdict::verdict(history, number)?;
-        let (girder, words) = (girder.name.clone(), verdict.words());
-        Some(VerdictReport { girder, stays: verdict.stays(), t: verdict.t(), words })
-    };
-    history.scene().girders.iter().enumerate().filter_map(of).collect()
 }
 
 fn lost(history: &History) -> Vec<LostReport> {
