@@ -58,7 +58,7 @@ table! {
             "what is drawn; only energies against time: one upon the other";
         x: Option<String> = "x", Range::Like("the name of a quantity"), Fallback::Words("time"),
             "what it is drawn against";
-        shows: Option<PlotShows> = "shows" as "Shows", Range::Words(PlotShows::WORDS), PlotShows::FALLBACK,
+        shows: Option<PlotShows> = "shows" as "Shows", Range::Words(PlotShows::WORDS), Fallback::Words("\"history\""),
             "their course, their Fourier amplitudes over frequency, or their 5 % response spectrum over period";
         log: Option<bool> = "log" as "Logarithmic", Range::Switch, Fallback::Words("false"),
             "whether the upright axis is logarithmic, of the magnitude; of spectra both axes";
