@@ -50,7 +50,7 @@ pub(super) fn devices(dice: &mut Dice) -> Scene {
     scene.girders = parts::row(dice, &girder, count, gap, true);
     parts::walls(dice, &mut scene, gap);
     scene.contact = contact(dice, &sizes);
-    scene.motion = motion(dice, &sizes, amplitude);
+    scene.motion = motion(dice, &sizes, amplitude, kind);
     scene.duration = three_digits(dice.range(4.0, 15.0) / hertz);
     scene.solver.tolerance = dice.log(1e-11, 1e-6);
     let mut settings = bearings(dice, &scene, &sizes);
@@ -85,7 +85,7 @@ fn contact(dice: &mut Dice, sizes: &Sizes) -> ContactSettings {
 }
 
 /// A sine, or a record of as great a peak.
-fn motion(dice: &mut Dice, sizes: &Sizes, amplitude: f64) -> Motion {
+fn motion(dice: &mut Dice, sizes: &Sizes, amplitude: f64, kind: Kind) -> Motion {
     if dice.chance(0.4) {
         return parts::record(dice, sizes.hertz * 2.0, sizes.hertz, sizes.way);
     }
@@ -96,7 +96,7 @@ fn motion(dice: &mut Dice, sizes: &Sizes, amplitude: f64) -> Motion {
         frequency_hz: three_digits(sizes.hertz * dice.log(0.5, 3.0)),
         phase_deg: 0.0,
         angle_deg: three_digits(dice.range(0.0, 90.0)),
-        vertical_amplitude_g: vertical,
+        vertical_amplitude_g: vertical.filter(|_| kind == Kind::Spatial),
         vertical_amplitude: None,
         vertical_phase_deg: None,
     })
