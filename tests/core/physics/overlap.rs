@@ -143,7 +143,8 @@ fn what_contacts_carry_is_no_overlap() {
         let mut scene = presets::load(name).expect("a preset");
         for kind in [ModelKind::Contact, ModelKind::Impact] {
             scene.model.kind = kind;
-            if kind == ModelKind::Impact && girderbench::scene::validate::validate(&scene).is_err() {
+            let refused = !scene.piers.is_empty() || girderbench::scene::validate::validate(&scene).is_err();
+            if kind == ModelKind::Impact && refused {
                 continue;
             }
             scene.contact.between = Between::Ends;
