@@ -58,9 +58,11 @@ table! {
             "what is drawn; only energies against time: one upon the other";
         x: Option<String> = "x", Range::Like("the name of a quantity"), Fallback::Words("time"),
             "what it is drawn against";
-        shows: Option<PlotShows> = "shows" as "Shows", Range::Words(PlotShows::WORDS), Fallback::Words("\"history\""),
+        #[serde(default)]
+        shows: PlotShows = "shows" as "Shows", Range::Words(PlotShows::WORDS), PlotShows::FALLBACK,
             "their course, their Fourier amplitudes over frequency, or their 5 % response spectrum over period";
-        log: Option<bool> = "log" as "Logarithmic", Range::Switch, Fallback::Words("false"),
+        #[serde(default)]
+        log: bool = "log" as "Logarithmic", Range::Switch, Fallback::Switch(false),
             "whether the upright axis is logarithmic, of the magnitude; of spectra both axes";
     }
 }
@@ -69,16 +71,6 @@ impl PlotSettings {
     /// Curves of these quantities over time.
     pub fn over_time(y: Vec<String>) -> Self {
         Self { y, ..Self::default() }
-    }
-
-    /// What it shows.
-    pub fn shown(&self) -> PlotShows {
-        self.shows.unwrap_or_default()
-    }
-
-    /// Whether the upright axis is logarithmic.
-    pub fn is_log(&self) -> bool {
-        self.log.unwrap_or(false)
     }
 }
 

@@ -132,7 +132,7 @@ pub enum Quantity {
     Seat(usize, End),
     /// Of a pier, by its number.
     Pier(usize, OfPier),
-    /// Of a section of an elastic girder: its number, the number of the station among [`STATIONS`](super::section_quantity::STATIONS).
+    /// Of a section of an elastic girder: its number, the number of the station among the five that are drawn.
     Section(usize, usize, OfSection),
     /// Of a facing pair, by its number.
     Pair(usize, OfPair),

@@ -86,7 +86,7 @@ type Found<'a> = (&'a String, Quantity);
 /// A panel's curves; quantities that the run does not have are left out.
 pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f64; 2], points: usize) -> Sampled {
     let found: Vec<Found<'_>> = plot.y.iter().filter_map(|name| Some((name, Quantity::find(history, name)?))).collect();
-    match plot.shown() {
+    match plot.shows {
         PlotShows::History => course(history, plot, &found, (window, points)),
         PlotShows::Fourier | PlotShows::Response => spectrum(history, plot, &found, window),
     }
@@ -94,7 +94,7 @@ pub(in crate::app) fn sample(history: &History, plot: &PlotSettings, window: [f6
 
 /// Spectra of the stretch of time shown.
 fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window: [f64; 2]) -> Sampled {
-    let fourier = plot.shown() == PlotShows::Fourier;
+    let fourier = plot.shows == PlotShows::Fourier;
     let of = if fourier { spectra::fourier } else { spectra::response };
     let curve = |(name, quantity): &Found<'_>| {
         let (factor, _) = shown(quantity.unit());
@@ -107,7 +107,7 @@ fn spectrum(history: &History, plot: &PlotSettings, found: &[Found<'_>], window:
         y: if fourier { format!("[{unit}·s]") } else { format!("[{unit}], 5 %") },
         unit,
         x: Some(if fourier { "f [Hz]" } else { "T [s]" }.to_owned()),
-        log: [plot.is_log(); 2],
+        log: [plot.log; 2],
         stacked: false,
     }
 }
@@ -128,7 +128,7 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
         curves: found.iter().map(curve).collect(),
         y: format!("[{unit}]"),
         unit,
-        log: [false, plot.is_log()],
+        log: [false, plot.log],
         x: x.map(|(name, _)| format!("{name} [{unit_x}]")),
         stacked: x.is_none() && found.len() > 1 && found.iter().all(|(_, q)| matches!(q, Quantity::Energy(_))),
     }
@@ -136,7 +136,7 @@ fn course(history: &History, plot: &PlotSettings, found: &[Found<'_>], (window, 
 
 /// The panel's points at one instant; a spectrum has none.
 pub(in crate::app) fn at(answer: &Answer, plot: &PlotSettings, t: f64) -> Vec<[f64; 2]> {
-    if plot.shown() != PlotShows::History {
+    if plot.shows != PlotShows::History {
         return Vec::new();
     }
     let value = |name: &String| {

@@ -54,7 +54,7 @@ impl Source<'_> {
     /// Whether a panel is drawn over time.
     pub(in crate::app) fn is_over_time(&self, plot: &PlotSettings) -> bool {
         let against = || plot.x.as_ref().zip(self.answer).is_some_and(|(x, answer)| answer.quantity(x).is_some());
-        plot.shown() == PlotShows::History && !against()
+        plot.shows == PlotShows::History && !against()
     }
 
     /// Samples for the panels of the user's own that are drawn over time, or for the others, each with its number.

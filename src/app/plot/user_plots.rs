@@ -81,8 +81,7 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
         |wanted: OfCorner| first(&|q| matches!(q, Quantity::Corner(i, 1, of) if *i == girder && *of == wanted));
     let contact = |wanted: OfContact| first(&|q| matches!(q, Quantity::Contact(_, of) if *of == wanted));
     let against = |x: Option<String>, y: Option<String>| Some(PlotSettings { x: Some(x?), ..over_time(y?) });
-    let spectrum =
-        |shows, y: Option<String>| Some(PlotSettings { shows: Some(shows), log: Some(true), ..over_time(y?) });
+    let spectrum = |shows, y: Option<String>| Some(PlotSettings { shows, log: true, ..over_time(y?) });
     let energies: Vec<String> = names
         .iter()
         .filter(|(_, q)| matches!(q, Quantity::Energy(of) if !matches!(of, OfEnergy::Work | OfEnergy::Residual)))
@@ -142,7 +141,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
             }
         });
     });
-    if plot.shown() == PlotShows::History {
+    if plot.shows == PlotShows::History {
         against(ui, i, plot, names);
     }
     shows(ui, i, plot);
@@ -154,21 +153,17 @@ fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
     let place = Place { problems: None, table: &table };
     ui.horizontal(|ui| {
         let label = ui.label(text::SHOWS);
-        let mut shown = plot.shown();
         let words = |shows: PlotShows| text::SHOWN[shows as usize];
-        let combo = ComboBox::from_id_salt(("shows", i)).width(150.0).selected_text(words(shown)).show_ui(ui, |ui| {
-            for shows in PlotShows::ALL {
-                ui.selectable_value(&mut shown, *shows, words(*shows));
-            }
-        });
+        let combo =
+            ComboBox::from_id_salt(("shows", i)).width(150.0).selected_text(words(plot.shows)).show_ui(ui, |ui| {
+                for shows in PlotShows::ALL {
+                    ui.selectable_value(&mut plot.shows, *shows, words(*shows));
+                }
+            });
         tag(ui, &combo.response.labelled_by(label.id), place, ("shows", text::SHOWS));
-        plot.shows = Some(shown).filter(|shown| *shown != PlotShows::DEFAULT);
     });
-    let mut log = plot.is_log();
-    let response = ui.checkbox(&mut log, text::LOG);
-    if tag(ui, &response, place, ("log", text::LOG)).changed() {
-        plot.log = log.then_some(true);
-    }
+    let response = ui.checkbox(&mut plot.log, text::LOG);
+    tag(ui, &response, place, ("log", text::LOG));
 }
 
 fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantity)]) {

@@ -329,7 +329,7 @@ mod tests {
                 implicit += u32::from(control.state().stiff);
             }
         }
-        assert!(implicit <= 2 * METHOD_CHANGE_STEPS, "{implicit} implicit steps of a tenth of a time constant, of 200");
+        assert!(implicit < METHOD_CHANGE_STEPS, "{implicit} implicit steps of a tenth of a time constant, of 200");
         assert!((y[0] - 2f64.cos()).abs() < 1e-9, "{}", y[0]);
     }
 

@@ -157,6 +157,21 @@ fn quantities_are_what_the_history_says() {
 }
 
 #[test]
+fn what_presets_plot_are_quantities_of_their_runs() {
+    let mut plotted = 0;
+    for preset in presets::all() {
+        let mut scene = presets::load(preset.name).expect("ships");
+        scene.duration = 0.01;
+        let history = History::of(&scene).expect("runs");
+        for name in scene.view.plots.iter().flat_map(|plot| plot.x.iter().chain(&plot.y)) {
+            assert!(Quantity::find(&history, name).is_some(), "{}: {name}", preset.name);
+            plotted += 1;
+        }
+    }
+    assert!(plotted > 0, "there are some");
+}
+
+#[test]
 fn limits_and_plots_are_kept_in_the_file() {
     let mut scene = presets::load(presets::OPENING).expect("ships");
     scene.limits =
@@ -164,11 +179,7 @@ fn limits_and_plots_are_kept_in_the_file() {
     scene.view.plots = vec![
         PlotSettings::over_time(vec!["energy.kinetic".into()]),
         PlotSettings { x: Some("deck.x".into()), ..PlotSettings::over_time(vec!["deck.y".into()]) },
-        PlotSettings {
-            shows: Some(PlotShows::Response),
-            log: Some(true),
-            ..PlotSettings::over_time(vec!["ground.x".into()])
-        },
+        PlotSettings { shows: PlotShows::Response, log: true, ..PlotSettings::over_time(vec!["ground.x".into()]) },
     ];
     let again = format::parse(&format::write(&scene), "again").expect("reads");
     assert_eq!(again, scene, "as written");

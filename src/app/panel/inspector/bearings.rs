@@ -45,14 +45,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
             let places = places(ui, place, length, shear, (&mut shared.at, &mut shared.at_skewed));
-            let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
-            let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
-            if each {
-                g.bearings = Some(one_by_one(g, kind));
-            } else if gone {
-                g.bearings = None;
-            }
-            numbers.or(places).or(if each || gone { CLICK } else { None })
+            numbers.or(places).or(end(ui, place, g, kind))
         }
         Some(Bearings::Deck(deck)) => {
             let size = Size { length: g.length, mass: g.mass };
@@ -71,14 +64,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
             let places = places(ui, place, length, shear, (&mut deck.at, &mut deck.at_skewed));
-            let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
-            let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
-            if each {
-                g.bearings = Some(one_by_one(g, kind));
-            } else if gone {
-                g.bearings = None;
-            }
-            numbers.or(places).or(if each || gone { CLICK } else { None })
+            numbers.or(places).or(end(ui, place, g, kind))
         }
         Some(Bearings::Each(each)) => {
             let weight = g.mass * STANDARD_GRAVITY;
@@ -103,6 +89,18 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             CLICK
         }
     }
+}
+
+/// Ways out of bearings of one kind for a whole deck: a list of single ones, or none.
+fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Change> {
+    let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
+    let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
+    if each {
+        g.bearings = Some(one_by_one(g, kind));
+    } else if gone {
+        g.bearings = None;
+    }
+    if each || gone { CLICK } else { None }
 }
 
 /// Four places near the corners, before skewing \[m\].
