@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use super::args::{SceneArgs, Threads, positive};
-use super::compute::compute;
+use super::compute::compute_as_asked;
 use super::console::Console;
+use super::domain;
 use super::failure::Failure;
 use super::output::write_files;
 use super::plot_files::plot_files;
+use crate::files::check_folder;
 use crate::sim::quantity::Unit;
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
@@ -41,17 +43,31 @@ pub(super) struct PlotArgs {
 /// Does it.
 ///
 /// # Errors
-/// Bad input; names that the run does not have; files that cannot be written.
+/// Bad input; names that the run does not have; files that cannot be written; a run that gave up, after its plot has been written.
 pub(super) fn run(args: &PlotArgs, console: &mut Console) -> Result<(), Failure> {
     let scene = args.scene.load()?;
     args.threads.start()?;
-    let timed = compute(&scene)?;
-    let Some(history) = timed.first().map(|timed| &timed.history) else { return Ok(()) };
-    if args.list || args.y.is_empty() {
+    let lists = args.list || args.y.is_empty();
+    if !lists {
+        check_folder(&args.out)?;
+    }
+    domain::warn(&scene, console);
+    let timed = compute_as_asked(&scene)?;
+    let history = &timed.history;
+    if lists {
         let names: String = Quantity::all(history).into_iter().map(|(name, _)| name + "\n").collect();
         console.print(&names);
-        return Ok(());
+    } else {
+        write(history, args, console)?;
     }
+    match history.stop() {
+        Some(stop) => Err(Failure::GaveUp { scene: scene.name, stop: stop.clone() }),
+        None => Ok(()),
+    }
+}
+
+/// Writes table and picture of the quantities that are asked for.
+fn write(history: &History, args: &PlotArgs, console: &mut Console) -> Result<(), Failure> {
     let x = args.x.as_ref().map(|name| found(history, name)).transpose()?;
     let y = args.y.iter().map(|name| found(history, name)).collect::<Result<Vec<_>, _>>()?;
     let columns: Vec<(String, Quantity)> = x.iter().chain(&y).cloned().collect();

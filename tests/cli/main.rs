@@ -14,6 +14,7 @@ mod motion;
 mod odd_files;
 mod odd_output;
 mod overlap;
+mod plot;
 mod program;
 #[cfg(feature = "render")]
 mod render;
