@@ -5,8 +5,10 @@ use egui::{Grid, RichText, Ui};
 use crate::app::command::{Command, CompareCommand};
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
+use crate::app::run::spot::Spot;
 use crate::app::style::theme::PINS;
 use crate::app::text;
+use crate::sim::History;
 
 /// Shows what is kept, and how the run that is shown, `now`, differs from each.
 pub(in crate::app) fn show(
@@ -42,25 +44,25 @@ pub(in crate::app) fn show(
     if ui.checkbox(&mut differences, text::DIFFERENCES).on_hover_text(text::DIFFERENCES_HINT).changed() {
         out.push(CompareCommand::Differences(differences).into());
     }
-    table(ui, pins, now);
+    table(ui, pins, now, out);
 }
 
-/// A number's name, and how a run's is written.
-type Row = (&'static str, fn(&Answer) -> String);
+/// A number's name, how a run's is written, where it is seen.
+type Row = (&'static str, fn(&Answer) -> String, fn(&History) -> Option<Spot>);
 
-/// A row for each number, a column for each run, the run that is shown first.
-fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>) {
+/// A row for each number, a column for each run, the run that is shown first: its numbers lead to where they are seen.
+fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
     let runs: Vec<(String, &Answer)> = now
         .map(|answer| (text::NOW.to_owned(), answer))
         .into_iter()
         .chain(pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
     let rows: [Row; 5] = [
-        (text::MOVES, |a| text::length(a.summary.max_displacement)),
-        (text::TURNS, |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees()))),
-        (text::PEAK, |a| text::force(a.summary.peak_force)),
-        (text::HITS, |a| a.summary.hits.to_string()),
-        (text::LOST, |a| text::energy(a.lost())),
+        (text::MOVES, |a| text::length(a.summary.max_displacement), Spot::farthest),
+        (text::TURNS, |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned),
+        (text::PEAK, |a| text::force(a.summary.peak_force), Spot::hardest),
+        (text::HITS, |a| a.summary.hits.to_string(), Spot::first_touch),
+        (text::LOST, |a| text::energy(a.lost()), |_| None),
     ];
     Grid::new("pins").striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         ui.label("");
@@ -68,10 +70,18 @@ fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>) {
             ui.label(RichText::new(name).strong());
         }
         ui.end_row();
-        for (what, words) in rows {
+        for (what, words, there) in rows {
             ui.label(RichText::new(what).weak());
             for (_, answer) in &runs {
-                ui.label(words(answer));
+                let shown = now.is_some_and(|now| std::ptr::eq(now, *answer));
+                let Some(spot) = there(&answer.history).filter(|_| shown) else {
+                    ui.label(words(answer));
+                    continue;
+                };
+                let button = egui::Button::new(RichText::new(words(answer)).underline()).frame(false);
+                if ui.add(button).on_hover_text(text::GO_THERE).clicked() {
+                    spot.go(out);
+                }
             }
             ui.end_row();
         }

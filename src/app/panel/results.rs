@@ -70,6 +70,32 @@ fn verdict(ui: &mut Ui, (girder, name): (usize, &str), seats: &[Seat], out: &mut
     }
 }
 
+/// Most girders whose verdicts are listed together.
+const MOST_VERDICTS: usize = 12;
+
+/// The verdicts on all girders that have seats.
+pub(in crate::app) fn show_verdicts(ui: &mut Ui, answer: Option<&Answer>, out: &mut Vec<Command>) {
+    let Some(answer) = answer else { return };
+    let scene = answer.history.scene();
+    let mut seated =
+        scene.girders.iter().enumerate().filter(|(_, girder)| girder.seat.plus.or(girder.seat.minus).is_some());
+    let listed: Vec<_> = seated.by_ref().take(MOST_VERDICTS).collect();
+    if listed.is_empty() {
+        return;
+    }
+    ui.add_space(4.0);
+    ui.label(RichText::new(text::VERDICTS).strong());
+    for (i, girder) in listed {
+        if let Some(reading) = answer.reading(i) {
+            verdict(ui, (i, &girder.name), &reading.seats, out);
+        }
+    }
+    let more = seated.count();
+    if more > 0 {
+        ui.label(RichText::new(text::more(more)).weak());
+    }
+}
+
 /// A list of names and values, each value a button to where it is seen.
 fn links(ui: &mut Ui, salt: &str, rows: Vec<(&'static str, String, Spot)>, out: &mut Vec<Command>) {
     ui.add_space(4.0);
@@ -184,7 +210,9 @@ pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize,
     let Some(answer) = replay.runner.answer() else { return };
     let t = replay.t();
     let Some(site) = answer.history.model().contacts.get(contact) else { return };
-    ui.label(format!("{} | {}", site.node, site.face_name));
+    if ui.link(format!("{} | {}", site.node, site.face_name)).on_hover_text(text::GO_THERE).clicked() {
+        Spot::contact(contact, t).go(out);
+    }
     if let Some(now) = answer.history.contact_at(contact, t) {
         table(ui, "contact", rows(&now));
     } else {
@@ -227,7 +255,7 @@ fn touches(ui: &mut Ui, answer: &Answer, contact: usize, t: f64, out: &mut Vec<C
         let words = text::touch(touch.start, touch.end, touch.peak_force, touch.impulse);
         let here = (touch.start..=touch.end).contains(&t);
         if ui.add(egui::Button::selectable(here, words)).on_hover_text(text::GO_TO_PEAK).clicked() {
-            out.push(TimeCommand::Seek(touch.peak_time).into());
+            Spot::touch(touch).go(out);
         }
     }
     if all.len() > MOST_TOUCHES {

@@ -30,6 +30,9 @@ pub(in crate::app) fn show(
         } else if let Some(answer) = runner.answer() {
             numbers(ui, answer, out);
         }
+        if runner.is_coarse() {
+            ui.label(RichText::new(text::COARSE).weak()).on_hover_text(text::COARSE_MEANS);
+        }
         if let Some(answer) = runner.fresh_answer() {
             balance(ui, answer);
             outside(ui, answer);
@@ -128,9 +131,4 @@ fn numbers(ui: &mut Ui, answer: &Answer, out: &mut Vec<Command>) {
 }
 
 /// Where the first of the numbers are seen: what moves farthest, what turns most, the hardest touch, the first hit.
-const THERE: [fn(&History) -> Option<Spot>; 4] = [
-    |run| run.farthest().map(|(girder, e)| Spot::girder(girder, e.t)),
-    |run| run.most_turned().map(|(girder, e)| Spot::girder(girder, e.t)),
-    |run| run.hardest().map(Spot::touch),
-    |run| run.touches().first().map(|touch| Spot::contact(touch.contact, touch.start)),
-];
+const THERE: [fn(&History) -> Option<Spot>; 4] = [Spot::farthest, Spot::most_turned, Spot::hardest, Spot::first_touch];

@@ -40,6 +40,26 @@ impl Spot {
         Self::contact(touch.contact, touch.peak_time)
     }
 
+    /// Where what moves farthest is then.
+    pub(in crate::app) fn farthest(history: &History) -> Option<Self> {
+        history.farthest().map(|(girder, e)| Self::girder(girder, e.t))
+    }
+
+    /// Where what turns most is turned most.
+    pub(in crate::app) fn most_turned(history: &History) -> Option<Self> {
+        history.most_turned().map(|(girder, e)| Self::girder(girder, e.t))
+    }
+
+    /// The peak of the hardest touch.
+    pub(in crate::app) fn hardest(history: &History) -> Option<Self> {
+        history.hardest().map(Self::touch)
+    }
+
+    /// The beginning of the first touch.
+    pub(in crate::app) fn first_touch(history: &History) -> Option<Self> {
+        history.touches().first().map(|touch| Self::contact(touch.contact, touch.start))
+    }
+
     /// What decides a verdict on a girder.
     pub(in crate::app) fn verdict(girder: usize, verdict: &Verdict) -> Self {
         Self::corner(girder, verdict.corner(), verdict.t())

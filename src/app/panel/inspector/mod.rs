@@ -58,6 +58,7 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, replay: &Replay, ou
         Some(Target::Contact(contact)) => results::show_contact(ui, replay, contact, out),
         None => {
             ui.add(egui::Label::new(RichText::new(text::NOTHING_SELECTED).weak()).wrap());
+            results::show_verdicts(ui, fresh, out);
             scene::show(ui, form, out);
             pairs::show(ui, form, fresh, None, out);
         }
