@@ -72,6 +72,11 @@ impl Session {
         Self { scene: scene.clone(), model, groups, asked: 0.0, met: Vec::new(), answer: None, beside: None }
     }
 
+    /// The scene that is run.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
     /// Computes on to `until` or the scene's duration; `go_on` is asked now and then and stops the work by answering `false`.
     /// What is computed is kept. Portions do not change the answer.
     ///

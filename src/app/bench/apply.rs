@@ -118,7 +118,7 @@ impl Workbench {
     }
 
     fn apply_film(&mut self, command: Filming) {
-        let replayed = (self.replay.runner.answer(), self.replay.stretch());
+        let replayed = (self.replay.runner.full_answer(), self.replay.stretch());
         let pictured = (self.view.shot(), self.files.document.scene().name.as_str());
         if let Some(words) = self.tasks.apply(command, replayed, pictured) {
             self.window.say(words);

@@ -1,6 +1,7 @@
 //! Scenes opened, saved and brought back, lessons, exports: what concerns files, view and replay together.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use super::workbench::Workbench;
 use crate::app::command::{Export, FileCommand, Keep, Learn, PathCommand, Wish};
@@ -9,6 +10,8 @@ use crate::app::disk::scene_files::{Left, Saved};
 use crate::app::edits;
 use crate::app::plot::plot_files;
 use crate::app::plot::views::PlotViews;
+use crate::app::run::answer::Answer;
+use crate::app::text;
 use crate::files::{Found, SceneSource, load_scene, load_unsaved};
 use crate::scene::Scene;
 use crate::scene::edit::Edit;
@@ -49,12 +52,14 @@ impl Workbench {
                 self.tasks.export_picture(list, self.view.viewport.size(), title, path);
             }
             FileCommand::Export(Export::Tables, path) => {
-                let Some(answer) = self.replay.runner.answer().cloned() else { return };
-                self.tasks.export_tables(answer, path);
+                if let Some(answer) = self.whole() {
+                    self.tasks.export_tables(answer, path);
+                }
             }
             FileCommand::Export(Export::Report, path) => {
-                let Some(answer) = self.replay.runner.answer().cloned() else { return };
-                self.tasks.export_report(answer, path);
+                if let Some(answer) = self.whole() {
+                    self.tasks.export_report(answer, path);
+                }
             }
             FileCommand::Plots(path) => {
                 if let Some(work) = plot_files::writing(&self.plot_source(), path) {
@@ -63,6 +68,15 @@ impl Workbench {
             }
             FileCommand::ShowFolder(folder) => self.tasks.show_folder(folder),
         }
+    }
+
+    /// The answer, computed in full; where a coarse pass is shown that is said instead.
+    fn whole(&mut self) -> Option<Arc<Answer>> {
+        let answer = self.replay.runner.full_answer().cloned();
+        if self.replay.runner.is_coarse() {
+            self.window.say(text::STILL_COARSE);
+        }
+        answer
     }
 
     pub(super) fn apply_keep(&mut self, command: Keep) {

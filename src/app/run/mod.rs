@@ -2,5 +2,6 @@
 
 pub(in crate::app) mod answer;
 pub(in crate::app) mod comparison;
+mod job;
 pub(in crate::app) mod runner;
 pub(in crate::app) mod spot;

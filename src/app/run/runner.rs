@@ -1,15 +1,17 @@
 //! Runs the scene that is shown: at once when it is quick, on a thread with progress and cancel when it is not.
 //!
-//! The last good answer stays in view until a better one is there; a scene that cannot be run leaves its complaints.
+//! On a thread a coarse pass comes first: it is shown until the full one has come in, and is kept for nothing. A scene that comes
+//! while a coarse pass is computed waits for it, so that a drag of a large scene is followed by its answers instead of cancelling
+//! each of them. The last good answer stays in view until a better one is there; a scene that cannot be run leaves its complaints.
 //! When the window is idle, a thread estimates the error of the answer.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use crate::app::host::{Wake, now};
 use crate::app::run::answer::Answer;
+use crate::app::run::job::{self, Job};
 use crate::scene::{Limits, Scene, SceneErrors};
 use crate::sim::readings::Passed;
 use crate::sim::{History, Session};
@@ -17,22 +19,25 @@ use crate::sim::{History, Session};
 /// How long a run may hold up a frame before it goes on on a thread.
 const AT_ONCE: Duration = Duration::from_millis(30);
 
+/// How long a newer scene waits for the coarse pass of the one before it.
+const PATIENCE: Duration = Duration::from_secs(1);
+
 /// How long the window must be left alone before the error is estimated.
 pub(in crate::app) const IDLE_BEFORE_ESTIMATE: Duration = Duration::from_millis(400);
 
-/// A run on a thread.
-struct Job {
-    cancel: Arc<AtomicBool>,
-    /// Time reached, as the bits of an `f64` \[s\].
-    reached: Arc<AtomicU64>,
-    duration: f64,
-    done: Receiver<Option<Answer>>,
+/// An answer that is shown.
+struct Shown {
+    answer: Arc<Answer>,
+    /// Revision of the scene that it is of.
+    revision: u64,
+    /// Whether it is of a coarse pass, and the full one follows.
+    coarse: bool,
 }
 
-impl Drop for Job {
-    fn drop(&mut self) {
-        self.cancel.store(true, Ordering::Relaxed);
-    }
+/// A scene that is to be run.
+struct Next {
+    session: Session,
+    revision: u64,
 }
 
 /// An estimate on a thread.
@@ -43,7 +48,11 @@ struct Estimate {
 
 /// What the scene's answer is, or what became of it.
 pub struct Runner {
-    answer: Option<Arc<Answer>>,
+    shown: Option<Shown>,
+    /// Revision of the scene that was started last.
+    revision: u64,
+    /// The newest scene, while the coarse pass of an older one is computed.
+    waiting: Option<Next>,
     problems: Option<SceneErrors>,
     job: Option<Job>,
     estimate: Option<Estimate>,
@@ -60,7 +69,9 @@ pub struct Runner {
 impl Default for Runner {
     fn default() -> Self {
         Self {
-            answer: None,
+            shown: None,
+            revision: 0,
+            waiting: None,
             problems: None,
             job: None,
             estimate: None,
@@ -88,12 +99,27 @@ impl Runner {
 
     /// The last good answer.
     pub fn answer(&self) -> Option<&Arc<Answer>> {
-        self.answer.as_ref()
+        self.shown.as_ref().map(|shown| &shown.answer)
     }
 
-    /// The last good answer, if it is the scene's as it is now.
+    /// The last good answer, if it is the scene's as it is now and not of a coarse pass.
     pub(in crate::app) fn fresh_answer(&self) -> Option<&Arc<Answer>> {
-        self.answer().filter(|_| !self.is_stale())
+        self.full_answer().filter(|_| !self.is_stale())
+    }
+
+    /// The last good answer, unless it is of a coarse pass: what is kept and written is computed in full.
+    pub(in crate::app) fn full_answer(&self) -> Option<&Arc<Answer>> {
+        self.answer().filter(|_| !self.is_coarse())
+    }
+
+    /// Whether the answer is of a coarse pass.
+    pub fn is_coarse(&self) -> bool {
+        self.shown.as_ref().is_some_and(|shown| shown.coarse)
+    }
+
+    /// Revision of the scene whose answer is shown.
+    pub(in crate::app) fn answered(&self) -> Option<u64> {
+        self.shown.as_ref().map(|shown| shown.revision)
     }
 
     /// Complaints about the scene as it is now; the answer is an older one then.
@@ -103,7 +129,7 @@ impl Runner {
 
     /// Whether the answer shown belongs to an older scene.
     pub fn is_stale(&self) -> bool {
-        self.problems.is_some() || self.job.is_some() || self.given_up
+        self.problems.is_some() || self.given_up || self.answered().is_none_or(|revision| revision != self.revision)
     }
 
     /// End of what is shown: of the answer, or what the scene asks for \[s\].
@@ -128,91 +154,98 @@ impl Runner {
 
     /// How far the run on a thread has come, 0 to 1.
     pub fn progress(&self) -> Option<f64> {
-        let job = self.job.as_ref()?;
-        let reached = f64::from_bits(job.reached.load(Ordering::Relaxed));
-        Some(if job.duration > 0.0 { (reached / job.duration).clamp(0.0, 1.0) } else { 0.0 })
+        self.job.as_ref().map(Job::part)
     }
 
-    /// Runs a scene; whatever ran before is cancelled.
-    pub(in crate::app) fn start(&mut self, scene: &Scene) {
-        self.job = None;
-        self.given_up = false;
+    /// Runs a scene of this revision; whatever ran before is cancelled, but for a coarse pass that is about to come in.
+    pub(in crate::app) fn start(&mut self, scene: &Scene, revision: u64) {
+        (self.revision, self.given_up, self.waiting) = (revision, false, None);
         self.changed = now();
         self.wanted = scene.duration;
         match Session::new(scene) {
             Ok(session) => {
                 self.problems = None;
-                self.begin(session, scene);
+                self.waiting = Some(Next { session, revision });
+                self.begin_waiting();
             }
-            Err(errors) => self.problems = Some(errors),
+            Err(errors) => (self.problems, self.job) = (Some(errors), None),
         }
     }
 
-    fn begin(&mut self, mut session: Session, scene: &Scene) {
-        let start = now();
+    /// Begins the scene that waits, unless a coarse pass is to come in first.
+    fn begin_waiting(&mut self) {
+        if self.job.as_ref().is_some_and(|job| job.is_coarse_still() && job.begun.elapsed() < PATIENCE) {
+            return;
+        }
+        if let Some(next) = self.waiting.take() {
+            self.job = None;
+            self.begin(next);
+        }
+    }
+
+    fn begin(&mut self, Next { mut session, revision }: Next) {
+        let (start, duration) = (now(), session.scene().duration);
         let budget = if self.slow { Duration::ZERO } else { AT_ONCE };
         let mut in_time = true;
-        session.advance(scene.duration, &mut |_| {
+        session.advance(duration, &mut |_| {
             in_time = start.elapsed() < budget;
             in_time
         });
-        self.count += 1;
         if in_time {
             self.slow = start.elapsed() > AT_ONCE;
-            self.answer = Some(Arc::new(Answer::new(session.finish(), start.elapsed(), self.count)));
+            let answer = Answer::new(session.finish(), start.elapsed(), self.next_number());
+            self.take(answer, revision, false);
         } else {
-            self.job = Some(self.spawn(session, scene.duration, start));
+            let numbers = [self.next_number(), self.next_number()];
+            self.job = Some(job::spawn((session, start.elapsed()), revision, numbers, self.wake.clone()));
         }
     }
 
-    fn spawn(&self, mut session: Session, duration: f64, start: Instant) -> Job {
-        let (send, done) = channel();
-        let cancel = Arc::new(AtomicBool::new(false));
-        let reached = Arc::new(AtomicU64::new(0));
-        let (cancelled, told, wake, number) = (cancel.clone(), reached.clone(), self.wake.clone(), self.count);
-        std::thread::spawn(move || {
-            session.advance(duration, &mut |reached| {
-                told.store(reached.t.to_bits(), Ordering::Relaxed);
-                !cancelled.load(Ordering::Relaxed)
-            });
-            if !cancelled.load(Ordering::Relaxed) {
-                // Nobody listens any more when the window has closed: nothing to do then.
-                let _ = send.send(Some(Answer::new(session.finish(), start.elapsed(), number)));
-                wake();
-            }
-        });
-        Job { cancel, reached, duration, done }
+    fn next_number(&mut self) -> u64 {
+        self.count += 1;
+        self.count
+    }
+
+    fn take(&mut self, answer: Answer, revision: u64, coarse: bool) {
+        self.shown = Some(Shown { answer: Arc::new(answer), revision, coarse });
     }
 
     /// Lets go of the answer: another scene is about to be run.
     pub(in crate::app) fn forget(&mut self) {
-        (self.answer, self.job, self.given_up) = (None, None, false);
+        (self.shown, self.job, self.waiting, self.given_up) = (None, None, None, false);
     }
 
-    /// Stops the run on a thread; the last good answer stays, and is an older scene's.
+    /// Stops the run on a thread; the last good answer stays, and is an older scene's or coarse.
     pub(in crate::app) fn cancel(&mut self) {
+        self.waiting = None;
         self.given_up = self.job.take().is_some();
     }
 
     /// Takes what threads have finished; `true` when there is a new answer.
     pub(in crate::app) fn poll(&mut self) -> bool {
         self.poll_estimate();
-        let Some(job) = &self.job else { return false };
-        match job.done.try_recv() {
-            Ok(answer) => {
-                self.slow = answer.as_ref().is_some_and(|a| a.took > AT_ONCE);
-                self.answer = answer.map(Arc::new);
-                self.changed = now();
-                self.job = None;
-                true
-            }
-            Err(TryRecvError::Empty) => false,
-            Err(TryRecvError::Disconnected) => {
-                self.job = None;
-                self.given_up = true;
-                false
+        let mut news = false;
+        while let Some(job) = &mut self.job {
+            let (revision, brought) = (job.revision, job.take());
+            match brought {
+                Ok(job::Brought { answer, coarse }) => {
+                    if !coarse {
+                        self.slow = answer.took > AT_ONCE;
+                        self.job = None;
+                    }
+                    self.take(answer, revision, coarse);
+                    self.changed = now();
+                    news = true;
+                }
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => {
+                    self.job = None;
+                    self.given_up = self.waiting.is_none();
+                }
             }
         }
+        self.begin_waiting();
+        news
     }
 
     fn poll_estimate(&mut self) {
@@ -223,7 +256,7 @@ impl Runner {
             // Not to be tried again and again.
             Err(TryRecvError::Disconnected) => f64::NAN,
         };
-        if let Some(answer) = self.answer.as_ref().filter(|a| a.number == estimate.of) {
+        if let Some(answer) = self.answer().filter(|a| a.number == estimate.of) {
             answer.set_error(error);
         }
         self.estimate = None;
@@ -231,8 +264,8 @@ impl Runner {
 
     /// Starts the estimate of the error when all is quiet; says when to ask again, if it should be asked again.
     pub(in crate::app) fn when_idle(&mut self) -> Option<Duration> {
-        let answer = self.answer.as_ref()?;
-        if !self.estimates_wanted || self.is_stale() || answer.error().is_some() || self.estimate.is_some() {
+        let answer = self.fresh_answer()?;
+        if !self.estimates_wanted || answer.error().is_some() || self.estimate.is_some() {
             return None;
         }
         let quiet = self.changed.elapsed();
@@ -257,5 +290,38 @@ impl Runner {
                 std::thread::sleep(Duration::from_millis(1));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    #[test]
+    fn edits_of_a_large_scene_are_followed_coarsely_and_the_last_in_full() {
+        let scene = presets::load("deck-30m").expect("ships");
+        let mut runner = Runner::default();
+        for revision in 1..=3 {
+            // Each a little longer: which answer is whose is seen by its end.
+            let scene = Scene { duration: 4.0 + revision as f64, ..scene.clone() };
+            runner.start(&scene, revision);
+            assert!(runner.is_stale(), "its answer is not there yet");
+        }
+        let mut seen = Vec::new();
+        while runner.progress().is_some() {
+            if runner.poll() {
+                let answered = runner.answered().expect("an answer");
+                seen.push(answered);
+                assert_eq!(runner.end(), 4.0 + answered as f64, "the run of its own scene");
+                assert_eq!(runner.full_answer().is_none(), runner.is_coarse(), "a coarse one is kept for nothing");
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert_eq!(seen.last(), Some(&3), "the last one comes in: {seen:?}");
+        assert!(!seen.contains(&2), "the second was overtaken while it waited: {seen:?}");
+        assert!(!runner.is_stale() && !runner.is_coarse() && runner.fresh_answer().is_some(), "in full");
+        let tolerance = runner.answer().map(|answer| answer.history.scene().solver.tolerance);
+        assert_eq!(tolerance, Some(scene.solver.tolerance), "at the scene's own tolerance");
     }
 }

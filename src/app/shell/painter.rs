@@ -79,6 +79,11 @@ impl Painter {
         AdapterSummary::of(&self.state.adapter.get_info()).to_string()
     }
 
+    /// Whether a processor draws.
+    pub(in crate::app) fn is_processor(&self) -> bool {
+        AdapterSummary::of(&self.state.adapter.get_info()).is_cpu
+    }
+
     /// What egui draws into.
     pub(in crate::app) fn format(&self) -> TextureFormat {
         self.state.target_format

@@ -100,6 +100,11 @@ impl Surface {
         &self.adapter
     }
 
+    /// Whether a processor draws.
+    pub(in crate::app) fn is_drawn_by_processor(&self) -> bool {
+        self.on.as_ref().is_some_and(|on| on.painter.is_processor())
+    }
+
     fn bring_up(&mut self) -> Result<(), GpuError> {
         let on = On::new(&self.window, &self.display, &self.textures)?;
         self.format = on.config.format;

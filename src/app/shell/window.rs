@@ -19,6 +19,7 @@ use crate::app::command::WindowCommand;
 use crate::app::disk::session_files;
 use crate::app::host::now;
 use crate::app::panel::layout;
+use crate::app::shell::event_log::{EventLog, Part};
 use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
@@ -31,6 +32,9 @@ const LEAST: f32 = 100.0;
 
 /// Time between two frames that nobody sees: enough for what is kept in files.
 const UNSEEN: Duration = Duration::from_millis(250);
+
+/// Least time from a frame to the next that only time asks for, where a processor draws: 30 frames a second.
+const FRAME: Duration = Duration::from_micros(33_333);
 
 /// Why there is no window.
 #[derive(Debug, thiserror::Error)]
@@ -95,6 +99,7 @@ struct Open {
     title: String,
     /// Nothing of it can be seen, as far as the system tells.
     hidden: bool,
+    log: Option<EventLog>,
 }
 
 impl Open {
@@ -120,7 +125,7 @@ impl Open {
             bench.keep_in(&folder);
         }
         window.set_visible(true);
-        Ok(Self { window, egui, surface, title, hidden: false })
+        Ok(Self { window, egui, surface, title, hidden: false, log: EventLog::wanted() })
     }
 
     /// Sees to it that a frame is drawn after a time.
@@ -133,17 +138,33 @@ impl Open {
         event_loop.set_control_flow(then.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 
+    /// Writes to the log, where there is one.
+    fn log(&mut self, write: impl FnOnce(&mut EventLog)) {
+        if let Some(log) = &mut self.log {
+            write(log);
+        }
+    }
+
     /// Shows the workbench; answers when it wants to be shown again.
     fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
+        let began = now();
+        self.log(EventLog::begin);
         let mut input = self.egui.take_egui_input(&self.window);
         // Panels squeezed into next to nothing would not come back to their sizes; egui keeps to the last that it had.
         input.screen_rect = input.screen_rect.filter(|rect| rect.size().min_elem() >= LEAST);
         let context = self.egui.egui_ctx().clone();
         let output = context.run_ui(input, |ui| layout::show(bench, ui));
+        self.log(|log| log.end(Part::LaidOut));
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let jobs = context.tessellate(output.shapes, output.pixels_per_point);
+        self.log(|log| log.end(Part::Tessellated));
         let shapes = Shapes { jobs: &jobs, pixels_per_point: output.pixels_per_point };
         let painted = self.surface.paint(shapes, output.textures_delta)?;
+        let shown = (bench.files.document.revision(), bench.replay.runner.answered());
+        self.log(|log| {
+            log.end(Part::Painted);
+            log.shown(shown.0, shown.1);
+        });
         if painted == Painted::Anew {
             bench.view.set_target(self.surface.format(), self.surface.adapter().to_owned());
             bench.window.say(text::DRAWN_ANEW);
@@ -154,9 +175,11 @@ impl Open {
             self.title = title;
         }
         let wanted = output.viewport_output.get(&ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
+        let least = if self.surface.is_drawn_by_processor() { FRAME } else { Duration::ZERO };
         Ok(match painted {
             Painted::Shown if self.hidden => wanted.max(UNSEEN),
-            Painted::Shown => wanted,
+            // What only goes on with time goes on evenly, however long a frame takes.
+            Painted::Shown => wanted.max(least).saturating_sub(began.elapsed()),
             Painted::Again(wait) => wait,
             Painted::Anew => Duration::ZERO,
         })
@@ -234,6 +257,9 @@ impl ApplicationHandler<News> for Shell {
             }
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
             WindowEvent::Occluded(hidden) => open.hidden = *hidden,
+            WindowEvent::CursorMoved { .. } | WindowEvent::MouseInput { .. } | WindowEvent::KeyboardInput { .. } => {
+                open.log(EventLog::input);
+            }
             _ => {}
         }
         if !matches!(event, WindowEvent::RedrawRequested) && open.egui.on_window_event(&open.window, &event).repaint {

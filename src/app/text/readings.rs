@@ -157,3 +157,13 @@ pub(in crate::app) fn used_of(part: f64, strength: f64) -> String {
 pub(in crate::app) fn phase(from: f64, state: &str) -> String {
     format!("{from:.4} s  {state}")
 }
+
+/// Stands in the status line while the answer is of a coarse pass.
+pub(in crate::app) const COARSE: &str = "coarse, the full run follows";
+pub(in crate::app) const COARSE_MEANS: &str =
+    "Computed at a tolerance of 1e-4 so that it is seen soon; limits, verdicts, pins and files wait for the full run";
+/// Told instead of writing a file of a coarse pass.
+pub(in crate::app) const STILL_COARSE: &str =
+    "The run is not computed in full yet: nothing was written; ask again when it is";
+/// Heads the verdicts on every girder.
+pub(in crate::app) const VERDICTS: &str = "On its seats?";

@@ -25,7 +25,7 @@ impl Replay {
             if run.is_some_and(|(_, before)| before != work) {
                 self.runner.forget();
             }
-            self.runner.start(scene);
+            self.runner.start(scene, revision);
             self.playback.keep_inside(self.end());
         }
     }

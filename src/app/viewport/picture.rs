@@ -40,6 +40,8 @@ pub struct Viewport {
     glide: Glide,
     pub(super) picture: Option<(Key, Arc<DrawList>)>,
     pub(super) number: u64,
+    /// When the picture was last another one, on the window's clock \[s\].
+    pub(super) changed: f64,
     pub(super) size: [u32; 2],
     /// What the mouse or the keys hold.
     pub hand: Hand,
@@ -60,6 +62,7 @@ impl Viewport {
             glide: Glide::default(),
             picture: None,
             number: 0,
+            changed: 0.0,
             size: [1280, 720],
             hand: Hand::default(),
             followed: None,

@@ -22,6 +22,8 @@ pub(in crate::app) struct Screen {
     pub(in crate::app) format: TextureFormat,
     /// Which of the views it is in.
     pub(in crate::app) place: usize,
+    /// Whether it moves: it is drawn coarser where a processor draws, and anew when it has come to rest.
+    pub(in crate::app) moves: bool,
 }
 
 /// What a window keeps between frames.
@@ -34,8 +36,9 @@ struct Kept {
 
 /// What a view of the window keeps.
 struct Place {
-    renderer: Renderer,
-    shown: Option<(u64, [u32; 2])>,
+    /// One at rest, one for what moves; the same where a graphics card draws both as finely.
+    renderers: [Option<Renderer>; 2],
+    shown: Option<(u64, [u32; 2], Quality)>,
     picture: Option<BindGroup>,
 }
 
@@ -48,15 +51,19 @@ impl Kept {
     fn draw(&mut self, encoder: &mut CommandEncoder, screen: &Screen) {
         // A second view has its pipelines and targets from the first time that it is asked for.
         while self.places.len() <= screen.place {
-            let renderer = Renderer::new(&self.gpu, Quality::for_adapter(&self.gpu.adapter));
-            self.places.push(Place { renderer, shown: None, picture: None });
+            self.places.push(Place { renderers: [None, None], shown: None, picture: None });
         }
         let Some(place) = self.places.get_mut(screen.place) else { return };
-        let wanted = (screen.number, screen.size);
+        let adapter = &self.gpu.adapter;
+        let [rest, moving] = [Quality::for_stills(adapter), Quality::for_adapter(adapter)];
+        let quality = if screen.moves { moving } else { rest };
+        let wanted = (screen.number, screen.size, quality);
         if place.shown == Some(wanted) {
             return;
         }
-        let target = place.renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
+        let slot = &mut place.renderers[usize::from(quality != rest)];
+        let renderer = slot.get_or_insert_with(|| Renderer::new(&self.gpu, quality));
+        let target = renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
         place.picture = Some(self.blit.bind(&self.gpu.device, target));
         place.shown = Some(wanted);
     }

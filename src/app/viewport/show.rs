@@ -1,6 +1,7 @@
 //! Shows the 3D view: the plan beside it, the mouse in it, the picture, and what stands over it.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo};
 use glam::DVec3;
@@ -109,9 +110,11 @@ fn show_plan(ui: &mut Ui, rect: Rect, (viewport, seen): (&mut Viewport, &Seen<'_
     if viewport.plan.0.as_ref().is_none_or(|(kept, _)| *kept != key) {
         let list = Arc::new(listed(seen, &camera, &key));
         viewport.plan = (Some((key, list)), viewport.plan.1 + 1);
+        viewport.changed = ui.input(|i| i.time);
     }
     if let (Some((_, list)), number) = &viewport.plan {
-        let screen = Screen { list: list.clone(), number: *number, size, format: seen.format, place: 1 };
+        let moves = moves(ui, viewport);
+        let screen = Screen { list: list.clone(), number: *number, size, format: seen.format, place: 1, moves };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
     }
     let line = egui::Stroke::new(1.0, Palette::of(ui).line);
@@ -150,12 +153,26 @@ fn paint(ui: &Ui, rect: Rect, camera: Camera, (viewport, seen): (&mut Viewport, 
         let list = listed(seen, &camera, &key);
         viewport.picture = Some((key, Arc::new(list)));
         viewport.number += 1;
+        viewport.changed = ui.input(|i| i.time);
     }
     if let Some((_, list)) = &viewport.picture {
         let (number, size, format) = (viewport.number, viewport.size, seen.format);
-        let screen = Screen { list: list.clone(), number, size, format, place: 0 };
+        let moves = moves(ui, viewport);
+        let screen = Screen { list: list.clone(), number, size, format, place: 0, moves };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
     }
+}
+
+/// How long a picture has to stand before it is drawn sharp \[s\].
+const REST: f64 = 0.15;
+
+/// Whether the picture moves; asks for the frame in which it will have come to rest.
+fn moves(ui: &Ui, viewport: &Viewport) -> bool {
+    let left = viewport.changed + REST - ui.input(|i| i.time);
+    if left > 0.0 {
+        ui.request_repaint_after(Duration::from_secs_f64(left));
+    }
+    left > 0.0
 }
 
 /// A rectangle whose edges are pixels, so that the picture is copied texel by pixel.
