@@ -67,10 +67,12 @@ before=$(ticks) frames=$(wc -l <"$log")
 sleep 10
 after=$(ticks)
 # A drag is one step to undo; then nothing is unsaved that the program would ask about.
-xdotool key space key ctrl+z
-sleep 2
+xdotool key space
+sleep 3
+xdotool key ctrl+z
+sleep 5
 xdotool key ctrl+q
-for _ in $(seq 50); do
+for _ in $(seq 200); do
   kill -0 "$program" 2>/dev/null || break
   sleep 0.1
 done

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{LineWriter, Write};
 use std::time::Instant;
 
 use crate::app::host::now;
@@ -24,7 +24,7 @@ pub(super) enum Part {
 
 /// The log of a window.
 pub(super) struct EventLog {
-    file: BufWriter<File>,
+    file: LineWriter<File>,
     start: Instant,
     /// The first input since the last frame.
     input: Option<Instant>,
@@ -42,7 +42,7 @@ impl EventLog {
     /// The log that the environment asks for.
     pub(super) fn wanted() -> Option<Self> {
         let path = std::env::var_os(VARIABLE)?;
-        let mut file = BufWriter::new(File::create(path).ok()?);
+        let mut file = LineWriter::new(File::create(path).ok()?);
         writeln!(file, "at_ms,input_ms,layout_ms,tessellate_ms,paint_ms,revision,answered").ok()?;
         let start = now();
         Some(Self {
@@ -127,7 +127,7 @@ mod tests {
     fn an_edit_is_counted_from_the_hand_to_the_frame_that_shows_its_answer() {
         let path = std::env::temp_dir().join(format!("girderbench-events-{}.csv", std::process::id()));
         let mut log = EventLog {
-            file: BufWriter::new(File::create(&path).expect("a file")),
+            file: LineWriter::new(File::create(&path).expect("a file")),
             start: now(),
             input: None,
             frame: (now(), [now(); 3]),
