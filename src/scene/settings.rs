@@ -131,4 +131,6 @@ overlays! {
     legend = "legend", "Legend", true, "force scale, states, cone";
     title = "title", "Title", true, "title and time";
     names = "names", "Names", true, "names at the bodies";
+    decoration = "decoration", "Bridge parts", true,
+        "of decks of 2 m and longer what is drawn and not computed: section, parapets, seats, wing walls, embankment";
 }

@@ -8,7 +8,7 @@ use super::list::{Ground, Line, Rgba, Solid};
 use super::moment::Moment;
 use super::palette::{KEPT, Palette, SELECTED};
 use super::scale::round_down;
-use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, exaggerated, piers, seats, walls};
+use super::{Bounds, MOST_KEPT, Target, ViewInput, bent, decoration, exaggerated, piers, seats, walls};
 use crate::scene::{Bearings, Girder, Scene};
 use crate::sim::Motion;
 
@@ -68,9 +68,14 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
     for (i, abutment) in input.scene.abutments.iter().enumerate() {
         if let Some(block) = walls::block(input.scene, i, moment.wall(i)) {
             let block = if moment.piers.is_empty() { block } else { piers::to_the_ground(&block, level) };
-            let selected = input.selected.contains(&Target::Abutment(i));
-            let color = palette.abutment.fainter(solidity(&block, &girders, input.camera));
-            out.add(input, &block, &abutment.name, color, palette.edge, selected);
+            let solid = solidity(&block, &girders, input.camera);
+            let whole = moment.wall(i).is_none();
+            out.add_abutment(
+                input,
+                (i, &block, whole),
+                [palette.abutment, palette.soil].map(|c| c.fainter(solid)),
+                palette,
+            );
         }
         if let Some(soil) = moment.wall(i).and_then(|wall| walls::soil(input.scene, i, wall)) {
             let color = palette.soil.fainter(solidity(&soil, &girders, input.camera));
@@ -80,14 +85,11 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
     }
     out.add_piers(input, moment, palette);
     for (i, (girder, motion)) in input.scene.girders.iter().zip(&moment.motions).enumerate() {
-        for seat in seats::blocks(input.scene, girder, level) {
+        for seat in seats::blocks(input.scene, girder, (stands_on_seats(input), level)) {
             out.add(input, &seat, &format!("{} seat", girder.name), palette.abutment, palette.edge, false);
         }
-        if !moment.piers.is_empty() {
-            out.add_parapets(input, (girder, motion), palette);
-        }
         if input.overlays.bearings {
-            for (k, pad) in pads(input.scene, girder, (motion, moment), level).iter().enumerate() {
+            for (k, pad) in pads(input, girder, (motion, moment), level).iter().enumerate() {
                 out.add(
                     input,
                     pad,
@@ -98,15 +100,7 @@ pub(super) fn bodies(input: &ViewInput<'_>, moment: &Moment, palette: &Palette) 
                 );
             }
         }
-        let selected = input.selected.contains(&Target::Girder(i));
-        match bent::slices(input, (i, girder, motion), palette, selected) {
-            Some(slices) => {
-                out.solids.extend(slices.solids);
-                out.lines.extend(slices.edges);
-                out.outline.extend(slices.outline);
-            }
-            None => out.add(input, &girders[i], &girder.name, palette.girder, palette.edge, selected),
-        }
+        out.add_girder(input, (i, &girders[i], motion), palette);
     }
     for (girder, motion) in input.scene.girders.iter().zip(&moment.ghosts) {
         out.add_ghost(input, &moved_girder_block(girder, motion), palette.ghost, 0.55);
@@ -138,23 +132,73 @@ impl Bodies {
                 self.add(input, &footing, &name("footing"), palette.abutment, palette.edge, false);
             }
             let (strips, lines) = pier.columns();
-            for strip in &strips {
-                let (face, sweep) = (strip.face.map(DVec3::as_vec3), strip.sweep.as_vec3());
-                self.solids.push(Solid { name: name("column"), face, sweep, color: palette.abutment });
-            }
-            let (width, color) = (1.3 * input.pixels_per_point, palette.edge);
-            let line =
-                |[from, to]: [DVec3; 2]| Line { group: "edges", from: from.as_vec3(), to: to.as_vec3(), width, color };
-            self.lines.extend(lines.into_iter().map(line));
+            self.solids.extend(strips.iter().map(|strip| solid(strip, &name("column"), palette.abutment)));
+            self.add_edges(input, lines, palette.edge);
             self.add(input, &pier.cap(), &placed.name, palette.abutment, palette.edge, selected);
         }
     }
 
-    /// Parapets, as a deck has them in a viaduct.
-    fn add_parapets(&mut self, input: &ViewInput<'_>, (girder, motion): (&Girder, &Motion), palette: &Palette) {
-        for parapet in piers::parapets(girder, motion) {
+    /// A girder: in slices where its bend is shown, as the bridge deck that it is, or as its block.
+    fn add_girder(&mut self, input: &ViewInput<'_>, (i, block, motion): (usize, &Block, &Motion), palette: &Palette) {
+        let girder = &input.scene.girders[i];
+        let selected = input.selected.contains(&Target::Girder(i));
+        if let Some(slices) = bent::slices(input, (i, girder, motion), palette, selected) {
+            self.solids.extend(slices.solids);
+            self.lines.extend(slices.edges);
+            self.outline.extend(slices.outline);
+            return;
+        }
+        if !(input.overlays.decoration && decoration::is_bridge(girder)) {
+            self.add(input, block, &girder.name, palette.girder, palette.edge, selected);
+            return;
+        }
+        for part in decoration::deck(girder, motion) {
+            self.solids.push(solid(&part.block, &girder.name, palette.girder));
+            self.add_edges(input, part.edges, palette.edge);
+        }
+        for parapet in decoration::parapets(girder, motion) {
             self.add(input, &parapet, &format!("{} parapet", girder.name), palette.girder, palette.edge, false);
         }
+        if selected {
+            self.select(input, block);
+        }
+    }
+
+    /// An abutment: its block, or what fills it; one whose wall moves has its soil by itself.
+    fn add_abutment(
+        &mut self,
+        input: &ViewInput<'_>,
+        (i, block, whole): (usize, &Block, bool),
+        [concrete, soil]: [Rgba; 2],
+        palette: &Palette,
+    ) {
+        let name = &input.scene.abutments[i].name;
+        let selected = input.selected.contains(&Target::Abutment(i));
+        if !(input.overlays.decoration && whole && decoration::has_bridge(input.scene)) {
+            self.add(input, block, name, concrete, palette.edge, selected);
+            return;
+        }
+        let parts = decoration::abutment(block);
+        self.add(input, &parts.fill, &format!("{name} embankment"), soil, palette.edge, false);
+        for wing in &parts.wings {
+            self.add(input, wing, &format!("{name} wing wall"), concrete, palette.edge, false);
+        }
+        self.add(input, &parts.backwall, name, concrete, palette.edge, false);
+        if selected {
+            self.select(input, block);
+        }
+    }
+
+    fn select(&mut self, input: &ViewInput<'_>, block: &Block) {
+        let width = 2.6 * input.pixels_per_point;
+        let line = |[from, to]: [DVec3; 2]| Line {
+            group: "selection",
+            from: from.as_vec3(),
+            to: to.as_vec3(),
+            width,
+            color: SELECTED,
+        };
+        self.outline.extend(block.edges().map(line));
     }
 
     /// A girder by the other model: dashed edges seen through everything. A fill would fight with the girder's own faces.
@@ -170,25 +214,36 @@ impl Bodies {
     }
 
     fn add(&mut self, input: &ViewInput<'_>, block: &Block, name: &str, color: Rgba, edge: Rgba, selected: bool) {
-        let face = block.face.map(DVec3::as_vec3);
         let list = if color.0[3] == 0xff { &mut self.solids } else { &mut self.ghosts };
-        list.push(Solid { name: name.to_owned(), face, sweep: block.sweep.as_vec3(), color });
-        let line = |group, [from, to]: [DVec3; 2], width: f32, color| Line {
-            group,
-            from: from.as_vec3(),
-            to: to.as_vec3(),
-            width: width * input.pixels_per_point,
-            color,
-        };
-        self.lines.extend(block.edges().map(|e| line("edges", e, 1.3, edge)));
+        list.push(solid(block, name, color));
+        self.add_edges(input, block.edges(), edge);
         if selected {
-            self.outline.extend(block.edges().map(|e| line("selection", e, 2.6, SELECTED)));
+            self.select(input, block);
         }
+    }
+
+    fn add_edges(&mut self, input: &ViewInput<'_>, edges: impl IntoIterator<Item = [DVec3; 2]>, color: Rgba) {
+        let width = 1.3 * input.pixels_per_point;
+        let line =
+            |[from, to]: [DVec3; 2]| Line { group: "edges", from: from.as_vec3(), to: to.as_vec3(), width, color };
+        self.lines.extend(edges.into_iter().map(line));
     }
 }
 
+/// Whether ends on the ground without a seat of a stated length are drawn on one: in a viaduct, and where decks are drawn as
+/// bridges.
+fn stands_on_seats(input: &ViewInput<'_>) -> bool {
+    !input.scene.piers.is_empty() || input.overlays.decoration && decoration::has_bridge(input.scene)
+}
+
+fn solid(block: &Block, name: &str, color: Rgba) -> Solid {
+    Solid { name: name.to_owned(), face: block.face.map(DVec3::as_vec3), sweep: block.sweep.as_vec3(), color }
+}
+
 /// A girder's bearings: pads that stand where they were placed, or on the pier that moves, and follow the girder with their top.
-fn pads(scene: &Scene, girder: &Girder, (motion, moment): (&Motion, &Moment), level: f64) -> Vec<Block> {
+fn pads(input: &ViewInput<'_>, girder: &Girder, (motion, moment): (&Motion, &Moment), level: f64) -> Vec<Block> {
+    let scene = input.scene;
+    let on_seats = stands_on_seats(input);
     let supports = scene.supports(girder);
     let underside = -girder.thickness / 2.0;
     let half = PAD_SIDE * girder.thickness / 2.0;
@@ -196,7 +251,7 @@ fn pads(scene: &Scene, girder: &Girder, (motion, moment): (&Motion, &Moment), le
     let below =
         |place: DVec3, (at, pier): ([f64; 2], Option<usize>)| match pier.and_then(|number| moment.piers.get(number)) {
             Some(pier) => pier.moved(place) - DVec3::Z * piers::pad(scene),
-            None if seats::carries(scene, girder, at) => place - DVec3::Z * piers::pad(scene),
+            None if seats::carries(scene, girder, on_seats, at) => place - DVec3::Z * piers::pad(scene),
             None => place.with_z(level),
         };
     bearing_places(girder)

@@ -13,6 +13,7 @@ mod bodies;
 mod bounds;
 mod camera;
 mod crowd;
+mod decoration;
 mod devices;
 mod exaggerated;
 mod forces;

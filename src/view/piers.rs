@@ -1,12 +1,12 @@
-//! Piers: footings, columns and cap beams, and parapets, as a viaduct has them.
+//! Piers: footings, columns and cap beams, and abutments that reach the ground, as a viaduct has them.
 
 use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec2, DVec3};
 
 use super::block::Block;
-use crate::scene::{Girder, PerDirection, ResolvedPier, Scene};
-use crate::sim::{History, Motion};
+use crate::scene::{PerDirection, ResolvedPier, Scene};
+use crate::sim::History;
 
 /// Sides of a round column as drawn; even.
 const SIDES: usize = 16;
@@ -14,8 +14,6 @@ const SIDES: usize = 16;
 const PAD: f64 = 0.16;
 /// Height of a footing in cap depths, and its sides in those of the column.
 const FOOTING: [f64; 2] = [0.5, 1.7];
-/// Height of a parapet in deck depths, and its width in deck widths.
-const PARAPET: [f64; 2] = [0.55, 0.035];
 
 /// A pier at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,23 +134,6 @@ pub(super) fn to_the_ground(block: &Block, level: f64) -> Block {
     let low = block.face.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
     let face = block.face.map(|corner| if corner.z <= low { corner.with_z(corner.z.min(level)) } else { corner });
     Block { face, ..*block }
-}
-
-/// The parapets of a girder where its motion has brought it.
-pub(super) fn parapets(girder: &Girder, motion: &Motion) -> [Block; 2] {
-    let prism = girder.prism();
-    let (shear, half) = (prism.shear(), 0.5 * girder.length);
-    let [height, width] = [PARAPET[0] * girder.thickness, PARAPET[1] * girder.width];
-    [-1.0, 1.0].map(|side: f64| {
-        let (outer, inner) = (side * 0.5 * girder.width, side * (0.5 * girder.width - width));
-        let [low, high] = [outer.min(inner), outer.max(inner)];
-        let corner = |y: f64, z: f64| {
-            motion.place + motion.attitude * DVec3::new(half + y * shear, y, 0.5 * girder.thickness + z)
-        };
-        // Seen from the +x end.
-        let face = [corner(low, 0.0), corner(high, 0.0), corner(high, height), corner(low, height)];
-        Block { face, sweep: motion.attitude * DVec3::new(-girder.length, 0.0, 0.0) }
-    })
 }
 
 #[cfg(test)]

@@ -19,23 +19,23 @@ struct Reach {
     back: f64,
 }
 
-/// The seats of a girder's ends that stand on the ground: those with a length; in scenes with piers each that carries bearings.
-pub(super) fn blocks(scene: &Scene, girder: &Girder, level: f64) -> Vec<Block> {
-    reaches(scene, girder).iter().filter_map(|reach| block(scene, girder, reach, level)).collect()
+/// The seats of a girder's ends that stand on the ground: those with a length; where `all` asks for it each that carries bearings.
+pub(super) fn blocks(scene: &Scene, girder: &Girder, (all, level): (bool, f64)) -> Vec<Block> {
+    reaches(scene, girder, all).iter().filter_map(|reach| block(scene, girder, reach, level)).collect()
 }
 
 /// Whether a bearing on the ground at this place in the girder's frame stands on a seat.
-pub(super) fn carries(scene: &Scene, girder: &Girder, [x, y]: [f64; 2]) -> bool {
+pub(super) fn carries(scene: &Scene, girder: &Girder, all: bool, [x, y]: [f64; 2]) -> bool {
     let way = x - y * girder.prism().shear();
-    reaches(scene, girder).iter().any(|reach| (reach.front..=reach.back).contains(&(reach.end.sign() * way)))
+    reaches(scene, girder, all).iter().any(|reach| (reach.front..=reach.back).contains(&(reach.end.sign() * way)))
 }
 
-fn reaches(scene: &Scene, girder: &Girder) -> Vec<Reach> {
+fn reaches(scene: &Scene, girder: &Girder, all: bool) -> Vec<Reach> {
     let of = |end: End| {
         let bearings = nearest(scene, girder, end)?;
         let front = match girder.seat.length(end) {
             Some(length) => 0.5 * girder.length - length,
-            None if scene.piers.is_empty() => return None,
+            None if !all => return None,
             None => bearings - LEDGE * girder.thickness,
         };
         Some(Reach { end, front, back: 0.5 * girder.length + abutment_gap(scene, girder, end) })
@@ -78,7 +78,7 @@ mod tests {
     fn a_seat_is_as_long_as_the_scene_says_and_carries_the_bearings_over_it() {
         let scene = presets::load("span-as-built").expect("ships");
         let girder = &scene.girders[0];
-        let blocks = blocks(&scene, girder, -10.0);
+        let blocks = blocks(&scene, girder, (false, -10.0));
         assert_eq!(blocks.len(), 2, "one under each end");
         for block in &blocks {
             let [a, b, ..] = block.face;
@@ -86,10 +86,10 @@ mod tests {
             assert!((along - (1.0 + 0.05)).abs() < 1e-9, "{along} m of 1 m and the gap");
         }
         let shear = girder.prism().shear();
-        assert!(carries(&scene, girder, [14.6 + 3.6 * shear, 3.6]), "as placed");
-        assert!(!carries(&scene, girder, [13.9, 0.0]), "1.1 m from the end");
+        assert!(carries(&scene, girder, false, [14.6 + 3.6 * shear, 3.6]), "as placed");
+        assert!(!carries(&scene, girder, false, [13.9, 0.0]), "1.1 m from the end");
         let mut bare = scene.clone();
         bare.girders[0].seat = Seat::default();
-        assert!(reaches(&bare, &bare.girders[0]).is_empty(), "no seat is known");
+        assert!(reaches(&bare, &bare.girders[0], false).is_empty(), "no seat is known");
     }
 }

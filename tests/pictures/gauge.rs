@@ -26,6 +26,7 @@ const BARE: Overlays = Overlays {
     legend: false,
     title: false,
     names: false,
+    decoration: false,
 };
 
 /// How bright a pixel is in grey print, 0 to 1 (Rec. 709).

@@ -46,6 +46,7 @@ const NONE: Overlays = Overlays {
     legend: false,
     title: false,
     names: false,
+    decoration: false,
 };
 
 #[test]
