@@ -132,7 +132,8 @@ fn panels(bench: &Workbench, ui: &mut Ui, out: &mut Vec<Command>) {
         .show(ui, |ui| menu::show(ui, files, (*learning, display.sight, bench.tasks.paths.is_here()), out));
     let scene = document.scene();
     let empty = scene.girders.is_empty() && scene.abutments.is_empty();
-    let about = (scene.limits, empty, view.adapter());
+    let adapter = view.adapter();
+    let about = (scene.limits, empty, adapter.as_str());
     Panel::bottom("status").resizable(false).show(ui, |ui| status::show(ui, &replay.runner, about, out));
     let room = ui.available_height();
     let folded = folded(bench, ui);

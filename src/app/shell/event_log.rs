@@ -139,7 +139,9 @@ mod tests {
         for (revision, answered) in [(2, Some(1)), (3, Some(1)), (4, Some(3)), (4, Some(4)), (4, Some(4))] {
             log.input();
             log.begin();
-            [Part::LaidOut, Part::Tessellated, Part::Painted].into_iter().for_each(|part| log.end(part));
+            for part in [Part::LaidOut, Part::Tessellated, Part::Painted] {
+                log.end(part);
+            }
             log.shown(revision, answered);
         }
         assert_eq!(log.delays.len(), 2, "the third and the fourth; the second was overtaken");

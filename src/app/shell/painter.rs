@@ -74,14 +74,9 @@ impl Painter {
         &self.state.adapter
     }
 
-    /// What draws, in words.
-    pub(in crate::app) fn name(&self) -> String {
-        AdapterSummary::of(&self.state.adapter.get_info()).to_string()
-    }
-
-    /// Whether a processor draws.
-    pub(in crate::app) fn is_processor(&self) -> bool {
-        AdapterSummary::of(&self.state.adapter.get_info()).is_cpu
+    /// What draws.
+    pub(in crate::app) fn summary(&self) -> AdapterSummary {
+        AdapterSummary::of(&self.state.adapter.get_info())
     }
 
     /// What egui draws into.
@@ -275,7 +270,7 @@ mod tests {
     fn a_lost_device_costs_a_frame_and_nothing_else() {
         let mut shown = shown();
         let Some(first) = painter(&shown.textures) else { return };
-        shown.bench.view.set_target(first.format(), first.name());
+        shown.bench.view.set_target(first.format(), Some(first.summary()));
         let before = shown.paint(&first).expect("it draws");
         assert!(shown.paint(&first).expect("it draws") == before, "at rest");
         let colors: std::collections::BTreeSet<&[u8]> = before.chunks_exact(4).collect();

@@ -17,7 +17,7 @@ use winit::window::Window;
 use crate::app::host::now;
 use crate::app::shell::painter::{Painter, Shapes, modest};
 use crate::app::shell::textures::Textures;
-use crate::render::{Fault, GpuError};
+use crate::render::{AdapterSummary, Fault, GpuError};
 
 /// Failures in a row, no frame shown between them, after which it is given up.
 const TRIES: u32 = 6;
@@ -51,7 +51,7 @@ pub(in crate::app) struct Surface {
     due: Option<Instant>,
     format: TextureFormat,
     largest: u32,
-    adapter: String,
+    adapter: Option<AdapterSummary>,
 }
 
 /// A surface and the device that draws on it.
@@ -79,7 +79,7 @@ impl Surface {
             due: None,
             format: TextureFormat::Rgba8Unorm,
             largest: 0,
-            adapter: String::new(),
+            adapter: None,
         };
         surface.bring_up()?;
         Ok(surface)
@@ -95,21 +95,21 @@ impl Surface {
         self.largest as usize
     }
 
-    /// What draws, in words.
-    pub(in crate::app) fn adapter(&self) -> &str {
-        &self.adapter
+    /// What draws; nothing before the first painter.
+    pub(in crate::app) fn adapter(&self) -> Option<&AdapterSummary> {
+        self.adapter.as_ref()
     }
 
     /// Whether a processor draws.
     pub(in crate::app) fn is_drawn_by_processor(&self) -> bool {
-        self.on.as_ref().is_some_and(|on| on.painter.is_processor())
+        self.adapter.as_ref().is_some_and(|adapter| adapter.is_cpu)
     }
 
     fn bring_up(&mut self) -> Result<(), GpuError> {
         let on = On::new(&self.window, &self.display, &self.textures)?;
         self.format = on.config.format;
         self.largest = on.painter.device().limits().max_texture_dimension_2d;
-        self.adapter = on.painter.name();
+        self.adapter = Some(on.painter.summary());
         self.on = Some(on);
         Ok(())
     }

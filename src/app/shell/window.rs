@@ -115,7 +115,7 @@ impl Open {
         let (context, largest) = (egui::Context::default(), Some(surface.largest()));
         let mut egui = egui_winit::State::new(context, ViewportId::ROOT, event_loop, scale, theme, largest);
         egui.init_accesskit(event_loop, &window, proxy.clone());
-        bench.view.set_target(surface.format(), surface.adapter().to_owned());
+        bench.view.set_target(surface.format(), surface.adapter().cloned());
         let wake = proxy.clone();
         bench.set_wake(Arc::new(move || {
             // The event loop has ended: nobody to wake.
@@ -166,7 +166,7 @@ impl Open {
             log.shown(shown.0, shown.1);
         });
         if painted == Painted::Anew {
-            bench.view.set_target(self.surface.format(), self.surface.adapter().to_owned());
+            bench.view.set_target(self.surface.format(), self.surface.adapter().cloned());
             bench.window.say(text::DRAWN_ANEW);
         }
         let title = bench.title();

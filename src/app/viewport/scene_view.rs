@@ -10,6 +10,7 @@ use crate::app::viewport::display::Display;
 use crate::app::viewport::hand::Keyed;
 use crate::app::viewport::picture::{Viewport, bounds_of};
 use crate::app::viewport::seen::Seen;
+use crate::render::AdapterSummary;
 use crate::scene::edit::EditError;
 use crate::scene::{Scene, ViewPreset};
 use crate::snapshot::Shot;
@@ -22,8 +23,8 @@ pub struct SceneView {
     pub display: Display,
     /// Format that egui draws into.
     format: TextureFormat,
-    /// What draws, in words.
-    adapter: String,
+    /// What draws.
+    adapter: Option<AdapterSummary>,
     /// Where to look from once the panels have taken their room.
     aim_next: Option<ViewPreset>,
 }
@@ -35,19 +36,19 @@ impl SceneView {
             viewport: Viewport::new(scene.view.camera),
             display: Display::of(scene),
             format: TextureFormat::Rgba8Unorm,
-            adapter: String::new(),
+            adapter: None,
             aim_next: None,
         }
     }
 
     /// Tells which format egui draws into, and with what.
-    pub fn set_target(&mut self, format: TextureFormat, adapter: String) {
+    pub fn set_target(&mut self, format: TextureFormat, adapter: Option<AdapterSummary>) {
         (self.format, self.adapter) = (format, adapter);
     }
 
     /// What draws, in words.
-    pub(in crate::app) fn adapter(&self) -> &str {
-        &self.adapter
+    pub(in crate::app) fn adapter(&self) -> String {
+        self.adapter.as_ref().map(AdapterSummary::to_string).unwrap_or_default()
     }
 
     /// Looks at another scene as it wants to be looked at.
@@ -84,6 +85,7 @@ impl SceneView {
             display: &self.display,
             pins,
             format: self.format,
+            is_drawn_by_processor: self.adapter.as_ref().is_some_and(|adapter| adapter.is_cpu),
         };
         (&mut self.viewport, seen)
     }

@@ -32,6 +32,8 @@ pub(in crate::app) struct Seen<'a> {
     pub(in crate::app) pins: &'a [Pin],
     /// Format of egui's own target.
     pub(in crate::app) format: TextureFormat,
+    /// Whether a processor draws: what moves is then drawn coarser.
+    pub(in crate::app) is_drawn_by_processor: bool,
 }
 
 impl<'a> Seen<'a> {

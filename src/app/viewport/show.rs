@@ -113,7 +113,7 @@ fn show_plan(ui: &mut Ui, rect: Rect, (viewport, seen): (&mut Viewport, &Seen<'_
         viewport.changed = ui.input(|i| i.time);
     }
     if let (Some((_, list)), number) = &viewport.plan {
-        let moves = moves(ui, viewport);
+        let moves = seen.is_drawn_by_processor && moves(ui, viewport);
         let screen = Screen { list: list.clone(), number: *number, size, format: seen.format, place: 1, moves };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
     }
@@ -157,7 +157,7 @@ fn paint(ui: &Ui, rect: Rect, camera: Camera, (viewport, seen): (&mut Viewport, 
     }
     if let Some((_, list)) = &viewport.picture {
         let (number, size, format) = (viewport.number, viewport.size, seen.format);
-        let moves = moves(ui, viewport);
+        let moves = seen.is_drawn_by_processor && moves(ui, viewport);
         let screen = Screen { list: list.clone(), number, size, format, place: 0, moves };
         ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
     }
