@@ -25,7 +25,7 @@ pub(super) struct PlotArgs {
     #[arg(long, value_name = "NAME")]
     y: Vec<String>,
     /// The quantity of the level axis, e.g. `deck.bearing1.x`; the time when left out
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", requires = "y")]
     x: Option<String>,
     /// Points per second [Hz]
     #[arg(long, value_name = "HZ", default_value_t = DEFAULT_SAMPLE_HZ, value_parser = positive, allow_negative_numbers = true)]
@@ -33,7 +33,7 @@ pub(super) struct PlotArgs {
     #[command(flatten)]
     threads: Threads,
     /// Write plot.csv, plot.svg and plot.png into this folder
-    #[arg(long, value_name = "DIR", default_value = "out")]
+    #[arg(long, value_name = "DIR", default_value = "out", requires = "y")]
     out: PathBuf,
     /// Print the names of all quantities of the run and nothing else
     #[arg(long)]

@@ -12,6 +12,13 @@ fn what_can_be_plotted_is_listed() {
 }
 
 #[test]
+fn a_folder_for_nothing_is_refused() {
+    let said = call(&[&SHORT[..], &["--out", "plots"]].concat());
+    assert_eq!(said.status, Some(2), "{}", said.err);
+    assert!(said.err.contains("--y <NAME>"), "{}", said.err);
+}
+
+#[test]
 fn quantities_are_written_against_each_other_with_their_units() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("a UTF-8 path");
