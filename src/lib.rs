@@ -65,9 +65,11 @@
 //! | [`files`] | opens scenes and records, writes files whole or not at all |
 //! | `app` | the workbench window (feature `gui`) |
 //! | [`cli`] | the command line |
+//! | `page` | the program as a page in a browser (target `wasm32-unknown-unknown`) |
 //!
 //! The first nine are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
+#[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod codes;
 pub mod contact;
@@ -77,6 +79,8 @@ pub mod geometry;
 pub mod identify;
 pub mod measure;
 pub mod motion;
+#[cfg(target_arch = "wasm32")]
+pub mod page;
 pub mod report;
 pub mod scene;
 pub mod sim;

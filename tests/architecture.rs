@@ -44,6 +44,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "view", "render", "snapshot", "files", "app", "study",
         ],
     ),
+    ("page", &["scene", "sim", "tables", "files", "app"]),
 ];
 
 /// Every room of the window and the rooms of the window that it may use.

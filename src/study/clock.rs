@@ -3,14 +3,12 @@
 //! CPU time of the process, all its threads together, and not the clock on the wall: a machine that others work on too
 //! gives the same figure, and a run on several threads is charged for all of them.
 
-use cpu_time::{ProcessTime, ThreadTime};
-
 /// Once a measurement has taken this long, it is not repeated any more \[s\].
 const ENOUGH: f64 = 1.5;
 
 /// Processor time that this thread has used \[s\]; not a number where the system keeps no such clock.
 pub fn thread_seconds() -> f64 {
-    ThreadTime::try_now().map_or(f64::NAN, |time| time.as_duration().as_secs_f64())
+    system::thread_seconds().unwrap_or(f64::NAN)
 }
 
 /// A value and how long it takes to get.
@@ -29,9 +27,9 @@ pub struct Timed<T> {
 pub fn fastest<T>(repeat: usize, mut work: impl FnMut() -> T) -> Timed<T> {
     let mut once = || {
         // Where the system keeps no such clock, the time is not a number and says so in the tables.
-        let start = ProcessTime::try_now();
+        let start = system::process_seconds();
         let value = work();
-        let seconds = start.and_then(|start| start.try_elapsed()).map_or(f64::NAN, |elapsed| elapsed.as_secs_f64());
+        let seconds = start.zip(system::process_seconds()).map_or(f64::NAN, |(start, end)| end - start);
         (value, seconds)
     };
     let (mut value, warm_up) = once();
@@ -47,6 +45,36 @@ pub fn fastest<T>(repeat: usize, mut work: impl FnMut() -> T) -> Timed<T> {
         (least, runs) = (warm_up, 1);
     }
     Timed { value, seconds: least, runs }
+}
+
+/// Processor time that was used \[s\]; `None` where the system keeps no such clock.
+#[cfg(not(target_arch = "wasm32"))]
+mod system {
+    use cpu_time::{ProcessTime, ThreadTime};
+
+    /// By this thread.
+    pub(super) fn thread_seconds() -> Option<f64> {
+        ThreadTime::try_now().ok().map(|time| time.as_duration().as_secs_f64())
+    }
+
+    /// By the process, all its threads together.
+    pub(super) fn process_seconds() -> Option<f64> {
+        ProcessTime::try_now().ok().map(|time| time.as_duration().as_secs_f64())
+    }
+}
+
+/// A page in a browser has no such clock.
+#[cfg(target_arch = "wasm32")]
+mod system {
+    /// By this thread: not known.
+    pub(super) fn thread_seconds() -> Option<f64> {
+        None
+    }
+
+    /// By the process: not known.
+    pub(super) fn process_seconds() -> Option<f64> {
+        None
+    }
 }
 
 #[cfg(test)]
