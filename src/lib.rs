@@ -47,6 +47,7 @@
 //!
 //! | room | what is in it |
 //! |---|---|
+//! | [`language`] | texts by their keys, in the language of the user |
 //! | [`geometry`] | prisms, faces, and the one door to parry |
 //! | [`contact`] | laws at one point, knowing no bodies |
 //! | [`motion`] | ground motion as functions of time, record parsers |
@@ -67,7 +68,7 @@
 //! | [`cli`] | the command line |
 //! | `page` | the program as a page in a browser (target `wasm32-unknown-unknown`) |
 //!
-//! The first nine are the core: they know no clock, no file, no window and no GPU, and build without any feature.
+//! The first ten are the core: they know no clock, no file, no window and no GPU, and build without any feature.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
@@ -77,6 +78,7 @@ pub mod dynamics;
 pub mod files;
 pub mod geometry;
 pub mod identify;
+pub mod language;
 pub mod measure;
 pub mod motion;
 #[cfg(target_arch = "wasm32")]

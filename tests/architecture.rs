@@ -14,6 +14,7 @@ use source::{blank_comments_and_strings, files_under, has_word, is_word, root, s
 
 /// Every room and the rooms that it may use: arrows run one way.
 const ROOMS: &[(&str, &[&str])] = &[
+    ("language", &[]),
     ("geometry", &[]),
     ("contact", &["geometry"]),
     ("motion", &["geometry"]),
@@ -34,14 +35,14 @@ const ROOMS: &[(&str, &[&str])] = &[
         "app",
         &[
             "geometry", "scene", "dynamics", "sim", "codes", "study", "tables", "report", "view", "render", "snapshot",
-            "files",
+            "files", "language",
         ],
     ),
     (
         "cli",
         &[
             "geometry", "motion", "identify", "measure", "scene", "dynamics", "sim", "codes", "tables", "report",
-            "view", "render", "snapshot", "files", "app", "study",
+            "view", "render", "snapshot", "files", "app", "study", "language",
         ],
     ),
     ("page", &["scene", "sim", "tables", "files", "app"]),

@@ -41,6 +41,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::language::Language;
+
 /// Bridge girders that pound, stick, slip and turn.
 ///
 /// Without a command it opens the workbench; where there is no display it writes the opening scene's pictures and
@@ -53,6 +55,9 @@ struct Cli {
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
+    /// The language of the window, en or ja; the system's unless given
+    #[arg(long, value_name = "LANG")]
+    lang: Option<Language>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -125,7 +130,7 @@ fn say(help_or_mistake: &clap::Error, console: &mut Console) -> ExitCode {
 
 fn dispatch(cli: Cli, console: &mut Console) -> Result<(), Failure> {
     match cli.command {
-        None => open::run(&open::OpenArgs::opening(cli.out), console),
+        None => open::run(&open::OpenArgs::opening(cli.out, cli.lang), console),
         Some(Command::Open(args)) => open::run(&args, console),
         Some(Command::Run(args)) => run::run(&args, console),
         Some(Command::Report(args)) => report::run(&args, console),

@@ -7,6 +7,7 @@ use super::console::Console;
 use super::failure::Failure;
 use super::headless;
 use crate::files;
+use crate::language::Language;
 use crate::scene::{Scene, presets};
 
 /// Open the workbench on a scene
@@ -21,12 +22,15 @@ pub(super) struct OpenArgs {
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
+    /// The language of the window, en or ja; the system's unless given
+    #[arg(long, value_name = "LANG")]
+    lang: Option<Language>,
 }
 
 impl OpenArgs {
     /// The scene that the workbench opens on when none is named.
-    pub(super) fn opening(out: PathBuf) -> Self {
-        Self { scene: presets::OPENING.into(), changes: Changes::default(), out }
+    pub(super) fn opening(out: PathBuf, lang: Option<Language>) -> Self {
+        Self { scene: presets::OPENING.into(), changes: Changes::default(), out, lang }
     }
 }
 
@@ -51,7 +55,8 @@ pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure>
 #[cfg(feature = "gui")]
 fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
     use crate::app::AppError;
-    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene)) {
+    let language = args.lang.unwrap_or_else(Language::of_system);
+    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene), language) {
         Ok(()) => Ok(None),
         Err(ended @ AppError::Ended { .. }) => Err(Failure::NoPicture(ended.to_string())),
         // A display that nothing can draw on is as good as none.

@@ -4,6 +4,7 @@
 mod support;
 
 mod digests;
+mod languages;
 
 mod motion {
     mod components;

@@ -4,8 +4,11 @@ use egui::accesskit::Role;
 use egui::{Key, Rect, Theme};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use girderbench::app::{Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, Workbench, lessons};
+use girderbench::app::{
+    Export, FileCommand, Learn, SelectCommand, TimeCommand, Way, WindowCommand, Workbench, lessons,
+};
 use girderbench::files::SceneSource;
+use girderbench::language::{Language, Text};
 use girderbench::render::Image;
 use girderbench::scene::presets;
 use girderbench::view::Target;
@@ -21,6 +24,11 @@ fn labels(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
     named.map(|n| (n.accesskit_node().label().or(n.accesskit_node().value()).unwrap_or_default(), n.rect())).collect()
 }
 
+/// What a text is in the language that is shown.
+fn said(key: &'static str) -> String {
+    Text::new(key).to_string()
+}
+
 /// A workbench on a preset without its plots of one quantity against another, which are windows over the view.
 fn beside_the_view(preset: &str) -> Workbench {
     let mut scene = presets::load(preset).expect("ships");
@@ -33,14 +41,16 @@ fn beside_the_view(preset: &str) -> Workbench {
 
 #[test]
 fn panels_keep_their_words_to_themselves() {
-    for preset in presets::all() {
+    for (language, preset) in Language::ALL.into_iter().flat_map(|l| presets::all().iter().map(move |p| (l, p))) {
         for (size, scale) in [([1024.0, 640.0], 1.0), ([1280.0, 720.0], 2.0), ([2560.0, 1440.0], 1.0)] {
             let mut harness =
                 builder(size).with_pixels_per_point(scale).build_ui_state(show, beside_the_view(preset.name));
+            harness.state_mut().apply(WindowCommand::Language(language));
             harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
             // A panel that grows with what is in it does so frame by frame.
             harness.run_steps(10);
-            let (view, window) = (view(&harness), harness.get_by_label("Timeline").rect());
+            let (view, window) =
+                (harness.get_by_label(&said("view")).rect(), harness.get_by_label(&said("timeline")).rect());
             for (words, rect) in labels(&harness) {
                 let at = format!("{} at {size:?}: \"{words}\" at {rect}", preset.name);
                 assert!(rect.left() >= window.left() - 1.0 && rect.right() <= window.right() + 1.0, "inside, {at}");
@@ -97,20 +107,21 @@ fn panels_fold_by_keys_and_buttons_and_come_back() {
 
 /// Everything that can be read or pressed in the row over the timeline.
 fn time_row(harness: &Harness<'_, Workbench>) -> Vec<(String, Rect)> {
-    let y = harness.get_by_role_and_label(Role::Button, "To the start").rect().center().y;
+    let y = harness.get_by_role_and_label(Role::Button, &said("to-start")).rect().center().y;
     labels(harness).into_iter().filter(|(words, rect)| !words.is_empty() && rect.y_range().contains(y)).collect()
 }
 
 #[test]
 fn nothing_lies_on_the_time_in_a_lecture_hall_or_a_narrow_window() {
     for (size, scale) in [([683.0, 427.0], 1.0), ([853.0, 480.0], 1.5), ([560.0, 400.0], 1.0), ([1024.0, 640.0], 1.0)] {
-        for lecture in [false, true] {
+        for (lecture, language) in [false, true].into_iter().flat_map(|on| Language::ALL.map(|l| (on, l))) {
             let builder = builder(size).with_pixels_per_point(scale);
             let mut harness = builder.build_ui_state(show, bench(presets::OPENING));
+            harness.state_mut().apply(WindowCommand::Language(language));
             harness.state_mut().view.display.sight.lecture = lecture;
             harness.run_steps(6);
             let row = time_row(&harness);
-            let window = harness.get_by_label("Timeline").rect().expand(1.0);
+            let window = harness.get_by_label(&said("timeline")).rect().expand(1.0);
             assert!(row.iter().any(|(words, _)| words.starts_with("t = ")), "the time is told: {row:?}");
             for (n, (words, rect)) in row.iter().enumerate() {
                 assert!(window.x_range().contains(rect.right()), "{size:?}: {words} ends inside");

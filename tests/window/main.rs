@@ -26,6 +26,8 @@ mod harness;
 #[cfg(feature = "ui-tests")]
 mod keys;
 #[cfg(feature = "ui-tests")]
+mod language;
+#[cfg(feature = "ui-tests")]
 mod layout;
 #[cfg(feature = "ui-tests")]
 mod lessons;

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::folds::Folds;
 use crate::app::command::{BridgeDraft, FileCommand, Learn, RowDraft, WindowCommand};
 use crate::app::host::Told;
+use crate::language::Language;
 
 /// What would leave the scene that is worked on.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +37,8 @@ enum Leaving {
 pub struct WindowState {
     /// Whether the help is open.
     pub help: bool,
+    /// The language of its words.
+    pub language: Language,
     /// The row that is asked for, while its dialog is open.
     pub(in crate::app) row: Option<RowDraft>,
     /// Numbers that a new bridge begins with.
@@ -77,6 +80,7 @@ impl WindowState {
         match command {
             // The context of egui keeps theme and size, the runner the run; the workbench gives up.
             WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun | WindowCommand::GiveUp => {}
+            WindowCommand::Language(language) => self.language = language,
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,
             WindowCommand::Bridge(draft) => self.bridge = draft,

@@ -1,6 +1,7 @@
 //! Commands about the window itself.
 
 use crate::app::command::edit::{BridgeDraft, RowDraft};
+use crate::language::Language;
 
 /// A panel that can be folded to a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +26,8 @@ impl Pane {
 pub enum WindowCommand {
     /// Size of everything, as a share of the usual one.
     Scale(f32),
+    /// The language of its words.
+    Language(Language),
     /// Light or dark.
     Theme(egui::Theme),
     /// Show the help, or not.

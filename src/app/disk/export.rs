@@ -20,7 +20,7 @@ pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path
     let image = Renderer::new(&gpu, Quality::FINE).picture(&gpu, list, size).map_err(|e| e.to_string())?;
     let texts = [("Title", title.to_owned()), ("Adapter", gpu.adapter.to_string())];
     write_atomic(path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
-    Ok(told(text::PICTURE_WRITTEN, path))
+    Ok(told(text::PICTURE_WRITTEN.as_str(), path))
 }
 
 /// What was written, and where.
@@ -35,7 +35,7 @@ pub(super) fn told(what: &str, path: &Path) -> Told {
 pub(in crate::app) fn report(answer: &Arc<Answer>, path: &Path) -> Result<Told, String> {
     let page = crate::report::html(&answer.history, &options(answer));
     write_atomic(path, page.as_bytes()).map_err(|e| e.to_string())?;
-    Ok(told(text::REPORT_WRITTEN, path))
+    Ok(told(text::REPORT_WRITTEN.as_str(), path))
 }
 
 /// What tables cannot know from the answer alone.

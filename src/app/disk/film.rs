@@ -73,7 +73,7 @@ impl Films {
             Filming::Shoot(path) => self.shoot(source, path),
             Filming::Cancel => {
                 self.job = None;
-                return Some(text::FILM_CANCELLED);
+                return Some(text::FILM_CANCELLED.as_str());
             }
         }
         None

@@ -50,15 +50,15 @@ fn dialog(ui: &mut Ui, scope: Scope, plan: FilmPlan, out: &mut Vec<Command>) {
     ui.heading(text::FILM);
     Grid::new("film").num_columns(2).spacing([18.0, 6.0]).show(ui, |ui| {
         format(ui, &mut new.format);
-        number(ui, text::FILM_FROM, &mut new.from, " s", 0.0..=scope.end);
-        number(ui, text::FILM_TO, &mut new.to, " s", 0.0..=scope.end);
+        number(ui, text::FILM_FROM.as_str(), &mut new.from, " s", 0.0..=scope.end);
+        number(ui, text::FILM_TO.as_str(), &mut new.to, " s", 0.0..=scope.end);
         speed(ui, &mut new.speed);
-        number(ui, text::FILM_FPS, &mut new.fps, " Hz", 1.0..=FilmPlan::fastest(new.format));
+        number(ui, text::FILM_FPS.as_str(), &mut new.fps, " Hz", 1.0..=FilmPlan::fastest(new.format));
         size(ui, scope.view, &mut new.size);
     });
     ui.add_space(4.0);
     let frames = new.frames();
-    let words = frames.map_or(text::FILM_IMPOSSIBLE.to_owned(), |n| text::film_length(n, f64::from(n) / new.fps));
+    let words = frames.map_or(text::FILM_IMPOSSIBLE.to_string(), |n| text::film_length(n, f64::from(n) / new.fps));
     ui.label(RichText::new(words).weak());
     ui.add_space(4.0);
     ui.horizontal(|ui| {

@@ -123,8 +123,8 @@ fn answer(ui: &mut Ui, asked: &Asked, out: &mut Vec<PathCommand>) {
         ui.label(words);
     }
     ui.horizontal(|ui| {
-        let (words, command) =
-            question.map_or((text::wish_done(asked.wish), PathCommand::Take), |(_, yes)| (yes, PathCommand::Confirm));
+        let (words, command) = question
+            .map_or((text::wish_done(asked.wish), PathCommand::Take), |(_, yes)| (yes.as_str(), PathCommand::Confirm));
         if ui.button(words).clicked() {
             out.push(command);
         }

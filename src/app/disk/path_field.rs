@@ -124,7 +124,7 @@ impl PathField {
         let asked = self.asked.as_ref()?;
         let (wish, path) = (asked.wish, asked.wish.complete(resolved(&asked.text)));
         if asked.text.trim().is_empty() {
-            return self.refuse(text::PATH_EMPTY.to_owned());
+            return self.refuse(text::PATH_EMPTY.to_string());
         }
         let is_folder = path.is_dir();
         if is_folder && !wish.is_for_folder() {
@@ -134,7 +134,7 @@ impl PathField {
         }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         if wish.is_for_folder() && path.exists() && !is_folder {
-            return self.refuse(text::PATH_NO_FOLDER.to_owned());
+            return self.refuse(text::PATH_NO_FOLDER.to_string());
         }
         if wish.is_for_reading() && !path.is_file() {
             return self.refuse(format!("{}: {}", text::PATH_NOTHING, path.display()));

@@ -99,7 +99,7 @@ impl SceneFiles {
         self.forget_work();
         self.document.saved_as(path.to_owned());
         self.session.opened(path, self.document.scene());
-        Saved::Done(told(text::SAVED, path))
+        Saved::Done(told(text::SAVED.as_str(), path))
     }
 
     /// Compares the file with what was last seen of it.

@@ -293,7 +293,10 @@ mod tests {
         let (mut files, mut document) = opened(folder.path());
         std::fs::remove_file(document.file().expect("it has one")).expect("removed");
         let compared = files.compare(&mut document);
-        assert!(compared.same && compared.notice.is_some_and(|words| words.contains(text::FILE_GONE)), "it is said");
+        assert!(
+            compared.same && compared.notice.is_some_and(|words| words.contains(text::FILE_GONE.as_str())),
+            "it is said"
+        );
         assert!(document.is_dirty(), "the work is nowhere else");
     }
 }

@@ -141,7 +141,7 @@ mod tests {
         tasks.set_silent();
         let mut film = |command| tasks.apply(command, (None, [1.0, 3.0]), (Shot::default(), "deck"));
         assert_eq!(film(Filming::Ask), None, "nothing to tell");
-        assert_eq!(film(Filming::Cancel), Some(text::FILM_CANCELLED), "it is said");
+        assert_eq!(film(Filming::Cancel), Some(text::FILM_CANCELLED.as_str()), "it is said");
         let plan = tasks.films.plan.expect("the dialog is open");
         assert_eq!((plan.from, plan.to), (1.0, 3.0), "what is in view");
         assert!(tasks.chosen().is_empty(), "no path was chosen");

@@ -38,7 +38,7 @@ pub(super) fn hint(key: Option<&Key>, unit: Unit, own: &Own) -> String {
         (Some(words), _) => format!("{}: {words}", text::DEFAULT),
         (None, Fallback::Needed(how)) => format!("{}: {how}", text::NO_DEFAULT),
         (None, Fallback::Words(from)) => format!("{}: {from}", text::DEFAULT),
-        (None, _) => text::NO_DEFAULT.to_owned(),
+        (None, _) => text::NO_DEFAULT.to_string(),
     };
     in_lines(Some(key), &allowed, &default)
 }
@@ -55,7 +55,7 @@ pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, (key, 
     let path = place.path(key);
     let known = keys::of_place(&path).map(|(_, key)| key);
     let words = known.and_then(|key| match key.fallback {
-        Fallback::Switch(on) => Some((if on { text::ON } else { text::OFF }).to_owned()),
+        Fallback::Switch(on) => Some((if on { text::ON } else { text::OFF }).to_string()),
         Fallback::Word(word) => Some(word.to_owned()),
         _ => None,
     });

@@ -62,7 +62,7 @@ pub(in crate::app) fn laid_over(
 ) -> Option<Change> {
     let field = Field::new(ui, place, names, unit);
     // What it would be without its own is known only where it has none.
-    let words = if value.is_some() { text::THE_SCENES.to_owned() } else { unit.words(under) };
+    let words = if value.is_some() { text::THE_SCENES.to_string() } else { unit.words(under) };
     let own = Own { words: Some(words), differs: value.is_some() };
     field.option(ui, (value, under), &own)
 }
@@ -203,7 +203,7 @@ impl Field<'_> {
             }
             Some(Ok(None)) if own.words.is_some() => own.differs.then_some(Done::Reset),
             Some(Ok(None)) => {
-                refuse(ui, self.refused(), text::MUST_BE_GIVEN.to_owned());
+                refuse(ui, self.refused(), text::MUST_BE_GIVEN.to_string());
                 None
             }
             Some(Err(why)) => {

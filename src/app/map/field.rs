@@ -213,8 +213,8 @@ fn said(map: &Map, [x, y]: [usize; 2], units: [Unit; 2]) -> String {
         format!("{} {}", offer::title(&map.draft.axes[axis].key), units[axis].words(map.value_at(axis, cell)))
     };
     let run = match map.row([x, y]) {
-        None => text::MAP_NOT_YET.to_owned(),
-        Some(row) if row.status == Status::Complete => row.values[0].map_or(text::MAP_NO_VALUE.to_owned(), |value| {
+        None => text::MAP_NOT_YET.to_string(),
+        Some(row) if row.status == Status::Complete => row.values[0].map_or(text::MAP_NO_VALUE.to_string(), |value| {
             let measure = map.measure(0);
             text::measured(&measure.name.replace('_', " "), value * measure.drawn.1, measure.drawn.0)
         }),

@@ -60,7 +60,7 @@ impl Polar {
     pub(super) fn value_of(&self, number: usize) -> String {
         match self.points.get(number).and_then(|point| point.2) {
             Some(value) => text::valued(value, self.measure.drawn.0),
-            None => text::MAP_NOT_YET.to_owned(),
+            None => text::MAP_NOT_YET.to_string(),
         }
     }
 

@@ -8,6 +8,7 @@ use crate::app::command::{Command, MapAxis, MapCommand, MapDraft};
 use crate::app::field::{Place, number};
 use crate::app::style::theme::Palette;
 use crate::app::text;
+use crate::language::Text;
 use crate::scene::Scene;
 use crate::scene::keys::of_place;
 use crate::scene::overrides::Laid;
@@ -48,7 +49,7 @@ pub(in crate::app) fn show(ui: &mut Ui, maps: &Maps, scene: &Scene, out: &mut Ve
 fn above(ui: &mut Ui, scene: &Scene, draft: &mut MapDraft) {
     Grid::new("map axes").num_columns(5).spacing([6.0, 4.0]).show(ui, |ui| {
         for (axis, names) in draft.axes.iter_mut().zip([text::MAP_ACROSS, text::MAP_UP]) {
-            key(ui, scene, axis, names);
+            key(ui, scene, axis, names.map(Text::as_str));
             ui.end_row();
         }
     });

@@ -53,16 +53,16 @@ type Row = (&'static str, fn(&Answer) -> String, fn(&History) -> Option<Spot>);
 /// A row for each number, a column for each run, the run that is shown first: its numbers lead to where they are seen.
 fn table(ui: &mut Ui, pins: &[Pin], now: Option<&Answer>, out: &mut Vec<Command>) {
     let runs: Vec<(String, &Answer)> = now
-        .map(|answer| (text::NOW.to_owned(), answer))
+        .map(|answer| (text::NOW.to_string(), answer))
         .into_iter()
         .chain(pins.iter().enumerate().map(|(i, p)| (format!("{}", i + 1), &*p.answer)))
         .collect();
     let rows: [Row; 5] = [
-        (text::MOVES, |a| text::length(a.summary.max_displacement), Spot::farthest),
-        (text::TURNS, |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned),
-        (text::PEAK, |a| text::force(a.summary.peak_force), Spot::hardest),
-        (text::HITS, |a| a.summary.hits.to_string(), Spot::first_touch),
-        (text::LOST, |a| text::energy(a.lost()), |_| None),
+        (text::MOVES.as_str(), |a| text::length(a.summary.max_displacement), Spot::farthest),
+        (text::TURNS.as_str(), |a| format!("{}°", text::short(a.summary.max_rotation.to_degrees())), Spot::most_turned),
+        (text::PEAK.as_str(), |a| text::force(a.summary.peak_force), Spot::hardest),
+        (text::HITS.as_str(), |a| a.summary.hits.to_string(), Spot::first_touch),
+        (text::LOST.as_str(), |a| text::energy(a.lost()), |_| None),
     ];
     Grid::new("pins").striped(true).spacing([8.0, 2.0]).show(ui, |ui| {
         ui.label("");

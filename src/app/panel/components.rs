@@ -2,7 +2,7 @@
 
 use egui::{CollapsingHeader, Grid, RichText, TextEdit, Ui};
 
-use super::record_of::{UNITS, weak};
+use super::record_of::{units, weak};
 use crate::app::command::{Command, FileCommand, Wish};
 use crate::app::field::{CLICK, Change, Look, Place, Without, act, choice, complain, number, rows, switched, tag};
 use crate::app::text;
@@ -15,8 +15,9 @@ use crate::scene::{Component, Heading, RecordMotion};
 const MOST: usize = 3;
 
 /// What a component may point to.
-const WAYS: [(Option<bool>, &str); 3] =
-    [(None, text::AS_FILE_STATES), (Some(false), text::IN_PLAN), (Some(true), text::UPWARDS)];
+fn ways() -> [(Option<bool>, &'static str); 3] {
+    [(None, text::AS_FILE_STATES.as_str()), (Some(false), text::IN_PLAN.as_str()), (Some(true), text::UPWARDS.as_str())]
+}
 
 /// Shows every component with its numbers, and the ways to add and to take away.
 pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mut Vec<Command>) -> Option<Change> {
@@ -39,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out:
         record.components.remove(n);
         reread = true;
     }
-    if record.components.len() < MOST && act(ui, look.place, "component", text::ADD_COMPONENT) {
+    if record.components.len() < MOST && act(ui, look.place, "component", text::ADD_COMPONENT.as_str()) {
         add(record);
         reread = true;
     }
@@ -60,22 +61,23 @@ pub(super) fn show(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out:
 fn azimuth_of_x(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) -> Option<Change> {
     let mut azimuth = record.x_azimuth_deg.unwrap_or(0.0);
     let grid = Grid::new("azimuth of x").num_columns(2).spacing([8.0, 3.0]);
-    let change = grid.show(ui, |ui| number(ui, place, ("x_azimuth_deg", text::X_AZIMUTH), &mut azimuth, DEGREES)).inner;
+    let change =
+        grid.show(ui, |ui| number(ui, place, ("x_azimuth_deg", text::X_AZIMUTH.as_str()), &mut azimuth, DEGREES)).inner;
     change.inspect(|_| record.x_azimuth_deg = Some(azimuth))
 }
 
 /// Its number and where it points.
 fn heading(record: &RecordMotion, n: usize) -> String {
     let way = match record.heading(n) {
-        Some(Heading::Up) => text::UPWARDS.to_owned(),
+        Some(Heading::Up) => text::UPWARDS.to_string(),
         Some(Heading::InPlan(angle)) => text::from_x(angle),
-        None => text::NO_DIRECTION.to_owned(),
+        None => text::NO_DIRECTION.to_string(),
     };
     text::component(n + 1, &way)
 }
 
 fn about(record: &RecordMotion, n: usize) -> String {
-    let Some((dt, samples)) = record.component_series(n) else { return text::NOT_READ.to_owned() };
+    let Some((dt, samples)) = record.component_series(n) else { return text::NOT_READ.to_string() };
     let peak = samples.iter().fold(0.0_f64, |most, a| most.max(a.abs())) * record.components[n].scale.abs();
     text::record(samples.len(), dt, peak)
 }
@@ -104,12 +106,12 @@ fn one(
         .show(ui, |ui| {
             let named = |key: &str| format!("{key} {whose}");
             let numbers = rows(ui, &look, component, &["file", "channel", "unit", "samples_m_s2", "dt_s", "vertical"]);
-            let points = named(text::POINTS);
-            let way = choice(ui, place, ("vertical", &points), &mut component.vertical, &WAYS);
-            let (unit, dt) = (named(text::RECORD_UNIT), named(text::INTERVAL));
+            let points = named(text::POINTS.as_str());
+            let way = choice(ui, place, ("vertical", &points), &mut component.vertical, &ways());
+            let (unit, dt) = (named(text::RECORD_UNIT.as_str()), named(text::INTERVAL.as_str()));
             let dt = ("dt_s", dt.as_str());
             let stated = if beside {
-                let unit = choice(ui, place, ("unit", &unit), &mut component.unit, &UNITS);
+                let unit = choice(ui, place, ("unit", &unit), &mut component.unit, &units());
                 unit.or(switched(ui, place, dt, (&mut component.dt, 0.01), SECONDS))
             } else {
                 let mut interval = component.dt.unwrap_or(0.01);
@@ -117,7 +119,7 @@ fn one(
             };
             let channel = channels.filter(|all| all.len() > 1).and_then(|all| {
                 let options: Vec<(Option<usize>, &str)> = (1..).map(Some).zip(all.iter().map(String::as_str)).collect();
-                choice(ui, place, ("channel", &named(text::CHANNEL)), &mut component.channel, &options)
+                choice(ui, place, ("channel", &named(text::CHANNEL.as_str())), &mut component.channel, &options)
             });
             numbers.or(way).or(stated).or(channel)
         })

@@ -18,9 +18,9 @@ pub(in crate::app) fn show(ui: &mut Ui, files: &SceneFiles, out: &mut Vec<Comman
     } else if files.session.file_has_changed() {
         let mut words = format!("{} {}", files.name(), text::FILE_CHANGED);
         if files.document.is_dirty() {
-            words.push_str(text::RELOAD_REPLACES);
+            words.push_str(text::RELOAD_REPLACES.as_str());
         }
-        ask(ui, &words, [(text::RELOAD, Keep::Reload), (text::KEEP_MINE, Keep::KeepMine)], out);
+        ask(ui, &words, [(text::RELOAD.as_str(), Keep::Reload), (text::KEEP_MINE.as_str(), Keep::KeepMine)], out);
     }
 }
 
@@ -34,8 +34,11 @@ fn unsaved(ui: &mut Ui, found: &[FoundWork], out: &mut Vec<Command>) {
             ui.label(found_words(work, SystemTime::now()));
             ui.horizontal(|ui| {
                 for (words, wish) in [(text::RECOVER, Keep::Recover(number)), (text::DISCARD, Keep::Discard(number))] {
-                    let button =
-                        if found.len() == 1 { words.to_owned() } else { text::of_work(words, number + 1, &work.name) };
+                    let button = if found.len() == 1 {
+                        words.to_string()
+                    } else {
+                        text::of_work(&words, number + 1, &work.name)
+                    };
                     if ui.button(button).clicked() {
                         out.push(Command::Keep(wish));
                     }
@@ -68,11 +71,11 @@ fn ask<const N: usize>(ui: &Ui, words: &str, answers: [(&str, Keep); N], out: &m
 fn found_words(work: &FoundWork, now: SystemTime) -> String {
     let found = &work.found;
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let whose = found.file.as_deref().map_or_else(|| text::WITHOUT_FILE.to_owned(), name);
+    let whose = found.file.as_deref().map_or_else(|| text::WITHOUT_FILE.to_string(), name);
     let called = &work.name;
     let ago = now.duration_since(found.written).unwrap_or(Duration::ZERO);
     let file = found.file.as_deref().and_then(crate::files::Stamp::of);
     let older = file.is_some_and(|stamp| stamp.modified() > found.written);
-    let age = if older { text::WORK_IS_OLDER } else { "" };
+    let age = if older { text::WORK_IS_OLDER.as_str() } else { "" };
     format!("{called}: {whose}, {}.{age}", text::ago(ago))
 }

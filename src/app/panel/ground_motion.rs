@@ -23,13 +23,15 @@ enum Kind {
     Sweep,
 }
 
-const KINDS: [(Kind, &str); 5] = [
-    (Kind::Still, text::STILL),
-    (Kind::Sine, text::SINE),
-    (Kind::Record, text::RECORD),
-    (Kind::Synthetic, text::SYNTHETIC),
-    (Kind::Sweep, text::SWEEP),
-];
+fn kinds() -> [(Kind, &'static str); 5] {
+    [
+        (Kind::Still, text::STILL.as_str()),
+        (Kind::Sine, text::SINE.as_str()),
+        (Kind::Record, text::RECORD.as_str()),
+        (Kind::Synthetic, text::SYNTHETIC.as_str()),
+        (Kind::Sweep, text::SWEEP.as_str()),
+    ]
+}
 
 /// Whether an amplitude is said in m/s² rather than in g.
 const UNITS: [(bool, &str); 2] = [(false, "g"), (true, "m/s²")];
@@ -76,7 +78,7 @@ fn kind(ui: &mut Ui, place: Place<'_>, motion: &mut Motion) -> Option<Change> {
         Motion::Synthetic(_) => Kind::Synthetic,
         Motion::Sweep(_) => Kind::Sweep,
     };
-    let change = choice_line(ui, place, ("kind", text::GROUND), &mut kind, &KINDS)?;
+    let change = choice_line(ui, place, ("kind", text::GROUND.as_str()), &mut kind, &kinds())?;
     let angle_deg = motion.angle_deg();
     *motion = match kind {
         Kind::Still => Motion::None,
@@ -119,7 +121,7 @@ fn still(ui: &mut Ui, motion: &mut Motion) -> Option<Change> {
 fn sine_rows(ui: &mut Ui, look: &Look<'_>, sine: &mut SineMotion) -> Option<Change> {
     let mut metric = sine.amplitude.is_some();
     let moved = sliders(ui, look, sine, &VERTICAL).or(vertical_rows(ui, look, sine, metric));
-    let said = choice_line(ui, look.place, ("amplitude_m_s2", text::AMPLITUDE_IN), &mut metric, &UNITS);
+    let said = choice_line(ui, look.place, ("amplitude_m_s2", text::AMPLITUDE_IN.as_str()), &mut metric, &UNITS);
     if said.is_some() {
         let a = sine.amplitude_si();
         let said = |a: f64| if metric { (Some(a), None) } else { (None, Some(a / STANDARD_GRAVITY)) };
@@ -152,7 +154,7 @@ fn record_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion, out: &mu
     let channel = record_of::channel(ui, look.place, record);
     let kept = channel.or(kept_rows(ui, look, record));
     record_of::beside(ui, look.place, record, out);
-    if act(ui, look.place, "component", text::ADD_COMPONENT) {
+    if act(ui, look.place, "component", text::ADD_COMPONENT.as_str()) {
         components::add(record);
         out.push(FileCommand::Shake(Box::new(record.clone())).into());
     }
@@ -172,7 +174,7 @@ fn file_row(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: &mut Vec<
         let wide = (ui.available_width() - 74.0).max(40.0);
         let edit = TextEdit::singleline(&mut draft).hint_text(text::RECORD_IN_SCENE).desired_width(wide);
         let response = ui.add(edit).labelled_by(name.id);
-        let response = tag(ui, &response, place, ("file", text::RECORD_FILE));
+        let response = tag(ui, &response, place, ("file", text::RECORD_FILE.as_str()));
         if response.has_focus() {
             ui.data_mut(|d| d.insert_temp(draft_id, draft));
         } else {
@@ -212,7 +214,7 @@ fn kept_rows(ui: &mut Ui, look: &Look<'_>, record: &mut RecordMotion) -> Option<
     }
     let typed = egui::CollapsingHeader::new(text::SAMPLES_FOLD)
         .default_open(false)
-        .show_unindented(ui, |ui| samples::show(ui, look.place, text::SAMPLES, &list));
+        .show_unindented(ui, |ui| samples::show(ui, look.place, text::SAMPLES.as_str(), &list));
     if let Some(samples) = typed.body_returned.flatten() {
         record.samples = Some(samples);
         return CLICK;

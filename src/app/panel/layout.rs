@@ -17,6 +17,7 @@ use crate::app::panel::{
 };
 use crate::app::plot::plots;
 use crate::app::quake;
+use crate::app::style::letters;
 use crate::app::style::theme::{self, Palette};
 use crate::app::text;
 use crate::app::time::replay::Replay;
@@ -30,7 +31,9 @@ const PROGRESS: Duration = Duration::from_millis(50);
 
 /// Shows everything and does what is asked.
 pub fn show(bench: &mut Workbench, ui: &mut Ui) {
+    bench.window.language.speak();
     theme::install(ui.ctx());
+    letters::install(ui.ctx(), bench.window.language);
     shortcuts::wait_for_focus(ui);
     listen(bench, ui);
     let returned = ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true)));

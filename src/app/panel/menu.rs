@@ -32,17 +32,31 @@ pub(in crate::app) fn show(
         ui.menu_button(text::LEARN, |ui| lesson_panel::menu(ui, learning, out));
         ui.separator();
         let (undo, redo) = (document.undo_label(), document.redo_label());
-        button(ui, undo.is_some(), text::UNDO, &text::keyed(undo, "Ctrl Z"), Command::Edit(EditCommand::Undo), out);
-        button(ui, redo.is_some(), text::REDO, &text::keyed(redo, "Ctrl Y"), Command::Edit(EditCommand::Redo), out);
+        button(
+            ui,
+            undo.is_some(),
+            text::UNDO.as_str(),
+            &text::keyed(undo, "Ctrl Z"),
+            Command::Edit(EditCommand::Undo),
+            out,
+        );
+        button(
+            ui,
+            redo.is_some(),
+            text::REDO.as_str(),
+            &text::keyed(redo, "Ctrl Y"),
+            Command::Edit(EditCommand::Redo),
+            out,
+        );
         ui.separator();
-        button(ui, some, text::DUPLICATE, "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
-        button(ui, some, text::REMOVE, "Delete", Command::Place(PlaceCommand::Remove), out);
+        button(ui, some, text::DUPLICATE.as_str(), "Ctrl D", Command::Place(PlaceCommand::Duplicate), out);
+        button(ui, some, text::REMOVE.as_str(), "Delete", Command::Place(PlaceCommand::Remove), out);
         ui.separator();
         views(ui, out);
         ui.menu_button(text::VIEWS, |ui| view_menu::menu(ui, sight, document, out));
-        button(ui, true, text::MAP_OPEN, text::MAP_OPEN_HINT, Command::Map(MapCommand::Show(true)), out);
+        button(ui, true, &text::MAP_OPEN, &text::MAP_OPEN_HINT, Command::Map(MapCommand::Show(true)), out);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            button(ui, true, text::HELP, "F1", Command::Window(WindowCommand::Help(true)), out);
+            button(ui, true, text::HELP.as_str(), "F1", Command::Window(WindowCommand::Help(true)), out);
             theme(ui, out);
         });
     });
@@ -55,8 +69,8 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
 }
 
 fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Command>) {
-    item(ui, text::NEW, "Ctrl N", Command::File(FileCommand::New), out);
-    item(ui, text::OPEN, "Ctrl O", Command::File(FileCommand::Ask(Wish::Open)), out);
+    item(ui, text::NEW.as_str(), "Ctrl N", Command::File(FileCommand::New), out);
+    item(ui, text::OPEN.as_str(), "Ctrl O", Command::File(FileCommand::Ask(Wish::Open)), out);
     ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, used, out));
     let items = [
         (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
@@ -67,14 +81,14 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
         (text::EXPORT_REPORT, "", Command::File(FileCommand::Ask(Wish::Export(Export::Report)))),
     ];
     for (words, keys, command) in items {
-        item(ui, words, keys, command, out);
+        item(ui, &words, keys, command, out);
     }
     ui.separator();
     if ui.checkbox(&mut paths_here, text::PATHS_HERE).on_hover_text(text::PATHS_HERE_HINT).changed() {
         out.push(FileCommand::Path(PathCommand::Here(paths_here)).into());
     }
     ui.separator();
-    item(ui, text::QUIT, "Ctrl Q", Command::Window(WindowCommand::Close), out);
+    item(ui, text::QUIT.as_str(), "Ctrl Q", Command::Window(WindowCommand::Close), out);
 }
 
 fn item(ui: &mut Ui, words: &str, keys: &str, command: Command, out: &mut Vec<Command>) {
@@ -127,13 +141,13 @@ fn views(ui: &mut Ui, out: &mut Vec<Command>) {
         (text::VIEW_CONTACT, "4", ViewPreset::Contact),
     ];
     for (words, key, preset) in presets {
-        button(ui, true, words, key, Command::View(ViewCommand::Preset(preset)), out);
+        button(ui, true, &words, key, Command::View(ViewCommand::Preset(preset)), out);
     }
-    button(ui, true, text::VIEW_FRAME, text::FRAME_HINT, Command::View(ViewCommand::Frame), out);
+    button(ui, true, &text::VIEW_FRAME, &text::FRAME_HINT, Command::View(ViewCommand::Frame), out);
 }
 
 fn theme(ui: &mut Ui, out: &mut Vec<Command>) {
     let (words, other) =
         if ui.visuals().dark_mode { (text::THEME_LIGHT, Theme::Light) } else { (text::THEME_DARK, Theme::Dark) };
-    button(ui, true, words, text::THEME_HINT, Command::Window(WindowCommand::Theme(other)), out);
+    button(ui, true, &words, &text::THEME_HINT, Command::Window(WindowCommand::Theme(other)), out);
 }

@@ -13,7 +13,7 @@ pub(in crate::app) fn show(ui: &mut Ui, place: Place<'_>, target: Target, name: 
     let draft_id = Id::unique(("name draft", target));
     let mut draft = ui.data(|d| d.get_temp::<String>(draft_id)).unwrap_or_else(|| name.to_owned());
     let response = ui.add(TextEdit::singleline(&mut draft).desired_width(104.0)).labelled_by(label.id);
-    let response = tag(ui, &response, place, ("name", text::NAME));
+    let response = tag(ui, &response, place, ("name", text::NAME.as_str()));
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(draft_id, draft));
     } else {

@@ -30,7 +30,7 @@ pub(in crate::app) fn show(ui: &mut Ui, document: &Document, out: &mut Vec<Comma
         }
         for (id, part) in scene.devices() {
             let ends = part.ends();
-            let to = ends.to.unwrap_or(text::GROUND_ITSELF);
+            let to = ends.to.unwrap_or(text::GROUND_ITSELF.as_str());
             let about = format!("{} – {to}", ends.girder);
             row(ui, selection, Target::Device(id), ends.name, &about, out);
         }
@@ -48,11 +48,11 @@ fn rounded(omega: f64) -> f64 {
 /// The buttons that add, in two rows; devices need a girder.
 fn adders(ui: &mut Ui, any: bool, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        adder(ui, ("girder", text::ADD_GIRDER, "G"), PlaceCommand::AddGirder, out);
-        adder(ui, ("abutment", text::ADD_ABUTMENT, "B"), PlaceCommand::AddAbutment, out);
+        adder(ui, ("girder", text::ADD_GIRDER.as_str(), "G"), PlaceCommand::AddGirder, out);
+        adder(ui, ("abutment", text::ADD_ABUTMENT.as_str(), "B"), PlaceCommand::AddAbutment, out);
     });
     ui.horizontal(|ui| {
-        adder(ui, ("pier", text::ADD_PIER, "Shift P"), PlaceCommand::AddPier, out);
+        adder(ui, ("pier", text::ADD_PIER.as_str(), "Shift P"), PlaceCommand::AddPier, out);
         ui.add_enabled_ui(any, |ui| {
             ui.menu_button(text::ADD_DEVICE, |ui| {
                 for kind in DeviceKind::ALL {

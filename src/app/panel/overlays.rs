@@ -32,18 +32,20 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, display: &Display, out: 
     first_view(ui, form, out);
 }
 
-const VIEWS: [(ViewPreset, &str); 4] = [
-    (ViewPreset::Iso, text::VIEW_ISO),
-    (ViewPreset::Top, text::VIEW_TOP),
-    (ViewPreset::Side, text::VIEW_SIDE),
-    (ViewPreset::Contact, text::VIEW_CONTACT),
-];
+fn views() -> [(ViewPreset, &'static str); 4] {
+    [
+        (ViewPreset::Iso, text::VIEW_ISO.as_str()),
+        (ViewPreset::Top, text::VIEW_TOP.as_str()),
+        (ViewPreset::Side, text::VIEW_SIDE.as_str()),
+        (ViewPreset::Contact, text::VIEW_CONTACT.as_str()),
+    ]
+}
 
 /// Where the camera stands when the scene is opened.
 fn first_view(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let place = form.place("view");
     let mut view = ViewSettings { ..form.scene.view.clone() };
-    if choice_line(ui, place, ("camera", text::FIRST_VIEW), &mut view.camera, &VIEWS).is_some() {
+    if choice_line(ui, place, ("camera", text::FIRST_VIEW.as_str()), &mut view.camera, &views()).is_some() {
         out.push(EditCommand::Change { edit: Edit::View(view), gesture: None }.into());
     }
 }
@@ -62,7 +64,7 @@ fn force_scale(ui: &mut Ui, form: Form<'_>, display: &Display, out: &mut Vec<Com
         .show_value(false);
     let place = form.place("view");
     let response = slider_row(ui, text::FORCE_SCALE.into(), slider, &words);
-    if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE)).changed() {
+    if tag(ui, &response, place, ("force_scale_n_per_m", text::FORCE_SCALE.as_str())).changed() {
         out.push(ViewCommand::ForceScale(Some(scale)).into());
     }
 }

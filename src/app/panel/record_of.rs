@@ -10,12 +10,14 @@ use crate::scene::keys::{Fallback, Key};
 use crate::scene::{RecordMotion, RecordUnit};
 
 /// Units of files.
-pub(super) const UNITS: [(Option<RecordUnit>, &str); 4] = [
-    (None, text::AS_FILE_STATES),
-    (Some(RecordUnit::G), "g"),
-    (Some(RecordUnit::Gal), "gal"),
-    (Some(RecordUnit::MetrePerSecond2), "m/s²"),
-];
+pub(super) fn units() -> [(Option<RecordUnit>, &'static str); 4] {
+    [
+        (None, text::AS_FILE_STATES.as_str()),
+        (Some(RecordUnit::G), "g"),
+        (Some(RecordUnit::Gal), "gal"),
+        (Some(RecordUnit::MetrePerSecond2), "m/s²"),
+    ]
+}
 
 /// What was read: format, channel, unit, what was done to the file's numbers.
 pub(super) fn read(ui: &mut Ui, record: &RecordMotion) {
@@ -32,7 +34,7 @@ pub(super) fn channel(ui: &mut Ui, place: Place<'_>, record: &mut RecordMotion) 
     }
     let names: Vec<String> = (1..).zip(&loaded.channels).map(|(n, channel)| format!("{n} {}", channel.name)).collect();
     let options: Vec<(Option<usize>, &str)> = (1..).map(Some).zip(names.iter().map(String::as_str)).collect();
-    choice_line(ui, place, ("channel", text::CHANNEL), &mut record.channel, &options)
+    choice_line(ui, place, ("channel", text::CHANNEL.as_str()), &mut record.channel, &options)
 }
 
 /// What is stated beside a file that does not state it itself: its unit, its interval. Then it is read anew.
@@ -43,8 +45,8 @@ pub(super) fn beside(ui: &mut Ui, place: Place<'_>, record: &RecordMotion, out: 
     let mut new = record.clone();
     let grid = Grid::new("beside").num_columns(2).spacing([8.0, 3.0]);
     let changed = grid.show(ui, |ui| {
-        let unit = choice(ui, place, ("unit", text::RECORD_UNIT), &mut new.unit, &UNITS);
-        unit.or(switched(ui, place, ("dt_s", text::INTERVAL), (&mut new.dt, 0.01), SECONDS))
+        let unit = choice(ui, place, ("unit", text::RECORD_UNIT.as_str()), &mut new.unit, &units());
+        unit.or(switched(ui, place, ("dt_s", text::INTERVAL.as_str()), (&mut new.dt, 0.01), SECONDS))
     });
     if changed.inner.is_some() {
         out.push(FileCommand::Shake(Box::new(new)).into());

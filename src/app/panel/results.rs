@@ -10,6 +10,7 @@ use crate::app::style::theme::Palette;
 use crate::app::time::replay::Replay;
 use crate::app::{text, unit};
 use crate::dynamics::model::bearing::BearingQuantities;
+use crate::language::Text;
 use crate::scene::{DeviceId, Girder};
 use crate::sim::quantity::{OfPair, Quantity};
 use crate::sim::readings::{Extreme, Reading};
@@ -41,12 +42,12 @@ pub(in crate::app) fn show_girder(
     ui.label(RichText::new(text::COMPUTED).strong());
     // A straight girder's is 0 but for the rounding of sin π.
     let number = Some(girder.prism().rotation_number()).filter(|n| n.abs() > 1e-12).unwrap_or(0.0);
-    let mut rows = vec![(text::US_SKEW, format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
+    let mut rows = vec![(text::US_SKEW.as_str(), format!("{}°", unit::trimmed(90.0 - girder.skew_deg)))];
     let body = answer.and_then(|a| a.history.model().bodies.get(i)).filter(|b| b.name == girder.name);
     if let Some(body) = body {
         rows.extend(quantities(&body.quantities()));
     }
-    rows.push((text::CONDITION, format!("{} {}", text::short(number), text::turns_or_not(number))));
+    rows.push((text::CONDITION.as_str(), format!("{} {}", text::short(number), text::turns_or_not(number))));
     table(ui, "computed", rows);
     if let Some((answer, reading)) = answer.and_then(|a| Some((a, a.reading(i)?))) {
         ui.add_space(4.0);
@@ -117,22 +118,24 @@ fn readings(history: &History, girder: usize, reading: &Reading) -> Vec<(&'stati
     let length = |e: &Extreme| at(&text::length(e.value), e);
     let turned = &reading.rotation;
     let degrees = format!("{}°", text::short(turned.value.to_degrees()));
-    let mut rows = vec![(text::TURNS, at(&degrees, turned), Spot::girder(girder, turned.t))];
-    let drifts = text::DRIFTS.into_iter().zip(&reading.drift).enumerate();
+    let mut rows = vec![(text::TURNS.as_str(), at(&degrees, turned), Spot::girder(girder, turned.t))];
+    let drifts = text::DRIFTS.map(Text::as_str).into_iter().zip(&reading.drift).enumerate();
     rows.extend(drifts.map(|(corner, (name, e))| (name, length(e), Spot::corner(girder, corner, e.t))));
     for seat in &reading.seats {
         let least = seat.corners.map(|corner| corner.least.value);
         let words = text::seat_left(&length(&seat.least()), seat.ledge.placed(), least);
         let end = |t: f64| Spot { look: Look::End(girder, seat.ledge.end), ..Spot::girder(girder, t) };
         rows.push((text::seat_at(seat.ledge.end), words, end(seat.least().t)));
-        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF, text::at_time(t), end(t))));
-        rows.extend(seat.lost_at.map(|t| (text::UNSEATS, text::at_time(t), end(t))));
+        rows.extend(seat.off_at().map(|t| (text::CORNER_OFF.as_str(), text::at_time(t), end(t))));
+        rows.extend(seat.lost_at.map(|t| (text::UNSEATS.as_str(), text::at_time(t), end(t))));
     }
-    rows.extend(reading.gap.as_ref().map(|gap| (text::LEAST_GAP, length(gap), Spot::gap(history, girder, gap.t))));
+    rows.extend(
+        reading.gap.as_ref().map(|gap| (text::LEAST_GAP.as_str(), length(gap), Spot::gap(history, girder, gap.t))),
+    );
     let force = reading.force.as_ref().and_then(|force| {
         let mut touches = history.touches().iter();
         let touch = touches.find(|touch| touch.peak_time == force.t && touch.peak_force == force.value)?;
-        Some((text::PEAK_FORCE, at(&text::force(force.value), force), Spot::touch(touch)))
+        Some((text::PEAK_FORCE.as_str(), at(&text::force(force.value), force), Spot::touch(touch)))
     });
     rows.extend(force);
     rows
@@ -155,12 +158,12 @@ fn quantities(q: &BearingQuantities) -> [(&'static str, String); 6] {
     let millimetres = |v: [f64; 2]| format!("{} mm", v.map(|e| text::short(e * 1e3)).join("  "));
     let hertz = q.omega.map(|w| w / std::f64::consts::TAU);
     [
-        (text::OMEGAS, format!("{} rad/s", three(q.omega))),
-        (text::FREQUENCIES, format!("{} Hz", three(hertz))),
-        (text::DAMPING_RATIOS, three(q.damping_ratio)),
-        (text::STIFFNESS_ECCENTRICITY, millimetres(q.stiffness_eccentricity)),
-        (text::DAMPING_ECCENTRICITY, millimetres(q.damping_eccentricity)),
-        (text::GYRATION, text::length(q.gyration)),
+        (text::OMEGAS.as_str(), format!("{} rad/s", three(q.omega))),
+        (text::FREQUENCIES.as_str(), format!("{} Hz", three(hertz))),
+        (text::DAMPING_RATIOS.as_str(), three(q.damping_ratio)),
+        (text::STIFFNESS_ECCENTRICITY.as_str(), millimetres(q.stiffness_eccentricity)),
+        (text::DAMPING_ECCENTRICITY.as_str(), millimetres(q.damping_eccentricity)),
+        (text::GYRATION.as_str(), text::length(q.gyration)),
     ]
 }
 
@@ -176,14 +179,14 @@ pub(in crate::app) fn show_device(ui: &mut Ui, answer: Option<&Answer>, id: Devi
         let name = &history.model().links[number].name;
         ui.label(RichText::new(name).weak());
         let mut rows = vec![
-            (text::STATE, now.state.to_owned()),
-            (text::DEVICE_FORCE, text::force(now.force.length())),
-            (text::DEVICE_DEFORMATION, text::length(now.along.deformation[0])),
+            (text::STATE.as_str(), now.state.to_owned()),
+            (text::DEVICE_FORCE.as_str(), text::force(now.force.length())),
+            (text::DEVICE_DEFORMATION.as_str(), text::length(now.along.deformation[0])),
         ];
         let used = now.part_of_strength().zip(now.strength);
-        rows.extend(used.map(|(part, strength)| (text::DEVICE_USE, text::used_of(part, strength))));
+        rows.extend(used.map(|(part, strength)| (text::DEVICE_USE.as_str(), text::used_of(part, strength))));
         if !now.acts {
-            rows.push((text::DEVICE_LEFT, text::length(now.gap)));
+            rows.push((text::DEVICE_LEFT.as_str(), text::length(now.gap)));
         }
         table(ui, name, rows);
         phases(ui, history, number, t, out);
@@ -218,7 +221,7 @@ pub(in crate::app) fn show_contact(ui: &mut Ui, replay: &Replay, contact: usize,
     } else {
         ui.label(RichText::new(text::CONTACT_OPEN).weak());
         let gap = Quantity::Pair(site.pair, OfPair::Gap).at(&answer.history, t);
-        table(ui, "contact", [(text::GAP_OF_PAIR, text::length(gap))]);
+        table(ui, "contact", [(text::GAP_OF_PAIR.as_str(), text::length(gap))]);
     }
     touches(ui, answer, contact, t, out);
 }
@@ -228,18 +231,18 @@ fn rows(c: &ContactNow) -> [(&'static str, String); 12] {
     let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
     let stretch = c.point + c.normal * c.penetration - c.anchor;
     [
-        (text::STATE, c.state.label().to_owned()),
-        (text::WHOLE_FORCE, newtons(c.force.length())),
-        (text::ELASTIC_FORCE, newtons(c.elastic_force().length())),
-        (text::NORMAL_SPRING, newtons(c.normal_force)),
-        (text::TANGENTIAL_SPRING, newtons(c.tangential_force.length())),
-        (text::FORCE_RATIO, text::one_of(&text::short(used), &text::short(c.mu_static))),
-        (text::CONE_USED, format!("{} %", text::short(100.0 * c.cone_use()))),
-        (text::DASHPOTS, newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
-        (text::OVERLAP, format!("{} µm", text::short(c.penetration * 1e6))),
-        (text::ANCHOR_OFF, format!("{} µm", text::short(stretch.length() * 1e6))),
-        (text::CLOSING, format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
-        (text::SLIDING, format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
+        (text::STATE.as_str(), c.state.label().to_owned()),
+        (text::WHOLE_FORCE.as_str(), newtons(c.force.length())),
+        (text::ELASTIC_FORCE.as_str(), newtons(c.elastic_force().length())),
+        (text::NORMAL_SPRING.as_str(), newtons(c.normal_force)),
+        (text::TANGENTIAL_SPRING.as_str(), newtons(c.tangential_force.length())),
+        (text::FORCE_RATIO.as_str(), text::one_of(&text::short(used), &text::short(c.mu_static))),
+        (text::CONE_USED.as_str(), format!("{} %", text::short(100.0 * c.cone_use()))),
+        (text::DASHPOTS.as_str(), newtons((c.normal * c.normal_damping + c.tangential_damping).length())),
+        (text::OVERLAP.as_str(), format!("{} µm", text::short(c.penetration * 1e6))),
+        (text::ANCHOR_OFF.as_str(), format!("{} µm", text::short(stretch.length() * 1e6))),
+        (text::CLOSING.as_str(), format!("{} mm/s", text::short(-c.normal_velocity * 1e3))),
+        (text::SLIDING.as_str(), format!("{} mm/s", text::short(c.sliding.length() * 1e3))),
     ]
 }
 

@@ -19,8 +19,8 @@ pub(in crate::app) fn show(ui: &mut Ui, draft: RowDraft, girder: &Girder, out: &
         let place = Place { problems: None, table: "" };
         egui::Grid::new("row").num_columns(2).show(ui, |ui| {
             let whole = Unit { speed: 0.05, ..PURE };
-            number(ui, place, ("", text::ROW_SPANS), &mut spans, whole);
-            number(ui, place, ("", text::ROW_GAP), &mut new.gap, length_unit(girder.length));
+            number(ui, place, ("", text::ROW_SPANS.as_str()), &mut spans, whole);
+            number(ui, place, ("", text::ROW_GAP.as_str()), &mut new.gap, length_unit(girder.length));
         });
         new = RowDraft { spans: whole(spans), gap: new.gap.max(0.0) };
         if new != draft {

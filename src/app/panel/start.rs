@@ -42,10 +42,10 @@ fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
     let place = Place { problems: None, table: "" };
     Grid::new("bridge").num_columns(2).show(ui, |ui| {
         let metres = length_unit(100.0);
-        number(ui, place, ("", text::START_SPAN), &mut new.span, metres);
-        number(ui, place, ("", text::START_WIDTH), &mut new.width, metres);
-        number(ui, place, ("", text::START_SKEW), &mut new.skew_deg, DEGREES);
-        number(ui, place, ("", text::START_SPANS), &mut spans, Unit { speed: 0.05, ..PURE });
+        number(ui, place, ("", text::START_SPAN.as_str()), &mut new.span, metres);
+        number(ui, place, ("", text::START_WIDTH.as_str()), &mut new.width, metres);
+        number(ui, place, ("", text::START_SKEW.as_str()), &mut new.skew_deg, DEGREES);
+        number(ui, place, ("", text::START_SPANS.as_str()), &mut spans, Unit { speed: 0.05, ..PURE });
     });
     let new = edits::sound(BridgeDraft { spans: whole(spans), ..new });
     if new != draft {

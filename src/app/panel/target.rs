@@ -20,7 +20,7 @@ pub(super) fn show(ui: &mut Ui, place: Place<'_>, quake: &mut SyntheticMotion) -
 fn target(ui: &mut Ui, place: Place<'_>, quake: &mut SyntheticMotion) -> Option<Change> {
     let Some(points) = &mut quake.target else {
         ui.label(RichText::new(text::TARGET_NONE).weak().small());
-        if !act(ui, place, "target_psa_g", text::TARGET_ADD) {
+        if !act(ui, place, "target_psa_g", text::TARGET_ADD.as_str()) {
             return None;
         }
         quake.target = Some(own(quake));
@@ -43,12 +43,12 @@ fn target(ui: &mut Ui, place: Place<'_>, quake: &mut SyntheticMotion) -> Option<
         points.remove(n);
         change = CLICK;
     }
-    if act(ui, place, "target_psa_g", text::TARGET_POINT) {
+    if act(ui, place, "target_psa_g", text::TARGET_POINT.as_str()) {
         let last = points.last().copied().unwrap_or([0.5, 0.1]);
         points.push([2.0 * last[0], last[1]]);
         change = CLICK;
     }
-    if act(ui, place, "target_psa_g", text::TARGET_REMOVE) {
+    if act(ui, place, "target_psa_g", text::TARGET_REMOVE.as_str()) {
         quake.target = None;
         change = CLICK;
     }

@@ -7,6 +7,7 @@ use crate::app::edits::Document;
 use crate::app::field::slider_row;
 use crate::app::style::size::SCALES;
 use crate::app::text;
+use crate::language::Language;
 use crate::sim::OfSection;
 use crate::view::Bending;
 
@@ -33,6 +34,14 @@ pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: 
         for (words, scale) in SCALES {
             if ui.add(Button::selectable(ui.zoom_factor() == scale, words)).clicked() {
                 out.push(WindowCommand::Scale(scale).into());
+            }
+        }
+    });
+    ui.label(text::LANGUAGE);
+    ui.horizontal(|ui| {
+        for language in Language::ALL {
+            if ui.add(Button::selectable(Language::current() == language, language.name())).clicked() {
+                out.push(WindowCommand::Language(language).into());
             }
         }
     });

@@ -34,15 +34,15 @@ pub(in crate::app) fn show(ui: &mut Ui, shown: Shown<'_>, out: &mut Vec<Command>
     let form = Form { scene: document.scene(), problems: replay.runner.problems() };
     fold::head(ui, Pane::WhatIf, out, |_, _| ());
     geometry(ui, form, chosen(document), out);
-    section(ui, text::MOTION_SECTION, |ui| motion(ui, form, out));
-    section(ui, text::CONTACT_SECTION, |ui| contact(ui, form, out));
-    section(ui, text::MODEL_SECTION, |ui| models::show(ui, form, replay, out));
-    section(ui, text::LIMITS_SECTION, |ui| limits::show(ui, form, &replay.runner, out));
-    section(ui, text::PLOTS_SECTION, |ui| user_plots::show(ui, &plots, out));
-    section(ui, text::PINS_SECTION, |ui| {
+    section(ui, text::MOTION_SECTION.as_str(), |ui| motion(ui, form, out));
+    section(ui, text::CONTACT_SECTION.as_str(), |ui| contact(ui, form, out));
+    section(ui, text::MODEL_SECTION.as_str(), |ui| models::show(ui, form, replay, out));
+    section(ui, text::LIMITS_SECTION.as_str(), |ui| limits::show(ui, form, &replay.runner, out));
+    section(ui, text::PLOTS_SECTION.as_str(), |ui| user_plots::show(ui, &plots, out));
+    section(ui, text::PINS_SECTION.as_str(), |ui| {
         comparison::show(ui, (plots.pins, plots.differences), replay.runner.fresh_answer().map(|a| &**a), out);
     });
-    section(ui, text::SHOW_SECTION, |ui| overlays::show(ui, form, display, out));
+    section(ui, text::SHOW_SECTION.as_str(), |ui| overlays::show(ui, form, display, out));
 }
 
 fn section(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
@@ -68,7 +68,8 @@ fn geometry(ui: &mut Ui, form: Form<'_>, one: Option<usize>, out: &mut Vec<Comma
     let Some(girder) = scene.girders.get(one.unwrap_or(0)) else { return };
     let (table, size) = (format!("girder.{}", girder.name), Size::of(girder));
     let mut skew = girder.skew_deg;
-    let whose = if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS };
+    let whose =
+        if one.is_some() || scene.girders.len() == 1 { girder.name.as_str() } else { text::ALL_GIRDERS.as_str() };
     ui.label(RichText::new(format!("{whose}: {}", text::us_skew(skew))).weak());
     let change = slider_at(ui, &form.look_of(&table, size), "skew_deg", &mut skew);
     push(out, change, || edits::skew(scene, one, skew));

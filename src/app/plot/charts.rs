@@ -62,7 +62,7 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
     let [x, y, turn] = traces.bands.as_ref().map_or([None; 3], |[x, y, turn]| [Some(x), Some(y), Some(turn)]);
     let band = |band: Option<&'a Band>, color: Color32| band.map(|band| (band, color.gamma_multiply(0.3)));
     let mut place = Chart {
-        name: text::PLOT_PLACE.to_owned(),
+        name: text::PLOT_PLACE.to_string(),
         unit: "mm",
         curves: several(source, traces, (&traces.x, palette.x, LineStyle::Solid)),
         bands: band(x, palette.x).into_iter().chain(band(y, palette.y)).collect(),
@@ -75,7 +75,7 @@ pub(super) fn standing<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, pal
     };
     place.curves.extend(several(source, traces, (&traces.y, palette.y, dashed)));
     let mut theta = Chart {
-        name: text::PLOT_THETA.to_owned(),
+        name: text::PLOT_THETA.to_string(),
         unit: "°",
         curves: several(source, traces, (&traces.theta, palette.theta, LineStyle::Solid)),
         bands: band(turn, palette.theta).into_iter().collect(),
@@ -188,7 +188,7 @@ fn force<'a>(source: &Source<'_>, traces: &'a Traces, at: f64, palette: &Palette
     };
     let value = source.answer.map(|answer| largest(answer));
     Chart {
-        name: text::PLOT_FORCE.to_owned(),
+        name: text::PLOT_FORCE.to_string(),
         unit: "N",
         curves: traces.force.iter().map(drawn).collect(),
         bands: Vec::new(),

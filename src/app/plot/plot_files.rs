@@ -88,7 +88,7 @@ fn png(svg: &str) -> Result<Vec<u8>, String> {
 
 #[cfg(not(feature = "study"))]
 fn png(_: &str) -> Result<Vec<u8>, String> {
-    Err(text::NO_PNG.to_owned())
+    Err(text::NO_PNG.to_string())
 }
 
 /// `NAME.ext` for what is drawn against time, `NAME-2.ext` and so on for what is drawn against something else.

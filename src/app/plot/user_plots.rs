@@ -43,7 +43,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
                 }
             });
             let place = Place { problems: None, table: "view" };
-            mark(&adding.response, place, ("plot", text::ADD_PANEL));
+            mark(&adding.response, place, ("plot", text::ADD_PANEL.as_str()));
         });
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
             if ui.button(text::COPY_PLOTS).clicked() {
@@ -103,7 +103,7 @@ fn offers(names: &[(String, Quantity)], girder: usize) -> Vec<(&'static str, Plo
         (text::OFFER_RESPONSE, spectrum(PlotShows::Response, first(&|q| matches!(q, Quantity::Ground(0))))),
         (text::OFFER_EMPTY, of_girder(0).map(over_time)),
     ];
-    list.into_iter().filter_map(|(words, plot)| Some((words, plot?))).collect()
+    list.into_iter().filter_map(|(words, plot)| Some((words.as_str(), plot?))).collect()
 }
 
 fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantity)]) {
@@ -133,7 +133,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
                 ui.close();
             }
         });
-        mark(&curves.response, place, ("y", text::ADD_CURVE));
+        mark(&curves.response, place, ("y", text::ADD_CURVE.as_str()));
         ui.menu_button(text::CHANGE_CURVE, |ui| {
             if let Some(name) = choose(ui, i, names.iter()) {
                 plot.y = vec![name];
@@ -160,16 +160,16 @@ fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
                     ui.selectable_value(&mut plot.shows, *shows, words(*shows));
                 }
             });
-        tag(ui, &combo.response.labelled_by(label.id), place, ("shows", text::SHOWS));
+        tag(ui, &combo.response.labelled_by(label.id), place, ("shows", text::SHOWS.as_str()));
     });
     let response = ui.checkbox(&mut plot.log, text::LOG);
-    tag(ui, &response, place, ("log", text::LOG));
+    tag(ui, &response, place, ("log", text::LOG.as_str()));
 }
 
 fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantity)]) {
     ui.horizontal(|ui| {
         let label = ui.label(text::AGAINST);
-        let words = plot.x.clone().unwrap_or_else(|| text::TIME.to_owned());
+        let words = plot.x.clone().unwrap_or_else(|| text::TIME.to_string());
         let table = format!("view.plot[{i}]");
         let place = Place { problems: None, table: &table };
         let combo = ComboBox::from_id_salt(("against", i)).width(150.0).selected_text(words).show_ui(ui, |ui| {
@@ -178,7 +178,7 @@ fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Qua
                 ui.selectable_value(&mut plot.x, Some(name.clone()), name);
             }
         });
-        mark(&combo.response.labelled_by(label.id), place, ("x", text::AGAINST));
+        mark(&combo.response.labelled_by(label.id), place, ("x", text::AGAINST.as_str()));
     });
 }
 

@@ -65,7 +65,7 @@ fn above(ui: &mut Ui, (shown, all): (&Component, &[Component]), shaking: &Shakin
 fn histories(ui: &mut Ui, component: &Component, t: f64, out: &mut Vec<Command>) {
     for (number, panel) in component.histories.iter().enumerate() {
         let last = number + 1 == component.histories.len();
-        let axis = if last { text::QUAKE_TIME } else { "" };
+        let axis = if last { text::QUAKE_TIME.as_str() } else { "" };
         let shown = plot(ui, ("history", number), (360.0, axis), panel, number, |plot| {
             plot.vline(VLine::new("", t).allow_hover(false).width(1.0));
             plot.pointer_coordinate().filter(|_| plot.response().clicked())
@@ -81,7 +81,7 @@ fn spectra(ui: &mut Ui, component: &Component, own: &[OwnPeriod]) {
     let palette = Palette::of(ui);
     for (number, panel) in component.spectrum.iter().enumerate() {
         let last = number + 1 == component.spectrum.len();
-        let axis = if last { text::QUAKE_PERIOD } else { "" };
+        let axis = if last { text::QUAKE_PERIOD.as_str() } else { "" };
         let longest =
             panel.curves.iter().filter_map(|curve| curve.points.last()).fold(0.0, |most: f64, p| most.max(p[0]));
         let highest = panel.curves.iter().flat_map(|c| &c.points).fold(0.0, |most: f64, p| most.max(p[1]));

@@ -95,10 +95,10 @@ impl Comparison {
     fn pin(&mut self, answer: &Arc<Answer>, what: &str) -> Result<(), &'static str> {
         let digest = answer.history.digest();
         if self.pins.iter().any(|p| p.answer.history.digest() == digest) {
-            return Err(text::PIN_THERE);
+            return Err(text::PIN_THERE.as_str());
         }
         let free = (0..MOST).find(|c| self.pins.iter().all(|p| p.color != *c));
-        let color = free.ok_or(text::PINS_FULL)?;
+        let color = free.ok_or(text::PINS_FULL.as_str())?;
         self.count += 1;
         let name = format!("{} {}: {what}", text::PIN, self.count);
         self.pins.push(Pin { name, answer: answer.clone(), color });
@@ -134,8 +134,8 @@ mod tests {
         for run in &runs[..MOST] {
             kept.pin(run, "gap").expect("room for it");
         }
-        assert_eq!(kept.pin(&runs[0], "gap"), Err(text::PIN_THERE), "the same run");
-        assert_eq!(kept.pin(&runs[MOST], "gap"), Err(text::PINS_FULL), "one too many");
+        assert_eq!(kept.pin(&runs[0], "gap"), Err(text::PIN_THERE.as_str()), "the same run");
+        assert_eq!(kept.pin(&runs[MOST], "gap"), Err(text::PINS_FULL.as_str()), "one too many");
         kept.unpin(1);
         kept.unpin(99);
         kept.pin(&runs[MOST], "gap").expect("room again");

@@ -24,6 +24,7 @@ use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
 use crate::files::SceneSource;
+use crate::language::Language;
 use crate::render::GpuError;
 use crate::scene::Scene;
 
@@ -55,15 +56,17 @@ pub enum AppError {
     },
 }
 
-/// Opens the workbench on a scene and returns when its window is closed.
+/// Opens the workbench on a scene, in a language, and returns when its window is closed.
 ///
 /// # Errors
 /// [`AppError::NoDisplay`] when the machine has no display, [`AppError::NoWindow`] when none can be opened on it,
 /// [`AppError::Ended`] when it was open and the display or the graphics device went away for good.
-pub fn run(scene: Scene, source: SceneSource) -> Result<(), AppError> {
+pub fn run(scene: Scene, source: SceneSource, language: Language) -> Result<(), AppError> {
     let event_loop = EventLoop::<News>::with_user_event().build().map_err(|_| AppError::NoDisplay)?;
     let proxy = event_loop.create_proxy();
-    let mut shell = Shell { bench: Workbench::new(scene, source), proxy, open: None, failed: None };
+    let mut bench = Workbench::new(scene, source);
+    bench.window.language = language;
+    let mut shell = Shell { bench, proxy, open: None, failed: None };
     let ran = event_loop.run_app(&mut shell);
     shell.ended(ran.err().map(|problem| problem.to_string()))
 }
@@ -328,7 +331,10 @@ mod tests {
         event_loop.run_app(&mut losing).expect("it ends when it is told to");
         let Losing { mut shell, seen, .. } = losing;
         assert_eq!(shell.failed, None, "nothing to give up for");
-        assert!(seen.iter().any(|words| words == text::DRAWN_ANEW), "it was lost, and that was said: {seen:?}");
+        assert!(
+            seen.iter().any(|words| words == text::DRAWN_ANEW.as_str()),
+            "it was lost, and that was said: {seen:?}"
+        );
         assert!(shell.open.as_ref().is_some_and(|open| open.surface.is_shown()), "and it is shown again");
         assert_eq!(shell.bench.files.document.scene().girders.len(), girders + 1, "with the work");
         shell.bench.apply(EditCommand::Undo);

@@ -3,7 +3,7 @@
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
 use egui::{Color32, Context, CornerRadius, FontData, FontFamily, Id, Stroke, Theme, Visuals};
 
-/// The glyphs of the paper's own names of the six states, which egui's font does not have.
+/// The glyphs of the paper's own names of the six states and of the name of Japanese, which egui's font does not have.
 const PAPER_NAMES: &[u8] = include_bytes!("../../../assets/fonts/paper-names.otf");
 
 /// Stick, as in the pictures.

@@ -1,7 +1,13 @@
 //! What undo calls an edit.
 
+use crate::language::{Text, values};
 use crate::scene::Scene;
 use crate::scene::edit::Edit;
+
+/// An edit of what is called so.
+fn named(key: &'static str, name: &str) -> String {
+    Text::new(key).with(&values!["name" => name])
+}
 
 /// What undo calls an edit.
 pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
@@ -10,36 +16,37 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
     let pier = |i: &usize| scene.piers.get(*i).map_or("pier", |p| p.name.as_str());
     let device = |id| scene.device(id).map_or_else(|| "device".to_owned(), |d| d.part().ends().name.to_owned());
     match edit {
-        Edit::AddGirder(_, new) => format!("add {}", new.name),
-        Edit::AddAbutment(_, new) => format!("add {}", new.name),
-        Edit::AddPier(_, new) => format!("add {}", new.name),
-        Edit::RemovePier(i) => format!("remove {}", pier(i)),
-        Edit::ReplacePier(_, new) => format!("change {}", new.name),
-        Edit::AddDevice(_, new) => format!("add {}", new.part().ends().name),
-        Edit::RemoveDevice(id) => format!("remove {}", device(*id)),
-        Edit::ReplaceDevice(_, new) => format!("change {}", new.part().ends().name),
-        Edit::RemoveGirder(i) => format!("remove {}", girder(i)),
-        Edit::RemoveAbutment(i) => format!("remove {}", abutment(i)),
-        Edit::MoveGirder(i, ..) => format!("move {}", girder(i)),
-        Edit::ReplaceGirder(i, _) => format!("change {}", girder(i)),
-        Edit::ReplaceAbutment(i, _) => format!("change {}", abutment(i)),
-        Edit::Rename(from, to) => format!("rename {from} to {to}"),
-        Edit::Contact(_) => "change contact".into(),
-        Edit::Motion(_) => "change ground motion".into(),
-        Edit::Model(_) => "change model".into(),
-        Edit::Impact(_) => "change impact numbers".into(),
-        Edit::Scene(other) => format!("open {}", other.name),
-        Edit::Limits(_) => "change limits".into(),
-        Edit::Codes(_) => "change inputs of codes".into(),
-        Edit::View(_) => "change view".into(),
-        Edit::Set(setting) => format!("set {setting}"),
-        Edit::General(_) | Edit::Solver(_) => "change scene".into(),
+        Edit::AddGirder(_, new) => named("edit-add", &new.name),
+        Edit::AddAbutment(_, new) => named("edit-add", &new.name),
+        Edit::AddPier(_, new) => named("edit-add", &new.name),
+        Edit::RemovePier(i) => named("edit-remove", pier(i)),
+        Edit::ReplacePier(_, new) => named("edit-change", &new.name),
+        Edit::AddDevice(_, new) => named("edit-add", new.part().ends().name),
+        Edit::RemoveDevice(id) => named("edit-remove", &device(*id)),
+        Edit::ReplaceDevice(_, new) => named("edit-change", new.part().ends().name),
+        Edit::RemoveGirder(i) => named("edit-remove", girder(i)),
+        Edit::RemoveAbutment(i) => named("edit-remove", abutment(i)),
+        Edit::MoveGirder(i, ..) => named("edit-move", girder(i)),
+        Edit::ReplaceGirder(i, _) => named("edit-change", girder(i)),
+        Edit::ReplaceAbutment(i, _) => named("edit-change", abutment(i)),
+        Edit::Rename(from, to) => Text::new("edit-rename").with(&values!["from" => from.as_str(), "to" => to.as_str()]),
+        Edit::Contact(_) => Text::new("edit-contact").into(),
+        Edit::Motion(_) => Text::new("edit-ground-motion").into(),
+        Edit::Model(_) => Text::new("edit-model").into(),
+        Edit::Impact(_) => Text::new("edit-impact-numbers").into(),
+        Edit::Scene(other) => named("edit-open", &other.name),
+        Edit::Limits(_) => Text::new("edit-limits").into(),
+        Edit::Codes(_) => Text::new("edit-inputs-of-codes").into(),
+        Edit::View(_) => Text::new("edit-view").into(),
+        Edit::Set(setting) => Text::new("edit-set").with(&values!["setting" => setting.as_str()]),
+        Edit::General(_) | Edit::Solver(_) => Text::new("edit-scene").into(),
         Edit::Batch(edits) => match &edits[..] {
-            [] => "nothing".into(),
+            [] => Text::new("edit-nothing").into(),
             [one] => name_of_edit(one, scene),
             [first, ..] => {
                 let first = name_of_edit(first, scene);
-                format!("{} {} things", first.split(' ').next().unwrap_or("change"), edits.len())
+                let verb = first.split(' ').next().unwrap_or("change");
+                Text::new("edit-several").with(&values!["verb" => verb, "count" => edits.len()])
             }
         },
     }

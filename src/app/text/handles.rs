@@ -1,85 +1,89 @@
 //! Words at the handles: what each is called, and what a drag says.
 
 use crate::geometry::End;
+use crate::language::{Text, values};
 
-pub(in crate::app) const ALONG: &str = "along";
-pub(in crate::app) const ACROSS: &str = "across";
-pub(in crate::app) const TURNED_TO: &str = "heading";
-pub(in crate::app) const LONG: &str = "length";
-pub(in crate::app) const WIDE: &str = "width";
+pub(in crate::app) const ALONG: Text = Text::new("along");
+pub(in crate::app) const ACROSS: Text = Text::new("across");
+pub(in crate::app) const TURNED_TO: Text = Text::new("turned-to");
+pub(in crate::app) const LONG: Text = Text::new("long");
+pub(in crate::app) const WIDE: Text = Text::new("wide");
 pub(in crate::app) const SKEWED: &str = "β";
-pub(in crate::app) const APART: &str = "gap as placed";
-pub(in crate::app) const SIDEWAYS: &str = "sideways";
-pub(in crate::app) const FACE_WIDE: &str = "face width";
+pub(in crate::app) const APART: Text = Text::new("apart");
+pub(in crate::app) const SIDEWAYS: Text = Text::new("sideways");
+pub(in crate::app) const FACE_WIDE: Text = Text::new("face-wide");
 pub(in crate::app) const SHIFT_X: &str = "Δx";
 pub(in crate::app) const SHIFT_Y: &str = "Δy";
 
 /// What a handle moves, and to where.
 pub(in crate::app) fn move_by_handle(name: &str, way: &str) -> String {
-    format!("move {name} {way}")
+    Text::new("move-by-handle").with(&values!["name" => name, "way" => way])
 }
 
 pub(in crate::app) fn turn_by_handle(name: &str) -> String {
-    format!("turn {name}")
+    Text::new("turn-by-handle").with(&values!["name" => name])
 }
 
 pub(in crate::app) fn length_handle(name: &str, end: End) -> String {
-    format!("length of {name} at {}", end.label())
+    Text::new("length-handle").with(&values!["name" => name, "end" => end.label()])
 }
 
 /// A corner, seen along the girder.
 pub(in crate::app) fn skew_handle(name: &str, end: End, left: bool) -> String {
-    format!("skew of {name} at {} {}", end.label(), if left { "left" } else { "right" })
+    let side = if left { Text::new("left") } else { Text::new("right") };
+    Text::new("skew-handle").with(&values!["name" => name, "end" => end.label(), "side" => side.as_str()])
 }
 
 pub(in crate::app) fn width_handle(name: &str) -> String {
-    format!("width of {name}")
+    Text::new("width-handle").with(&values!["name" => name])
 }
 
 pub(in crate::app) fn face_width_handle(name: &str, left: bool) -> String {
-    format!("width of {name}, {}", if left { "one side" } else { "other side" })
+    let side = if left { Text::new("one-side") } else { Text::new("other-side") };
+    Text::new("face-width-handle").with(&values!["name" => name, "side" => side.as_str()])
 }
 
 pub(in crate::app) fn gap_handle(pair: &str) -> String {
-    format!("gap of {pair}")
+    Text::new("gap-handle").with(&values!["pair" => pair])
 }
 
 /// What is dragged and the value it has come to.
 pub(in crate::app) fn dragged(what: &str, value: &str) -> String {
-    format!("{what} {value}")
+    Text::new("dragged").with(&values!["what" => what, "value" => value])
 }
 
 /// The gap that the view shows, beside the one that is set.
 pub(in crate::app) fn gap_now(gap: &str, t: f64) -> String {
-    format!("gap {gap} at {t:.4} s")
+    Text::new("gap-now").with(&values!["gap" => gap, "t" => format!("{t:.4}")])
 }
 
 pub(in crate::app) fn skewed_to(degrees: &str, end: End) -> String {
-    format!("{SKEWED} {degrees}° at {}", end.label())
+    Text::new("skewed-to").with(&values!["degrees" => degrees, "end" => end.label()])
 }
 
 // What a drag has snapped to.
 pub(in crate::app) fn on_axis_of(name: &str) -> String {
-    format!("on the axis of {name}")
+    Text::new("on-axis-of").with(&values!["name" => name])
 }
 
 pub(in crate::app) fn gap_to(gap: &str, name: &str) -> String {
-    format!("gap {gap} to {name}")
+    Text::new("gap-to").with(&values!["gap" => gap, "name" => name])
 }
 
 pub(in crate::app) fn parallel_to(name: &str) -> String {
-    format!("parallel to {name}")
+    Text::new("parallel-to").with(&values!["name" => name])
 }
 
 pub(in crate::app) fn ends_parallel_to(name: &str) -> String {
-    format!("ends parallel to {name}")
+    Text::new("ends-parallel-to").with(&values!["name" => name])
 }
 
 pub(in crate::app) fn as_at(pair: &str) -> String {
-    format!("as {pair}")
+    Text::new("as-at").with(&values!["pair" => pair])
 }
 
 /// A point of a device.
 pub(in crate::app) fn device_point(name: &str, which: usize) -> String {
-    format!("{} point of {name}", if which == 0 { "first" } else { "second" })
+    let key = if which == 0 { "first-point" } else { "second-point" };
+    Text::new(key).with(&values!["name" => name])
 }

@@ -10,6 +10,8 @@ mod paths;
 mod plots;
 mod readings;
 
+use crate::language::Text;
+
 pub(super) use edits::*;
 pub(super) use fields::*;
 pub(super) use handles::*;
@@ -20,364 +22,374 @@ pub(super) use paths::*;
 pub(super) use plots::*;
 pub(super) use readings::*;
 
+impl From<Text> for egui::WidgetText {
+    fn from(text: Text) -> Self {
+        text.as_str().into()
+    }
+}
+
+impl From<Text> for egui::RichText {
+    fn from(text: Text) -> Self {
+        text.as_str().into()
+    }
+}
+
 /// The program's name, in the title.
 pub(super) const PROGRAM: &str = "Girderbench";
 /// Stands before the title of a scene with unsaved changes.
 pub(super) const UNSAVED: &str = "● ";
 
 // The bar at the top.
-pub(super) const FILE: &str = "File";
-pub(super) const NEW: &str = "New";
+pub(super) const FILE: Text = Text::new("file");
+pub(super) const NEW: Text = Text::new("new");
 pub(super) const UNTITLED: &str = "untitled";
-pub(super) const OPEN: &str = "Open…";
-pub(super) const OPEN_RECENT: &str = "Open recent";
-pub(super) const NO_RECENT: &str = "No files yet";
-pub(super) const FORGET: &str = "Forget";
-pub(super) const FORGET_HINT: &str = "Take it from this list; the file stays where it is";
-pub(super) const FORGET_ALL: &str = "Forget all";
-pub(super) const MISSING: &str = "missing";
-pub(super) const SAVE: &str = "Save";
-pub(super) const SAVE_AS: &str = "Save as…";
-pub(super) const EXPORT_PICTURE: &str = "Export picture…";
-pub(super) const EXPORT_FILM: &str = "Export film…";
-pub(super) const EXPORT_TABLES: &str = "Export tables…";
-pub(super) const EXPORT_REPORT: &str = "Export report…";
-pub(super) const REPORT_WRITTEN: &str = "Report written";
-pub(super) const QUIT: &str = "Quit";
-pub(super) const PRESETS: &str = "Presets";
-pub(super) const UNDO: &str = "Undo";
-pub(super) const REDO: &str = "Redo";
-pub(super) const ADD_GIRDER: &str = "Add girder";
-pub(super) const ADD_ABUTMENT: &str = "Add abutment";
-pub(super) const ADD_PIER: &str = "Add pier";
-pub(super) const DUPLICATE: &str = "Duplicate";
-pub(super) const REMOVE: &str = "Remove";
-pub(super) const EDIT: &str = "Edit";
-pub(super) const SELECT_ALL: &str = "Select all";
-pub(super) const PLACE_GIRDER: &str = "Place girder with the mouse";
-pub(super) const PLACE_ABUTMENT: &str = "Place abutment with the mouse";
-pub(super) const ROW: &str = "Row of spans";
-pub(super) const ROW_ASK: &str = "Row of spans…";
-pub(super) const ROW_OF: &str = "In a row with equal gaps, like";
-pub(super) const ROW_SPANS: &str = "Spans";
-pub(super) const ROW_GAP: &str = "Gap between spans";
-pub(super) const ROW_MAKE: &str = "Make the row";
-pub(super) const TOOL_ENDS: &str = "click: place   Ctrl: no snapping   Esc: done";
-pub(super) const HELP: &str = "Help";
-pub(super) const THEME_LIGHT: &str = "Light";
-pub(super) const THEME_DARK: &str = "Dark";
-pub(super) const THEME_HINT: &str = "Switch between the light and the dark theme";
-pub(super) const VIEW_ISO: &str = "Iso";
-pub(super) const VIEW_TOP: &str = "Top";
-pub(super) const VIEW_SIDE: &str = "Side";
-pub(super) const VIEW_CONTACT: &str = "Contact";
-pub(super) const VIEW_FRAME: &str = "Frame";
-pub(super) const FRAME_HINT: &str = "Frame what is selected, or everything (F)";
+pub(super) const OPEN: Text = Text::new("open");
+pub(super) const OPEN_RECENT: Text = Text::new("open-recent");
+pub(super) const NO_RECENT: Text = Text::new("no-recent");
+pub(super) const FORGET: Text = Text::new("forget");
+pub(super) const FORGET_HINT: Text = Text::new("forget-hint");
+pub(super) const FORGET_ALL: Text = Text::new("forget-all");
+pub(super) const MISSING: Text = Text::new("missing");
+pub(super) const SAVE: Text = Text::new("save");
+pub(super) const SAVE_AS: Text = Text::new("save-as");
+pub(super) const EXPORT_PICTURE: Text = Text::new("export-picture");
+pub(super) const EXPORT_FILM: Text = Text::new("export-film");
+pub(super) const EXPORT_TABLES: Text = Text::new("export-tables");
+pub(super) const EXPORT_REPORT: Text = Text::new("export-report");
+pub(super) const REPORT_WRITTEN: Text = Text::new("report-written");
+pub(super) const QUIT: Text = Text::new("quit");
+pub(super) const PRESETS: Text = Text::new("presets");
+pub(super) const UNDO: Text = Text::new("undo");
+pub(super) const REDO: Text = Text::new("redo");
+pub(super) const ADD_GIRDER: Text = Text::new("add-girder");
+pub(super) const ADD_ABUTMENT: Text = Text::new("add-abutment");
+pub(super) const ADD_PIER: Text = Text::new("add-pier");
+pub(super) const DUPLICATE: Text = Text::new("duplicate");
+pub(super) const REMOVE: Text = Text::new("remove");
+pub(super) const EDIT: Text = Text::new("edit");
+pub(super) const SELECT_ALL: Text = Text::new("select-all");
+pub(super) const PLACE_GIRDER: Text = Text::new("place-girder");
+pub(super) const PLACE_ABUTMENT: Text = Text::new("place-abutment");
+pub(super) const ROW: Text = Text::new("row");
+pub(super) const ROW_ASK: Text = Text::new("row-ask");
+pub(super) const ROW_OF: Text = Text::new("row-of");
+pub(super) const ROW_SPANS: Text = Text::new("row-spans");
+pub(super) const ROW_GAP: Text = Text::new("row-gap");
+pub(super) const ROW_MAKE: Text = Text::new("row-make");
+pub(super) const TOOL_ENDS: Text = Text::new("tool-ends");
+pub(super) const HELP: Text = Text::new("help");
+pub(super) const THEME_LIGHT: Text = Text::new("theme-light");
+pub(super) const THEME_DARK: Text = Text::new("theme-dark");
+pub(super) const THEME_HINT: Text = Text::new("theme-hint");
+pub(super) const VIEW_ISO: Text = Text::new("view-iso");
+pub(super) const VIEW_TOP: Text = Text::new("view-top");
+pub(super) const VIEW_SIDE: Text = Text::new("view-side");
+pub(super) const VIEW_CONTACT: Text = Text::new("view-contact");
+pub(super) const VIEW_FRAME: Text = Text::new("view-frame");
+pub(super) const FRAME_HINT: Text = Text::new("frame-hint");
 
 // An empty scene.
-pub(super) const START_BRIDGE: &str = "A bridge";
-pub(super) const START_SPAN: &str = "Span length";
-pub(super) const START_WIDTH: &str = "Deck width";
-pub(super) const START_SKEW: &str = "Skew angle β";
-pub(super) const START_SPANS: &str = "Number of spans";
-pub(super) const START_BUILD: &str = "Build the bridge";
-pub(super) const START_NOTHING: &str = "an empty scene";
+pub(super) const START_BRIDGE: Text = Text::new("start-bridge");
+pub(super) const START_SPAN: Text = Text::new("start-span");
+pub(super) const START_WIDTH: Text = Text::new("start-width");
+pub(super) const START_SKEW: Text = Text::new("start-skew");
+pub(super) const START_SPANS: Text = Text::new("start-spans");
+pub(super) const START_BUILD: Text = Text::new("start-build");
+pub(super) const START_NOTHING: Text = Text::new("start-nothing");
 
 // The view.
-pub(super) const VIEW: &str = "3D view";
-pub(super) const COMPUTING: &str = "Computing";
-pub(super) const CANCEL: &str = "Cancel";
-pub(super) const CANCELLED: &str = "Stopped: the picture shows the last finished run. Change anything to run again.";
-pub(super) const CANCELLED_AT_ONCE: &str = "Stopped: the scene is shown as placed. Change anything to run again.";
-pub(super) const PROBLEM: &str = "This scene cannot be run; the last good answer is still shown";
-pub(super) const PROBLEM_AT_ONCE: &str = "This scene cannot be run";
-pub(super) const STOPPED_EARLY: &str = "The run ended early";
-pub(super) const EMPTY: &str = "Nothing is placed. Add a girder (G) or open a preset.";
+pub(super) const VIEW: Text = Text::new("view");
+pub(super) const COMPUTING: Text = Text::new("computing");
+pub(super) const CANCEL: Text = Text::new("cancel");
+pub(super) const CANCELLED: Text = Text::new("cancelled");
+pub(super) const CANCELLED_AT_ONCE: Text = Text::new("cancelled-at-once");
+pub(super) const PROBLEM: Text = Text::new("problem");
+pub(super) const PROBLEM_AT_ONCE: Text = Text::new("problem-at-once");
+pub(super) const STOPPED_EARLY: Text = Text::new("stopped-early");
+pub(super) const EMPTY: Text = Text::new("empty");
 
 // Time.
-pub(super) const TIMELINE: &str = "Timeline";
-pub(super) const CONTACTS: &str = "contacts";
-pub(super) const PLAY: &str = "Play";
-pub(super) const PAUSE: &str = "Pause";
-pub(super) const TO_START: &str = "To the start";
-pub(super) const TO_END: &str = "To the end";
-pub(super) const STEP_BACK: &str = "Step back";
-pub(super) const STEP_FORWARD: &str = "Step forward";
-pub(super) const PREVIOUS_EVENT: &str = "Previous contact event";
-pub(super) const NEXT_EVENT: &str = "Next contact event";
-pub(super) const SPEED: &str = "Speed";
-pub(super) const PLAYING: &str = "Playing";
-pub(super) const LOOP: &str = "Loop";
-pub(super) const LOOP_HINT: &str = "Begin again at the end (L)";
-pub(super) const SLOW_AT_HITS: &str = "Slow at hits";
-pub(super) const SLOW_HINT: &str = "Play at 1/100 while anything touches (M)";
-pub(super) const ALL_SPAN: &str = "Play everything";
-pub(super) const ALL_SPAN_HINT: &str = "Forget the stretch that is played (X); I and O set one";
-pub(super) const ALL_TIME: &str = "Whole run";
-pub(super) const ALL_TIME_HINT: &str = "Show the whole run (double click)";
+pub(super) const TIMELINE: Text = Text::new("timeline");
+pub(super) const CONTACTS: Text = Text::new("contacts");
+pub(super) const PLAY: Text = Text::new("play");
+pub(super) const PAUSE: Text = Text::new("pause");
+pub(super) const TO_START: Text = Text::new("to-start");
+pub(super) const TO_END: Text = Text::new("to-end");
+pub(super) const STEP_BACK: Text = Text::new("step-back");
+pub(super) const STEP_FORWARD: Text = Text::new("step-forward");
+pub(super) const PREVIOUS_EVENT: Text = Text::new("previous-event");
+pub(super) const NEXT_EVENT: Text = Text::new("next-event");
+pub(super) const SPEED: Text = Text::new("speed");
+pub(super) const PLAYING: Text = Text::new("playing");
+pub(super) const LOOP: Text = Text::new("loop");
+pub(super) const LOOP_HINT: Text = Text::new("loop-hint");
+pub(super) const SLOW_AT_HITS: Text = Text::new("slow-at-hits");
+pub(super) const SLOW_HINT: Text = Text::new("slow-hint");
+pub(super) const ALL_SPAN: Text = Text::new("all-span");
+pub(super) const ALL_SPAN_HINT: Text = Text::new("all-span-hint");
+pub(super) const ALL_TIME: Text = Text::new("all-time");
+pub(super) const ALL_TIME_HINT: Text = Text::new("all-time-hint");
 
 // What is placed.
-pub(super) const INSPECTOR: &str = "Numbers";
-pub(super) const NOTHING_SELECTED: &str = "Select a girder or an abutment to see its numbers; these are the scene's.";
-pub(super) const NAME: &str = "Name";
-pub(super) const FREQUENCY_X: &str = "Bearings f x";
-pub(super) const FREQUENCY_Y: &str = "Bearings f y";
-pub(super) const DAMPING_X: &str = "Bearings h x";
-pub(super) const DAMPING_Y: &str = "Bearings h y";
-pub(super) const FREQUENCY_Z: &str = "Bearings f z";
-pub(super) const DAMPING_Z: &str = "Bearings h z";
-pub(super) const BEARINGS: &str = "Bearings";
-pub(super) const BEARINGS_NONE: &str = "No bearings: it slides freely.";
-pub(super) const BEARINGS_ADD: &str = "Put it on four bearings";
-pub(super) const BEARINGS_ADD_LEAD: &str = "Put it on lead rubber";
-pub(super) const BEARINGS_ADD_PENDULUM: &str = "Put it on friction pendulums";
-pub(super) const BEARINGS_REMOVE: &str = "Take the bearings away";
-pub(super) const BEARINGS_ONE_BY_ONE: &str = "Edit one by one";
-pub(super) const BEARINGS_ONE_BY_ONE_HINT: &str = "Each bearing gets its own springs and dashpots, equal to begin with";
-pub(super) const BEARING: &str = "Bearing";
-pub(super) const BEARING_ADD: &str = "Add a bearing";
-pub(super) const BEARING_REMOVE: &str = "Remove no.";
-pub(super) const BEARING_HEIGHT: &str = "Height";
-pub(super) const BEARING_X: &str = "At x";
-pub(super) const BEARING_Y: &str = "At y";
-pub(super) const BEARING_YIELD: &str = "Yield Q";
-pub(super) const BEARING_YIELDS_AT: &str = "Yields at";
-pub(super) const BEARING_PER_AXIS: &str = "Each axis for itself";
-pub(super) const AT: &str = "Places, from the middle of the girder";
-pub(super) const AT_SKEWED: &str = "Places, from the middle, x along the skewed plan";
-pub(super) const AT_FOLLOWS: &str = "Places go with the skew";
-pub(super) const START_SECTION: &str = "Start, push, held";
-pub(super) const HELD: &str = "Held";
-pub(super) const BACKFILL_SECTION: &str = "Soil behind the wall";
-pub(super) const BACKFILL_NONE: &str = "The backwall is fixed.";
-pub(super) const BACKFILL_ADD: &str = "Let it move against soil";
-pub(super) const BACKFILL_REMOVE: &str = "Fix the backwall";
-pub(super) const BACKFILL_ASSUMED: &str =
-    "What is not ticked is assumed from the deck's width, the wall's height and the skew.";
-pub(super) const ON_MINUS: &str = "-x half on";
-pub(super) const ON_PLUS: &str = "+x half on";
-pub(super) const ON_PIER: &str = "Stands on";
-pub(super) const ON_GROUND: &str = "ground";
-pub(super) const PIER_MORE: &str = "Damping, yield, place, cap";
-pub(super) const PIER_WAY: &str = "Stiffness from";
-pub(super) const PIER_BY_STIFFNESS: &str = "its number";
-pub(super) const PIER_BY_FREQUENCY: &str = "its frequency";
-pub(super) const PIER_BY_COLUMN: &str = "its columns";
-pub(super) const PIER_K_ALONG: &str = "Stiffness along";
-pub(super) const PIER_K_ACROSS: &str = "Stiffness across";
-pub(super) const PIER_F_ALONG: &str = "Frequency along";
-pub(super) const PIER_F_ACROSS: &str = "Frequency across";
-pub(super) const PIER_COLUMN_ALONG: &str = "Column along";
-pub(super) const PIER_COLUMN_ACROSS: &str = "Column across";
-pub(super) const PIER_YIELD: &str = "Base yields at";
-pub(super) const PIER_X: &str = "Place x";
-pub(super) const PIER_Y: &str = "Place y";
-pub(super) const PIER_CAP_ALONG: &str = "Cap along";
-pub(super) const PIER_CAP_ACROSS: &str = "Cap across";
-pub(super) const PIER_CAP_DEPTH: &str = "Cap depth";
-pub(super) const PIER_PERIODS: &str = "Alone its periods along and across are";
-pub(super) const PIER_DRIFT: &str = "In the run: drift";
-pub(super) const PIER_SHEAR: &str = "base shear";
-pub(super) const PIER_YIELDS: &str = "it yields at";
-pub(super) const ELASTIC_SECTION: &str = "Flexibility";
-pub(super) const ELASTIC_NONE: &str = "The girder is rigid.";
-pub(super) const ELASTIC_ADD: &str = "Let it bend";
-pub(super) const ELASTIC_REMOVE: &str = "Make it rigid";
-pub(super) const ELASTIC_ASSUMED: &str = "Give the area or the density. Damping is a ratio of every mode, or Rayleigh's α and β. An empty degree is what the contacts need.";
-pub(super) const SEAT_SECTION: &str = "Seats";
-pub(super) const CODES_SECTION: &str = "Design codes";
-pub(super) const SCENE_SECTION: &str = "Scene";
-pub(super) const DESCRIPTION: &str = "About";
-pub(super) const KIND: &str = "Motion in";
-pub(super) const PLANAR: &str = "plan";
-pub(super) const SPATIAL: &str = "space";
-pub(super) const PAIRS_SECTION: &str = "Contact pairs";
-pub(super) const PAIR: &str = "Pair";
-pub(super) const OF_PAIR: &str = "of pair";
-pub(super) const PAIR_RESET: &str = "Use the scene's numbers";
-pub(super) const PAIR_RESET_HINT: &str = "Forget the numbers that this pair has of its own";
-pub(super) const FROM_PAIR: &str = "of this pair";
-pub(super) const FROM_SCENE: &str = "of the scene";
-pub(super) const FROM_EA_L: &str = "E A / L (64)";
-pub(super) const FROM_65: &str = "from e and K (65)";
-pub(super) const FROM_NORMAL_LAW: &str = "of a head-on hit";
-pub(super) const FROM_PLACES: &str = "as placed";
-pub(super) const FACES: &str = "Stands before";
-pub(super) const END: &str = "End";
-pub(super) const CORNER: &str = "Corner";
-pub(super) const FACE_BY_GAP: &str = "Give the face by its gap";
-pub(super) const FACE_BY_CORNERS: &str = "Give the face by its corners";
-pub(super) const COMPUTED: &str = "Computed";
-pub(super) const CONTACT_OPEN: &str = "Open at this time.";
+pub(super) const INSPECTOR: Text = Text::new("inspector");
+pub(super) const NOTHING_SELECTED: Text = Text::new("nothing-selected");
+pub(super) const NAME: Text = Text::new("name");
+pub(super) const FREQUENCY_X: Text = Text::new("frequency-x");
+pub(super) const FREQUENCY_Y: Text = Text::new("frequency-y");
+pub(super) const DAMPING_X: Text = Text::new("damping-x");
+pub(super) const DAMPING_Y: Text = Text::new("damping-y");
+pub(super) const FREQUENCY_Z: Text = Text::new("frequency-z");
+pub(super) const DAMPING_Z: Text = Text::new("damping-z");
+pub(super) const BEARINGS: Text = Text::new("bearings");
+pub(super) const BEARINGS_NONE: Text = Text::new("bearings-none");
+pub(super) const BEARINGS_ADD: Text = Text::new("bearings-add");
+pub(super) const BEARINGS_ADD_LEAD: Text = Text::new("bearings-add-lead");
+pub(super) const BEARINGS_ADD_PENDULUM: Text = Text::new("bearings-add-pendulum");
+pub(super) const BEARINGS_REMOVE: Text = Text::new("bearings-remove");
+pub(super) const BEARINGS_ONE_BY_ONE: Text = Text::new("bearings-one-by-one");
+pub(super) const BEARINGS_ONE_BY_ONE_HINT: Text = Text::new("bearings-one-by-one-hint");
+pub(super) const BEARING: Text = Text::new("bearing");
+pub(super) const BEARING_ADD: Text = Text::new("bearing-add");
+pub(super) const BEARING_REMOVE: Text = Text::new("bearing-remove");
+pub(super) const BEARING_HEIGHT: Text = Text::new("bearing-height");
+pub(super) const BEARING_X: Text = Text::new("bearing-x");
+pub(super) const BEARING_Y: Text = Text::new("bearing-y");
+pub(super) const BEARING_YIELD: Text = Text::new("bearing-yield");
+pub(super) const BEARING_YIELDS_AT: Text = Text::new("bearing-yields-at");
+pub(super) const BEARING_PER_AXIS: Text = Text::new("bearing-per-axis");
+pub(super) const AT: Text = Text::new("at");
+pub(super) const AT_SKEWED: Text = Text::new("at-skewed");
+pub(super) const AT_FOLLOWS: Text = Text::new("at-follows");
+pub(super) const START_SECTION: Text = Text::new("start-section");
+pub(super) const HELD: Text = Text::new("held");
+pub(super) const BACKFILL_SECTION: Text = Text::new("backfill-section");
+pub(super) const BACKFILL_NONE: Text = Text::new("backfill-none");
+pub(super) const BACKFILL_ADD: Text = Text::new("backfill-add");
+pub(super) const BACKFILL_REMOVE: Text = Text::new("backfill-remove");
+pub(super) const BACKFILL_ASSUMED: Text = Text::new("backfill-assumed");
+pub(super) const ON_MINUS: Text = Text::new("on-minus");
+pub(super) const ON_PLUS: Text = Text::new("on-plus");
+pub(super) const ON_PIER: Text = Text::new("on-pier");
+pub(super) const ON_GROUND: Text = Text::new("on-ground");
+pub(super) const PIER_MORE: Text = Text::new("pier-more");
+pub(super) const PIER_WAY: Text = Text::new("pier-way");
+pub(super) const PIER_BY_STIFFNESS: Text = Text::new("pier-by-stiffness");
+pub(super) const PIER_BY_FREQUENCY: Text = Text::new("pier-by-frequency");
+pub(super) const PIER_BY_COLUMN: Text = Text::new("pier-by-column");
+pub(super) const PIER_K_ALONG: Text = Text::new("pier-k-along");
+pub(super) const PIER_K_ACROSS: Text = Text::new("pier-k-across");
+pub(super) const PIER_F_ALONG: Text = Text::new("pier-f-along");
+pub(super) const PIER_F_ACROSS: Text = Text::new("pier-f-across");
+pub(super) const PIER_COLUMN_ALONG: Text = Text::new("pier-column-along");
+pub(super) const PIER_COLUMN_ACROSS: Text = Text::new("pier-column-across");
+pub(super) const PIER_YIELD: Text = Text::new("pier-yield");
+pub(super) const PIER_X: Text = Text::new("pier-x");
+pub(super) const PIER_Y: Text = Text::new("pier-y");
+pub(super) const PIER_CAP_ALONG: Text = Text::new("pier-cap-along");
+pub(super) const PIER_CAP_ACROSS: Text = Text::new("pier-cap-across");
+pub(super) const PIER_CAP_DEPTH: Text = Text::new("pier-cap-depth");
+pub(super) const PIER_PERIODS: Text = Text::new("pier-periods");
+pub(super) const PIER_DRIFT: Text = Text::new("pier-drift");
+pub(super) const PIER_SHEAR: Text = Text::new("pier-shear");
+pub(super) const PIER_YIELDS: Text = Text::new("pier-yields");
+pub(super) const ELASTIC_SECTION: Text = Text::new("elastic-section");
+pub(super) const ELASTIC_NONE: Text = Text::new("elastic-none");
+pub(super) const ELASTIC_ADD: Text = Text::new("elastic-add");
+pub(super) const ELASTIC_REMOVE: Text = Text::new("elastic-remove");
+pub(super) const ELASTIC_ASSUMED: Text = Text::new("elastic-assumed");
+pub(super) const SEAT_SECTION: Text = Text::new("seat-section");
+pub(super) const CODES_SECTION: Text = Text::new("codes-section");
+pub(super) const SCENE_SECTION: Text = Text::new("scene-section");
+pub(super) const DESCRIPTION: Text = Text::new("description");
+pub(super) const KIND: Text = Text::new("kind");
+pub(super) const PLANAR: Text = Text::new("planar");
+pub(super) const SPATIAL: Text = Text::new("spatial");
+pub(super) const PAIRS_SECTION: Text = Text::new("pairs-section");
+pub(super) const PAIR: Text = Text::new("pair");
+pub(super) const OF_PAIR: Text = Text::new("of-pair");
+pub(super) const PAIR_RESET: Text = Text::new("pair-reset");
+pub(super) const PAIR_RESET_HINT: Text = Text::new("pair-reset-hint");
+pub(super) const FROM_PAIR: Text = Text::new("from-pair");
+pub(super) const FROM_SCENE: Text = Text::new("from-scene");
+pub(super) const FROM_EA_L: Text = Text::new("from-ea-l");
+pub(super) const FROM_65: Text = Text::new("from-65");
+pub(super) const FROM_NORMAL_LAW: Text = Text::new("from-normal-law");
+pub(super) const FROM_PLACES: Text = Text::new("from-places");
+pub(super) const FACES: Text = Text::new("faces");
+pub(super) const END: Text = Text::new("end");
+pub(super) const CORNER: Text = Text::new("corner");
+pub(super) const FACE_BY_GAP: Text = Text::new("face-by-gap");
+pub(super) const FACE_BY_CORNERS: Text = Text::new("face-by-corners");
+pub(super) const COMPUTED: Text = Text::new("computed");
+pub(super) const CONTACT_OPEN: Text = Text::new("contact-open");
 
 // What if.
-pub(super) const ALL_GIRDERS: &str = "all girders";
-pub(super) const MODEL_SECTION: &str = "Models";
-pub(super) const MODEL_SPATIAL: &str = "The impact model knows planar scenes only.";
-pub(super) const STATE_HINT: &str = "State under the impact model: a, b free; c, d on a corner; e, f on the face";
-pub(super) const APART_NOW: &str = "Models apart now:";
-pub(super) const APART_MOST: &str = "At the most:";
-pub(super) const FLUSH_NOTE: &str = "A whole face hits in this run. There the models differ by nature: an elastic face \
-spreads the push along itself for as long as the hit lasts, a rigid one takes it at once.";
-pub(super) const PINS_SECTION: &str = "Before and after";
-pub(super) const PIN: &str = "run";
-pub(super) const PIN_THIS: &str = "Pin this run";
-pub(super) const PIN_HINT: &str = "Keep it as a ghost and as thin lines to compare with (P)";
-pub(super) const UNPIN_ALL: &str = "Unpin all";
-pub(super) const PIN_THERE: &str = "This run is pinned already.";
-pub(super) const PINS_FULL: &str = "Four runs are pinned: unpin one first.";
-pub(super) const NO_PINS: &str = "Pin a run, change something, and see both.";
-pub(super) const NOW: &str = "now";
-pub(super) const PLOTS_SECTION: &str = "Plot panels";
-pub(super) const ADD_PANEL: &str = "Add plot";
-pub(super) const EXPORT_PLOTS: &str = "Export plots";
-pub(super) const PLOTS_WRITTEN: &str = "Plots written";
+pub(super) const ALL_GIRDERS: Text = Text::new("all-girders");
+pub(super) const MODEL_SECTION: Text = Text::new("model-section");
+pub(super) const MODEL_SPATIAL: Text = Text::new("model-spatial");
+pub(super) const STATE_HINT: Text = Text::new("state-hint");
+pub(super) const APART_NOW: Text = Text::new("apart-now");
+pub(super) const APART_MOST: Text = Text::new("apart-most");
+pub(super) const FLUSH_NOTE: Text = Text::new("flush-note");
+pub(super) const PINS_SECTION: Text = Text::new("pins-section");
+pub(super) const PIN: Text = Text::new("pin");
+pub(super) const PIN_THIS: Text = Text::new("pin-this");
+pub(super) const PIN_HINT: Text = Text::new("pin-hint");
+pub(super) const UNPIN_ALL: Text = Text::new("unpin-all");
+pub(super) const PIN_THERE: Text = Text::new("pin-there");
+pub(super) const PINS_FULL: Text = Text::new("pins-full");
+pub(super) const NO_PINS: Text = Text::new("no-pins");
+pub(super) const NOW: Text = Text::new("now");
+pub(super) const PLOTS_SECTION: Text = Text::new("plots-section");
+pub(super) const ADD_PANEL: Text = Text::new("add-panel");
+pub(super) const EXPORT_PLOTS: Text = Text::new("export-plots");
+pub(super) const PLOTS_WRITTEN: Text = Text::new("plots-written");
 #[cfg(not(feature = "study"))]
-pub(super) const NO_PNG: &str = "this build draws no PNG (feature study); SVG and CSV it does";
-pub(super) const ADD_CURVE: &str = "Add curve";
-pub(super) const CHANGE_CURVE: &str = "Other curve";
-pub(super) const AGAINST: &str = "Against";
-pub(super) const TIME: &str = "time";
-pub(super) const NARROW: &str = "part of its name";
-pub(super) const OFFER_ENERGY: &str = "Energy ledger, stacked";
-pub(super) const OFFER_DRIFT: &str = "Drift of a corner";
-pub(super) const OFFER_ORBIT: &str = "Orbit of a corner";
-pub(super) const OFFER_PENETRATION: &str = "Force against penetration";
-pub(super) const OFFER_HYSTERESIS: &str = "Hysteresis of a contact";
-pub(super) const OFFER_LOOP_DEVICE: &str = "Loop of a device or of soil";
-pub(super) const OFFER_LOOP_BEARING: &str = "Loop of a bearing";
-pub(super) const OFFER_USE: &str = "Use of the friction cone";
-pub(super) const OFFER_EMPTY: &str = "Any quantity";
-pub(super) const LIMITS_SECTION: &str = "Limits";
-pub(super) const LIMITS_KEPT: &str = "No limit is passed.";
-pub(super) const READINGS: &str = "Readings of the run";
-pub(super) const GO_TO_PEAK: &str = "Go to its peak";
-pub(super) const CONTACTS_OF_PAIR: &str = "Contacts, each with its forces and its history";
-pub(super) const VIEWS: &str = "View";
-pub(super) const PLAN_BESIDE: &str = "Plan beside the view";
-pub(super) const GAP_SECTION: &str = "Section of the gap";
-pub(super) const LECTURE: &str = "Lecture hall: view and time only, large";
-pub(super) const FOLLOW: &str = "The view goes with";
-pub(super) const FOLLOW_NOTHING: &str = "nothing";
-pub(super) const SIZE: &str = "Size of everything";
-pub(super) const EXAGGERATION: &str = "Motion shown";
-pub(super) const BENT: &str = "Draw girders bent, larger than they are";
-pub(super) const BENT_PLAIN: &str = "in their own colour";
-pub(super) const PLAN: &str = "Plan";
-pub(super) const CONTACT_SECTION: &str = "Contact";
-pub(super) const SHOW_SECTION: &str = "Show";
-pub(super) const FIRST_VIEW: &str = "Opens in";
-pub(super) const FORCE_SCALE: &str = "Force scale";
-pub(super) const AUTO_SCALE: &str = "Scale from peak";
+pub(super) const NO_PNG: Text = Text::new("no-png");
+pub(super) const ADD_CURVE: Text = Text::new("add-curve");
+pub(super) const CHANGE_CURVE: Text = Text::new("change-curve");
+pub(super) const AGAINST: Text = Text::new("against");
+pub(super) const TIME: Text = Text::new("time");
+pub(super) const NARROW: Text = Text::new("narrow");
+pub(super) const OFFER_ENERGY: Text = Text::new("offer-energy");
+pub(super) const OFFER_DRIFT: Text = Text::new("offer-drift");
+pub(super) const OFFER_ORBIT: Text = Text::new("offer-orbit");
+pub(super) const OFFER_PENETRATION: Text = Text::new("offer-penetration");
+pub(super) const OFFER_HYSTERESIS: Text = Text::new("offer-hysteresis");
+pub(super) const OFFER_LOOP_DEVICE: Text = Text::new("offer-loop-device");
+pub(super) const OFFER_LOOP_BEARING: Text = Text::new("offer-loop-bearing");
+pub(super) const OFFER_USE: Text = Text::new("offer-use");
+pub(super) const OFFER_EMPTY: Text = Text::new("offer-empty");
+pub(super) const LIMITS_SECTION: Text = Text::new("limits-section");
+pub(super) const LIMITS_KEPT: Text = Text::new("limits-kept");
+pub(super) const READINGS: Text = Text::new("readings");
+pub(super) const GO_TO_PEAK: Text = Text::new("go-to-peak");
+pub(super) const CONTACTS_OF_PAIR: Text = Text::new("contacts-of-pair");
+pub(super) const VIEWS: Text = Text::new("views");
+pub(super) const PLAN_BESIDE: Text = Text::new("plan-beside");
+pub(super) const GAP_SECTION: Text = Text::new("gap-section");
+pub(super) const LECTURE: Text = Text::new("lecture");
+pub(super) const FOLLOW: Text = Text::new("follow");
+pub(super) const FOLLOW_NOTHING: Text = Text::new("follow-nothing");
+pub(super) const SIZE: Text = Text::new("size");
+pub(super) const LANGUAGE: Text = Text::new("language");
+pub(super) const EXAGGERATION: Text = Text::new("exaggeration");
+pub(super) const BENT: Text = Text::new("bent");
+pub(super) const BENT_PLAIN: Text = Text::new("bent-plain");
+pub(super) const PLAN: Text = Text::new("plan");
+pub(super) const CONTACT_SECTION: Text = Text::new("contact-section");
+pub(super) const SHOW_SECTION: Text = Text::new("show-section");
+pub(super) const FIRST_VIEW: Text = Text::new("first-view");
+pub(super) const FORCE_SCALE: Text = Text::new("force-scale");
+pub(super) const AUTO_SCALE: Text = Text::new("auto-scale");
 
 /// Names of the numbers in the status line, and what they mean.
-pub(super) const STATUS: [(&str, &str); 7] = [
-    ("moves", "largest displacement of any girder"),
-    ("turns", "largest rotation of any girder"),
-    ("peak", "largest force |R| of any contact, dashpots included"),
-    ("hits", "touches of a pair, from the first closing to the last opening"),
-    ("ledger", "what the energy balance leaves over, of the largest energy in play"),
-    ("error", "largest displacement difference from a run at a hundredth of the tolerance"),
-    ("run in", "how long the run took"),
+pub(super) const STATUS: [(Text, Text); 7] = [
+    (Text::new("status-moves"), Text::new("status-moves-hint")),
+    (Text::new("status-turns"), Text::new("status-turns-hint")),
+    (Text::new("status-peak"), Text::new("status-peak-hint")),
+    (Text::new("status-hits"), Text::new("status-hits-hint")),
+    (Text::new("status-ledger"), Text::new("status-ledger-hint")),
+    (Text::new("status-error"), Text::new("status-error-hint")),
+    (Text::new("status-run-in"), Text::new("status-run-in-hint")),
 ];
-pub(super) const OUTSIDE: &str = "outside the domain";
-pub(super) const BEYOND_LAW: &str = "a contact beyond its law";
-pub(super) const UNBALANCED: &str = "energy does not balance";
-pub(super) const SAVED: &str = "Saved";
-pub(super) const PICTURE_WRITTEN: &str = "Picture written";
-pub(super) const TABLES_WRITTEN: &str = "Tables written into";
-pub(super) const BEFORE: &str = "before";
+pub(super) const OUTSIDE: Text = Text::new("outside");
+pub(super) const BEYOND_LAW: Text = Text::new("beyond-law");
+pub(super) const UNBALANCED: Text = Text::new("unbalanced");
+pub(super) const SAVED: Text = Text::new("saved");
+pub(super) const PICTURE_WRITTEN: Text = Text::new("picture-written");
+pub(super) const TABLES_WRITTEN: Text = Text::new("tables-written");
+pub(super) const BEFORE: Text = Text::new("before");
 
 // Guided scenes; their own words are in `assets/lessons`.
-pub(super) const LEARN: &str = "Learn";
-pub(super) const TRY: &str = "Try this";
-pub(super) const RESET: &str = "Reset";
-pub(super) const RESET_HINT: &str = "Put the scene back as it was; undo takes that back";
-pub(super) const CLOSE_LESSON: &str = "Close the lesson";
+pub(super) const LEARN: Text = Text::new("learn");
+pub(super) const TRY: Text = Text::new("try");
+pub(super) const RESET: Text = Text::new("reset");
+pub(super) const RESET_HINT: Text = Text::new("reset-hint");
+pub(super) const CLOSE_LESSON: Text = Text::new("close-lesson");
 
 // Films.
-pub(super) const FILM: &str = "Film";
-pub(super) const FILM_FORMAT: &str = "Format";
+pub(super) const FILM: Text = Text::new("film");
+pub(super) const FILM_FORMAT: Text = Text::new("film-format");
 pub(super) const FILM_GIF: &str = "GIF";
-pub(super) const FILM_PNG: &str = "PNG pictures";
-pub(super) const FILM_FROM: &str = "From";
-pub(super) const FILM_TO: &str = "To";
-pub(super) const FILM_FPS: &str = "Frames a second";
-pub(super) const FILM_SIZE: &str = "Size";
-pub(super) const FILM_AS_VIEW: &str = "as the view";
-pub(super) const FILM_WHERE: &str = "Choose where…";
-pub(super) const FILM_IMPOSSIBLE: &str = "No film: it must end after it begins and have at most 20,000 frames.";
-pub(super) const FILMING: &str = "Film:";
-pub(super) const CANCEL_FILM: &str = "Cancel film";
-pub(super) const FILM_CANCELLED: &str = "The film was cancelled; nothing of it was kept.";
-pub(super) const FILM_WRITTEN: &str = "Film written, frames in";
+pub(super) const FILM_PNG: Text = Text::new("film-png");
+pub(super) const FILM_FROM: Text = Text::new("film-from");
+pub(super) const FILM_TO: Text = Text::new("film-to");
+pub(super) const FILM_FPS: Text = Text::new("film-fps");
+pub(super) const FILM_SIZE: Text = Text::new("film-size");
+pub(super) const FILM_AS_VIEW: Text = Text::new("film-as-view");
+pub(super) const FILM_WHERE: Text = Text::new("film-where");
+pub(super) const FILM_IMPOSSIBLE: Text = Text::new("film-impossible");
+pub(super) const FILMING: Text = Text::new("filming");
+pub(super) const CANCEL_FILM: Text = Text::new("cancel-film");
+pub(super) const FILM_CANCELLED: Text = Text::new("film-cancelled");
+pub(super) const FILM_WRITTEN: Text = Text::new("film-written");
 
 // Questions and notices.
-pub(super) const UNSAVED_QUESTION: &str = "The scene has changes that are not saved.";
-pub(super) const CLOSE_ANYWAY: &str = "Close without saving";
-pub(super) const GIVE_UP: &str = "Go on without saving";
-pub(super) const SAVE_FIRST: &str = "Save first";
-pub(super) const KEEP_OPEN: &str = "Keep working";
-pub(super) const DISMISS: &str = "Dismiss";
-pub(super) const CLOSE: &str = "Close";
-pub(super) const WORK_FOUND: &str = "Work that was not saved before the program ended. Bring it back?";
-pub(super) const WITHOUT_FILE: &str = "without a file";
-pub(super) const WORK_IS_OLDER: &str = " The file has been written since then.";
-pub(super) const RECOVER: &str = "Recover";
-pub(super) const DISCARD: &str = "Discard";
-pub(super) const LATER: &str = "Keep for later";
-pub(super) const FILE_CHANGED: &str = "was changed by another program.";
-pub(super) const RELOAD_REPLACES: &str = " Reloading replaces what you have changed here; undo brings it back.";
-pub(super) const RELOAD: &str = "Reload";
-pub(super) const KEEP_MINE: &str = "Keep mine";
-pub(super) const FILE_GONE: &str = "the file is no longer there; save to write it again";
-pub(super) const NOT_KEPT: &str = "Unsaved work cannot be kept:";
+pub(super) const UNSAVED_QUESTION: Text = Text::new("unsaved-question");
+pub(super) const CLOSE_ANYWAY: Text = Text::new("close-anyway");
+pub(super) const GIVE_UP: Text = Text::new("give-up");
+pub(super) const SAVE_FIRST: Text = Text::new("save-first");
+pub(super) const KEEP_OPEN: Text = Text::new("keep-open");
+pub(super) const DISMISS: Text = Text::new("dismiss");
+pub(super) const CLOSE: Text = Text::new("close");
+pub(super) const WORK_FOUND: Text = Text::new("work-found");
+pub(super) const WITHOUT_FILE: Text = Text::new("without-file");
+pub(super) const WORK_IS_OLDER: Text = Text::new("work-is-older");
+pub(super) const RECOVER: Text = Text::new("recover");
+pub(super) const DISCARD: Text = Text::new("discard");
+pub(super) const LATER: Text = Text::new("later");
+pub(super) const FILE_CHANGED: Text = Text::new("file-changed");
+pub(super) const RELOAD_REPLACES: Text = Text::new("reload-replaces");
+pub(super) const RELOAD: Text = Text::new("reload");
+pub(super) const KEEP_MINE: Text = Text::new("keep-mine");
+pub(super) const FILE_GONE: Text = Text::new("file-gone");
+pub(super) const NOT_KEPT: Text = Text::new("not-kept");
 /// On the terminal: the window's display has gone, and with it the process ends.
 pub(super) const CUT_OFF: &str = "error: the display is gone, and the window with it; nothing was unsaved";
 /// The same with unsaved work.
 pub(super) const CUT_OFF_KEPT: &str = "error: the display is gone, and the window with it; unsaved work is kept: it is offered when the program is opened \
                                       again";
 /// The graphics device was lost, and everything is drawn on another.
-pub(super) const DRAWN_ANEW: &str =
-    "The graphics device was lost; everything is drawn anew, and nothing of the work is lost.";
+pub(super) const DRAWN_ANEW: Text = Text::new("drawn-anew");
 
 /// Every key, for the help.
-pub(super) const KEYS: &[(&str, &str)] = &[
-    ("Space", "play, pause"),
-    ("Left Right", "one step back, on; with Shift ten steps"),
-    ("Ctrl Left Right", "previous, next contact event"),
-    ("Home End", "to the start, to the end"),
-    (", .", "slower, faster (down to 1/1000)"),
-    ("Shift P", "add a pier under a joint"),
-    ("P", "pin this run to compare with"),
-    ("I  O  X", "play from here, play up to here, play everything"),
-    ("Shift M", "map of a number of the run over two values"),
-    ("Shift W", "which way of shaking is worst"),
-    ("L", "begin again at the end, or stop"),
-    ("M", "slow motion around hits"),
-    ("1 2 3 4", "view: iso, top, side, contact"),
-    ("F", "frame what is selected, or everything"),
-    ("left drag", "turn the view; on what is selected: move it"),
-    ("middle or Shift drag", "shift the view"),
-    ("wheel", "nearer, farther; over the timeline: zoom in time"),
-    ("click", "select; in timeline and plots: go to that time"),
-    ("Ctrl or Shift click", "select more, or fewer"),
-    ("Ctrl A", "select every girder and abutment"),
-    ("drag a handle", "move, turn, length, width, skew, gap; with Ctrl without snapping"),
-    ("digits on a handle", "type its number, also while dragging it: 12.5 mm, 60°; Enter sets it, Esc puts it back"),
-    ("Tab, arrows", "to the next handle or control; pull a handle, with Shift ten times as far"),
-    ("Alt arrows", "move what is selected by a small step; with Shift ten"),
-    ("[ ]", "turn what is selected by 1°; with Shift by 15°"),
-    ("G  B", "add a girder, an abutment"),
-    ("Shift G  Shift B", "place a girder, an abutment with the mouse"),
-    ("Ctrl R", "make a row of spans"),
-    ("Ctrl D  Delete", "duplicate, remove what is selected"),
-    ("Ctrl Z", "undo"),
-    ("Ctrl Shift Z, Ctrl Y", "redo"),
-    ("Ctrl N  Ctrl O  Ctrl S", "new, open, save"),
-    ("Ctrl Shift S", "save as"),
-    ("Esc", "select nothing, close this"),
-    ("F2 F3 F4 F5", "fold or show: what is placed, the sliders, the plots, the lesson"),
-    ("F6", "fold every panel, or show all"),
-    ("F1", "this help"),
+pub(super) const KEYS: &[(Text, Text)] = &[
+    (Text::new("key-space"), Text::new("key-space-does")),
+    (Text::new("key-left-right"), Text::new("key-left-right-does")),
+    (Text::new("key-events"), Text::new("key-events-does")),
+    (Text::new("key-home-end"), Text::new("key-home-end-does")),
+    (Text::new("key-slower"), Text::new("key-slower-does")),
+    (Text::new("key-add-pier"), Text::new("key-add-pier-does")),
+    (Text::new("key-pin"), Text::new("key-pin-does")),
+    (Text::new("key-span"), Text::new("key-span-does")),
+    (Text::new("key-map"), Text::new("key-map-does")),
+    (Text::new("key-worst"), Text::new("key-worst-does")),
+    (Text::new("key-loop"), Text::new("key-loop-does")),
+    (Text::new("key-slow"), Text::new("key-slow-does")),
+    (Text::new("key-views"), Text::new("key-views-does")),
+    (Text::new("key-frame"), Text::new("key-frame-does")),
+    (Text::new("key-left-drag"), Text::new("key-left-drag-does")),
+    (Text::new("key-shift-drag"), Text::new("key-shift-drag-does")),
+    (Text::new("key-wheel"), Text::new("key-wheel-does")),
+    (Text::new("key-click"), Text::new("key-click-does")),
+    (Text::new("key-more"), Text::new("key-more-does")),
+    (Text::new("key-all"), Text::new("key-all-does")),
+    (Text::new("key-handle"), Text::new("key-handle-does")),
+    (Text::new("key-digits"), Text::new("key-digits-does")),
+    (Text::new("key-tab"), Text::new("key-tab-does")),
+    (Text::new("key-nudge"), Text::new("key-nudge-does")),
+    (Text::new("key-turn"), Text::new("key-turn-does")),
+    (Text::new("key-add"), Text::new("key-add-does")),
+    (Text::new("key-place"), Text::new("key-place-does")),
+    (Text::new("key-row"), Text::new("key-row-does")),
+    (Text::new("key-duplicate"), Text::new("key-duplicate-does")),
+    (Text::new("key-undo"), Text::new("key-undo-does")),
+    (Text::new("key-redo"), Text::new("key-redo-does")),
+    (Text::new("key-files"), Text::new("key-files-does")),
+    (Text::new("key-save-as"), Text::new("key-save-as-does")),
+    (Text::new("key-escape"), Text::new("key-escape-does")),
+    (Text::new("key-fold"), Text::new("key-fold-does")),
+    (Text::new("key-fold-all"), Text::new("key-fold-all-does")),
+    (Text::new("key-help"), Text::new("key-help-does")),
 ];

@@ -1,5 +1,7 @@
 //! How numbers are written, with words around them.
 
+use crate::language::{Text, values};
+
 /// A number with three significant digits and no needless zeros.
 pub(in crate::app) fn short(value: f64) -> String {
     if value == 0.0 {
@@ -25,7 +27,7 @@ pub(in crate::app) fn keyed(what: Option<&str>, keys: &str) -> String {
 
 /// What American texts call this skew.
 pub(in crate::app) fn us_skew(skew_deg: f64) -> String {
-    format!("β {}°, US skew {}°", short(skew_deg), short(90.0 - skew_deg))
+    Text::new("skew-both").with(&values!["skew" => short(skew_deg), "us" => short(90.0 - skew_deg)])
 }
 
 /// A length in the unit that fits it.
@@ -51,97 +53,105 @@ pub(in crate::app) fn exact_length(metres: f64) -> String {
 /// How many samples, how far apart \[s\], how strong \[m/s²\].
 pub(in crate::app) fn record(samples: usize, dt: f64, peak: f64) -> String {
     let (length, g) = (dt * (samples.max(1) - 1) as f64, peak / crate::scene::STANDARD_GRAVITY);
-    format!("{samples} samples, {} s apart, {} s; peak {} m/s² ({} g)", short(dt), short(length), short(peak), short(g))
+    let values = values![
+        "samples" => samples,
+        "dt" => short(dt),
+        "length" => short(length),
+        "peak" => short(peak),
+        "g" => short(g)
+    ];
+    Text::new("record-figures").with(&values)
 }
 
 /// What was read of a record: format, name of the channel, unit, what was done to the numbers.
 pub(in crate::app) fn record_read(format: &str, name: &str, unit: &str, done: &[String]) -> String {
     let name = if name.is_empty() { String::new() } else { format!(", {name}") };
     let done: Vec<String> = done.iter().map(|step| format!("; {step}")).collect();
-    format!("Read as {format}{name}, in {unit}{}", done.concat())
+    Text::new("record-read").with(&values!["format" => format, "name" => name, "unit" => unit, "done" => done.concat()])
 }
 
 /// Direction of a component in plan \[degrees\].
 pub(in crate::app) fn from_x(angle: f64) -> String {
-    format!("{}° from x", short(angle))
+    Text::new("from-x").with(&values!["angle" => short(angle)])
 }
 
 /// A component of ground motion and where it points.
 pub(in crate::app) fn component(number: usize, way: &str) -> String {
-    format!("Component {number}: {way}")
+    Text::new("component").with(&values!["number" => number, "way" => way])
 }
 
 /// Whose a number of a component is.
 pub(in crate::app) fn of_component(number: usize) -> String {
-    format!("of component {number}")
+    Text::new("of-component").with(&values!["number" => number])
 }
 
 /// A button that takes a component away.
 pub(in crate::app) fn remove_component(number: usize) -> String {
-    format!("Remove component {number}")
+    Text::new("remove-component").with(&values!["number" => number])
 }
 
 /// Names of a period and its acceleration in a target spectrum, and of the button that takes both away.
 pub(in crate::app) fn target(number: usize) -> [String; 3] {
-    [format!("Period {number}"), format!("PSA {number}"), format!("Remove period {number}")]
+    ["target-period", "target-psa", "target-remove-period"].map(|key| Text::new(key).with(&values!["number" => number]))
 }
 
 /// Peak acceleration \[m/s²\], velocity \[m/s\] and displacement \[m\] of a ground motion, each with its time, and the duration of strong
 /// motion \[s\].
 pub(in crate::app) fn quake_figures([a, v, d]: [(f64, f64); 3], strong: f64) -> String {
-    format!(
-        "PGA {} g at {} s, PGV {} m/s at {} s, PGD {} at {} s; strong motion {} s",
-        short(a.0 / crate::scene::STANDARD_GRAVITY),
-        short(a.1),
-        short(v.0),
-        short(v.1),
-        length(d.0),
-        short(d.1),
-        short(strong)
-    )
+    let values = values![
+        "pga" => short(a.0 / crate::scene::STANDARD_GRAVITY),
+        "ta" => short(a.1),
+        "pgv" => short(v.0),
+        "tv" => short(v.1),
+        "pgd" => length(d.0),
+        "td" => short(d.1),
+        "strong" => short(strong)
+    ];
+    Text::new("quake-figures").with(&values)
 }
 
 /// An entry about a pair.
 pub(in crate::app) fn entry(number: usize) -> String {
-    format!("Entry {number}")
+    Text::new("entry").with(&values!["number" => number])
 }
 
 /// A button that takes an entry about a pair away.
 pub(in crate::app) fn remove_entry(number: usize) -> String {
-    format!("Remove entry {number}")
+    Text::new("remove-entry").with(&values!["number" => number])
 }
 
 /// Which body of an entry a list chooses.
 pub(in crate::app) fn body_of_entry(number: usize, side: usize) -> String {
-    format!("Body {side} of entry {number}")
+    Text::new("body-of-entry").with(&values!["side" => side, "number" => number])
 }
 
 /// A box that tells an entry to be about two ends only.
 pub(in crate::app) fn ends_of_entry(number: usize) -> String {
-    format!("Entry {number}: these ends only")
+    Text::new("ends-of-entry").with(&values!["number" => number])
 }
 
 /// How many are selected, and what that means for what is typed.
 pub(in crate::app) fn several(count: usize) -> String {
-    format!("{count} selected: what is changed here goes to all girders among them")
+    Text::new("several").with(&values!["count" => count])
 }
 
 /// How many are not shown.
 pub(in crate::app) fn more(count: usize) -> String {
-    format!("and {count} more")
+    Text::new("more").with(&values!["count" => count])
 }
 
 /// A way in which a girder can be held.
 pub(in crate::app) fn direction(way: crate::scene::Direction) -> &'static str {
     use crate::scene::Direction;
-    match way {
-        Direction::X => "held along x",
-        Direction::Y => "held along y",
-        Direction::Z => "held along z",
-        Direction::Roll => "held in roll",
-        Direction::Pitch => "held in pitch",
-        Direction::Yaw => "held in yaw",
-    }
+    let words = match way {
+        Direction::X => Text::new("held-x"),
+        Direction::Y => Text::new("held-y"),
+        Direction::Z => Text::new("held-z"),
+        Direction::Roll => Text::new("held-roll"),
+        Direction::Pitch => Text::new("held-pitch"),
+        Direction::Yaw => Text::new("held-yaw"),
+    };
+    words.as_str()
 }
 
 /// An energy in the unit that fits it.
@@ -156,69 +166,64 @@ pub(in crate::app) fn energy(joules: f64) -> String {
 
 /// A button that lets a pinned run go.
 pub(in crate::app) fn unpin(number: usize) -> String {
-    format!("unpin {number}")
+    Text::new("unpin").with(&values!["number" => number])
 }
 
 /// How far the run that is shown and a pinned one are apart at the most.
 pub(in crate::app) fn apart_from(number: usize, place: f64, turn: f64) -> String {
-    format!("from {number}: at the most {} and {}° apart", length(place), short(turn.to_degrees()))
+    let values = values!["number" => number, "place" => length(place), "turn" => short(turn.to_degrees())];
+    Text::new("apart-from").with(&values)
 }
 
 /// A plot panel's name.
 pub(in crate::app) fn panel(number: usize) -> String {
-    format!("Plot {number}")
+    Text::new("panel").with(&values!["number" => number])
 }
 
 /// A button that takes a plot panel away.
 pub(in crate::app) fn remove_panel(number: usize) -> String {
-    format!("remove plot {number}")
+    Text::new("remove-panel").with(&values!["number" => number])
 }
 
 /// How often a contact touches.
 pub(in crate::app) fn touches(count: usize) -> String {
-    match count {
-        0 => "It never touches".to_owned(),
-        1 => "One touch".to_owned(),
-        n => format!("{n} touches"),
-    }
+    Text::new("touches").with(&values!["count" => count])
 }
 
 /// How many bars the timeline has, and how long contacts stick and slip in all of them \[s\].
 pub(in crate::app) fn bars(count: usize, stick: f64, slip: f64) -> String {
-    let bars = if count == 1 { "bar" } else { "bars" };
-    format!("{count} {bars}: {} s of stick, {} s of slip", short(stick), short(slip))
+    Text::new("bars").with(&values!["count" => count, "stick" => short(stick), "slip" => short(slip)])
 }
 
 /// What is assumed of a new bridge: depth, gap and seat \[m\], mass of a span \[kg\], contact \[N/m\], bearings \[Hz\].
 pub(in crate::app) fn assumed([depth, gap, seat]: [f64; 3], mass: f64, k: f64, frequency: f64) -> String {
-    format!(
-        "Assumed until you say otherwise: depth {}, {} t a span, gaps {}, seats {}, contact K {}, bearings {} Hz with 10 % \
-         damping, a sine of 0.4 g at 0.8 Hz. The file says so beside each.",
-        length(depth),
-        short(mass / 1e3),
-        length(gap),
-        length(seat),
-        stiffness(k),
-        short(frequency)
-    )
+    let values = values![
+        "depth" => length(depth),
+        "mass" => short(mass / 1e3),
+        "gap" => length(gap),
+        "seat" => length(seat),
+        "k" => stiffness(k),
+        "frequency" => short(frequency)
+    ];
+    Text::new("assumed").with(&values)
 }
 
 /// A touch in a line.
 pub(in crate::app) fn touch(start: f64, end: f64, peak: f64, impulse: f64) -> String {
     if impulse > 0.0 {
-        return format!("{start:.4} s  hit of {} N s", short(impulse));
+        return Text::new("hit-of").with(&values!["t" => format!("{start:.4}"), "impulse" => short(impulse)]);
     }
     format!("{start:.4} s  {} ms  {}", short((end - start) * 1e3), force(peak))
 }
 
 /// What the view goes with.
 pub(in crate::app) fn follow(name: &str, corner: Option<usize>) -> String {
-    corner.map_or_else(|| name.to_owned(), |c| format!("{name} corner {}", c + 1))
+    corner.map_or_else(|| name.to_owned(), |c| Text::new("corner-of").with(&values!["name" => name, "corner" => c + 1]))
 }
 
 /// What the section of a gap shows, and how much larger the gap is drawn than the face is long.
 pub(in crate::app) fn section(pair: &str, least: f64, factor: f64) -> String {
-    format!("{pair}: {} apart, drawn × {}", length(least), short(factor))
+    Text::new("section").with(&values!["pair" => pair, "least" => length(least), "factor" => short(factor)])
 }
 
 /// A stiffness in the unit that fits it.
@@ -256,28 +261,28 @@ pub(in crate::app) fn instant(t: f64) -> String {
 
 /// How long a run took, and how many times faster than the ground shakes.
 pub(in crate::app) fn run_time(seconds: f64, times: f64) -> String {
-    format!("{} ms, {} × real time", short(seconds * 1e3), short(times))
+    Text::new("run-time").with(&values!["ms" => short(seconds * 1e3), "times" => short(times)])
 }
 
 /// How many frames a film has, and how long it plays.
 pub(in crate::app) fn film_length(frames: u32, seconds: f64) -> String {
-    format!("{frames} frames, plays for {} s", short(seconds))
+    Text::new("film-length").with(&values!["frames" => frames, "seconds" => short(seconds)])
 }
 
 /// A button about one of several pieces of unsaved work.
 pub(in crate::app) fn of_work(what: &str, number: usize, name: &str) -> String {
-    format!("{what} {number}: {name}")
+    Text::new("of-work").with(&values!["what" => what, "number" => number, "name" => name])
 }
 
 /// How long ago, roughly.
 pub(in crate::app) fn ago(time: std::time::Duration) -> String {
-    let (count, unit) = match time.as_secs() {
-        s if s < 60 => return "from less than a minute ago".into(),
-        s if s < 3600 => (s / 60, "minute"),
-        s if s < 86_400 => (s / 3600, "hour"),
-        s => (s / 86_400, "day"),
+    let (count, key) = match time.as_secs() {
+        s if s < 60 => return Text::new("ago-moment").into(),
+        s if s < 3600 => (s / 60, "ago-minutes"),
+        s if s < 86_400 => (s / 3600, "ago-hours"),
+        s => (s / 86_400, "ago-days"),
     };
-    format!("from {count} {unit}{} ago", if count == 1 { "" } else { "s" })
+    Text::new(key).with(&values!["count" => count])
 }
 
 /// A playing speed: `1/100`, `1`, `×5`.

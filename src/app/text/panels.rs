@@ -1,15 +1,17 @@
 //! Words about panels that fold.
 
 use crate::app::command::Pane;
+use crate::language::{Text, values};
 
 /// What a panel is called.
 pub(in crate::app) fn pane(pane: Pane) -> &'static str {
-    match pane {
-        Pane::Placed => "Placed",
-        Pane::WhatIf => "What if",
-        Pane::Lesson => "Lesson",
-        Pane::Plots => "Plots",
-    }
+    let words = match pane {
+        Pane::Placed => Text::new("placed"),
+        Pane::WhatIf => Text::new("what-if"),
+        Pane::Lesson => Text::new("lesson"),
+        Pane::Plots => super::PLOTS,
+    };
+    words.as_str()
 }
 
 /// The key that folds a panel and opens it.
@@ -24,10 +26,10 @@ pub(in crate::app) fn pane_key(pane: Pane) -> &'static str {
 
 /// A button that folds a panel.
 pub(in crate::app) fn fold(which: Pane) -> String {
-    format!("Fold: {}", pane(which))
+    Text::new("fold").with(&values!["pane" => pane(which)])
 }
 
 /// A button that opens a folded panel.
 pub(in crate::app) fn unfold(which: Pane) -> String {
-    format!("Show: {}", pane(which))
+    Text::new("unfold").with(&values!["pane" => pane(which)])
 }

@@ -1,48 +1,51 @@
 //! Words about paths: what they are asked for, and what is asked about them.
 
 use crate::app::command::{Export, FilmFormat, Wish};
+use crate::language::Text;
 
-pub(in crate::app) const PATH: &str = "Path";
-pub(in crate::app) const PATHS_HERE: &str = "Ask for paths in this window";
-pub(in crate::app) const PATHS_HERE_HINT: &str = "Rather than in the dialogs of the system";
-pub(in crate::app) const PATH_FOLDERS: &str = "Used lately:";
-pub(in crate::app) const PATH_NEW: &str = "Nothing there begins so.";
-pub(in crate::app) const PATH_EMPTY: &str = "Type a path.";
-pub(in crate::app) const PATH_NOTHING: &str = "There is no such file";
-pub(in crate::app) const PATH_NO_FOLDER: &str = "That is a file; a folder is asked for.";
-pub(in crate::app) const PATH_REPLACE_ASK: &str = "This file is there already.";
-pub(in crate::app) const PATH_REPLACE: &str = "Replace it";
-pub(in crate::app) const PATH_AMONG_ASK: &str = "This folder is not empty; files of the same names are replaced.";
-pub(in crate::app) const PATH_AMONG: &str = "Write into it";
-pub(in crate::app) const PATH_MAKE_ASK: &str = "There is no such folder yet.";
-pub(in crate::app) const PATH_MAKE: &str = "Make the folder";
-pub(in crate::app) const SHOW_FOLDER: &str = "Show";
-pub(in crate::app) const SHOW_FOLDER_HINT: &str = "Show the folder in the system's own window of files";
-pub(in crate::app) const COPY_PATH: &str = "Copy path";
-pub(in crate::app) const NO_FOLDER_WINDOW: &str = "This system has no program that shows folders. It is here";
+pub(in crate::app) const PATH: Text = Text::new("path");
+pub(in crate::app) const PATHS_HERE: Text = Text::new("paths-here");
+pub(in crate::app) const PATHS_HERE_HINT: Text = Text::new("paths-here-hint");
+pub(in crate::app) const PATH_FOLDERS: Text = Text::new("path-folders");
+pub(in crate::app) const PATH_NEW: Text = Text::new("path-new");
+pub(in crate::app) const PATH_EMPTY: Text = Text::new("path-empty");
+pub(in crate::app) const PATH_NOTHING: Text = Text::new("path-nothing");
+pub(in crate::app) const PATH_NO_FOLDER: Text = Text::new("path-no-folder");
+pub(in crate::app) const PATH_REPLACE_ASK: Text = Text::new("path-replace-ask");
+pub(in crate::app) const PATH_REPLACE: Text = Text::new("path-replace");
+pub(in crate::app) const PATH_AMONG_ASK: Text = Text::new("path-among-ask");
+pub(in crate::app) const PATH_AMONG: Text = Text::new("path-among");
+pub(in crate::app) const PATH_MAKE_ASK: Text = Text::new("path-make-ask");
+pub(in crate::app) const PATH_MAKE: Text = Text::new("path-make");
+pub(in crate::app) const SHOW_FOLDER: Text = Text::new("show-folder");
+pub(in crate::app) const SHOW_FOLDER_HINT: Text = Text::new("show-folder-hint");
+pub(in crate::app) const COPY_PATH: Text = Text::new("copy-path");
+pub(in crate::app) const NO_FOLDER_WINDOW: Text = Text::new("no-folder-window");
 
 /// What a path is asked for.
 pub(in crate::app) fn wish(wish: Wish) -> &'static str {
-    match wish {
-        Wish::Open => "Open a scene",
-        Wish::Record | Wish::Component(_) => "Choose a record",
-        Wish::Save => "Save as",
-        Wish::Export(Export::Picture) => "Export the picture",
-        Wish::Export(Export::Tables) => "Export the tables into a folder",
-        Wish::Export(Export::Report) => "Export the report",
-        Wish::Plots(_) => "Export the plots",
-        Wish::Film(FilmFormat::Gif) => "Film into a file",
-        Wish::Film(FilmFormat::Png) => "Film into a folder",
-    }
+    let words = match wish {
+        Wish::Open => Text::new("wish-open"),
+        Wish::Record | Wish::Component(_) => Text::new("wish-record"),
+        Wish::Save => Text::new("wish-save"),
+        Wish::Export(Export::Picture) => Text::new("wish-picture"),
+        Wish::Export(Export::Tables) => Text::new("wish-tables"),
+        Wish::Export(Export::Report) => Text::new("wish-report"),
+        Wish::Plots(_) => Text::new("wish-plots"),
+        Wish::Film(FilmFormat::Gif) => Text::new("wish-film-file"),
+        Wish::Film(FilmFormat::Png) => Text::new("wish-film-folder"),
+    };
+    words.as_str()
 }
 
 /// What the button says that takes the path.
 pub(in crate::app) fn wish_done(wish: Wish) -> &'static str {
-    match wish {
-        Wish::Open => "Open it",
-        Wish::Record | Wish::Component(_) => "Shake by it",
-        Wish::Save => "Save it",
-        Wish::Film(_) => "Film it",
-        Wish::Export(_) | Wish::Plots(_) => "Write it",
-    }
+    let words = match wish {
+        Wish::Open => Text::new("done-open"),
+        Wish::Record | Wish::Component(_) => Text::new("done-record"),
+        Wish::Save => Text::new("done-save"),
+        Wish::Film(_) => Text::new("done-film"),
+        Wish::Export(_) | Wish::Plots(_) => Text::new("done-write"),
+    };
+    words.as_str()
 }

@@ -1,39 +1,41 @@
 //! Words about plots.
 
-pub(in crate::app) const PLOTS: &str = "Plots";
-pub(in crate::app) const PLOT_PLACE: &str = "Displacement";
-pub(in crate::app) const PLOT_THETA: &str = "Rotation";
-pub(in crate::app) const PLOT_FORCE: &str = "Contact force";
-pub(in crate::app) const VALUES_HINT: &str =
-    "Wheel: zoom the values (over the curves with Alt)\nDrag: move them\nDouble click: all of them";
-pub(in crate::app) const NO_ANSWER: &str = "There is no run to plot yet.";
-pub(in crate::app) const SHOWS: &str = "Shows";
-pub(in crate::app) const SHOWN: [&str; 3] = ["history", "Fourier amplitudes", "response spectrum, 5 %"];
-pub(in crate::app) const LOG: &str = "Logarithmic";
-pub(in crate::app) const COPY_PLOTS: &str = "Copy as picture";
-pub(in crate::app) const OFFER_FOURIER: &str = "Fourier amplitudes";
-pub(in crate::app) const OFFER_RESPONSE: &str = "Response spectrum";
-pub(in crate::app) const DIFFERENCES: &str = "Plot the differences";
-pub(in crate::app) const DIFFERENCES_HINT: &str = "This run less each pinned one, as curves";
+use crate::language::{Text, values};
+
+pub(in crate::app) const PLOTS: Text = Text::new("plots");
+pub(in crate::app) const PLOT_PLACE: Text = Text::new("plot-place");
+pub(in crate::app) const PLOT_THETA: Text = Text::new("plot-theta");
+pub(in crate::app) const PLOT_FORCE: Text = Text::new("plot-force");
+pub(in crate::app) const VALUES_HINT: Text = Text::new("values-hint");
+pub(in crate::app) const NO_ANSWER: Text = Text::new("no-answer");
+pub(in crate::app) const SHOWS: Text = Text::new("shows");
+pub(in crate::app) const SHOWN: [Text; 3] =
+    [Text::new("history"), Text::new("fourier-amplitudes"), Text::new("response-spectrum")];
+pub(in crate::app) const LOG: Text = Text::new("log");
+pub(in crate::app) const COPY_PLOTS: Text = Text::new("copy-plots");
+pub(in crate::app) const OFFER_FOURIER: Text = Text::new("offer-fourier");
+pub(in crate::app) const OFFER_RESPONSE: Text = Text::new("offer-response");
+pub(in crate::app) const DIFFERENCES: Text = Text::new("differences");
+pub(in crate::app) const DIFFERENCES_HINT: Text = Text::new("differences-hint");
 
 /// The axis of values of a chart.
 pub(in crate::app) fn values_of(chart: &str) -> String {
-    format!("Values of {chart}")
+    Text::new("values-of").with(&values!["chart" => chart])
 }
 
 /// A curve by the other model.
 pub(in crate::app) fn by_impacts(name: &str) -> String {
-    format!("{name}, impact model")
+    Text::new("by-impacts").with(&values!["name" => name])
 }
 
 /// A curve of a run that is kept.
 pub(in crate::app) fn of_pin(name: &str, number: usize) -> String {
-    format!("{name}, run {number}")
+    Text::new("of-pin").with(&values!["name" => name, "number" => number])
 }
 
 /// By how much the run shown differs from one that is kept.
 pub(in crate::app) fn less_pin(name: &str, number: usize) -> String {
-    format!("{name} − run {number}")
+    Text::new("less-pin").with(&values!["name" => name, "number" => number])
 }
 
 /// A time pointed to, with as many digits as the mouse can tell, `step` \[s\] apart.

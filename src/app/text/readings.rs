@@ -2,112 +2,124 @@
 
 use crate::codes::Demand;
 use crate::geometry::End;
+use crate::language::{Text, values};
 use crate::sim::readings::Passed;
 use crate::sim::{Dropped, History, Overlap, TooDeep};
 
 use super::{force, length, short};
 
 // What follows from a girder's own numbers.
-pub(in crate::app) const US_SKEW: &str = "US skew";
-pub(in crate::app) const CONDITION: &str = "condition (6)";
-pub(in crate::app) const OMEGAS: &str = "ω x y θ";
-pub(in crate::app) const FREQUENCIES: &str = "f x y θ";
-pub(in crate::app) const DAMPING_RATIOS: &str = "h x y θ";
-pub(in crate::app) const STIFFNESS_ECCENTRICITY: &str = "ε x y";
-pub(in crate::app) const DAMPING_ECCENTRICITY: &str = "η x y";
-pub(in crate::app) const GYRATION: &str = "i (4e)";
+pub(in crate::app) const US_SKEW: Text = Text::new("us-skew");
+pub(in crate::app) const CONDITION: Text = Text::new("condition");
+pub(in crate::app) const OMEGAS: Text = Text::new("omegas");
+pub(in crate::app) const FREQUENCIES: Text = Text::new("frequencies");
+pub(in crate::app) const DAMPING_RATIOS: Text = Text::new("damping-ratios");
+pub(in crate::app) const STIFFNESS_ECCENTRICITY: Text = Text::new("stiffness-eccentricity");
+pub(in crate::app) const DAMPING_ECCENTRICITY: Text = Text::new("damping-eccentricity");
+pub(in crate::app) const GYRATION: Text = Text::new("gyration");
 
 /// What condition (6) says of a girder with this rotation number.
 pub(in crate::app) fn turns_or_not(number: f64) -> &'static str {
-    if number >= 1.0 { "≥ 1: can turn" } else { "< 1: cannot" }
+    if number >= 1.0 { Text::new("can-turn") } else { Text::new("cannot-turn") }.as_str()
 }
 
 // What a designer reads off a run for a girder.
-pub(in crate::app) const TURNS: &str = "turns";
-pub(in crate::app) const DRIFTS: [&str; 4] = ["drift 1", "drift 2", "drift 3", "drift 4"];
-pub(in crate::app) const NO_SEATS: &str = "No seats are given: whether it stays on them is not judged.";
-pub(in crate::app) const GO_THERE: &str = "Go to that moment and look there";
-pub(in crate::app) const CORNER_OFF: &str = "corner off";
-pub(in crate::app) const UNSEATS: &str = "end lost";
-pub(in crate::app) const LEAST_GAP: &str = "least gap";
-pub(in crate::app) const PEAK_FORCE: &str = "peak force";
+pub(in crate::app) const TURNS: Text = Text::new("turns");
+pub(in crate::app) const DRIFTS: [Text; 4] =
+    [Text::new("drift-1"), Text::new("drift-2"), Text::new("drift-3"), Text::new("drift-4")];
+pub(in crate::app) const NO_SEATS: Text = Text::new("no-seats");
+pub(in crate::app) const GO_THERE: Text = Text::new("go-there");
+pub(in crate::app) const CORNER_OFF: Text = Text::new("corner-off");
+pub(in crate::app) const UNSEATS: Text = Text::new("unseats");
+pub(in crate::app) const LEAST_GAP: Text = Text::new("least-gap");
+pub(in crate::app) const PEAK_FORCE: Text = Text::new("peak-force");
 
 /// The seat under an end.
 pub(in crate::app) fn seat_at(end: End) -> &'static str {
-    if end == End::Plus { "seat +x" } else { "seat -x" }
+    if end == End::Plus { Text::new("seat-plus") } else { Text::new("seat-minus") }.as_str()
 }
 
 /// What a code requires, what there is, and what the run used, square to the edge.
 pub(in crate::app) fn demand(demand: &Demand) -> String {
     let [needed, there, used] = [demand.required, demand.provided, demand.used].map(length);
-    let verdict = if demand.is_met() { "long enough" } else { "too short" };
-    let doubt = if demand.confirmed { "" } else { "; quoted from memory, not confirmed" };
-    format!("needs {needed}, has {there}, used {used}: {verdict}{doubt}")
+    let verdict = if demand.is_met() { Text::new("long-enough") } else { Text::new("too-short") };
+    let doubt = if demand.confirmed { "" } else { Text::new("from-memory").as_str() };
+    let values = values![
+        "needed" => needed,
+        "there" => there,
+        "used" => used,
+        "verdict" => verdict.as_str(),
+        "doubt" => doubt
+    ];
+    Text::new("demand").with(&values)
 }
 
 /// What the picture of a corner over its seat shows.
 pub(in crate::app) fn orbit_of(corner: usize) -> String {
-    format!(
-        "Corner {} over its seat, to scale: red its front edge, the ring where least remains, the dot now; darker is later",
-        corner + 1
-    )
+    Text::new("orbit-of").with(&values!["corner" => corner + 1])
 }
 
 /// A value and when it is reached.
 pub(in crate::app) fn reached_at(words: &str, t: f64) -> String {
-    format!("{words} at {t:.3} s")
+    Text::new("reached-at").with(&values!["value" => words, "t" => format!("{t:.3}")])
 }
 
 /// A time.
 pub(in crate::app) fn at_time(t: f64) -> String {
-    format!("at {t:.4} s")
+    Text::new("at-time").with(&values!["t" => format!("{t:.4}")])
 }
 
 /// What is left of a seat, `least` with its time, and at the corners, square to the edge \[m\].
 pub(in crate::app) fn seat_left(least: &str, seat: f64, corners: [f64; 2]) -> String {
-    format!("{least} left of {}; at the corners {}", length(seat), corners.map(length).join(", "))
+    let values = values!["least" => least, "seat" => length(seat), "corners" => corners.map(length).join(", ")];
+    Text::new("seat-left").with(&values)
 }
 
 // A contact at the time shown.
-pub(in crate::app) const GAP_OF_PAIR: &str = "gap of pair";
-pub(in crate::app) const STATE: &str = "state";
-pub(in crate::app) const NORMAL_SPRING: &str = "normal K δ";
-pub(in crate::app) const TANGENTIAL_SPRING: &str = "tangential";
-pub(in crate::app) const FORCE_RATIO: &str = "T / N";
-pub(in crate::app) const CONE_USED: &str = "cone used";
-pub(in crate::app) const DASHPOTS: &str = "dashpots";
-pub(in crate::app) const WHOLE_FORCE: &str = "force |R|";
-pub(in crate::app) const ELASTIC_FORCE: &str = "without dashpots";
-pub(in crate::app) const OVERLAP: &str = "overlap δ";
-pub(in crate::app) const ANCHOR_OFF: &str = "anchor off";
-pub(in crate::app) const CLOSING: &str = "closing";
-pub(in crate::app) const SLIDING: &str = "sliding";
+pub(in crate::app) const GAP_OF_PAIR: Text = Text::new("gap-of-pair");
+pub(in crate::app) const STATE: Text = Text::new("state");
+pub(in crate::app) const NORMAL_SPRING: Text = Text::new("normal-spring");
+pub(in crate::app) const TANGENTIAL_SPRING: Text = Text::new("tangential-spring");
+pub(in crate::app) const FORCE_RATIO: Text = Text::new("force-ratio");
+pub(in crate::app) const CONE_USED: Text = Text::new("cone-used");
+pub(in crate::app) const DASHPOTS: Text = Text::new("dashpots");
+pub(in crate::app) const WHOLE_FORCE: Text = Text::new("whole-force");
+pub(in crate::app) const ELASTIC_FORCE: Text = Text::new("elastic-force");
+pub(in crate::app) const OVERLAP: Text = Text::new("overlap");
+pub(in crate::app) const ANCHOR_OFF: Text = Text::new("anchor-off");
+pub(in crate::app) const CLOSING: Text = Text::new("closing");
+pub(in crate::app) const SLIDING: Text = Text::new("sliding");
 
 /// A ratio and the one that it may reach.
 pub(in crate::app) fn one_of(used: &str, most: &str) -> String {
-    format!("{used} of {most}")
+    Text::new("one-of").with(&values!["used" => used, "most" => most])
 }
 
 // Runs side by side.
-pub(in crate::app) const MOVES: &str = "moves";
-pub(in crate::app) const PEAK: &str = "peak";
-pub(in crate::app) const HITS: &str = "hits";
-pub(in crate::app) const LOST: &str = "lost";
+pub(in crate::app) const MOVES: Text = Text::new("moves");
+pub(in crate::app) const PEAK: Text = Text::new("peak");
+pub(in crate::app) const HITS: Text = Text::new("hits");
+pub(in crate::app) const LOST: Text = Text::new("lost");
 
 /// A time in periods of the shaking.
 pub(in crate::app) fn periods(count: f64) -> String {
-    format!("{count:.3} periods")
+    Text::new("periods").with(&values!["count" => format!("{count:.3}")])
 }
 
 /// Which bodies are inside each other without contact, how deep at the most and when.
 pub(in crate::app) fn overlap(history: &History, overlap: &Overlap) -> String {
     let [one, other] = overlap.bodies.map(|body| body.name(history.scene()));
-    format!("{one} and {other} overlap by {} at {:.4} s, no contact", length(overlap.depth.value), overlap.depth.t)
+    let values = values![
+        "one" => one,
+        "other" => other,
+        "depth" => length(overlap.depth.value),
+        "t" => format!("{:.4}", overlap.depth.t)
+    ];
+    Text::new("overlaps").with(&values)
 }
 
 /// What an overlap means.
-pub(in crate::app) const OVERLAP_MEANS: &str =
-    "These bodies pass through each other: no contact is defined where they meet. A click goes to where it begins.";
+pub(in crate::app) const OVERLAP_MEANS: Text = Text::new("overlap-means");
 
 /// Which contacts left the sense of their law, a line each.
 pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped: Option<&Dropped>) -> Vec<String> {
@@ -118,15 +130,16 @@ pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped
     let deep = too_deep.iter().map(|deep| {
         let (node, face) = name(deep.contact);
         let [depth, allowed] = [deep.depth.value, deep.allowed].map(length);
-        format!(
-            "{node} in {face}: {depth} at {:.4} s, more than a tenth of the shortest side ({allowed})",
-            deep.depth.t
-        )
+        let t = format!("{:.4}", deep.depth.t);
+        let values =
+            values!["node" => node, "face" => face.to_string(), "depth" => depth, "t" => t, "allowed" => allowed];
+        Text::new("too-deep").with(&values)
     });
     let left = dropped.into_iter().map(|dropped| {
         let (node, face) = name(dropped.contact);
         let share = short(100.0 * dropped.share);
-        format!("{node} left {face} over its edge at {:.4} s; springs held {share} % of the largest energy", dropped.t)
+        let t = format!("{:.4}", dropped.t);
+        Text::new("dropped").with(&values!["node" => node, "face" => face.to_string(), "t" => t, "share" => share])
     });
     deep.chain(left).collect()
 }
@@ -134,23 +147,24 @@ pub(in crate::app) fn law_sense(history: &History, too_deep: &[TooDeep], dropped
 /// What was passed, by whom, when and how far.
 pub(in crate::app) fn passed(flag: &Passed) -> String {
     let reached = match flag.limit {
-        "rotation_deg" => format!("turns by {}°", short(flag.reached)),
-        "drift_m" => format!("drifts by {}", length(flag.reached)),
-        "remaining_seat_m" => format!("keeps {} of its seat", length(flag.reached)),
-        _ => format!("reaches {}", force(flag.reached)),
+        "rotation_deg" => Text::new("passed-turns").with(&values!["value" => short(flag.reached)]),
+        "drift_m" => Text::new("passed-drifts").with(&values!["value" => length(flag.reached)]),
+        "remaining_seat_m" => Text::new("passed-seat").with(&values!["value" => length(flag.reached)]),
+        _ => Text::new("passed-force").with(&values!["value" => force(flag.reached)]),
     };
-    format!("{} {reached}; limit passed at {:.4} s", flag.whose, flag.t)
+    let t = format!("{:.4}", flag.t);
+    Text::new("passed").with(&values!["whose" => flag.whose.as_str(), "reached" => reached, "t" => t])
 }
 
 // What a device does at the time shown.
-pub(in crate::app) const DEVICE_FORCE: &str = "force";
-pub(in crate::app) const DEVICE_DEFORMATION: &str = "deformation";
-pub(in crate::app) const DEVICE_USE: &str = "used";
-pub(in crate::app) const DEVICE_LEFT: &str = "until it acts";
+pub(in crate::app) const DEVICE_FORCE: Text = Text::new("device-force");
+pub(in crate::app) const DEVICE_DEFORMATION: Text = Text::new("device-deformation");
+pub(in crate::app) const DEVICE_USE: Text = Text::new("device-use");
+pub(in crate::app) const DEVICE_LEFT: Text = Text::new("device-left");
 
 /// Part of a strength that a force is \[N\].
 pub(in crate::app) fn used_of(part: f64, strength: f64) -> String {
-    format!("{} % of {}", short(100.0 * part), force(strength))
+    Text::new("used-of").with(&values!["part" => short(100.0 * part), "strength" => force(strength)])
 }
 
 /// A state of a device and when it begins \[s\].

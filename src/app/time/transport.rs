@@ -96,7 +96,7 @@ fn buttons(ui: &mut Ui, playing: bool, out: &mut Vec<Command>) {
         (Icon::End, text::TO_END, "End", Command::Time(TimeCommand::Seek(f64::INFINITY))),
     ];
     for (icon, words, keys, command) in row {
-        if sign(ui, icon, words, keys) {
+        if sign(ui, icon, &words, keys) {
             out.push(command);
         }
     }

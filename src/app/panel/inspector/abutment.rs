@@ -32,7 +32,8 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, i: usize, abutment: &Abutment, o
         faces.or(corners).or(rows(ui, &look, &mut new, &[&["name", "faces", "end"], by_corners].concat()))
     });
     let change = change.or(way_of_face(ui, place, scene, &mut new));
-    let soil = section(ui, text::BACKFILL_SECTION, false, |ui| backfill::show(ui, form, place, size, &mut new));
+    let soil =
+        section(ui, text::BACKFILL_SECTION.as_str(), false, |ui| backfill::show(ui, form, place, size, &mut new));
     let change = change.or(soil.flatten());
     push(change, out, || edits::abutment(i, new));
 }
@@ -64,13 +65,13 @@ fn corner_rows(ui: &mut Ui, place: Place<'_>, girder: Option<&Girder>, corners: 
 /// The other way to say where the face is; the face stays where it is.
 fn way_of_face(ui: &mut Ui, place: Place<'_>, scene: &Scene, a: &mut Abutment) -> Option<Change> {
     if a.polygon.is_some() {
-        if !act(ui, place, "gap_m", text::FACE_BY_GAP) {
+        if !act(ui, place, "gap_m", text::FACE_BY_GAP.as_str()) {
             return None;
         }
         (a.gap, a.polygon) = (edits::gap_before(scene, a).or(edits::gap_of(scene)).or(Some(0.0)), None);
         return CLICK;
     }
-    if !act(ui, place, "polygon_m", text::FACE_BY_CORNERS) {
+    if !act(ui, place, "polygon_m", text::FACE_BY_CORNERS.as_str()) {
         return None;
     }
     let corners = placed::abutment_face(scene, a)?;
@@ -90,7 +91,7 @@ fn faces_row(ui: &mut Ui, place: Place<'_>, scene: &Scene, a: &mut Abutment) -> 
             }
         }
     });
-    tag(ui, &combo.response.labelled_by(label.id), place, ("faces", text::FACES));
+    tag(ui, &combo.response.labelled_by(label.id), place, ("faces", text::FACES.as_str()));
     ui.end_row();
     let label = ui.label(text::END);
     ui.horizontal(|ui| {

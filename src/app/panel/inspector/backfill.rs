@@ -14,7 +14,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, size: Size, a:
     let reckoned = |key: &Key| number(form, a, key.name);
     let Some(mut backfill) = a.backfill else {
         ui.label(text::BACKFILL_NONE);
-        if !act(ui, place, "backfill", text::BACKFILL_ADD) {
+        if !act(ui, place, "backfill", text::BACKFILL_ADD.as_str()) {
             return None;
         }
         a.backfill = Some(Backfill::default());
@@ -24,11 +24,11 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, size: Size, a:
     let look = Look { without: Without::Reckoned(&reckoned), ..form.look_of(&table, size) };
     let change = grid(ui, "backfill", |ui| {
         let change = rows(ui, &look, &mut backfill, &[]);
-        note(ui, text::BACKFILL_ASSUMED);
+        note(ui, text::BACKFILL_ASSUMED.as_str());
         change
     });
     a.backfill = Some(backfill);
-    if act(ui, place, "backfill", text::BACKFILL_REMOVE) {
+    if act(ui, place, "backfill", text::BACKFILL_REMOVE.as_str()) {
         a.backfill = None;
         return CLICK;
     }

@@ -39,8 +39,8 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
                     "bearings.height_m",
                     (&mut shared.height, underside),
                 ));
-                let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS);
-                let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
+                let minus = (&mut shared.on_minus_x, "bearings.on_minus_x", text::ON_MINUS.as_str());
+                let plus = (&mut shared.on_plus_x, "bearings.on_plus_x", text::ON_PLUS.as_str());
                 let rows = rows.or(sliders::travel(ui, place, length, &mut shared.travel));
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
@@ -59,8 +59,8 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             let look = Look { without: Without::Reckoned(&reckoned), ..Look::new(whole, kind, size) };
             let numbers = grid(ui, "bearings", |ui| {
                 let rows = rows(ui, &look, deck, &[]);
-                let minus = (&mut deck.on_minus_x, "bearings.on_minus_x", text::ON_MINUS);
-                let plus = (&mut deck.on_plus_x, "bearings.on_plus_x", text::ON_PLUS);
+                let minus = (&mut deck.on_minus_x, "bearings.on_minus_x", text::ON_MINUS.as_str());
+                let plus = (&mut deck.on_plus_x, "bearings.on_plus_x", text::ON_PLUS.as_str());
                 [minus, plus].into_iter().fold(rows, |change, on| change.or(on_row(ui, place, scene, on)))
             });
             let places = places(ui, place, length, shear, (&mut deck.at, &mut deck.at_skewed));
@@ -75,10 +75,10 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
             changed
         }
         None => {
-            grid(ui, "no bearings", |ui| note(ui, text::BEARINGS_NONE));
-            let shared = act(ui, place, "bearings", text::BEARINGS_ADD);
-            let lead = act(ui, place, "bearings", text::BEARINGS_ADD_LEAD);
-            let pendulum = act(ui, place, "bearings", text::BEARINGS_ADD_PENDULUM);
+            grid(ui, "no bearings", |ui| note(ui, text::BEARINGS_NONE.as_str()));
+            let shared = act(ui, place, "bearings", text::BEARINGS_ADD.as_str());
+            let lead = act(ui, place, "bearings", text::BEARINGS_ADD_LEAD.as_str());
+            let pendulum = act(ui, place, "bearings", text::BEARINGS_ADD_PENDULUM.as_str());
             let deck = |kind| Bearings::Deck(DeckBearings::proposed(kind, corners(g)));
             g.bearings = match (shared, lead, pendulum) {
                 (true, ..) => Some(Bearings::Shared(four_below(g))),
@@ -94,7 +94,7 @@ pub(super) fn show(ui: &mut Ui, (place, scene): (Place<'_>, &Scene), kind: Kind,
 /// Ways out of bearings of one kind for a whole deck: a list of single ones, or none.
 fn end(ui: &mut Ui, place: Place<'_>, g: &mut Girder, kind: Kind) -> Option<Change> {
     let each = ui.button(text::BEARINGS_ONE_BY_ONE).on_hover_text(text::BEARINGS_ONE_BY_ONE_HINT).clicked();
-    let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE);
+    let gone = act(ui, place, "bearings", text::BEARINGS_REMOVE.as_str());
     if each {
         g.bearings = Some(one_by_one(g, kind));
     } else if gone {
@@ -185,7 +185,7 @@ type Places<'a> = (&'a mut Option<Vec<[f64; 2]>>, &'a mut Option<Vec<[f64; 2]>>)
 fn follows_skew(ui: &mut Ui, place: Place<'_>, shear: f64, (at, skewed): Places<'_>) -> Option<Change> {
     let mut follows = skewed.is_some();
     let response = ui.checkbox(&mut follows, text::AT_FOLLOWS);
-    let switched = tag(ui, &response, place, ("bearings.at_skewed_m", text::AT_FOLLOWS)).changed();
+    let switched = tag(ui, &response, place, ("bearings.at_skewed_m", text::AT_FOLLOWS.as_str())).changed();
     if !switched {
         return None;
     }
@@ -243,7 +243,7 @@ fn list(
                 let key = format!("bearings[{n}].height_m");
                 let numbers = numbers.or(height_row(ui, place, (kind, unit), &key, (&mut bearing.height, underside)));
                 let key = format!("bearings[{n}].on");
-                numbers.or(on_row(ui, place, scene, (&mut bearing.on, &key, text::ON_PIER)))
+                numbers.or(on_row(ui, place, scene, (&mut bearing.on, &key, text::ON_PIER.as_str())))
             }));
             if ui.small_button(format!("{} {}", text::BEARING_REMOVE, n + 1)).clicked() {
                 gone = Some(n);
@@ -271,8 +271,10 @@ fn single(
 ) -> Option<Change> {
     let at = format!("bearings[{n}].at_m");
     let [x, y] = &mut b.at;
-    let mut changes =
-        vec![number(ui, place, (&at, text::BEARING_X), x, unit), number(ui, place, (&at, text::BEARING_Y), y, unit)];
+    let mut changes = vec![
+        number(ui, place, (&at, text::BEARING_X.as_str()), x, unit),
+        number(ui, place, (&at, text::BEARING_Y.as_str()), y, unit),
+    ];
     let ways = if kind == Kind::Planar { 2 } else { 3 };
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(ways) {
         let (k, c) = (&mut b.stiffness[axis], &mut b.damping[axis]);
@@ -291,17 +293,18 @@ fn yield_rows(ui: &mut Ui, place: Place<'_>, unit: Unit, n: usize, b: &mut Beari
     let key = |name: &str| format!("bearings[{n}].{name}");
     let force = b.yield_force.unwrap_or(first);
     let newton = force_unit(force / STANDARD_GRAVITY);
-    let yields = switched(ui, place, (&key("yield_force_n"), text::BEARING_YIELD), (&mut b.yield_force, first), newton);
+    let yields =
+        switched(ui, place, (&key("yield_force_n"), text::BEARING_YIELD.as_str()), (&mut b.yield_force, first), newton);
     if b.yield_force.is_none() {
         (b.yield_displacement, b.per_axis) = (None, None);
         return yields;
     }
     let elastic = (USUAL_RATIO - 1.0) * b.stiffness[0];
     let at = b.yield_displacement.get_or_insert(if elastic > 0.0 { force / elastic } else { SLIDER_YIELD });
-    let moved = number(ui, place, (&key("yield_displacement_m"), text::BEARING_YIELDS_AT), at, unit);
+    let moved = number(ui, place, (&key("yield_displacement_m"), text::BEARING_YIELDS_AT.as_str()), at, unit);
     let mut per_axis = b.per_axis == Some(true);
     let response = ui.checkbox(&mut per_axis, text::BEARING_PER_AXIS);
-    let turned = tag(ui, &response, place, (&key("yields_per_axis"), text::BEARING_PER_AXIS)).changed();
+    let turned = tag(ui, &response, place, (&key("yields_per_axis"), text::BEARING_PER_AXIS.as_str())).changed();
     ui.end_row();
     if turned {
         b.per_axis = per_axis.then_some(true);
@@ -322,7 +325,7 @@ fn on_row(
     }
     let before = on.clone();
     let name = ui.label(label);
-    let now = on.as_deref().unwrap_or(text::ON_GROUND).to_owned();
+    let now = on.as_deref().unwrap_or(text::ON_GROUND.as_str()).to_owned();
     let combo = ComboBox::from_id_salt(key).width(79.0).selected_text(now).show_ui(ui, |ui| {
         if ui.selectable_label(on.is_none(), text::ON_GROUND).clicked() {
             *on = None;
@@ -349,18 +352,18 @@ fn height_row(
     if kind == Kind::Planar {
         return None;
     }
-    optional(ui, place, (key, text::BEARING_HEIGHT), height, unit)
+    optional(ui, place, (key, text::BEARING_HEIGHT.as_str()), height, unit)
 }
 
 fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings) -> Option<Change> {
     let ([mut fx, mut fy], [mut hx, mut hy]) = (b.frequency_hz.xy(), b.damping_ratio.xy());
     let frequency = [
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X), &mut fx, HERTZ),
-        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y), &mut fy, HERTZ),
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_X.as_str()), &mut fx, HERTZ),
+        number(ui, place, ("bearings.frequency_hz", text::FREQUENCY_Y.as_str()), &mut fy, HERTZ),
     ];
     let damping = [
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X), &mut hx, PURE),
-        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y), &mut hy, PURE),
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_X.as_str()), &mut hx, PURE),
+        number(ui, place, ("bearings.damping_ratio", text::DAMPING_Y.as_str()), &mut hy, PURE),
     ];
     if frequency.iter().any(Option::is_some) {
         b.frequency_hz = per_direction(b.frequency_hz, fx, fy);
@@ -374,12 +377,12 @@ fn shared_rows(ui: &mut Ui, place: Place<'_>, kind: Kind, b: &mut SharedBearings
 
 fn vertical_rows(ui: &mut Ui, place: Place<'_>, hx: f64, b: &mut SharedBearings) -> Option<Change> {
     let mut fz = b.vertical_frequency_hz.unwrap_or(0.0);
-    let key = ("bearings.vertical_frequency_hz", text::FREQUENCY_Z);
+    let key = ("bearings.vertical_frequency_hz", text::FREQUENCY_Z.as_str());
     let frequency = number(ui, place, key, &mut fz, HERTZ);
     if frequency.is_some() {
         b.vertical_frequency_hz = Some(fz);
     }
-    let key = ("bearings.vertical_damping_ratio", text::DAMPING_Z);
+    let key = ("bearings.vertical_damping_ratio", text::DAMPING_Z.as_str());
     frequency.or(optional(ui, place, key, (&mut b.vertical_damping_ratio, hx), PURE))
 }
 

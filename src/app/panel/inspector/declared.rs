@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     }
     let whole = form.place("contact");
     ui.add_enabled_ui(names(scene).len() > 1, |ui| {
-        if act(ui, whole, "pair", text::ADD_ENTRY) {
+        if act(ui, whole, "pair", text::ADD_ENTRY.as_str()) {
             new.pairs.extend(fresh(scene));
         }
     });

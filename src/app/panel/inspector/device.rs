@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, id: DeviceId, out: &mut Vec<Comm
         name_field::show(ui, place, Target::Device(id), &name, out);
         let ends = ends(ui, place, scene, length_unit(size.length), &mut new);
         let law = law(ui, &look, scene.kind, size, &mut new);
-        note(ui, text::DEVICE_ASSUMED);
+        note(ui, text::DEVICE_ASSUMED.as_str());
         ends.or(law)
     });
     push(change, out, || edits::device(id, new));
@@ -81,7 +81,7 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
     let bodies: Vec<Option<String>> = std::iter::once(None).chain(others).chain(walls).collect();
     let ends = device.part_mut().ends_mut();
     let mut from = Some(girder.clone());
-    let mut change = body(ui, place, ("girder", text::DEVICE_ON), &mut from, &girders);
+    let mut change = body(ui, place, ("girder", text::DEVICE_ON.as_str()), &mut from, &girders);
     if let (Some(_), Some(name)) = (change, from) {
         *ends.girder = name;
     }
@@ -89,7 +89,7 @@ fn ends(ui: &mut Ui, place: Place<'_>, scene: &Scene, unit: Unit, device: &mut D
     for (axis, value) in ["x", "y", "z"].into_iter().zip(at).take(axes) {
         change = change.or(number(ui, place, ("at_m", &format!("{} {axis}", text::DEVICE_AT)), value, unit));
     }
-    let chosen = body(ui, place, ("to", text::DEVICE_TO), &mut onto, &bodies);
+    let chosen = body(ui, place, ("to", text::DEVICE_TO.as_str()), &mut onto, &bodies);
     if chosen.is_some() {
         // The point stays where it is, seen from another body.
         let there = joint.and_then(|joint| crate::scene::device::point_on(scene, onto.as_deref(), joint.points[1]));
@@ -119,7 +119,7 @@ fn body(
     value: &mut Option<String>,
     options: &[Option<String>],
 ) -> Option<Change> {
-    let words = |body: &Option<String>| body.clone().unwrap_or_else(|| text::GROUND_ITSELF.to_owned());
+    let words = |body: &Option<String>| body.clone().unwrap_or_else(|| text::GROUND_ITSELF.to_string());
     let before = value.clone();
     let label = ui.label(name);
     let combo = ComboBox::from_id_salt((place.table, key)).width(79.0).selected_text(words(value)).show_ui(ui, |ui| {
@@ -139,7 +139,7 @@ fn law(ui: &mut Ui, look: &Look<'_>, kind: Kind, size: Size, device: &mut Device
         Device::Restrainer(cable) => rows(ui, look, cable, &shared),
         Device::Damper(damper) => rows(ui, look, damper, &shared),
         Device::Bumper(rubber) => {
-            let normal = direction(ui, look.place, kind, ("normal", text::DEVICE_NORMAL), &mut rubber.normal);
+            let normal = direction(ui, look.place, kind, ("normal", text::DEVICE_NORMAL.as_str()), &mut rubber.normal);
             let law = rows(ui, look, rubber, &shared);
             if law.is_some() && rubber.stiffness.is_some() {
                 rubber.table = None;
@@ -147,7 +147,8 @@ fn law(ui: &mut Ui, look: &Look<'_>, kind: Kind, size: Size, device: &mut Device
             normal.or(law).or(table(ui, look.place, size, &mut rubber.table, &mut rubber.stiffness))
         }
         Device::Stopper(key) => {
-            let way = direction(ui, look.place, kind, ("direction", text::DEVICE_DIRECTION), &mut key.direction);
+            let way =
+                direction(ui, look.place, kind, ("direction", text::DEVICE_DIRECTION.as_str()), &mut key.direction);
             way.or(rows(ui, look, key, &shared))
         }
     }
@@ -188,7 +189,7 @@ fn table(
 ) -> Option<Change> {
     let Some(points) = value else {
         ui.label("");
-        let pressed = act(ui, place, "depth_force_m_n", text::DEVICE_TABLE);
+        let pressed = act(ui, place, "depth_force_m_n", text::DEVICE_TABLE.as_str());
         ui.end_row();
         if !pressed {
             return None;
@@ -215,7 +216,7 @@ fn table(
         change = CLICK;
     }
     ui.label("");
-    if act(ui, place, "depth_force_m_n", text::DEVICE_TABLE_POINT)
+    if act(ui, place, "depth_force_m_n", text::DEVICE_TABLE_POINT.as_str())
         && let Some([depth, force]) = points.last().copied()
     {
         points.push([2.0 * depth, 2.0 * force]);

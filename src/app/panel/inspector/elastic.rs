@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, girder: &mut G
     let size = Size::of(girder);
     let Some(mut elastic) = girder.elastic else {
         ui.label(text::ELASTIC_NONE);
-        if !act(ui, place, "elastic", text::ELASTIC_ADD) {
+        if !act(ui, place, "elastic", text::ELASTIC_ADD.as_str()) {
             return None;
         }
         girder.elastic = Some(Elastic::of_density(CONCRETE));
@@ -30,11 +30,11 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, place: Place<'_>, girder: &mut G
     let change = grid(ui, "elastic", |ui| {
         let change = rows(ui, &look, &mut elastic, &[]);
         let damping = rayleigh(ui, form, (&table, size), &mut elastic);
-        note(ui, text::ELASTIC_ASSUMED);
+        note(ui, text::ELASTIC_ASSUMED.as_str());
         change.or(damping)
     });
     girder.elastic = Some(elastic);
-    if act(ui, place, "elastic", text::ELASTIC_REMOVE) {
+    if act(ui, place, "elastic", text::ELASTIC_REMOVE.as_str()) {
         girder.elastic = None;
         return CLICK;
     }

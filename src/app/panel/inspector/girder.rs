@@ -33,8 +33,9 @@ pub(super) fn show(
         rows(ui, &look(place), &mut new, &["name"])
     });
     let stands =
-        section(ui, text::BEARINGS, true, |ui| bearings::show(ui, (place, form.scene), kind, &mut new)).flatten();
-    let more = section(ui, text::START_SECTION, false, |ui| {
+        section(ui, text::BEARINGS.as_str(), true, |ui| bearings::show(ui, (place, form.scene), kind, &mut new))
+            .flatten();
+    let more = section(ui, text::START_SECTION.as_str(), false, |ui| {
         grid(ui, "start", |ui| {
             let start = rows(ui, &look(Place { table: &starts, ..place }), &mut new.initial, &[]);
             let push = rows(ui, &look(Place { table: &pushes, ..place }), &mut new.push, &[]);
@@ -42,13 +43,14 @@ pub(super) fn show(
         })
     });
     let some = |_: &Key| girder.length * 0.05;
-    let seat = section(ui, text::SEAT_SECTION, false, |ui| {
+    let seat = section(ui, text::SEAT_SECTION.as_str(), false, |ui| {
         let look = Look { without: Without::Off(&some), ..look(Place { table: &seats, ..place }) };
         grid(ui, "seat", |ui| rows(ui, &look, &mut new.seat, &[]))
     });
     // Rigid it is in space.
     let bends = kind == Kind::Planar || girder.elastic.is_some();
-    let bends = bends.then(|| section(ui, text::ELASTIC_SECTION, false, |ui| elastic::show(ui, form, place, &mut new)));
+    let bends = bends
+        .then(|| section(ui, text::ELASTIC_SECTION.as_str(), false, |ui| elastic::show(ui, form, place, &mut new)));
     let change = first.or(stands).or(more.flatten()).or(seat.flatten()).or(bends.flatten().flatten());
     push(change, out, || edits::girders_alike(form.scene, i, &new, selected));
 }

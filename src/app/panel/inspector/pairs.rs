@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, of: Opt
     if ours.is_empty() {
         return;
     }
-    section(ui, text::PAIRS_SECTION, true, |ui| {
+    section(ui, text::PAIRS_SECTION.as_str(), true, |ui| {
         for pair in ours.iter().take(MOST) {
             let title = format!("{} {}", text::PAIR, pair.name);
             section(ui, &title, ours.len() == 1, |ui| one(ui, form, answer, pair, out));
@@ -44,7 +44,7 @@ fn one(ui: &mut Ui, form: Form<'_>, answer: Option<&Answer>, pair: &Facing, out:
     let mut own = entry.map_or_else(|| edits::new_pair(scene, pair), |n| scene.contact.pairs[n].clone());
     let table = entry.map_or_else(|| "contact.pair".to_owned(), |n| format!("contact.pair[{n}]"));
     let under = |key: &Key| number_under(scene, pair, key.name);
-    let look = Look { whose: text::OF_PAIR, without: Without::Under(&under), ..form.look(&table) };
+    let look = Look { whose: text::OF_PAIR.as_str(), without: Without::Under(&under), ..form.look(&table) };
     // Pairs without an entry have no place of their own in the file that could tell their lists apart.
     let own_id = ("pair", &pair.name);
     let own_rows = |ui: &mut Ui| rows(ui, &look, &mut own, &["between", "ends"]);

@@ -9,6 +9,7 @@ use crate::app::panel::name_field;
 use crate::app::run::answer::Answer;
 use crate::app::unit::{Size, trimmed, unit_of};
 use crate::app::{edits, text};
+use crate::language::Text;
 use crate::scene::keys::Key;
 use crate::scene::{ColumnTop, PerDirection, Pier, ResolvedPier, Scene};
 use crate::view::Target;
@@ -63,7 +64,7 @@ pub(super) fn show(
         let turns: &[&str] = if new.turn_stiffness.is_some() { &[] } else { &["turn_inertia_kg_m2"] };
         way.or(rows(ui, &look, &mut new, &[&["name"], columns, yields, turns].concat()))
     });
-    let more = section(ui, text::PIER_MORE, false, |ui| {
+    let more = section(ui, text::PIER_MORE.as_str(), false, |ui| {
         grid(ui, "pier more", |ui| more(ui, place, size, &mut new, &resolved))
     });
     let change = first.or(more.flatten());
@@ -97,11 +98,11 @@ fn number_in_force(key: &str, pier: &ResolvedPier) -> f64 {
 fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
     let mut way = Way::of(pier);
     let options = [
-        (Way::Stiffness, text::PIER_BY_STIFFNESS),
-        (Way::Frequency, text::PIER_BY_FREQUENCY),
-        (Way::Column, text::PIER_BY_COLUMN),
+        (Way::Stiffness, text::PIER_BY_STIFFNESS.as_str()),
+        (Way::Frequency, text::PIER_BY_FREQUENCY.as_str()),
+        (Way::Column, text::PIER_BY_COLUMN.as_str()),
     ];
-    let chosen = choice(ui, place, ("stiffness_n_per_m", text::PIER_WAY), &mut way, &options);
+    let chosen = choice(ui, place, ("stiffness_n_per_m", text::PIER_WAY.as_str()), &mut way, &options);
     if chosen.is_some() {
         begin(pier, way, resolved);
         return chosen;
@@ -111,7 +112,7 @@ fn way_rows(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved
         Way::Frequency => (&mut pier.frequency, [text::PIER_F_ALONG, text::PIER_F_ACROSS]),
         Way::Column => (&mut pier.column, [text::PIER_COLUMN_ALONG, text::PIER_COLUMN_ACROSS]),
     };
-    two(ui, place, (way.key(), labels), value.as_mut()?, size)
+    two(ui, place, (way.key(), labels.map(Text::as_str)), value.as_mut()?, size)
 }
 
 /// Another way to give the stiffness.
@@ -157,7 +158,8 @@ fn two(
 fn more(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &ResolvedPier) -> Option<Change> {
     let mut change = None;
     let mut ratio = pier.damping_ratio.unwrap_or(PerDirection::Both(0.05));
-    let damping = two(ui, place, ("damping_ratio", [text::DAMPING_X, text::DAMPING_Y]), &mut ratio, size);
+    let damping =
+        two(ui, place, ("damping_ratio", [text::DAMPING_X.as_str(), text::DAMPING_Y.as_str()]), &mut ratio, size);
     if damping.is_some() {
         pier.damping_ratio = Some(ratio);
     }
@@ -165,20 +167,20 @@ fn more(ui: &mut Ui, place: Place<'_>, size: Size, pier: &mut Pier, resolved: &R
     let mut force = pier.yield_force.map(|force| force.xy()[0]);
     let first = 0.2 * resolved.mass * crate::scene::STANDARD_GRAVITY;
     let unit = unit_of(&place.path("yield_force_n"), first, size);
-    if let Some(yields) = switched(ui, place, ("yield_force_n", text::PIER_YIELD), (&mut force, first), unit) {
+    if let Some(yields) = switched(ui, place, ("yield_force_n", text::PIER_YIELD.as_str()), (&mut force, first), unit) {
         pier.yield_force = force.map(PerDirection::Both);
         change = Some(yields);
     }
     let unit = unit_of(&place.path("position_m"), 0.0, size);
     let mut at = pier.position.unwrap_or([resolved.top.x, resolved.top.y]);
     for (axis, label) in [text::PIER_X, text::PIER_Y].into_iter().enumerate() {
-        if let Some(moved) = number(ui, place, ("position_m", label), &mut at[axis], unit) {
+        if let Some(moved) = number(ui, place, ("position_m", &label), &mut at[axis], unit) {
             (pier.position, change) = (Some(at), Some(moved));
         }
     }
     let mut cap = pier.cap.unwrap_or(resolved.cap);
     for (axis, label) in [text::PIER_CAP_ALONG, text::PIER_CAP_ACROSS, text::PIER_CAP_DEPTH].into_iter().enumerate() {
-        if let Some(sized) = number(ui, place, ("cap_m", label), &mut cap[axis], unit) {
+        if let Some(sized) = number(ui, place, ("cap_m", &label), &mut cap[axis], unit) {
             (pier.cap, change) = (Some(cap), Some(sized));
         }
     }

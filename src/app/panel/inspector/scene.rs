@@ -12,26 +12,28 @@ use crate::scene::Kind;
 use crate::scene::edit::{Edit, General};
 use crate::scene::keys::Key;
 
-const KINDS: [(Kind, &str); 2] = [(Kind::Planar, text::PLANAR), (Kind::Spatial, text::SPATIAL)];
+fn kinds() -> [(Kind, &'static str); 2] {
+    [(Kind::Planar, text::PLANAR.as_str()), (Kind::Spatial, text::SPATIAL.as_str())]
+}
 
 /// Shows what belongs to no body.
 pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
-    section(ui, text::SCENE_SECTION, true, |ui| {
+    section(ui, text::SCENE_SECTION.as_str(), true, |ui| {
         general(ui, form, out);
         solver(ui, form, out);
     });
-    section(ui, text::ALL_PAIRS_SECTION, false, |ui| contact(ui, form, out));
-    section(ui, text::CODES_SECTION, false, |ui| codes(ui, form, out));
-    section(ui, text::DECLARED_SECTION, false, |ui| declared::show(ui, form, out));
+    section(ui, text::ALL_PAIRS_SECTION.as_str(), false, |ui| contact(ui, form, out));
+    section(ui, text::CODES_SECTION.as_str(), false, |ui| codes(ui, form, out));
+    section(ui, text::DECLARED_SECTION.as_str(), false, |ui| declared::show(ui, form, out));
 }
 
 fn general(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let mut new = General::of(form.scene);
     let look = form.look("");
     let change = grid(ui, "scene", |ui| {
-        let name = line(ui, look.place, ("name", text::NAME), &mut new.name);
-        let about = line(ui, look.place, ("description", text::DESCRIPTION), &mut new.description);
-        let kind = choice(ui, look.place, ("kind", text::KIND), &mut new.kind, &KINDS);
+        let name = line(ui, look.place, ("name", text::NAME.as_str()), &mut new.name);
+        let about = line(ui, look.place, ("description", text::DESCRIPTION.as_str()), &mut new.description);
+        let kind = choice(ui, look.place, ("kind", text::KIND.as_str()), &mut new.kind, &kinds());
         let time = number_at(ui, &look, "duration_s", &mut new.duration);
         let gravity = number_at(ui, &look, "gravity_m_s2", &mut new.gravity);
         name.or(about).or(kind).or(time).or(gravity)
@@ -50,7 +52,7 @@ fn solver(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
 fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let mut new = form.scene.contact.clone();
     let elastic = |key: &Key| edits::elastic(form.scene, key.name);
-    let look = Look { whose: text::OF_ALL, without: Without::Reckoned(&elastic), ..form.look("contact") };
+    let look = Look { whose: text::OF_ALL.as_str(), without: Without::Reckoned(&elastic), ..form.look("contact") };
     let change = grid(ui, "all pairs", |ui| rows(ui, &look, &mut new, &[]));
     push(change, out, || edits::contact(new));
 }

@@ -73,8 +73,8 @@ fn of_girder(i: usize, girder: &Girder, stance: Stance, out: &mut Vec<Handle>) {
         out.push(Handle { grip, at, along, name: what });
     };
     let (x, y) = (DVec2::X, DVec2::Y);
-    add(Grip::Along(i), DVec2::ZERO, x, text::move_by_handle(name, text::ALONG));
-    add(Grip::Across(i), DVec2::ZERO, y, text::move_by_handle(name, text::ACROSS));
+    add(Grip::Along(i), DVec2::ZERO, x, text::move_by_handle(name, text::ALONG.as_str()));
+    add(Grip::Across(i), DVec2::ZERO, y, text::move_by_handle(name, text::ACROSS.as_str()));
     // Pulled toward -x, the knob on the left turns the girder against the clock.
     add(Grip::Turn(i), DVec2::new(b * shear, b), -x, text::turn_by_handle(name));
     for end in End::BOTH {
@@ -93,7 +93,12 @@ fn of_abutment(scene: &Scene, i: usize, abutment: &Abutment, out: &mut Vec<Handl
     let Some([a, b, c, d]) = placed::abutment_face(scene, abutment) else { return };
     let name = &abutment.name;
     let (top, side) = ((c + d) / 2.0, (b - a).normalize_or_zero());
-    out.push(Handle { grip: Grip::Offset(i), at: top, along: side, name: text::move_by_handle(name, text::SIDEWAYS) });
+    out.push(Handle {
+        grip: Grip::Offset(i),
+        at: top,
+        along: side,
+        name: text::move_by_handle(name, text::SIDEWAYS.as_str()),
+    });
     if abutment.polygon.is_none() {
         for (flank, at) in Flank::BOTH.into_iter().zip([c, d]) {
             let name = text::face_width_handle(name, flank == Flank::Left);

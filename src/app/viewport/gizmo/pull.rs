@@ -82,11 +82,11 @@ pub(super) fn pulled(grip: Grip, pull: &Pull<'_>) -> Option<Pulled> {
         }
         Grip::Along(i) => {
             let (_, x, _) = pull.girder(i)?;
-            along(pull, x, text::ALONG)
+            along(pull, x, text::ALONG.as_str())
         }
         Grip::Across(i) => {
             let (_, _, y) = pull.girder(i)?;
-            along(pull, y, text::ACROSS)
+            along(pull, y, text::ACROSS.as_str())
         }
         Grip::Turn(i) => turn(pull, i),
         Grip::Length(i, end) => length(pull, i, end),
@@ -137,7 +137,7 @@ fn turn(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let way = (angle(pull.to) - angle(pull.from)).to_degrees();
     let free = pull.or_typed(unit::rounded(wrapped(girder.heading_deg + way), 0.1));
     let (heading, to) = if pull.snaps() { snap::heading(pull.scene, i, free) } else { (free, None) };
-    let mut words = vec![text::dragged(text::TURNED_TO, &format!("{}°", unit::trimmed(heading)))];
+    let mut words = vec![text::dragged(text::TURNED_TO.as_str(), &format!("{}°", unit::trimmed(heading)))];
     words.extend(to);
     Some(Pulled { edit: Edit::MoveGirder(i, girder.position, heading), words, guides: Vec::new() })
 }
@@ -155,14 +155,14 @@ fn length(pull: &Pull<'_>, i: usize, end: End) -> Option<Pulled> {
     // The other end stays where it is.
     let position = edits::tidy(DVec3::from(girder.position) + outward * ((length - girder.length) / 2.0));
     let new = Girder { length, position, ..stretched(girder, length / girder.length, 1.0, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), text::dragged(text::LONG, &text::exact_length(length))))
+    Some(plain(edits::girder(i, new), text::dragged(text::LONG.as_str(), &text::exact_length(length))))
 }
 
 fn width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (girder, _, y) = pull.girder(i)?;
     let width = pull.or_typed((girder.width + 2.0 * pull.along(y * flank.sign())).max(girder.width * LEAST));
     let new = Girder { width, ..stretched(girder, 1.0, width / girder.width, girder.skew_deg) };
-    Some(plain(edits::girder(i, new), text::dragged(text::WIDE, &text::exact_length(width))))
+    Some(plain(edits::girder(i, new), text::dragged(text::WIDE.as_str(), &text::exact_length(width))))
 }
 
 fn skew(pull: &Pull<'_>, i: usize, end: End, flank: Flank) -> Option<Pulled> {
@@ -225,7 +225,7 @@ fn gap(pull: &Pull<'_>, n: usize) -> Option<Pulled> {
         Side::Girder(second, _) => edits::row_shifted(pull.scene, first, second, outward * (gap - pair.gap)),
         Side::Flank(..) | Side::Rear(..) => return None,
     };
-    let mut words = vec![text::dragged(text::APART, &text::exact_length(gap))];
+    let mut words = vec![text::dragged(text::APART.as_str(), &text::exact_length(gap))];
     words.extend(to);
     Some(Pulled { edit, words, guides: Vec::new() })
 }
@@ -235,7 +235,7 @@ fn offset(pull: &Pull<'_>, i: usize) -> Option<Pulled> {
     let side = (b - a).normalize_or_zero();
     let far = pull.or_typed(pull.along(side));
     let edit = edits::shifted(pull.scene, Target::Abutment(i), (side * far).truncate().to_array(), 0.0)?;
-    Some(plain(edit, text::dragged(text::SIDEWAYS, &text::length(far))))
+    Some(plain(edit, text::dragged(text::SIDEWAYS.as_str(), &text::length(far))))
 }
 
 fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
@@ -244,7 +244,7 @@ fn face_width(pull: &Pull<'_>, i: usize, flank: Flank) -> Option<Pulled> {
     let (side, before) = ((b - a).normalize_or_zero(), (b - a).length());
     let width = pull.or_typed((before + 2.0 * pull.along(side * flank.sign())).max(before * LEAST));
     let new = Abutment { width: Some(edits::micrometres(width)), ..abutment.clone() };
-    Some(plain(edits::abutment(i, new), text::dragged(text::FACE_WIDE, &text::exact_length(width))))
+    Some(plain(edits::abutment(i, new), text::dragged(text::FACE_WIDE.as_str(), &text::exact_length(width))))
 }
 
 /// A point of a device, over the ground; the girder that it is on may have moved since it was placed, by which its point moves too.

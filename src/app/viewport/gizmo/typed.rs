@@ -100,15 +100,15 @@ fn on_plate(grip: Grip, typing: &Typing, unit: Unit) -> String {
     };
     match grip {
         Grip::Bodies | Grip::DevicePoint(..) => format!("{}   {}", one(0, text::SHIFT_X), one(1, text::SHIFT_Y)),
-        Grip::Along(_) => one(0, text::ALONG),
-        Grip::Across(_) => one(0, text::ACROSS),
-        Grip::Turn(_) => one(0, text::TURNED_TO),
-        Grip::Length(..) => one(0, text::LONG),
-        Grip::Width(..) => one(0, text::WIDE),
+        Grip::Along(_) => one(0, text::ALONG.as_str()),
+        Grip::Across(_) => one(0, text::ACROSS.as_str()),
+        Grip::Turn(_) => one(0, text::TURNED_TO.as_str()),
+        Grip::Length(..) => one(0, text::LONG.as_str()),
+        Grip::Width(..) => one(0, text::WIDE.as_str()),
         Grip::Skew(..) => one(0, text::SKEWED),
-        Grip::Gap(_) => one(0, text::APART),
-        Grip::Offset(_) => one(0, text::SIDEWAYS),
-        Grip::FaceWidth(..) => one(0, text::FACE_WIDE),
+        Grip::Gap(_) => one(0, text::APART.as_str()),
+        Grip::Offset(_) => one(0, text::SIDEWAYS.as_str()),
+        Grip::FaceWidth(..) => one(0, text::FACE_WIDE.as_str()),
     }
 }
 

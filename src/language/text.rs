@@ -1,0 +1,55 @@
+//! A text by its key.
+
+use std::fmt;
+use std::ops::Deref;
+
+use fluent_bundle::FluentArgs;
+
+use super::Language;
+use super::catalog::Catalog;
+
+/// A text in the language of the thread that asks for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Text(&'static str);
+
+impl Text {
+    /// The text of a key of the tables.
+    pub const fn new(key: &'static str) -> Self {
+        Self(key)
+    }
+
+    /// Its words. A text that takes values is had by [`Text::with`].
+    pub fn as_str(self) -> &'static str {
+        look(|catalog| catalog.words(self.0)).unwrap_or(self.0)
+    }
+
+    /// Its words with values in their places.
+    pub fn with(self, values: &FluentArgs<'_>) -> String {
+        look(|catalog| catalog.format(self.0, values)).unwrap_or_else(|| self.0.to_owned())
+    }
+}
+
+/// In the current language; in English what that one lacks.
+fn look<T>(find: impl Fn(&'static Catalog) -> Option<T>) -> Option<T> {
+    find(Catalog::of(Language::current())).or_else(|| find(Catalog::of(Language::English)))
+}
+
+impl Deref for Text {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        self.as_str()
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.as_str())
+    }
+}
+
+impl From<Text> for String {
+    fn from(text: Text) -> Self {
+        text.as_str().to_owned()
+    }
+}

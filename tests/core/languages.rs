@@ -1,0 +1,82 @@
+//! Tables of texts: every language has the same keys, the code uses each, and a text takes no value that English lacks.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use girderbench::language::{Language, Text};
+
+/// The lines of each key of a language's table.
+fn table(language: Language) -> BTreeMap<String, String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/texts/{}.ftl", language.code()));
+    let text = fs::read_to_string(path).expect("a table");
+    let mut texts: BTreeMap<String, String> = BTreeMap::new();
+    let mut last = String::new();
+    for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        if line.starts_with(char::is_whitespace) {
+            *texts.get_mut(&last).expect("a key stands before what goes on") += line;
+            continue;
+        }
+        let (key, words) = line.split_once('=').unwrap_or_else(|| panic!("no text: {line}"));
+        last = key.trim().to_owned();
+        assert!(texts.insert(last.clone(), words.trim().to_owned()).is_none(), "{last} stands once");
+    }
+    texts
+}
+
+/// Names of the values of a text.
+fn values(text: &str) -> BTreeSet<String> {
+    let names = text.split('$').skip(1);
+    names.map(|rest| rest.chars().take_while(char::is_ascii_alphanumeric).collect()).collect()
+}
+
+/// Every source file of the program, one after the other.
+fn code(folder: &Path) -> String {
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let text = |path: std::path::PathBuf| {
+        if path.is_dir() { code(&path) } else { fs::read_to_string(path).unwrap_or_default() }
+    };
+    entries.map(text).collect()
+}
+
+#[test]
+fn every_language_has_every_text_and_no_value_of_its_own() {
+    let english = table(Language::English);
+    for language in Language::ALL {
+        let other = table(language);
+        let missing: Vec<_> = english.keys().filter(|key| !other.contains_key(*key)).collect();
+        let more: Vec<_> = other.keys().filter(|key| !english.contains_key(*key)).collect();
+        assert!(missing.is_empty() && more.is_empty(), "{}: lacks {missing:?}, alone has {more:?}", language.code());
+        for (key, text) in &other {
+            assert!(!text.is_empty(), "{}: {key} is empty", language.code());
+            let unknown: Vec<_> = values(text).difference(&values(&english[key])).cloned().collect();
+            assert!(unknown.is_empty(), "{}: {key} takes {unknown:?}", language.code());
+        }
+    }
+}
+
+#[test]
+fn the_code_uses_every_text() {
+    let code = code(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    let english = table(Language::English);
+    let unused: Vec<_> = english.keys().filter(|key| !code.contains(&format!("\"{key}\""))).collect();
+    assert!(unused.is_empty(), "no use of {unused:?}");
+    let used = code.split("Text::new(\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let unknown: Vec<_> = used.filter(|key| !english.contains_key(*key)).collect();
+    assert!(unknown.is_empty(), "no text for {unknown:?}");
+}
+
+#[test]
+fn texts_without_values_are_read_in_every_language() {
+    for language in Language::ALL {
+        language.speak();
+        for (key, words) in table(language).into_iter().filter(|(_, words)| !words.contains('{')) {
+            let read = Text::new(key.clone().leak()).to_string();
+            assert_eq!(
+                read.split_whitespace().collect::<String>(),
+                words.split_whitespace().collect::<String>(),
+                "{key}"
+            );
+        }
+    }
+}

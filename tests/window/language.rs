@@ -1,0 +1,59 @@
+//! The window in another language than English: chosen by a button, its words fit, its letters are there.
+
+use std::fs;
+use std::path::Path;
+
+use egui::{FontFamily, FontId};
+use egui_kittest::kittest::Queryable as _;
+use girderbench::app::{SelectCommand, WindowCommand};
+use girderbench::language::Language;
+use girderbench::scene::presets;
+use girderbench::view::Target;
+
+use super::harness::{bench, builder, open, press, settle, show};
+
+#[test]
+fn the_language_is_chosen_in_the_menu_of_views_and_taken_back() {
+    let mut harness = open(presets::OPENING);
+    press(&mut harness, "View");
+    press(&mut harness, "日本語");
+    assert_eq!(harness.state().window.language, Language::Japanese, "chosen");
+    harness.run_steps(4);
+    assert!(harness.query_by_label("3D ビュー").is_some(), "the view is named in Japanese");
+    assert!(harness.query_by_label("ファイル").is_some() && harness.query_by_label("File").is_none(), "and the menus");
+    harness.state_mut().apply(WindowCommand::Language(Language::English));
+    settle(&mut harness);
+    assert!(harness.query_by_label("File").is_some(), "English again");
+}
+
+#[test]
+fn fonts_have_every_letter_of_every_language() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+    for language in Language::ALL {
+        let mut harness = builder([1024.0, 640.0]).build_ui_state(show, bench(presets::OPENING));
+        harness.state_mut().apply(WindowCommand::Language(language));
+        harness.run_steps(4);
+        let code = language.code();
+        let lessons = fs::read_dir(root.join("lessons")).expect("lessons").map(|file| file.expect("a file").path());
+        let own = lessons.filter(|path| path.to_string_lossy().ends_with(&format!(".{code}.toml")));
+        for path in own.chain([root.join(format!("texts/{code}.ftl"))]) {
+            let text = fs::read_to_string(&path).expect("a text");
+            let letters = text.chars().chain(language.name().chars()).filter(|c| !c.is_control());
+            let font = FontId::new(14.0, FontFamily::Proportional);
+            let lacks: String =
+                harness.ctx.fonts_mut(|fonts| letters.filter(|&c| !fonts.has_glyph(&font, c)).collect());
+            assert!(lacks.is_empty(), "{}: no glyphs for {lacks}; README says how the font is made", path.display());
+        }
+    }
+}
+
+#[test]
+fn what_a_girder_is_shown_with_is_japanese() {
+    let mut harness = builder([1280.0, 720.0]).build_ui_state(show, bench("deck-30m"));
+    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
+    harness.run_steps(10);
+    for words in ["計算値", "計算の読み", "配置", "条件"] {
+        assert!(harness.query_all_by_label_contains(words).next().is_some(), "{words}");
+    }
+}
