@@ -18,7 +18,7 @@ fn table(language: Language) -> BTreeMap<String, String> {
             continue;
         }
         let (key, words) = line.split_once('=').unwrap_or_else(|| panic!("no text: {line}"));
-        last = key.trim().to_owned();
+        key.trim().clone_into(&mut last);
         assert!(texts.insert(last.clone(), words.trim().to_owned()).is_none(), "{last} stands once");
     }
     texts
@@ -62,7 +62,8 @@ fn the_code_uses_every_text() {
     let unused: Vec<_> = english.keys().filter(|key| !code.contains(&format!("\"{key}\""))).collect();
     assert!(unused.is_empty(), "no use of {unused:?}");
     let used = code.split("Text::new(\"").skip(1).filter_map(|rest| rest.split('"').next());
-    let unknown: Vec<_> = used.filter(|key| !english.contains_key(*key)).collect();
+    // Nameless: the texts of plots, which egui_plot calls so too.
+    let unknown: Vec<_> = used.filter(|key| !key.is_empty() && !english.contains_key(*key)).collect();
     assert!(unknown.is_empty(), "no text for {unknown:?}");
 }
 
