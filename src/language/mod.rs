@@ -14,6 +14,7 @@ pub use fluent_bundle::FluentArgs;
 pub use text::Text;
 
 /// Values of a text by their names: `values!["name" => "deck", "count" => 3]`.
+#[cfg(feature = "gui")]
 macro_rules! values {
     ($($name:literal => $value:expr),+ $(,)?) => {{
         let mut values = $crate::language::FluentArgs::new();
@@ -21,6 +22,7 @@ macro_rules! values {
         values
     }};
 }
+#[cfg(feature = "gui")]
 pub(crate) use values;
 
 /// A language of the program.
