@@ -1,13 +1,15 @@
 //! Guided scenes: a scene, some words beside it, and things to try.
 //!
 //! The words and the scenes are files in `assets/lessons`; every statement in them is computed by a test. What a thing to
-//! try sets is all that any of them sets, so that it shows what it says in whatever order they are tried.
+//! try sets is all that any of them sets, so that it shows what it says in whatever order they are tried. Words in another
+//! language lie beside those in English; a lesson without them is shown in English.
 
 use std::sync::LazyLock;
 
 use serde::Deserialize;
 
 use crate::files::SceneSource;
+use crate::language::Language;
 use crate::scene::edit::Edit;
 use crate::scene::{Scene, SceneErrors, format};
 
@@ -45,6 +47,35 @@ pub struct Try {
     pub set: Vec<String>,
 }
 
+/// The words of a lesson in another language than English.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Translation {
+    title: String,
+    text: Vec<String>,
+    /// In the order of the lesson's own.
+    #[serde(rename = "try")]
+    tries: Vec<TranslatedTry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TranslatedTry {
+    words: String,
+    text: String,
+}
+
+impl Translation {
+    /// A lesson in these words.
+    fn of(self, mut lesson: Lesson) -> Lesson {
+        (lesson.title, lesson.text) = (self.title, self.text);
+        for (own, TranslatedTry { words, text }) in lesson.tries.iter_mut().zip(self.tries) {
+            (own.words, own.text) = (words, text);
+        }
+        lesson
+    }
+}
+
 macro_rules! file {
     ($path:expr) => {
         include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/", $path))
@@ -73,14 +104,41 @@ const FILES: [(&str, &str, &str); 8] = [
     lesson!("what-the-paper-saw" of "straight-abutment"),
 ];
 
-static LESSONS: LazyLock<Vec<Lesson>> = LazyLock::new(|| {
-    // They are part of the program: a test reads them all.
-    FILES.iter().filter_map(|&(name, words, toml)| Some(Lesson { toml, name, ..toml::from_str(words).ok()? })).collect()
-});
+/// Name, words in Japanese.
+const IN_JAPANESE: [(&str, &str); 8] = [
+    ("one-hit-or-two", file!("lessons/one-hit-or-two.ja.lesson.toml")),
+    ("skewed-deck", file!("lessons/skewed-deck.ja.lesson.toml")),
+    ("which-way-to-shake", file!("lessons/which-way-to-shake.ja.lesson.toml")),
+    ("stick-and-slip", file!("lessons/stick-and-slip.ja.lesson.toml")),
+    ("friction-cone", file!("lessons/friction-cone.ja.lesson.toml")),
+    ("skewed-seat", file!("lessons/skewed-seat.ja.lesson.toml")),
+    ("how-long-a-hit", file!("lessons/how-long-a-hit.ja.lesson.toml")),
+    ("straight-abutment", file!("lessons/what-the-paper-saw.ja.lesson.toml")),
+];
 
-/// Every guided scene.
+/// By language, in the order of [`Language::ALL`].
+static LESSONS: LazyLock<[Vec<Lesson>; 2]> = LazyLock::new(|| Language::ALL.map(read));
+
+fn read(language: Language) -> Vec<Lesson> {
+    let translated: &[(&str, &str)] = match language {
+        Language::English => &[],
+        Language::Japanese => &IN_JAPANESE,
+    };
+    let of = |&(name, words, toml): &(&'static str, &str, &'static str)| {
+        // They are part of the program: a test reads them all.
+        let lesson = Lesson { toml, name, ..toml::from_str(words).ok()? };
+        let own = translated.iter().find(|(of, _)| *of == name);
+        Some(match own.and_then(|(_, words)| toml::from_str::<Translation>(words).ok()) {
+            Some(translation) => translation.of(lesson),
+            None => lesson,
+        })
+    };
+    FILES.iter().filter_map(of).collect()
+}
+
+/// Every guided scene, in the language of this thread.
 pub fn lessons() -> &'static [Lesson] {
-    &LESSONS
+    &LESSONS[Language::current() as usize]
 }
 
 impl Lesson {
@@ -143,6 +201,25 @@ impl Learning {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_lesson_in_japanese_is_the_same_lesson() {
+        for (name, words) in IN_JAPANESE {
+            let translation: Translation = toml::from_str(words).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let english = read(Language::English).into_iter().find(|lesson| lesson.name == name).expect(name);
+            let counts = [english.text.len(), english.tries.len()];
+            assert_eq!([translation.text.len(), translation.tries.len()], counts, "{name}");
+        }
+        let pairs = read(Language::English).into_iter().zip(read(Language::Japanese));
+        let mut translated = 0;
+        for (english, japanese) in pairs {
+            assert_eq!((japanese.name, japanese.toml), (english.name, english.toml), "the same scene");
+            let set = |lesson: &Lesson| lesson.tries.iter().flat_map(|t| t.set.clone()).collect::<Vec<_>>();
+            assert_eq!((set(&japanese), japanese.at), (set(&english), english.at), "{}", english.name);
+            translated += usize::from(japanese.title != english.title);
+        }
+        assert_eq!(translated, IN_JAPANESE.len());
+    }
 
     #[test]
     fn only_lessons_that_there_are_can_be_opened() {
