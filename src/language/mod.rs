@@ -8,8 +8,6 @@ mod text;
 
 use std::cell::Cell;
 
-use serde::{Deserialize, Serialize};
-
 pub use fluent_bundle::FluentArgs;
 pub use text::Text;
 
@@ -26,14 +24,12 @@ macro_rules! values {
 pub(crate) use values;
 
 /// A language of the program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Language {
     /// English, the one that every text has.
     #[default]
-    #[serde(rename = "en")]
     English,
     /// Japanese.
-    #[serde(rename = "ja")]
     Japanese,
 }
 

@@ -16,6 +16,8 @@ use crate::sim::Motion;
 /// Shortest deck that is a bridge \[m\]: Japan counts road bridges from 2 m on. What is shorter is a specimen, drawn as the block
 /// that it is.
 const SHORTEST: f64 = 2.0;
+// Proportions of a slab on girders and of a wall with wings, by eye: nothing is computed from them.
+
 /// Depth of the slab, in depths of the deck.
 const SLAB: f64 = 0.17;
 /// Spacing of beams that is come near to \[m\].

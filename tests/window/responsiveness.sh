@@ -15,27 +15,8 @@ width=${size%x*}
 log=target/window/events.csv
 mkdir -p target/window
 
-# A free display: the first whose socket is not there.
-number=70
-while [ -e "/tmp/.X11-unix/X$number" ] || [ -e "/tmp/.X$number-lock" ]; do number=$((number + 1)); done
-export DISPLAY=":$number"
-unset WAYLAND_DISPLAY
-# Recent files and unsaved work go where nobody else's are.
-XDG_STATE_HOME=$(mktemp -d)
-export XDG_STATE_HOME
-server='' program=''
-finish() {
-  rm -rf "$XDG_STATE_HOME"
-  [ -z "$program" ] || kill "$program" 2>/dev/null || true
-  [ -z "$server" ] || kill "$server" 2>/dev/null || true
-}
-trap finish EXIT
-Xvfb "$DISPLAY" -noreset -screen 0 2560x1440x24 >/dev/null 2>&1 &
-server=$!
-for _ in $(seq 100); do
-  [ -e "/tmp/.X11-unix/X$number" ] && break
-  sleep 0.1
-done
+# shellcheck source=tests/window/display.sh
+. tests/window/display.sh
 
 GIRDERBENCH_EVENT_LOG=$log "$binary" open "$scene" >/dev/null 2>&1 &
 program=$!

@@ -23,30 +23,8 @@ fail() {
   exit 1
 }
 
-# A free display: the first whose socket is not there.
-number=70
-while [ -e "/tmp/.X11-unix/X$number" ] || [ -e "/tmp/.X$number-lock" ]; do number=$((number + 1)); done
-export DISPLAY=":$number"
-unset WAYLAND_DISPLAY
-# Unsaved work and recent files go where nobody else's are.
-XDG_STATE_HOME=$(mktemp -d)
-export XDG_STATE_HOME
-server='' program=''
-finish() {
-  rm -rf "$XDG_STATE_HOME"
-  [ -z "$program" ] || kill "$program" 2>/dev/null || true
-  [ -z "$server" ] || kill "$server" 2>/dev/null || true
-}
-trap finish EXIT
-
-# Large enough for the largest size below.
-Xvfb "$DISPLAY" -noreset -screen 0 2560x1440x24 >/dev/null 2>&1 &
-server=$!
-for _ in $(seq 100); do
-  [ -e "/tmp/.X11-unix/X$number" ] && break
-  sleep 0.1
-done
-[ -e "/tmp/.X11-unix/X$number" ] || fail "Xvfb did not come up"
+# shellcheck source=tests/window/display.sh
+. tests/window/display.sh
 
 # Starts the program and waits for its window.
 start() {

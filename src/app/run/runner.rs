@@ -19,7 +19,8 @@ use crate::sim::{History, Session};
 /// How long a run may hold up a frame before it goes on on a thread.
 const AT_ONCE: Duration = Duration::from_millis(30);
 
-/// How long a newer scene waits for the coarse pass of the one before it.
+/// How long a newer scene waits for the coarse pass of the one before it: as long as an answer still seems to follow the hand.
+/// Chosen, not measured.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How long the window must be left alone before the error is estimated.

@@ -42,8 +42,14 @@ impl EventLog {
     /// The log that the environment asks for.
     pub(super) fn wanted() -> Option<Self> {
         let path = std::env::var_os(VARIABLE)?;
-        let mut file = LineWriter::new(File::create(path).ok()?);
-        writeln!(file, "at_ms,input_ms,layout_ms,tessellate_ms,paint_ms,revision,answered").ok()?;
+        let begun = File::create(&path).map(LineWriter::new).and_then(|mut file| {
+            writeln!(file, "at_ms,input_ms,layout_ms,tessellate_ms,paint_ms,revision,answered").map(|()| file)
+        });
+        if let Err(error) = &begun {
+            // The window opens without.
+            let _ = writeln!(std::io::stderr(), "{VARIABLE}: {}: {error}", path.to_string_lossy());
+        }
+        let file = begun.ok()?;
         let start = now();
         Some(Self {
             file,

@@ -163,7 +163,8 @@ fn paint(ui: &Ui, rect: Rect, camera: Camera, (viewport, seen): (&mut Viewport, 
     }
 }
 
-/// How long a picture has to stand before it is drawn sharp \[s\].
+/// How long a picture has to stand before it is drawn sharp \[s\]: more than a frame of a processor that draws (0.1 s, docs/cost.md),
+/// so that a film in slow frames is not taken for a picture at rest.
 const REST: f64 = 0.15;
 
 /// Whether the picture moves; asks for the frame in which it will have come to rest.
