@@ -418,6 +418,9 @@ offer-fourier = Fourier amplitudes
 offer-response = Response spectrum
 differences = Plot the differences
 differences-hint = This run less each pinned one, as curves
+wave-chart = { $girder }: { $force }, over time and station
+show-waves = A wave runs from end to end in { $transit }: show the hardest hit
+at-station = { $value } at station { $station }
 
 ## readings
 us-skew = US skew

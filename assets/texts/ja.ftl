@@ -418,6 +418,9 @@ offer-fourier = フーリエ振幅
 offer-response = 応答スペクトル
 differences = 差を描く
 differences-hint = この計算から、留めた計算を引いた曲線
+wave-chart = { $girder }：{ $force }（時間と位置）
+show-waves = 波は端から端まで { $transit }：最大の衝突を表示
+at-station = 位置 { $station } で { $value }
 
 ## 読み
 us-skew = 米国式斜角

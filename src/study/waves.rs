@@ -43,10 +43,10 @@ impl Waves {
         let flexible = history.flexible(wanted.girder)?;
         let transit = flexible.beam.transit_time();
         let hit = history.elastic_hit(wanted.girder);
-        let (start, length) = hit.map_or((0.0, history.end()), |hit| (hit.t, hit.contact_time + AFTER * transit));
-        let from = wanted.span[0].unwrap_or(start - BEFORE * transit).clamp(0.0, history.end());
+        let [start, end] = hit_span(history, wanted.girder).unwrap_or([0.0, history.end()]);
+        let from = wanted.span[0].unwrap_or(start).clamp(0.0, history.end());
         // An end that is not asked for makes the axis round.
-        let length = wanted.span[1].map_or_else(|| round_up(start + length - from), |until| until - from);
+        let length = wanted.span[1].map_or_else(|| round_up(end - from), |until| until - from);
         let span = [from, (from + length).min(history.end())];
         let field = history.section_field(wanted.girder, wanted.what, span, COUNTS)?;
         let girder = history.scene().girders[wanted.girder].name.clone();
@@ -91,6 +91,14 @@ impl Waves {
         }
         text
     }
+}
+
+/// From shortly before the hardest hit of a girder that bends until its wave has run some times \[s\]; `None` where nothing hits it.
+pub fn hit_span(history: &History, girder: usize) -> Option<[f64; 2]> {
+    let transit = history.flexible(girder)?.beam.transit_time();
+    let hit = history.elastic_hit(girder)?;
+    let end = (hit.t + hit.contact_time + AFTER * transit).min(history.end());
+    Some([(hit.t - BEFORE * transit).max(0.0), end])
 }
 
 /// The next length that five labels divide into round numbers \[s\].

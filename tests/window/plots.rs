@@ -155,3 +155,25 @@ fn the_plots_are_copied_as_a_picture() {
     let dark = image.pixels.iter().filter(|p| p.r() < 0x80).count();
     assert!(image.width() >= 800 && dark > 500, "{} x {}, {dark} dark pixels", image.width(), image.height());
 }
+
+/// Over the whole run a wave falls between two points of the screen: a button leads to the hardest hit, where the chart says what
+/// `waves` writes.
+#[test]
+fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
+    assert!(open("deck-30m").query_by_label_contains("the hardest hit").is_none(), "a rigid girder has no waves");
+    let mut harness = open("deck-30m-elastic");
+    harness.get_by_label_contains("show the hardest hit").click();
+    settle(&mut harness);
+    let answer = harness.state().replay.runner.answer().expect("run").clone();
+    let history = &answer.history;
+    let [from, until] = harness.state().replay.playback.window.expect("the window of the hit");
+    let hit = history.elastic_hit(0).expect("a hit");
+    assert!(from < hit.t && until > hit.t + hit.contact_time, "[{from}, {until}] holds the hit at {}", hit.t);
+    let chart =
+        harness.get_by_role_and_label(Role::Canvas, "deck: normal force N, tension +, over time and station").rect();
+    harness.hover_at(chart.center());
+    harness.run();
+    let forces = history.section_forces(0, 0.0, from.midpoint(until));
+    let said = legend(&harness, &format!("{:.1}", forces.axial / 1e6));
+    assert!(said.contains("MN at station 0"), "{said}");
+}

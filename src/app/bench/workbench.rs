@@ -110,6 +110,7 @@ impl Workbench {
             girder: self.files.document.girder_shown(),
             pins: self.comparison.pins(),
             differences: self.comparison.differences(),
+            section_force: self.view.section_force(),
             views: &self.plots,
             playback: &self.replay.playback,
             end: self.replay.end(),

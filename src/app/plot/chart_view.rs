@@ -20,7 +20,7 @@ pub(super) struct Over<'a> {
 }
 
 /// The field of a chart, without its axis and its legend.
-fn field(over: &Over<'_>) -> Rect {
+pub(super) fn field(over: &Over<'_>) -> Rect {
     let [left, right] = over.axis.edges;
     Rect::from_min_max(pos2(left, over.place.top()), pos2(right, over.place.bottom()))
 }
@@ -40,7 +40,6 @@ pub(super) fn draw(
     let most = axis.range.map(|end| if chart.log { 10f64.powf(end) } else { end.abs() });
     let (factor, unit) = fitting(chart.unit, most[0].max(most[1]));
     let marks = axis.ticks();
-    ui.painter().rect_filled(field, 2.0, palette.track);
     numbers(ui, over, (&axis, &marks, factor, &unit), palette);
     curves(ui, chart, over, &axis, palette);
     pointed(ui, chart, over, &axis, palette);
@@ -69,9 +68,15 @@ fn interact(ui: &mut Ui, chart: &Chart<'_>, over: &Over<'_>, axis: &ValueAxis, o
     response.on_hover_text(text::VALUES_HINT);
 }
 
-/// Numbers and lines of both axes, and the unit.
-fn numbers(ui: &Ui, over: &Over<'_>, (axis, marks, factor, unit): (&ValueAxis, &Ticks, f64, &str), palette: &Palette) {
+/// The ground of a chart, numbers and lines of both axes, and the unit.
+pub(super) fn numbers(
+    ui: &Ui,
+    over: &Over<'_>,
+    (axis, marks, factor, unit): (&ValueAxis, &Ticks, f64, &str),
+    palette: &Palette,
+) {
     let (field, painter) = (field(over), ui.painter_at(over.place));
+    ui.painter().rect_filled(field, 2.0, palette.track);
     let (small, line) = (FontId::proportional(10.5), Stroke::new(0.7, palette.line));
     for t in ticks(over.axis.window, f64::from(field.width()) / 90.0) {
         painter.vline(over.axis.x(t), field.y_range(), line);

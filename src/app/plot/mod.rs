@@ -11,4 +11,5 @@ pub(in crate::app) mod traces;
 pub(in crate::app) mod user_plots;
 mod value_axis;
 pub(in crate::app) mod views;
+mod wave_chart;
 mod windows;

@@ -8,7 +8,7 @@ use crate::app::plot::charts::{self, Chart};
 use crate::app::plot::source::Source;
 use crate::app::plot::traces::Curve;
 use crate::app::plot::value_axis::LEAST_HEIGHT;
-use crate::app::plot::{chart_view, windows};
+use crate::app::plot::{chart_view, wave_chart, windows};
 use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::app::time::time_axis::TimeAxis;
@@ -29,6 +29,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     let legend = legend_width(ui);
     let height = ui.available_height();
     let own = source.scene.view.plots.iter().filter(|plot| source.is_over_time(plot)).count();
+    let own = own + usize::from(wave_chart::is_shown(source));
     let least = (3 + own) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
     // The wheel zooms: what does not fit is reached by the bar.
     let area = ScrollArea::vertical().id_salt("plots").scroll_source(ScrollSource::SCROLL_BAR).auto_shrink(false);
@@ -54,11 +55,18 @@ fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: 
     let mut all: Vec<Chart<'_>> = charts::standing(source, &traces, at, &palette);
     let panels = own.iter().zip(&stacks).zip(numbers);
     all.extend(panels.map(|((panel, stack), i)| charts::own(panel, stack, &source.own_at(i, at))));
-    let each = (rect.height() + BETWEEN) / all.len() as f32 - BETWEEN;
-    for (number, chart) in all.iter().enumerate() {
+    let count = all.len() + usize::from(wave_chart::is_shown(source));
+    let each = (rect.height() + BETWEEN) / count as f32 - BETWEEN;
+    let over = |number: usize| {
         let top = rect.top() + number as f32 * (each + BETWEEN);
         let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), each));
-        let over = chart_view::Over { number, place, axis: &axis, t };
+        chart_view::Over { number, place, axis: &axis, t }
+    };
+    if count > all.len() {
+        wave_chart::draw(ui, source, &over(all.len()), &palette, out);
+    }
+    for (number, chart) in all.iter().enumerate() {
+        let over = over(number);
         chart_view::draw(ui, chart, &over, (source.views.values(&chart.name), &palette), out);
     }
 }

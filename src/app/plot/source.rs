@@ -6,10 +6,12 @@ use std::sync::Arc;
 use crate::app::plot::sampled::{self, PanelCache, Sampled};
 use crate::app::plot::traces::{TraceCache, Traces};
 use crate::app::plot::views::PlotViews;
+use crate::app::plot::wave_chart::WaveCache;
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::app::time::playback::Playback;
 use crate::scene::{PlotSettings, PlotShows, Scene};
+use crate::sim::OfSection;
 
 /// What the plots are drawn from.
 #[derive(Clone, Copy)]
@@ -24,6 +26,8 @@ pub(in crate::app) struct Source<'a> {
     pub(in crate::app) pins: &'a [Pin],
     /// Whether the differences from kept runs are drawn instead of them.
     pub(in crate::app) differences: bool,
+    /// The section force that is drawn of a girder that bends.
+    pub(in crate::app) section_force: OfSection,
     /// Which values of the charts are shown.
     pub(in crate::app) views: &'a PlotViews,
     /// The time shown, and the window of time.
@@ -40,6 +44,7 @@ pub(in crate::app) struct Samples {
     traces: RefCell<TraceCache>,
     /// Of panels over time, and of the others.
     panels: [RefCell<PanelCache>; 2],
+    pub(super) waves: RefCell<WaveCache>,
 }
 
 impl Source<'_> {

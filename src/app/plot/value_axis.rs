@@ -42,13 +42,18 @@ impl ValueAxis {
         (bottom + (value - low) / (high - low) * (top - bottom)).clamp(-1e5, 1e5) as f32
     }
 
+    /// Which value stands at a place; of a logarithmic axis its decimal logarithm.
+    pub(super) fn value(&self, y: f32) -> f64 {
+        self.range[0] + f64::from(self.edges[1] - y) * self.per_point()
+    }
+
     fn per_point(&self) -> f64 {
         (self.range[1] - self.range[0]) / f64::from((self.edges[1] - self.edges[0]).max(1.0))
     }
 
     /// The range after zooming by a factor about a place (below 1 comes nearer).
     pub(super) fn zoomed(&self, factor: f64, y: f32) -> [f64; 2] {
-        let about = self.range[0] + f64::from(self.edges[1] - y) * self.per_point();
+        let about = self.value(y);
         let range = self.range.map(|end| about + (end - about) * factor);
         let widest = range[1] - range[0];
         let scale = range[0].abs().max(range[1].abs());

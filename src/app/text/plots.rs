@@ -44,3 +44,18 @@ pub(in crate::app) fn short_instant(t: f64, step: f64) -> String {
     let decimals = (-step.max(1e-12).log10().floor()).clamp(2.0, 9.0) as usize;
     format!("{t:.decimals$} s")
 }
+
+/// A section force of a girder over time and station.
+pub(in crate::app) fn wave_chart(force: &str, girder: &str) -> String {
+    Text::new("wave-chart").with(&values!["force" => force, "girder" => girder])
+}
+
+/// What leads to the waves of the hardest hit; a wave runs from end to end in `transit` \[s\].
+pub(in crate::app) fn show_waves(transit: f64) -> String {
+    Text::new("show-waves").with(&values!["transit" => format!("{} ms", super::short(transit * 1e3))])
+}
+
+/// A value at a station \[m\].
+pub(in crate::app) fn at_station(value: &str, station: f64) -> String {
+    Text::new("at-station").with(&values!["value" => value, "station" => super::length(station)])
+}

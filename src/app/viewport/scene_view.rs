@@ -13,6 +13,7 @@ use crate::app::viewport::seen::Seen;
 use crate::render::AdapterSummary;
 use crate::scene::edit::EditError;
 use crate::scene::{Scene, ViewPreset};
+use crate::sim::OfSection;
 use crate::snapshot::Shot;
 
 /// Camera, picture and hand; layers, sight and tool.
@@ -128,6 +129,11 @@ impl SceneView {
             Some(Keyed::Abandon(gesture)) => document.abandon(gesture),
             None => Ok(false),
         }
+    }
+
+    /// The section force that colours girders that bend; N where none does.
+    pub(in crate::app) fn section_force(&self) -> OfSection {
+        self.display.sight.bent.and_then(|bent| bent.force).unwrap_or(OfSection::Axial)
     }
 
     /// A picture of the view as it is, but for its instant.

@@ -1,0 +1,197 @@
+//! A section force of a girder that bends, over time and station, under the plots: waves are seen to run and turn.
+//!
+//! Values are computed on an even grid of times and stations and coloured between its points. Where the window of time is so wide
+//! that a wave would fall between the times, nothing is drawn but a button that leads to the hardest hit.
+
+use std::sync::Arc;
+
+use egui::epaint::{Mesh, Vertex, WHITE_UV};
+use egui::{Align2, Button, Color32, FontId, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use crate::app::command::{Command, TimeCommand};
+use crate::app::plot::chart_view::{self, Over};
+use crate::app::plot::source::Source;
+use crate::app::plot::value_axis::{ValueAxis, fitting};
+use crate::app::run::answer::Answer;
+use crate::app::style::theme::Palette;
+use crate::app::text;
+use crate::sim::{OfSection, SectionField};
+use crate::study::plot::Colors;
+use crate::study::plot::color_map::{LEVELS, level};
+use crate::study::waves;
+
+/// Width of a column of the grid \[points\].
+const COLUMN: f32 = 3.0;
+/// Stations of the grid.
+const STATIONS: usize = 41;
+/// Columns in which a wave runs from end to end, at least: fewer would show its front as a staircase.
+const COLUMNS_OF_A_TRANSIT: f64 = 8.0;
+/// Width of the colour bar \[points\].
+const BAR: f32 = 10.0;
+
+/// What a grid was computed for, and where it was drawn.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    answer: u64,
+    girder: usize,
+    what: OfSection,
+    window: [f64; 2],
+    field: Rect,
+}
+
+/// Values on a grid, and their picture.
+struct Drawn {
+    values: SectionField,
+    /// Values at the ends of the colours, SI.
+    range: [f64; 2],
+    mesh: Arc<Mesh>,
+}
+
+/// Keeps the last grid until something else is to be seen.
+#[derive(Default)]
+pub(super) struct WaveCache(Option<(Key, Arc<Drawn>)>);
+
+impl WaveCache {
+    fn of(&mut self, answer: &Answer, key: Key) -> Option<Arc<Drawn>> {
+        if let Some((kept, drawn)) = &self.0
+            && *kept == key
+        {
+            return Some(drawn.clone());
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "columns on a screen")]
+        let columns = (key.field.width() / COLUMN).clamp(2.0, 2000.0) as usize;
+        let values = answer.history.section_field(key.girder, key.what, key.window, [columns, STATIONS])?;
+        let most = values.largest().max(f64::MIN_POSITIVE);
+        let range = [if key.what.is_signed() { -most } else { 0.0 }, most];
+        let mesh = Arc::new(mesh(&values, key.field, colors(key.what), range));
+        let drawn = Arc::new(Drawn { values, range, mesh });
+        self.0 = Some((key, drawn.clone()));
+        Some(drawn)
+    }
+}
+
+fn colors(what: OfSection) -> Colors {
+    if what.is_signed() { Colors::Signed } else { Colors::Even }
+}
+
+fn color(colors: Colors, value: f64, range: [f64; 2]) -> Color32 {
+    let [r, g, b] = colors.rgb(level(value, range));
+    Color32::from_rgb(r, g, b)
+}
+
+/// Colours at the points of the grid, the first station at the bottom.
+#[expect(clippy::cast_possible_truncation, reason = "points of a grid on the screen")]
+fn mesh(values: &SectionField, field: Rect, colors: Colors, range: [f64; 2]) -> Mesh {
+    let [columns, rows] = [values.times.len(), values.stations.len()];
+    let mut mesh = Mesh::default();
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let part = [column as f32 / (columns - 1) as f32, row as f32 / (rows - 1) as f32];
+        let pos = pos2(field.left() + part[0] * field.width(), field.bottom() - part[1] * field.height());
+        let color = color(colors, values.values[row * columns + column], range);
+        mesh.vertices.push(Vertex { pos, uv: WHITE_UV, color });
+        if row > 0 && column > 0 {
+            let [here, left] = [row * columns + column, row * columns + column - 1].map(|i| i as u32);
+            let [below, below_left] = [here, left].map(|i| i - columns as u32);
+            mesh.indices.extend([below_left, below, here, below_left, here, left]);
+        }
+    }
+    mesh
+}
+
+/// Whether there is such a chart: the girder in question bends.
+pub(super) fn is_shown(source: &Source<'_>) -> bool {
+    source.answer.is_some_and(|answer| answer.history.flexible(source.girder).is_some())
+}
+
+/// Draws it.
+pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &Palette, out: &mut Vec<Command>) {
+    let Some(answer) = source.answer else { return };
+    let history = &answer.history;
+    let Some(beam) = history.flexible(source.girder).map(|flexible| &flexible.beam) else { return };
+    let what = source.section_force;
+    let whole = chart_view::field(over);
+    let title = text::wave_chart(what.label(), &history.scene().girders[source.girder].name);
+    let half = 0.5 * beam.length;
+    let axis = ValueAxis { range: [-half, half], edges: [whole.top(), whole.bottom()], log: false };
+    let (factor, unit) = fitting("m", half);
+    chart_view::numbers(ui, over, (&axis, &axis.ticks(), factor, &unit), palette);
+    let per_column = over.axis.per_point() * f64::from(COLUMN);
+    if per_column * COLUMNS_OF_A_TRANSIT > beam.transit_time() {
+        let words = text::show_waves(beam.transit_time());
+        let button = Rect::from_center_size(whole.center(), vec2(whole.width() - 8.0, 20.0));
+        if ui.put(button, Button::new(words).small().truncate()).clicked() {
+            let span = waves::hit_span(history, source.girder).unwrap_or([0.0, 3.0 * beam.transit_time()]);
+            out.push(TimeCommand::Window(Some(span)).into());
+            out.push(TimeCommand::Seek(span[0].midpoint(span[1])).into());
+        }
+        return;
+    }
+    // The run may end within the window.
+    let window = [over.axis.window[0], over.axis.window[1].min(history.end())];
+    if window[0] >= window[1] {
+        return;
+    }
+    let field = Rect::from_min_max(whole.min, pos2(over.axis.x(window[1]), whole.bottom()));
+    let response = ui.interact(field, ui.scope_id().with("waves"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, &title));
+    let key = Key { answer: answer.number, girder: source.girder, what, window, field };
+    let Some(drawn) = source.samples.waves.borrow_mut().of(answer, key) else { return };
+    let painter = ui.painter_at(whole);
+    painter.add(Shape::mesh(drawn.mesh.clone()));
+    painter.vline(over.axis.x(over.t), whole.y_range(), Stroke::new(1.2, palette.playhead));
+    let pointed = response.hover_pos();
+    if let Some(at) = pointed {
+        let cross = Stroke::new(1.0, palette.weak);
+        painter.vline(at.x, whole.y_range(), cross);
+        painter.hline(whole.x_range(), at.y, cross);
+    }
+    let said = pointed.map(|at| {
+        let station = axis.value(at.y).clamp(-half, half);
+        let t = over.axis.t(at.x).clamp(window[0], window[1]);
+        let force = history.of_section(source.girder, &history.section_forces(source.girder, station, t), what);
+        let (unit, size) = what.unit();
+        text::at_station(&format!("{} {unit}", text::short(force / size)), station)
+    });
+    bar(ui, over, (&title, said), (what, drawn.range), palette);
+}
+
+/// What the colours mean, at the right; the value pointed to.
+fn bar(
+    ui: &mut Ui,
+    over: &Over<'_>,
+    (title, said): (&str, Option<String>),
+    (what, range): (OfSection, [f64; 2]),
+    palette: &Palette,
+) {
+    let field = chart_view::field(over);
+    let place = Rect::from_min_max(pos2(field.right() + 6.0, field.top()), over.place.max);
+    let response = ui.interact(place, ui.scope_id().with("waves bar"), Sense::hover());
+    let painter = ui.painter_at(place);
+    let bar = Rect::from_min_size(place.min, vec2(BAR, place.height()));
+    let steps = bar.height().max(1.0);
+    let mut top = bar.top();
+    while top < bar.bottom() {
+        let part = f64::from((bar.bottom() - top) / steps);
+        let [r, g, b] = colors(what).rgb(level(part, [0.0, 1.0]).min(LEVELS));
+        let strip = Rect::from_min_size(pos2(bar.left(), top), vec2(BAR, 1.0));
+        painter.rect_filled(strip, 0.0, Color32::from_rgb(r, g, b));
+        top += 1.0;
+    }
+    let (unit, size) = what.unit();
+    let small = FontId::proportional(10.5);
+    let values = [(range[1], bar.top(), Align2::LEFT_TOP), (range[0], bar.bottom(), Align2::LEFT_BOTTOM)];
+    for (value, y, align) in values {
+        painter.text(
+            pos2(bar.right() + 4.0, y),
+            align,
+            format!("{} {unit}", text::short(value / size)),
+            small.clone(),
+            palette.force,
+        );
+    }
+    let words = said.unwrap_or_else(|| title.to_owned());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+    let galley = painter.layout(words.clone(), small, palette.weak, (place.right() - bar.right() - 8.0).max(20.0));
+    painter.galley(pos2(bar.right() + 4.0, place.center().y - 0.5 * galley.size().y), galley, palette.weak);
+    response.on_hover_text(title);
+}
