@@ -67,10 +67,12 @@ impl Island {
             let (motion, _) = link.motion(model, &self.system.bases, &self.workspace.frames);
             let device = &link.of(model).device;
             let phase = link.phase_in(&self.y);
-            let [gap, rate] = device.gap(&phase, &motion);
-            // A device swings its bodies no faster than by its own stiffness, however fast the contacts beside it are.
-            let own = (device.stiffness_bound(&phase) * link.mobility(model)).sqrt().min(omega);
-            speed2 = speed2.max((own * gap).powi(2) + rate * rate);
+            let [_, rate] = device.gap(&phase, &motion);
+            // A device gives its bodies no more speed than by the energy that it has stored, however far its points have gone, and
+            // swings them no faster than by its own stiffness, however fast the contacts beside it are.
+            let stiffness = device.stiffness_bound(&phase);
+            let yielding = link.mobility(model).min(omega * omega / stiffness);
+            speed2 = speed2.max(2.0 * device.stored_energy(&phase, &motion).max(0.0) * yielding + rate * rate);
             if link.evolving.is_some() {
                 // Displacement that changes the force as much as a unit of the memory does.
                 memories.push(device.evolution(&phase, &motion).force.length() / device.stiffness_bound(&phase));
