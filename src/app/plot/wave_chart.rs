@@ -39,9 +39,8 @@ struct Key {
     field: Rect,
 }
 
-/// Values on a grid, and their picture.
+/// The picture of values on a grid.
 struct Drawn {
-    values: SectionField,
     /// Values at the ends of the colours, SI.
     range: [f64; 2],
     mesh: Arc<Mesh>,
@@ -64,7 +63,7 @@ impl WaveCache {
         let most = values.largest().max(f64::MIN_POSITIVE);
         let range = [if key.what.is_signed() { -most } else { 0.0 }, most];
         let mesh = Arc::new(mesh(&values, key.field, colors(key.what), range));
-        let drawn = Arc::new(Drawn { values, range, mesh });
+        let drawn = Arc::new(Drawn { range, mesh });
         self.0 = Some((key, drawn.clone()));
         Some(drawn)
     }
