@@ -349,6 +349,9 @@ device-direction = Direction given
 device-table = Give a table of forces
 device-table-point = Add a depth
 device-assumed = What a new device begins with is assumed: it fits the weight and the length of its girder.
+assumed-section = Assumed values
+assumed-hint = Assumed: change it, or say under Assumed values of the scene that it is right.
+given = Right: { $path }
 
 ## handles
 along = along

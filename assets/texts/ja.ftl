@@ -349,6 +349,9 @@ device-direction = 方向を与える
 device-table = 力の表を与える
 device-table-point = 深さを追加
 device-assumed = 新しい装置の初めの値は、桁の重さと長さに合わせた仮定です。
+assumed-section = 仮定値
+assumed-hint = 仮定値です。値を変えるか、シーンの「仮定値」で確定してください。
+given = 確定：{ $path }
 
 ## つまみ
 along = 橋軸方向

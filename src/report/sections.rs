@@ -120,6 +120,10 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     if contact.stiffness.is_none() {
         items.push("contact stiffness of a pair: E A/L of what touches, or its own; <b class=\"part\">assumed</b> where no number is given".to_owned());
     }
+    let listed = history.scene().assumed_numbers().into_iter();
+    items.extend(listed.map(|(path, value)| {
+        format!("{} = {} <b class=\"part\">assumed</b> (not given)", escape(&path), escape(&value))
+    }));
     for girder in &history.scene().girders {
         let Some(Bearings::Deck(deck)) = &girder.bearings else { continue };
         let assumed = deck.assumed().into_iter().map(|(key, number)| format!("{key} = {}", trimmed(number)));

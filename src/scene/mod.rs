@@ -6,6 +6,7 @@
 
 mod abutment;
 mod angle;
+mod assumed;
 mod backfill;
 mod bearing;
 mod bearing_law;
@@ -47,6 +48,7 @@ pub mod validate;
 
 pub use crate::motion::format::Unit as RecordUnit;
 pub use abutment::Abutment;
+pub use assumed::is_assumed;
 pub use backfill::{Backfill, BackfillLaw};
 pub use bearing::{Bearing, Bearings, PerDirection, SharedBearings};
 pub use bearing_law::{BearingSlide, BearingYield};

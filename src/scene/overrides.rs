@@ -6,7 +6,7 @@
 
 use toml::{Table, Value};
 
-use super::{Motion, Scene, SceneError, SceneErrors, format};
+use super::{Motion, Scene, SceneError, SceneErrors, assumed, format};
 
 /// Keys that say the same thing in different ways: setting the first removes the others from its table.
 const REPLACES: &[(&str, &[&str])] = &[
@@ -99,6 +99,11 @@ impl Laid {
         for setting in &settings {
             setting.set_in(&mut table)?;
         }
+        let sets_list = settings.iter().any(|setting| setting.path == ["assumed"]);
+        if !self.scene.assumed.is_empty() && !sets_list {
+            let left = assumed::left(&self.scene.assumed, &self.table, &table);
+            table.insert("assumed".to_owned(), left.into());
+        }
         let mut changed = format::from_table(table, "scene").map_err(|errors| blame(errors, &settings))?;
         keep_loaded(&self.scene, &mut changed);
         Ok(changed)
@@ -106,16 +111,21 @@ impl Laid {
 
     /// What stands at a path, where something does.
     pub fn value(&self, path: &str) -> Option<&Value> {
-        let mut steps = path.split('.').map(str::trim);
-        let mut here = self.table.get(steps.next()?)?;
-        for step in steps {
-            here = match here {
-                Value::Array(list) => list.get(index_of(list, step)?)?,
-                other => other.get(step)?,
-            };
-        }
-        Some(here)
+        value_at(&self.table, path)
     }
+}
+
+/// What stands at a path of a table, where something does.
+pub(super) fn value_at<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
+    let mut steps = path.split('.').map(str::trim);
+    let mut here = table.get(steps.next()?)?;
+    for step in steps {
+        here = match here {
+            Value::Array(list) => list.get(index_of(list, step)?)?,
+            other => other.get(step)?,
+        };
+    }
+    Some(here)
 }
 
 /// What a record's file held is no part of the written scene; it stays while the file is the same.
@@ -224,8 +234,13 @@ fn value_of(setting: &str, text: &str) -> Result<Value, SceneErrors> {
 
 /// How the items of a list are called: by name, or by number.
 fn items(list: &[Value]) -> Vec<String> {
-    let name = |value: &Value| value.get("name").and_then(Value::as_str).map(str::to_owned);
-    list.iter().enumerate().map(|(n, value)| name(value).unwrap_or_else(|| n.to_string())).collect()
+    (0..list.len()).map(|number| item_at(list, number)).collect()
+}
+
+/// How the item at a number is called in a path: a name with a dot would be two steps.
+pub(super) fn item_at(list: &[Value], number: usize) -> String {
+    let name = list.get(number).and_then(|item| item.get("name")?.as_str()).filter(|name| !name.contains('.'));
+    name.map_or_else(|| number.to_string(), str::to_owned)
 }
 
 fn item_of<'l>(list: &'l mut [Value], item: &str) -> Option<&'l mut Value> {

@@ -33,6 +33,9 @@ pub struct Scene {
     /// Gravity, used by spatial scenes only \[m/s²\].
     #[serde(rename = "gravity_m_s2", default = "standard_gravity", skip_serializing_if = "is_standard_gravity")]
     pub gravity: f64,
+    /// Values that were not given, as paths of `--set`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumed: Vec<String>,
     /// What computes it.
     #[serde(default, skip_serializing_if = "is_default")]
     pub model: ModelSettings,
@@ -90,6 +93,7 @@ impl Scene {
             kind: Kind::default(),
             duration,
             gravity: STANDARD_GRAVITY,
+            assumed: Vec::new(),
             model: ModelSettings::default(),
             girders: Vec::new(),
             abutments: Vec::new(),
@@ -152,6 +156,12 @@ pub const TOP: &[Key] = &[
         "gravity in a spatial scene, m/s²",
     )
     .labelled("Gravity"),
+    Key::new(
+        "assumed",
+        Range::Free,
+        Fallback::Words("none"),
+        "values that were not given: paths of --set, of a table all its numbers; `check` and the report list them, the window marks them",
+    ),
     Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
     Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
     Key::new("pier", Range::Free, Fallback::Words("none"), "[[pier]], see below"),

@@ -59,6 +59,9 @@ pub struct Report {
     pub dropped: Option<DroppedReport>,
     /// Quantities of the scene that lie outside the domain in which the program is checked.
     pub outside_domain: Vec<OutsideReport>,
+    /// Numbers of the scene that were not given, by their paths in its file.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub assumed: Vec<String>,
     /// Local error per step that was asked for.
     pub tolerance: f64,
     /// Largest displacement difference from a run at a hundredth of the tolerance, when asked for \[m\].
@@ -260,6 +263,7 @@ impl Report {
             too_deep: too_deep(history),
             dropped: dropped(history),
             outside_domain: outside(scene),
+            assumed: scene.assumed_numbers().into_iter().map(|(path, _)| path).collect(),
             tolerance: scene.solver.tolerance,
             estimated_error: options.estimated_error,
             ledger,

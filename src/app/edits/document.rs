@@ -8,8 +8,8 @@ use super::selection::Selection;
 use crate::app::command::{EditCommand, PlaceCommand, SelectCommand};
 use crate::app::text;
 use crate::files::SceneSource;
-use crate::scene::Scene;
 use crate::scene::edit::{Edit, EditError, UndoStack};
+use crate::scene::{Scene, is_assumed};
 
 /// What a stretch of the past was read from or saved to.
 struct Origin {
@@ -138,8 +138,17 @@ impl Document {
     /// # Errors
     /// An edit that does not fit the scene; nothing is changed then.
     pub(in crate::app) fn place(&mut self, command: PlaceCommand) -> Result<bool, EditError> {
+        let fresh = matches!(
+            command,
+            PlaceCommand::Put(_)
+                | PlaceCommand::AddGirder
+                | PlaceCommand::AddAbutment
+                | PlaceCommand::AddPier
+                | PlaceCommand::AddDevice(_)
+        );
         let Some(placed) = placed(command, &self.scene, &self.selection) else { return Ok(false) };
-        let done = self.edit(placed.edit, None)?;
+        let edit = if fresh { with_new_assumed(placed.edit, &self.scene)? } else { placed.edit };
+        let done = self.edit(edit, None)?;
         if let Some(then) = placed.then {
             self.selection.these(then);
         }
@@ -159,6 +168,7 @@ impl Document {
         let depth = self.steps.depth();
         self.origins.retain(|o| o.depth <= depth);
         let label = text::name_of_edit(&edit, &self.scene);
+        let edit = with_assumed(edit, &self.scene, &after);
         match gesture {
             Some(hand) => self.steps.drag(&mut self.scene, edit, &label, &hand.to_string())?,
             None => self.steps.perform(&mut self.scene, edit, &label)?,
@@ -227,10 +237,33 @@ impl Document {
     }
 }
 
+/// An edit with what it says of assumed values: a number that it changes is given now.
+fn with_assumed(edit: Edit, before: &Scene, after: &Scene) -> Edit {
+    // Another scene, or the list itself, comes with its own; a renamed body's paths have been renamed.
+    if before.assumed != after.assumed || before.assumed.is_empty() {
+        return edit;
+    }
+    let left = before.still_assumed(after);
+    if left == before.assumed { edit } else { Edit::Batch(vec![edit, Edit::Assumed(left)]) }
+}
+
+/// An edit that adds something, with its numbers, but for its place, as assumed.
+///
+/// # Errors
+/// An edit that does not fit the scene.
+fn with_new_assumed(edit: Edit, before: &Scene) -> Result<Edit, EditError> {
+    let mut after = before.clone();
+    edit.clone().apply(&mut after)?;
+    let new = after.new_numbers(before);
+    let listed =
+        before.assumed.iter().cloned().chain(new.into_iter().filter(|path| !is_assumed(&before.assumed, path)));
+    Ok(Edit::Batch(vec![edit, Edit::Assumed(listed.collect())]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::presets;
+    use crate::scene::{DeviceId, DeviceKind, presets};
     use crate::view::Target;
 
     fn renamed(name: &str) -> EditCommand {
@@ -261,6 +294,36 @@ mod tests {
         document.select(SelectCommand::All);
         document.open(document.scene().clone(), SceneSource::New).expect("fits");
         assert!(document.selection().all().is_empty(), "nothing of another scene");
+    }
+
+    #[test]
+    fn what_is_added_is_assumed_until_its_numbers_are_given() {
+        let mut document = Document::new(presets::load("deck-30m").expect("ships"), SceneSource::New);
+        document.place(PlaceCommand::AddDevice(DeviceKind::Restrainer)).expect("fits");
+        let name = document.scene().restrainers[0].name.clone();
+        let of = |key: &str| format!("restrainer.{name}.{key}");
+        let assumed = |document: &Document, key: &str| is_assumed(&document.scene().assumed, &of(key));
+        assert!(
+            assumed(&document, "slack_m") && assumed(&document, "stiffness_n_per_m"),
+            "{:?}",
+            document.scene().assumed
+        );
+        assert!(!assumed(&document, "at_m"), "where it is, was said");
+        let given = Edit::Set(format!("{}=0.031", of("slack_m")));
+        document.edit(given, None).expect("fits");
+        assert!(!assumed(&document, "slack_m") && assumed(&document, "stiffness_n_per_m"), "one of them is given");
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert!(assumed(&document, "slack_m"), "taken back");
+        document
+            .apply(EditCommand::Rename(
+                Target::Device(DeviceId { kind: DeviceKind::Restrainer, number: 0 }),
+                "tie".into(),
+            ))
+            .expect("fits");
+        assert!(is_assumed(&document.scene().assumed, "restrainer.tie.slack_m"), "by its new name");
+        document.apply(EditCommand::Undo).expect("there is a step");
+        document.apply(EditCommand::Undo).expect("there is a step");
+        assert!(document.scene().assumed.is_empty(), "as before");
     }
 
     #[test]

@@ -32,7 +32,7 @@ pub(super) fn choice_by<T: Copy + PartialEq>(
     default: T,
 ) -> Option<Change> {
     let (before, complaint) = (*value, place.complaint(key));
-    let name = ui.label(frame::named(ui, label, complaint.is_some()));
+    let name = ui.label(frame::named(ui, place, (key, label)));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         list(ui, (&place.path(key), label), (value, default), options, 79.0).labelled_by(name.id);
@@ -70,7 +70,7 @@ pub(super) fn choice_line_by<T: Copy + PartialEq>(
     default: T,
 ) -> Option<Change> {
     let (before, complaint) = (*value, place.complaint(key));
-    let name = frame::named(ui, label, complaint.is_some());
+    let name = frame::named(ui, place, (key, label));
     let path = place.path(key);
     let differs = (before != default).then(|| word(default, options));
     let (_, pressed) = line(ui, name, (label, differs), |ui| {

@@ -25,8 +25,13 @@ pub(super) struct Own {
 impl Field<'_> {
     /// What the field says of itself.
     pub(super) fn hint(&self, own: &Own) -> String {
-        hint(self.known, self.unit, own)
+        hint(self.known, self.unit, own) + &assumed_hint(self.place, self.key)
     }
+}
+
+/// That a value was not given.
+fn assumed_hint(place: Place<'_>, key: &str) -> String {
+    if place.is_assumed(key) { format!("\n{}", text::ASSUMED_HINT) } else { String::new() }
 }
 
 /// The meaning, what is allowed, the default.
@@ -59,7 +64,9 @@ pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, (key, 
         Fallback::Word(word) => Some(word.to_owned()),
         _ => None,
     });
-    say(ui, response, &path, label, || hint(known, PURE, &Own { words: words.clone(), differs: false }))
+    say(ui, response, &path, label, || {
+        hint(known, PURE, &Own { words: words.clone(), differs: false }) + &assumed_hint(place, key)
+    })
 }
 
 /// The same for a widget that has more to say.
@@ -107,9 +114,11 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
     chosen
 }
 
-pub(super) fn named(ui: &Ui, label: &str, wrong: bool) -> RichText {
+/// The name of a value: leaning where it was not given, striking where it is wrong.
+pub(super) fn named(ui: &Ui, place: Place<'_>, (key, label): (&str, &str)) -> RichText {
     let text = RichText::new(label);
-    if wrong { text.color(Palette::of(ui).problem).strong() } else { text }
+    let text = if place.is_assumed(key) { text.italics() } else { text };
+    if place.complaint(key).is_some() { text.color(Palette::of(ui).problem).strong() } else { text }
 }
 
 /// The complaint, under the field.

@@ -77,7 +77,7 @@ pub(in crate::app) fn switched(
 ) -> Option<Change> {
     let field = Field::new(ui, place, names, unit);
     let mut on = value.is_some();
-    let name = frame::named(ui, field.label, place.complaint(field.key).is_some());
+    let name = frame::named(ui, place, (field.key, field.label));
     let switch = ui.checkbox(&mut on, name);
     if frame::tag(ui, &switch, place, names).changed() {
         *value = on.then_some(first);
@@ -126,8 +126,7 @@ impl Field<'_> {
 
     /// The row; `given` numbers are written plainly, reckoned ones quietly.
     fn row(&self, ui: &mut Ui, value: f64, own: &Own, given: bool) -> Option<Done> {
-        let wrong = self.place.complaint(self.key).is_some();
-        let name = ui.label(frame::named(ui, self.label, wrong)).id;
+        let name = ui.label(frame::named(ui, self.place, (self.key, self.label))).id;
         self.behind(ui, name, value, own, given)
     }
 

@@ -2,21 +2,33 @@
 
 use egui::{Response, Ui};
 
-use crate::scene::SceneErrors;
+use crate::scene::{SceneErrors, is_assumed};
 
 /// Where a field's value stands in the scene file, and what is wrong with it.
 #[derive(Clone, Copy)]
 pub(in crate::app) struct Place<'a> {
     /// Complaints about the scene.
     pub problems: Option<&'a SceneErrors>,
+    /// Values that were not given.
+    pub assumed: &'a [String],
     /// `girder.deck`, `contact`, `motion`; empty for the top of the file.
     pub table: &'a str,
 }
 
-impl Place<'_> {
+impl<'a> Place<'a> {
+    /// Of values that are not checked, or of another form than the scene's.
+    pub(in crate::app) fn apart(table: &'a str) -> Self {
+        Self { problems: None, assumed: &[], table }
+    }
+
     /// The way to a key from the top of the file.
     pub(in crate::app) fn path(&self, key: &str) -> String {
         if self.table.is_empty() { key.to_owned() } else { format!("{}.{key}", self.table) }
+    }
+
+    /// Whether a key's value was not given.
+    pub(in crate::app) fn is_assumed(&self, key: &str) -> bool {
+        !self.assumed.is_empty() && is_assumed(self.assumed, &self.path(key))
     }
 
     pub(in crate::app) fn complaint(&self, key: &str) -> Option<String> {
@@ -62,7 +74,7 @@ mod tests {
             remedy: "give more than 0".into(),
         };
         let errors = SceneErrors(vec![error("girder.deck.mass_kg")]);
-        let place = Place { problems: Some(&errors), table: "girder.deck" };
+        let place = Place { problems: Some(&errors), ..Place::apart("girder.deck") };
         assert_eq!(place.complaint("mass_kg").as_deref(), Some("-1: give more than 0"), "its own");
         assert_eq!(place.complaint("length_m"), None, "another's");
     }

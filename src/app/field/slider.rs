@@ -77,7 +77,7 @@ impl Field<'_> {
             .custom_parser(reader(&typed, unit))
             .clamping(egui::SliderClamping::Never)
             .update_while_editing(false);
-        let name = frame::named(ui, self.label, complaint.is_some());
+        let name = frame::named(ui, self.place, (self.key, self.label));
         let differs = own.words.as_deref().filter(|_| own.differs);
         let (response, pressed) = line(ui, name, (self.label, differs), |ui| slider_in(ui, slider, ""));
         let menu = frame::menu(&response, own);

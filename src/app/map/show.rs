@@ -89,7 +89,7 @@ fn key(ui: &mut Ui, scene: &Scene, axis: &mut MapAxis, [name, from, to, log]: [&
     });
     menu.response.on_hover_text(format!("{}: {}", axis.key, meaning(&axis.key)));
     let unit = offer::unit(scene, &axis.key, axis.from.abs().max(axis.to.abs()));
-    let place = Place { problems: None, table: "" };
+    let place = Place::apart("");
     for (words, value) in [(from, &mut axis.from), (to, &mut axis.to)] {
         let mut shown = *value;
         Grid::new(words)

@@ -69,7 +69,7 @@ fn adders(ui: &mut Ui, any: bool, out: &mut Vec<Command>) {
 /// A button that adds what stands under a key of the file.
 fn adder(ui: &mut Ui, (key, words, keys): (&str, &str, &str), command: PlaceCommand, out: &mut Vec<Command>) {
     let add = ui.small_button(words).on_hover_text(keys);
-    mark(&add, Place { problems: None, table: "" }, (key, words));
+    mark(&add, Place::apart(""), (key, words));
     if add.clicked() {
         out.push(command.into());
     }

@@ -16,7 +16,7 @@ pub(in crate::app) fn show(ui: &mut Ui, draft: RowDraft, girder: &Girder, out: &
         ui.label(RichText::new(format!("{} {}", text::ROW_OF, girder.name)).weak());
         let mut new = draft;
         let mut spans = draft.spans as f64;
-        let place = Place { problems: None, table: "" };
+        let place = Place::apart("");
         egui::Grid::new("row").num_columns(2).show(ui, |ui| {
             let whole = Unit { speed: 0.05, ..PURE };
             number(ui, place, ("", text::ROW_SPANS.as_str()), &mut spans, whole);

@@ -39,7 +39,7 @@ pub(in crate::app) fn show(ui: &Ui, view: Rect, (files, draft): (&SceneFiles, Br
 fn bridge(ui: &mut Ui, draft: BridgeDraft, out: &mut Vec<Command>) {
     ui.label(RichText::new(text::START_BRIDGE).heading());
     let (mut new, mut spans) = (draft, draft.spans as f64);
-    let place = Place { problems: None, table: "" };
+    let place = Place::apart("");
     Grid::new("bridge").num_columns(2).show(ui, |ui| {
         let metres = length_unit(100.0);
         number(ui, place, ("", text::START_SPAN.as_str()), &mut new.span, metres);

@@ -42,7 +42,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
                     }
                 }
             });
-            let place = Place { problems: None, table: "view" };
+            let place = Place::apart("view");
             mark(&adding.response, place, ("plot", text::ADD_PANEL.as_str()));
         });
         ui.menu_button(text::EXPORT_PLOTS, |ui| {
@@ -124,7 +124,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
     }
     ui.horizontal(|ui| {
         let table = format!("view.plot[{i}]");
-        let place = Place { problems: None, table: &table };
+        let place = Place::apart(&table);
         let curves = ui.menu_button(text::ADD_CURVE, |ui| {
             if let Some(name) = choose(ui, i, names.iter().filter(|(_, q)| unit.is_none_or(|u| q.unit() == u))) {
                 if !plot.y.contains(&name) {
@@ -150,7 +150,7 @@ fn one(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Quantit
 /// Whether their course is shown or a spectrum, and on what axis.
 fn shows(ui: &mut Ui, i: usize, plot: &mut PlotSettings) {
     let table = format!("view.plot[{i}]");
-    let place = Place { problems: None, table: &table };
+    let place = Place::apart(&table);
     ui.horizontal(|ui| {
         let label = ui.label(text::SHOWS);
         let words = |shows: PlotShows| text::SHOWN[shows as usize];
@@ -171,7 +171,7 @@ fn against(ui: &mut Ui, i: usize, plot: &mut PlotSettings, names: &[(String, Qua
         let label = ui.label(text::AGAINST);
         let words = plot.x.clone().unwrap_or_else(|| text::TIME.to_string());
         let table = format!("view.plot[{i}]");
-        let place = Place { problems: None, table: &table };
+        let place = Place::apart(&table);
         let combo = ComboBox::from_id_salt(("against", i)).width(150.0).selected_text(words).show_ui(ui, |ui| {
             ui.selectable_value(&mut plot.x, None, text::TIME);
             for (name, _) in names {

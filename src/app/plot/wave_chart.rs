@@ -17,7 +17,7 @@ use crate::app::style::theme::Palette;
 use crate::app::text;
 use crate::sim::{OfSection, SectionField};
 use crate::study::plot::Colors;
-use crate::study::plot::color_map::{LEVELS, level};
+use crate::study::plot::color_map::level;
 use crate::study::waves;
 
 /// Width of a column of the grid \[points\].
@@ -171,7 +171,7 @@ fn bar(
     let mut top = bar.top();
     while top < bar.bottom() {
         let part = f64::from((bar.bottom() - top) / steps);
-        let [r, g, b] = colors(what).rgb(level(part, [0.0, 1.0]).min(LEVELS));
+        let [r, g, b] = colors(what).rgb(level(part, [0.0, 1.0]));
         let strip = Rect::from_min_size(pos2(bar.left(), top), vec2(BAR, 1.0));
         painter.rect_filled(strip, 0.0, Color32::from_rgb(r, g, b));
         top += 1.0;

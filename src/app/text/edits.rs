@@ -39,7 +39,7 @@ pub(in crate::app) fn name_of_edit(edit: &Edit, scene: &Scene) -> String {
         Edit::Codes(_) => Text::new("edit-inputs-of-codes").into(),
         Edit::View(_) => Text::new("edit-view").into(),
         Edit::Set(setting) => Text::new("edit-set").with(&values!["setting" => setting.as_str()]),
-        Edit::General(_) | Edit::Solver(_) => Text::new("edit-scene").into(),
+        Edit::General(_) | Edit::Solver(_) | Edit::Assumed(_) => Text::new("edit-scene").into(),
         Edit::Batch(edits) => match &edits[..] {
             [] => Text::new("edit-nothing").into(),
             [one] => name_of_edit(one, scene),

@@ -82,6 +82,13 @@ pub(in crate::app) const DEVICE_DIRECTION: Text = Text::new("device-direction");
 pub(in crate::app) const DEVICE_TABLE: Text = Text::new("device-table");
 pub(in crate::app) const DEVICE_TABLE_POINT: Text = Text::new("device-table-point");
 pub(in crate::app) const DEVICE_ASSUMED: Text = Text::new("device-assumed");
+pub(in crate::app) const ASSUMED_SECTION: Text = Text::new("assumed-section");
+pub(in crate::app) const ASSUMED_HINT: Text = Text::new("assumed-hint");
+
+/// The button that says of an assumed value that it is right.
+pub(in crate::app) fn given(path: &str) -> String {
+    Text::new("given").with(&values!["path" => path])
+}
 
 /// What a kind of device is called.
 pub(in crate::app) fn device_kind(kind: crate::scene::DeviceKind) -> &'static str {

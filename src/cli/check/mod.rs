@@ -81,7 +81,16 @@ fn text(scene: &Scene, model: &Model) -> String {
         .chain(pairs)
         .chain(none)
         .chain(device::texts(scene))
+        .chain(assumed(scene))
         .collect()
+}
+
+/// Values that were not given.
+fn assumed(scene: &Scene) -> impl Iterator<Item = String> {
+    scene
+        .assumed_numbers()
+        .into_iter()
+        .map(|(path, value)| format!("assumed: {} = {}\n", escaped(&path), escaped(&value)))
 }
 
 /// What holds for the scene as a whole.

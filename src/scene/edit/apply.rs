@@ -4,7 +4,7 @@ use std::mem::replace;
 
 use super::names::is_named;
 use super::{Edit, EditError, General};
-use crate::scene::{Abutment, Device, DeviceId, Girder, Pier, Scene, overrides};
+use crate::scene::{Abutment, Device, DeviceId, Girder, Pier, Scene, assumed, overrides};
 
 type Undone = Result<Edit, EditError>;
 
@@ -37,6 +37,7 @@ fn apply(edit: Edit, scene: &mut Scene) -> Undone {
         }),
         Edit::ReplaceDevice(id, device) => replace_device(scene, id, *device),
         Edit::Rename(from, to) => whole(scene, |scene| rename(scene, &from, &to)),
+        Edit::Assumed(assumed) => Ok(Edit::Assumed(replace(&mut scene.assumed, assumed))),
         Edit::General(general) => Ok(set_general(scene, *general)),
         Edit::Contact(contact) => Ok(Edit::Contact(Box::new(replace(&mut scene.contact, *contact)))),
         Edit::Model(model) => Ok(Edit::Model(replace(&mut scene.model, model))),
@@ -220,6 +221,7 @@ fn rename(scene: &mut Scene, from: &str, to: &str) -> Result<(), EditError> {
     for name in own.chain(abutments).chain(pairs).filter(|name| *name == from) {
         to.clone_into(name);
     }
+    assumed::rename(&mut scene.assumed, from, to);
     let piers = scene.piers.iter_mut().map(|pier| &mut pier.name);
     piers.filter(|name| *name == from).for_each(|name| to.clone_into(name));
     for on in scene.pier_names().flatten().filter(|name| *name == from) {

@@ -53,6 +53,8 @@ pub enum Edit {
     Rename(String, String),
     /// Name, kind, duration, gravity.
     General(Box<General>),
+    /// Sets which values are assumed.
+    Assumed(Vec<String>),
     /// Contact numbers and pairs.
     Contact(Box<ContactSettings>),
     /// Which model computes it.
@@ -139,6 +141,7 @@ impl Edit {
         match (self, other) {
             (Self::Scene(_), _)
             | (Self::General(_), Self::General(_))
+            | (Self::Assumed(_), Self::Assumed(_))
             | (Self::Contact(_), Self::Contact(_))
             | (Self::Model(_), Self::Model(_))
             | (Self::Impact(_), Self::Impact(_))

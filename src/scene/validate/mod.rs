@@ -43,6 +43,7 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
         bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));
     }
     piers::piers(scene, &mut complaints);
+    complaints.extend(SceneErrors(scene.unknown_assumed()));
     let sound = complaints.is_empty();
     devices::devices(scene, sound, &mut complaints);
     numbers::contact(&scene.contact, &mut complaints);

@@ -4,8 +4,8 @@ use egui::{Id, TextEdit, Ui};
 
 use super::declared;
 use super::rows::{grid, push, section};
-use crate::app::command::Command;
-use crate::app::field::{CLICK, Change, Form, Look, Place, Without, choice, number_at, rows, tag};
+use crate::app::command::{Command, EditCommand};
+use crate::app::field::{CLICK, Change, Form, Look, Place, Without, act, choice, number_at, rows, tag};
 use crate::app::{edits, text};
 use crate::codes;
 use crate::scene::Kind;
@@ -23,6 +23,9 @@ pub(super) fn show(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
         solver(ui, form, out);
     });
     section(ui, text::ALL_PAIRS_SECTION.as_str(), false, |ui| contact(ui, form, out));
+    if !form.scene.assumed.is_empty() {
+        section(ui, text::ASSUMED_SECTION.as_str(), false, |ui| assumed(ui, form, out));
+    }
     section(ui, text::CODES_SECTION.as_str(), false, |ui| codes(ui, form, out));
     section(ui, text::DECLARED_SECTION.as_str(), false, |ui| declared::show(ui, form, out));
 }
@@ -55,6 +58,21 @@ fn contact(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
     let look = Look { whose: text::OF_ALL.as_str(), without: Without::Reckoned(&elastic), ..form.look("contact") };
     let change = grid(ui, "all pairs", |ui| rows(ui, &look, &mut new, &[]));
     push(change, out, || edits::contact(new));
+}
+
+/// Values that were not given, each with a button that says that it is right.
+fn assumed(ui: &mut Ui, form: Form<'_>, out: &mut Vec<Command>) {
+    let place = form.place("");
+    let scene = form.scene;
+    for (path, value) in scene.assumed_numbers() {
+        ui.horizontal_wrapped(|ui| {
+            if act(ui, place, "assumed", &text::given(&path)) {
+                let edit = Edit::Assumed(scene.assumed_without(&path));
+                out.push(EditCommand::Change { edit, gesture: None }.into());
+            }
+            ui.label(value);
+        });
+    }
 }
 
 /// Inputs of design codes, each begun with what is assumed without it.
