@@ -1,9 +1,10 @@
 //! Warnings where a scene lies outside the domain in which the program is checked, and where an answer does not balance.
 
 use super::console::Console;
+use super::digits::six;
 use super::summary::name;
-use crate::scene::Scene;
 use crate::scene::domain::outside;
+use crate::scene::{Motion, Scene};
 use crate::sim::History;
 
 /// So many warnings are written out; a row of a thousand girders in the wrong unit would fill a screen with one fault.
@@ -17,6 +18,18 @@ pub(super) fn warn(scene: &Scene, console: &mut Console) {
     }
     if let Some(more) = found.len().checked_sub(MOST).filter(|more| *more > 0) {
         console.note(&format!("warning: {more} more quantities outside the domain"));
+    }
+    warn_of_cut(scene, console);
+}
+
+/// Says that a record goes on after the end of the run.
+fn warn_of_cut(scene: &Scene, console: &mut Console) {
+    let Motion::Record(record) = &scene.motion else { return };
+    let Some((_, dt, samples)) = record.extent() else { return };
+    let length = dt * samples.saturating_sub(1) as f64;
+    if length > scene.duration + dt {
+        let [length, end] = [length, scene.duration].map(six);
+        console.note(&format!("note: the record lasts {length} s, and the run ends at {end} s: duration_s"));
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::read::{LARGEST_INPUT, ReadError, read_regular};
 use crate::motion::format::{Record, Supplement, read as read_bytes};
-use crate::scene::validate::validate;
+use crate::scene::validate::validate_file;
 use crate::scene::{Motion, Scene, SceneError, SceneErrors, format, overrides, presets};
 
 /// Reads the scene called `name_or_path`: a preset when one has that name, else a file.
@@ -25,7 +25,7 @@ pub fn load_scene(name_or_path: impl AsRef<Path>, sets: &[String]) -> Result<Sce
     let scene = format::parse(&text, file)?;
     let mut scene = overrides::apply_all(&scene, sets).map_err(|errors| errors.in_file(file))?;
     load_record(&mut scene, folder, file)?;
-    validate(&scene).map_err(|errors| errors.in_file(file))?;
+    validate_file(&scene).map_err(|errors| errors.in_file(file))?;
     Ok(scene)
 }
 

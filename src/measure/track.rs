@@ -8,7 +8,7 @@ use super::layout::Layout;
 use super::marks::{Finder, Mark};
 
 /// A mark whose pixels are more than this multiple of those at first has run together with something: two equal ones have
-/// twice as many, and blur adds a rim.
+/// twice as many, and blur adds a rim. One with as many times fewer is partly covered.
 const MERGED: f64 = 1.7;
 /// How far a lone mark is looked for, as a share of the picture's height.
 const ALONE: f64 = 0.2;
@@ -39,6 +39,20 @@ pub enum Lost {
     /// It is one with something else that is bright.
     #[error("mark {mark} ({body}) has run together with something bright at ({:.1}, {:.1}): {area} pixels, {first} at first", at[0], at[1])]
     Grown {
+        /// Its number.
+        mark: usize,
+        /// What it is on.
+        body: String,
+        /// Where \[pixels\].
+        at: [f64; 2],
+        /// Its pixels.
+        area: usize,
+        /// Those in the first picture.
+        first: usize,
+    },
+    /// Part of it is covered.
+    #[error("mark {mark} ({body}) is partly covered at ({:.1}, {:.1}): {area} pixels, {first} at first", at[0], at[1])]
+    Shrunk {
         /// Its number.
         mark: usize,
         /// What it is on.
@@ -156,6 +170,7 @@ impl Tracker {
         match () {
             () if at_edge => Err(Lost::AtEdge { mark, body, at }),
             () if first > 0 && area as f64 > MERGED * first as f64 => Err(Lost::Grown { mark, body, at, area, first }),
+            () if MERGED * (area as f64) < first as f64 => Err(Lost::Shrunk { mark, body, at, area, first }),
             () => Ok(()),
         }
     }
@@ -204,6 +219,11 @@ mod tests {
         assert!(said(&merged).contains("marks 1 and 2 are merged"), "{}", said(&merged));
         let grown = [[21.0, 31.0], [60.0, 30.0], [62.0, 34.0], [58.0, 34.0]];
         assert!(said(&grown).contains("mark 2 (marks) has run together"), "{}", said(&grown));
+        // Half of the second one is left.
+        let mut covered = image(&[[21.0, 31.0], [60.0, 30.0]]);
+        (0..60).for_each(|y| covered.values[y * 120 + 60..y * 120 + 70].fill(20.0));
+        let covered = started().follow(&covered).expect_err("covered").to_string();
+        assert!(covered.contains("mark 2 (marks) is partly covered"), "{covered}");
         let edge = [[21.0, 31.0], [60.0, 30.0]];
         let mut tracker = started();
         tracker.last = [vec![[3.0, 30.0], [60.0, 30.0]], vec![[3.0, 30.0], [60.0, 30.0]]];

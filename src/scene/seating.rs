@@ -67,10 +67,21 @@ pub fn room(girder: &Girder, bearing: &ResolvedBearing) -> Option<Room> {
     (room.from.is_finite() || room.to.is_finite()).then_some(room)
 }
 
+/// Whether a bearing stands beyond the front edge of its seat as placed, watched or not; `None` where no seat is given.
+pub fn stands_off(girder: &Girder, bearing: &ResolvedBearing) -> Option<bool> {
+    let along = bearing.place.x - bearing.place.y * girder.prism().shear();
+    let (_, seat) = seat_below(girder, along)?;
+    Some(0.5 * girder.length - along.abs() >= seat)
+}
+
 /// The seat that carries a bearing at this place along the axis from the middle, before skewing, and its length along the axis
 /// \[m\]; `None` where it is not watched.
 fn seat(girder: &Girder, along: f64) -> Option<(End, f64)> {
     girder.after_unseating?;
+    seat_below(girder, along)
+}
+
+fn seat_below(girder: &Girder, along: f64) -> Option<(End, f64)> {
     let end = match along {
         along if along > 0.0 => End::Plus,
         along if along < 0.0 => End::Minus,

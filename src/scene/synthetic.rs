@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::keys::{Fallback, Range, table};
 use super::motion::STANDARD_GRAVITY;
-use crate::motion::matching::matched;
+use crate::motion::matching::{deviation_from, matched};
 use crate::motion::synthetic::Earthquake;
 
 /// Most samples of a synthetic record.
@@ -88,6 +88,13 @@ impl SyntheticMotion {
             None => self.peak_g,
         };
         own * STANDARD_GRAVITY * largest
+    }
+
+    /// Mean deviation of a component's spectrum from the target, in parts of it; none without a target.
+    pub fn deviation(&self, component: u64) -> Option<f64> {
+        let target: Vec<[f64; 2]> =
+            self.target.as_ref()?.iter().map(|[period, g]| [*period, g * STANDARD_GRAVITY]).collect();
+        Some(deviation_from(&self.samples(component), self.dt, &target))
     }
 
     /// Factors of its components along the angle, across and upwards.

@@ -93,8 +93,8 @@ impl Calibration {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotCalibrated {
     /// The scene cannot be run with the starts.
-    #[error("the scene does not run with {0}: start from other values")]
-    Start(String),
+    #[error("the scene does not run with {0}: {1}")]
+    Start(String, String),
     /// The keys change nothing that was measured, or alike.
     #[error("{0} do not show in what was measured, or not apart: leave one out, or measure more (y shows friction)")]
     Undetermined(String),
@@ -113,10 +113,22 @@ impl Runs<'_> {
 
     /// The run at these values, where there is one that reaches the last time.
     fn run(&self, values: &[f64]) -> Option<History> {
-        let scene = overrides::apply_all(self.scene, &self.sets(values)).ok()?;
-        validate(&scene).ok()?;
-        let history = History::of(&scene).ok()?;
-        (history.stop().is_none() && self.measured.times.last() <= Some(&history.end())).then_some(history)
+        self.run_or_why(values).ok()
+    }
+
+    /// As [`run`](Self::run), or why there is none, with a remedy.
+    fn run_or_why(&self, values: &[f64]) -> Result<History, String> {
+        let scene = overrides::apply_all(self.scene, &self.sets(values)).map_err(|errors| errors.to_string())?;
+        validate(&scene).map_err(|errors| errors.to_string())?;
+        let history = History::of(&scene).map_err(|errors| errors.to_string())?;
+        let (last, end) = (self.measured.times.last().copied().unwrap_or_default(), history.end());
+        match history.stop() {
+            Some(stop) => Err(format!("the run ends at {} s, {}: start from other values", stop.t, stop.reason)),
+            None if last > end => Err(format!(
+                "the run ends at {end} s, and what was measured at {last} s: --set duration_s={last}, or --to {end}"
+            )),
+            None => Ok(history),
+        }
     }
 
     fn cost(&self, wanted: &[f64], values: &[f64]) -> f64 {
@@ -187,9 +199,7 @@ pub fn calibrate(scene: &Scene, keys: &[(String, f64)], measured: &Measured) -> 
     let runs = Runs { scene, keys: keys.iter().map(|(key, _)| key.as_str()).collect(), measured };
     let starts: Vec<f64> = keys.iter().map(|(_, start)| *start).collect();
     let wanted: Vec<f64> = measured.along.iter().flat_map(|(_, x)| x.iter().copied()).collect();
-    if runs.values(&starts).is_none() {
-        return Err(NotCalibrated::Start(runs.sets(&starts).join(", ")));
-    }
+    runs.run_or_why(&starts).map_err(|why| NotCalibrated::Start(runs.sets(&starts).join(", "), why))?;
     let undetermined = || NotCalibrated::Undetermined(runs.keys.join(", "));
     let start = runs.moved(&wanted, &starts);
     let solution = least_squares::fit(&runs, &wanted, &start).ok_or_else(undetermined)?;

@@ -94,7 +94,8 @@ fn text(draft: BridgeDraft) -> String {
         "# What is listed as assumed was not given: it fits the size of the bridge, and is to be replaced.\n\
          format = 1\nname = \"bridge\"\nkind = \"planar\"\nduration_s = 10.0\nassumed = {assumed:?}\n"
     );
-    let (end, side) = (tidy(0.5 * span - span / 30.0), tidy(0.4 * width));
+    // In the middle of their seats.
+    let (end, side) = (tidy(0.5 * (span - seat)), tidy(0.4 * width));
     for number in 0..spans {
         let x = tidy((number as f64 - (spans as f64 - 1.0) / 2.0) * (span + gap));
         // Writing into memory cannot fail.

@@ -15,7 +15,9 @@ use super::failure::Failure;
 use super::summary::name;
 use crate::dynamics::{Model, Pair};
 use crate::scene::shown::escaped;
-use crate::scene::{Between, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY, Scene};
+use crate::scene::{
+    Between, Heading, Kind, ModelKind, Motion, NormalName, RecordMotion, STANDARD_GRAVITY, Scene, seating,
+};
 use crate::sim;
 
 /// Difference of two coefficients of restitution that is round-off \[–\].
@@ -39,11 +41,31 @@ pub(super) fn run(args: &CheckArgs, console: &mut Console) -> Result<(), Failure
     let model = Model::compile(&scene)?;
     console.print(&text(&scene, &model));
     domain::warn(&scene, console);
+    off_their_seats(&scene, console);
     // Elsewhere bodies are joined where they meet.
     if scene.contact.between == Between::Ends || scene.model.kind == ModelKind::Impact {
         unjoined(&scene, &model, console);
     }
     Ok(())
+}
+
+/// Warns of bearings that do not stand on the seats that the scene gives.
+fn off_their_seats(scene: &Scene, console: &mut Console) {
+    for girder in &scene.girders {
+        let supports = girder.supports(scene.setting());
+        let off: Vec<String> = (0..supports.len())
+            .filter(|&n| seating::stands_off(girder, &supports[n]) == Some(true))
+            .map(|n| (n + 1).to_string())
+            .collect();
+        if !off.is_empty() {
+            console.note(&format!(
+                "warning: {}: bearings {} stand beyond the front edge of their seats as placed: make seat_m longer, or place them nearer \
+                 to the ends",
+                escaped(&girder.name),
+                off.join(", ")
+            ));
+        }
+    }
 }
 
 /// Warns of bodies that can come near and that no contact joins.
@@ -136,10 +158,16 @@ fn motion_words(motion: &Motion) -> String {
             )
         }
         Motion::Synthetic(quake) => {
-            let [seed, peak, length, angle] = [quake.seed, quake.peak_g, quake.duration, quake.angle_deg].map(six);
+            let largest = quake.samples(0).iter().fold(0.0, |most: f64, a| most.max(a.abs())) / STANDARD_GRAVITY;
+            let [seed, peak, length, angle] = [quake.seed, largest, quake.duration, quake.angle_deg].map(six);
             let [_, across, vertical] = quake.factors().map(six);
+            let target = quake.deviation(0).map(|off| {
+                let pairs = quake.target.as_ref().map_or(0, Vec::len);
+                format!(", matched to a spectrum of {pairs} periods, {:.1} % off in the mean", 100.0 * off)
+            });
             format!(
-                "synthetic earthquake of seed {seed}: {peak} g, {length} s, angle {angle}°, across × {across}, vertical × {vertical}"
+                "synthetic earthquake of seed {seed}: {peak} g, {length} s, angle {angle}°, across × {across}, vertical × {vertical}{}",
+                target.unwrap_or_default()
             )
         }
     }
@@ -147,8 +175,9 @@ fn motion_words(motion: &Motion) -> String {
 
 /// A record: samples, interval, scale, directions, what is done to it.
 fn recorded(record: &RecordMotion) -> String {
-    let (_, dt, count) = record.extent().unwrap_or((0.0, 0.0, 0));
-    let [dt, scale] = [dt, record.scale].map(six);
+    let (peak, dt, count) = record.extent().unwrap_or((0.0, 0.0, 0));
+    let length = dt * count.saturating_sub(1) as f64;
+    let [dt, scale, length, peak] = [dt, record.scale, length, peak / STANDARD_GRAVITY].map(six);
     let direction = if record.components.is_empty() {
         let vertical = match record.vertical_scale {
             0.0 => String::new(),
@@ -165,7 +194,7 @@ fn recorded(record: &RecordMotion) -> String {
         format!("{} components: {}", all.len(), all.join(", "))
     };
     let steps: Vec<String> = record.processing.in_words().into_iter().map(|step| format!(", {step}")).collect();
-    format!("record of {count} samples × {dt} s, scale {scale}, {direction}{}", steps.concat())
+    format!("record of {count} samples × {dt} s ({length} s), {peak} g, scale {scale}, {direction}{}", steps.concat())
 }
 
 fn pair_text(pair: &Pair, nodes: &str) -> String {

@@ -23,6 +23,7 @@ use crate::motion::Ground;
 use crate::motion::format::{STANDARD_GRAVITY, Unit};
 use crate::motion::oscillator::Shaking;
 use crate::scene::shown::escaped;
+use crate::sim::History as Run;
 use crate::study::identified;
 
 /// Find natural frequency and damping ratio from a measured displacement (free decay, known ground motion, sweep), or, with --fit, gap, restitution and friction of a girder that pounds
@@ -127,6 +128,7 @@ pub(super) fn run(args: &IdentifyArgs, console: &mut Console) -> Result<(), Fail
     let found = found.map_err(|error| in_file(&error))?;
     let ground = if args.response { "sines of constant acceleration".to_owned() } else { ground };
     console.print(&text(args, &measured, &found, &ground));
+    args.ground.warn_of_hits(&measured.at, console)?;
     let Some(out) = &args.out else { return Ok(()) };
     let files = written(args, &measured, &found, (first, &ground))?;
     write_files(out, &files)?;
@@ -146,6 +148,28 @@ impl IdentifyArgs {
 }
 
 impl GroundArgs {
+    /// Warns where the scene's own run touches within the times that were measured: an oscillator hits nothing.
+    fn warn_of_hits(&self, times: &[f64], console: &mut Console) -> Result<(), Failure> {
+        let (Some(path), Some(last)) = (&self.scene, times.last()) else { return Ok(()) };
+        let mut scene = files::load_scene(path, &self.sets)?;
+        if scene.abutments.is_empty() && scene.girders.len() < 2 {
+            return Ok(());
+        }
+        scene.duration = scene.duration.min(*last);
+        let history = Run::of(&scene)?;
+        let first = times.first().copied().unwrap_or_default();
+        if let Some(touch) = history.touches().iter().find(|touch| touch.end >= first) {
+            console.note(&format!(
+                "warning: {}: in this scene's own run {} touches from {:.4} s on, and an oscillator does not: use the rows before \
+                 (--to), or find the scene's values with --fit",
+                path.display(),
+                escaped(&history.model().pairs[touch.pair].name),
+                touch.start
+            ));
+        }
+        Ok(())
+    }
+
     /// The ground motion along the displacements, and what it is in words.
     fn shaking(&self, console: &mut Console) -> Result<(Shaking, String), Failure> {
         if let Some(path) = &self.record {

@@ -45,7 +45,33 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     all.sort_by(|a, b| by_number(&a.to_string_lossy(), &b.to_string_lossy()));
+    if let Some([before, after]) = hole(&all) {
+        let what = format!(
+            "after {before} comes {after}, and every picture is taken for the next instant: put what is missing there, or list the \
+             pictures themselves"
+        );
+        return Err(Failure::Input(format!("{}: {what}", folder.display())));
+    }
     Ok(all)
+}
+
+/// Neighbours, by their names, whose numbers are farther apart than those of the first two pictures.
+fn hole(all: &[PathBuf]) -> Option<[String; 2]> {
+    let name = |path: &PathBuf| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let numbers: Vec<u64> = all.iter().map(|path| last_number(&name(path))).collect::<Option<_>>()?;
+    let steps = || numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0]));
+    let usual = steps().min()?;
+    let at = steps().position(|step| step != usual)?;
+    Some([name(&all[at]), name(&all[at + 1])])
+}
+
+/// The last number in a name.
+fn last_number(name: &str) -> Option<u64> {
+    let end = name.rfind(|c: char| c.is_ascii_digit())? + 1;
+    let start = name[..end]
+        .rfind(|c: char| !c.is_ascii_digit())
+        .map_or(0, |at| at + name[at..].chars().next().map_or(1, char::len_utf8));
+    name[start..end].parse().ok()
 }
 
 /// Names by their numbers: `frame9.png` before `frame10.png`.
@@ -100,6 +126,17 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_that_is_missing_is_a_hole() {
+        let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
+        assert_eq!(hole(&paths(&["f1.png", "f2.png", "f3.png"])), None, "none");
+        assert_eq!(hole(&paths(&["f0.png", "f5.png", "f10.png"])), None, "every fifth");
+        let missing = hole(&paths(&["f1.png", "f2.png", "f4.png"]));
+        assert_eq!(missing, Some(["f2.png".to_owned(), "f4.png".to_owned()]), "the third");
+        assert_eq!(hole(&paths(&["a.png", "b.png", "d.png"])), None, "without numbers");
+        assert_eq!(last_number("überf0012é.png"), Some(12), "among other letters");
+    }
 
     #[test]
     fn pictures_are_ordered_by_their_numbers() {

@@ -1,13 +1,14 @@
-//! A ground motion as a two-column table: time in s, acceleration in m/s², one line a sample.
+//! A ground motion as a two-column table: time in s, acceleration, one line a sample.
 //!
-//! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading; blank lines
-//! are skipped. Columns are separated by commas, semicolons or tabs; a decimal comma is as good as a decimal point. The
+//! Bytes in, never a path. Lines that start with `#` are comments; a first line that is no numbers is a heading, which may state the
+//! unit of the acceleration (`t [s], a [gal]`, `acc_g`); without one, or one beside the file, it is m/s². Blank lines are skipped. Columns are separated by commas, semicolons or tabs; a decimal comma is as good as a decimal point. The
 //! samples must be evenly spaced; the first one is the acceleration at t = 0, whatever its own time.
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
-use super::record::{Channel, Format, RecordError, Supplement};
+use super::record::{Channel, Format, Orientation, RecordError, Supplement};
 use super::text::quoted;
+use super::unit::Unit;
 
 /// Times may be off by this part of the interval; a recorder's clock is better.
 const UNEVEN: f64 = 0.01;
@@ -22,7 +23,7 @@ const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 pub(super) const FORMAT: Format = Format {
     name: "CSV",
     extensions: &["csv", "txt"],
-    contents: "two columns, time in s and acceleration in m/s², one line a sample",
+    contents: "two columns, time in s and acceleration, in m/s² unless a heading or `unit` says g or gal, one line a sample",
     sniff,
     read,
 };
@@ -54,8 +55,8 @@ fn reader(bytes: &[u8], separator: u8) -> Reader<&[u8]> {
 /// The first line that is not two numbers, or that breaks the even spacing; points and commas as decimal marks in one file;
 /// fewer than two samples.
 fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> {
-    beside.nothing("a table of times and accelerations in m/s² states its own")?;
-    let (mut times, mut samples, mut marks) = (Vec::new(), Vec::new(), None);
+    Supplement { unit: None, ..*beside }.nothing("a table of times states its own")?;
+    let (mut times, mut samples, mut marks, mut stated) = (Vec::new(), Vec::new(), None, None);
     for (n, record) in reader(bytes, separator(bytes).unwrap_or(b',')).records().enumerate() {
         let record = record.map_err(|error| unreadable(&error))?;
         let line = record.position().map_or(0, csv::Position::line);
@@ -65,11 +66,52 @@ fn read(bytes: &[u8], beside: &Supplement) -> Result<Vec<Channel>, RecordError> 
                 times.push(Time { line, t: sample.0, digits: Digits::of(&record[0]) });
                 samples.push(sample.1);
             }
-            Err(_) if is_blank(&record) || (n == 0 && is_heading(&record)) => {}
+            Err(_) if is_blank(&record) => {}
+            Err(_) if n == 0 && is_heading(&record) => stated = unit_of_heading(&record, line)?,
             Err(error) => return Err(error),
         }
     }
-    Ok(vec![Channel::plain(interval(&times)?, samples)])
+    let unit = match (stated, beside.unit) {
+        (Some(stated), Some(beside)) if stated != beside => {
+            let value = format!("{} in the heading, {} beside the file", stated.label(), beside.label());
+            return Err(RecordError::new(1, value, "state the unit once"));
+        }
+        (stated, beside) => stated.or(beside).unwrap_or(Unit::MetrePerSecond2),
+    };
+    Ok(vec![Channel::converted("", Orientation::Unstated, unit, interval(&times)?, samples)])
+}
+
+/// The unit of acceleration that a heading states, in brackets or as its last word: `a [gal]`, `acc (cm/s2)`, `acc_g`, `a_m_s2`.
+///
+/// # Errors
+/// Brackets around what is no unit of acceleration; times that are not in seconds.
+fn unit_of_heading(record: &StringRecord, line: u64) -> Result<Option<Unit>, RecordError> {
+    let (time, acceleration) = (&record[0], &record[1]);
+    if let Some(unit) = bracketed(time).or(last_word(time)).filter(|unit| ["ms", "min", "h"].contains(unit)) {
+        return Err(RecordError::new(line, format!("times in {unit}"), "give times in s"));
+    }
+    if let Some(word) = bracketed(acceleration) {
+        let remedy = "a unit of acceleration is g, gal (cm/s2) or m/s2";
+        let unit =
+            Unit::of_word(word).ok_or_else(|| RecordError::new(line, format!("unit {}", quoted(word)), remedy))?;
+        return Ok(Some(unit));
+    }
+    let lower = acceleration.to_ascii_lowercase();
+    let ending = [("cm_s2", Unit::Gal), ("m_s2", Unit::MetrePerSecond2)].into_iter();
+    let mut ending =
+        ending.filter(|(ending, _)| lower.strip_suffix(ending).is_some_and(|a| a.is_empty() || a.ends_with('_')));
+    Ok(ending.next().map(|(_, unit)| unit).or_else(|| Unit::of_word(last_word(acceleration)?)))
+}
+
+/// What stands in round or square brackets.
+fn bracketed(field: &str) -> Option<&str> {
+    let (_, rest) = field.split_once(['[', '('])?;
+    rest.split_once([']', ')']).map(|(inside, _)| inside.trim())
+}
+
+/// The last of several words, parted by blanks or `_`.
+fn last_word(field: &str) -> Option<&str> {
+    field.trim().rsplit_once([' ', '_']).map(|(_, word)| word)
 }
 
 fn unreadable(error: &csv::Error) -> RecordError {
@@ -175,12 +217,21 @@ fn interval(times: &[Time]) -> Result<f64, RecordError> {
         let remedy = "a record needs at least 2 samples, and times that grow".to_owned();
         return Err(RecordError { line: *last_line, value: format!("time {}", short(*last)), remedy });
     }
+    // The steps that most of the times take tell which one is at fault: a missing sample changes the mean interval.
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1].t - pair[0].t).collect();
+    steps.sort_by(f64::total_cmp);
+    let usual = steps[steps.len() / 2];
     let units = printed_to(times);
     let rounding = units.into_iter().filter(|&unit| unit < FINE * dt).fold(0.0, f64::max);
     let off = |(n, time): (usize, &Time)| (time.t - (first + dt * n as f64)).abs();
     match times.iter().enumerate().find(|&time| off(time) > rounding.max(UNEVEN * dt)) {
         None => Ok(dt),
-        Some((n, time)) => Err(uneven(time, (dt, first + dt * n as f64), units[0])),
+        Some((n, time)) => {
+            Err(match times.windows(2).find(|pair| (pair[1].t - pair[0].t - usual).abs() > 0.5 * usual) {
+                Some(pair) if usual > 0.0 => uneven(&pair[1], (usual, pair[0].t + usual), units[0]),
+                _ => uneven(time, (dt, first + dt * n as f64), units[0]),
+            })
+        }
     }
 }
 
@@ -222,6 +273,28 @@ mod tests {
         let series = table(text.as_bytes()).expect("a record");
         assert_eq!(series.samples, [0.5, -0.25, 1e-3], "in order");
         assert!((series.dt - 0.02).abs() < 4.0 * f64::EPSILON, "from rounded times: {}", series.dt);
+    }
+
+    #[test]
+    fn a_heading_states_the_unit_or_it_is_stated_beside_the_file_or_it_is_si() {
+        let of = |heading: &str, beside: Option<Unit>| {
+            let text = format!("{heading}\n0,100\n0.5,200\n");
+            let beside = Supplement { unit: beside, dt: None };
+            read(text.as_bytes(), &beside).map(|channels| (channels[0].unit, channels[0].samples[1]))
+        };
+        for heading in ["t [s],a [gal]", "t,acc (cm/s2)", "time_s,a_cm_s2", "t,acc gal"] {
+            assert_eq!(of(heading, None), Ok((Unit::Gal, 2.0)), "{heading}");
+        }
+        assert_eq!(of("t,acc_g", None), Ok((Unit::G, 200.0 * 9.80665)), "by its last word");
+        for heading in ["t_s,a_m_s2", "t,a", "t [s],a [m/s²]"] {
+            assert_eq!(of(heading, None), Ok((Unit::MetrePerSecond2, 200.0)), "{heading}");
+        }
+        assert_eq!(of("t,a", Some(Unit::Gal)), Ok((Unit::Gal, 2.0)), "beside the file");
+        assert_eq!(of("t,a [gal]", Some(Unit::Gal)), Ok((Unit::Gal, 2.0)), "the same twice");
+        let refused = |heading: &str, beside: Option<Unit>| of(heading, beside).expect_err("refused").to_string();
+        assert!(refused("t,a [gal]", Some(Unit::G)).contains("gal in the heading, g beside"), "one against the other");
+        assert!(refused("t,a [counts]", None).contains("`counts`"), "no unit");
+        assert!(refused("t [ms],a [gal]", None).contains("times in ms"), "no seconds");
     }
 
     #[test]

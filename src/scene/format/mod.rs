@@ -32,10 +32,10 @@ pub fn parse(text: &str, file: &str) -> Result<Scene, SceneErrors> {
 /// Reads the text of a scene file and checks what it says.
 ///
 /// # Errors
-/// Every complaint of [`parse`] and [`validate`](super::validate::validate).
+/// Every complaint of [`parse`] and [`validate_file`](super::validate::validate_file).
 pub fn read(text: &str, file: &str) -> Result<Scene, SceneErrors> {
     let scene = parse(text, file)?;
-    super::validate::validate(&scene).map_err(|errors| errors.in_file(file))?;
+    super::validate::validate_file(&scene).map_err(|errors| errors.in_file(file))?;
     Ok(scene)
 }
 

@@ -28,6 +28,16 @@ pub fn validate(scene: &Scene) -> Result<(), SceneErrors> {
     facings(scene).map(|_| ())
 }
 
+/// The same of a scene as its file says it: values that it calls assumed stand in it.
+///
+/// # Errors
+/// Those of [`validate`]; paths of assumed values that lead to nothing.
+pub fn validate_file(scene: &Scene) -> Result<(), SceneErrors> {
+    validate(scene)?;
+    let unknown = scene.unknown_assumed();
+    if unknown.is_empty() { Ok(()) } else { Err(SceneErrors(unknown)) }
+}
+
 /// The same; and who faces whom, which it finds out on the way.
 ///
 /// # Errors
@@ -43,7 +53,6 @@ pub fn facings(scene: &Scene) -> Result<Vec<Facing>, SceneErrors> {
         bodies::abutment(abutment, &mut complaints.of("abutment", &abutment.name, keys::ABUTMENT));
     }
     piers::piers(scene, &mut complaints);
-    complaints.extend(SceneErrors(scene.unknown_assumed()));
     let sound = complaints.is_empty();
     devices::devices(scene, sound, &mut complaints);
     numbers::contact(&scene.contact, &mut complaints);

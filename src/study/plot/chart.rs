@@ -144,6 +144,10 @@ impl Panel {
         text(svg, (LEFT, top - 7.0), 12.0, "start", INK, &escape(&self.name));
         for (number, curve) in self.curves.iter().enumerate() {
             curve.draw(svg, &at);
+            // The only curve of a panel goes by the panel's name.
+            if curve.name.is_empty() {
+                continue;
+            }
             let beside = top + 12.0 + 17.0 * number as f64;
             let style = format!(r#"stroke="{}" stroke-width="2" stroke-dasharray="{}""#, curve.color, curve.dashes);
             line(svg, (RIGHT + 12.0, beside - 4.0), (RIGHT + 36.0, beside - 4.0), &style);

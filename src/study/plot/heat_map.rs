@@ -108,7 +108,7 @@ impl HeatMap {
         for index in labelled(self.x.values.len()) {
             let x = left + width * (index as f64 + 0.5);
             line(svg, (x, TOP + FIELD), (x, TOP + FIELD + 4.0), &format!(r#"stroke="{GREY}""#));
-            text(svg, (x, TOP + FIELD + 18.0), 11.0, "middle", GREY, &number(self.x.values[index]));
+            text(svg, (x, TOP + FIELD + 18.0), 11.0, "middle", GREY, &step(self.x.values[index]));
         }
         text(svg, (left + 0.5 * FIELD, TOP + FIELD + 38.0), 12.0, "middle", INK, &escape(&self.x.name));
     }
@@ -139,7 +139,7 @@ impl HeatMap {
         for index in labelled(self.y.values.len()) {
             let y = TOP + FIELD - height * (index as f64 + 0.5);
             line(svg, (LEFT - 4.0, y), (LEFT, y), &format!(r#"stroke="{GREY}""#));
-            text(svg, (LEFT - 8.0, y + 4.0), 11.0, "end", GREY, &number(self.y.values[index]));
+            text(svg, (LEFT - 8.0, y + 4.0), 11.0, "end", GREY, &step(self.y.values[index]));
         }
         let (x, y) = (18.0, TOP + 0.5 * FIELD);
         let _ = writeln!(
@@ -156,7 +156,7 @@ impl HeatMap {
             let y = TOP + FIELD - part * (f64::from(level) + 1.0);
             let _ = writeln!(
                 svg,
-                r#"<rect x="{left}" y="{y:.2}" width="16" height="{:.2}" fill="{}"/>"#,
+                r#"<rect x="{left}" y="{y:.2}" width="16" height="{:.2}" fill="{}" shape-rendering="crispEdges"/>"#,
                 part + 0.3,
                 self.colors.hex(level)
             );
@@ -189,6 +189,15 @@ fn ring(svg: &mut String, (x, y): (f64, f64)) {
             r#"<circle cx="{x:.1}" cy="{y:.1}" r="6" fill="none" stroke="{color}" stroke-width="{width}"/>"#
         );
     }
+}
+
+/// A step's number, to five digits: steps of equal ratios have no round ones.
+fn step(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return number(value);
+    }
+    let unit = 10_f64.powf(value.abs().log10().floor() - 4.0);
+    number((value / unit).round() * unit)
 }
 
 /// Which of so many steps are labelled: evenly spaced, the last one among them where a spacing fits.
@@ -224,6 +233,12 @@ mod tests {
         assert!(svg.contains(r##"fill="#fde725" d="M1 0h1v1h-1zM1 1h1v1h-1z""##), "the highest: {svg}");
         assert!(svg.contains("no value") && svg.contains("the scene"), "what else is seen is explained");
         assert!(svg.contains("a &lt; b"), "names cannot break the document");
+    }
+
+    #[test]
+    fn steps_have_no_more_digits_than_there_is_room_for() {
+        let said = [31_622.776_601, 316_227.766_01, 0.012_345_678, 0.0, 45.5].map(step);
+        assert_eq!(said, ["31623", "316230", "0.0123", "0", "45.5"], "as round as they are");
     }
 
     #[test]

@@ -52,7 +52,10 @@ impl Dataset<'_> {
         }
         let others = self.others(&drawn);
         if others.len() > MOST {
-            return Err(format!("no picture: {} panels, {MOST} at most", others.len()));
+            return Err(format!(
+                "no picture: {} panels or more, {MOST} at most: the first two keys are its axes, name those of most values first",
+                others.len()
+            ));
         }
         let any = |place: usize| self.rows.values().any(|row| row.values[place].is_some());
         let measures = self.plan.measures.iter().enumerate().filter(|(place, _)| any(*place));
@@ -230,7 +233,7 @@ mod tests {
         assert!(none.contains("no key has two numbers"), "{none}");
         let many = ["girder.deck.skew_deg=30,60", "motion.angle_deg=0,90", "motion.phase_deg=0..90:7"];
         let many = pictures(&many).expect_err("seven panels");
-        assert!(many.contains("7 panels, 6 at most"), "{many}");
+        assert!(many.contains("7 panels or more, 6 at most: the first two keys"), "{many}");
     }
 
     #[test]
