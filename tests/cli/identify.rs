@@ -73,6 +73,9 @@ fn a_run_under_a_sweep_is_identified_from_its_own_table() {
     assert!(across.err.contains("does not move along 90°"), "{}", across.err);
     let pounding = call(&[of.as_slice(), &["--set", "motion.amplitude_g=0.1"]].concat());
     assert!(pounding.status == Some(0) && pounding.out.contains("otherwise than an oscillator"), "{}", pounding.out);
+    assert!(pounding.err.contains("touches from"), "the scene with its wall hits: {}", pounding.err);
+    let free = call(&[of.as_slice(), &sweep, &["--set", "abutment.wall.gap_m=0.2"]].concat());
+    assert!(free.err.is_empty(), "nothing in reach: {}", free.err);
 }
 
 #[test]
