@@ -88,7 +88,8 @@ fn at_rest(samples: &mut [f64], dt: f64) {
     taper(samples, dt, TAPER * last as f64 * dt);
     let part = |i: usize| i as f64 / last as f64;
     let shapes = |i: usize| {
-        let bump = (std::f64::consts::PI * part(i)).sin().powi(2);
+        // From the nearer end: exactly 0 at both.
+        let bump = (std::f64::consts::PI * part(i.min(last - i))).sin().powi(2);
         [bump, bump * (part(i) - 0.5)]
     };
     // The matrix of both conditions and both shapes, and what is to go.
