@@ -160,7 +160,7 @@ pub const TOP: &[Key] = &[
         "assumed",
         Range::Free,
         Fallback::Words("none"),
-        "values that were not given: paths of --set, of a table all its numbers; `check` and the report list them, the window marks them",
+        "values that were not given: paths of --set, of a table all its numbers; check and the report list them, the window marks them",
     ),
     Key::new("girder", Range::Like("one or more"), Fallback::Needed("must be given"), "[[girder]], see below"),
     Key::new("abutment", Range::Free, Fallback::Words("none"), "[[abutment]], see below"),
