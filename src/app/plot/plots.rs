@@ -29,12 +29,17 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     let legend = legend_width(ui);
     let height = ui.available_height();
     let own = source.scene.view.plots.iter().filter(|plot| source.is_over_time(plot)).count();
-    let own = own + usize::from(wave_chart::is_shown(source));
+    let own = own + wave_rows(source);
     let least = (3 + own) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
     // The wheel zooms: what does not fit is reached by the bar.
     let area = ScrollArea::vertical().id_salt("plots").scroll_source(ScrollSource::SCROLL_BAR).auto_shrink(false);
     area.show(ui, |ui| over_time(ui, source, [legend, height.max(least)], out));
     windows::show(ui, source);
+}
+
+/// Rows of charts that waves take: two where the girder in question bends.
+fn wave_rows(source: &Source<'_>) -> usize {
+    if wave_chart::is_shown(source) { 2 } else { 0 }
 }
 
 fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: &mut Vec<Command>) {
@@ -55,18 +60,18 @@ fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: 
     let mut all: Vec<Chart<'_>> = charts::standing(source, &traces, at, &palette);
     let panels = own.iter().zip(&stacks).zip(numbers);
     all.extend(panels.map(|((panel, stack), i)| charts::own(panel, stack, &source.own_at(i, at))));
-    let count = all.len() + usize::from(wave_chart::is_shown(source));
-    let each = (rect.height() + BETWEEN) / count as f32 - BETWEEN;
-    let over = |number: usize| {
-        let top = rect.top() + number as f32 * (each + BETWEEN);
-        let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), each));
+    let waves = wave_rows(source);
+    let row = (rect.height() + BETWEEN) / (all.len() + waves) as f32;
+    let over = |number: usize, rows: usize| {
+        let top = rect.top() + number as f32 * row;
+        let place = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), rows as f32 * row - BETWEEN));
         chart_view::Over { number, place, axis: &axis, t }
     };
-    if count > all.len() {
-        wave_chart::draw(ui, source, &over(all.len()), &palette, out);
+    if waves > 0 {
+        wave_chart::draw(ui, source, &over(all.len(), waves), &palette, out);
     }
     for (number, chart) in all.iter().enumerate() {
-        let over = over(number);
+        let over = over(number, 1);
         chart_view::draw(ui, chart, &over, (source.views.values(&chart.name), &palette), out);
     }
 }
