@@ -61,7 +61,8 @@ impl Calibration {
             (Some(scale), None) => Ok(Self { factor: scale.into() }),
             (None, Some(factor)) => Ok(Self { factor }),
             (None, None) => {
-                Err("no scale: give mm_per_pixel, or at_mm of two marks on the table or on one body".into())
+                Err("no scale: give mm_per_pixel (--mm-per-pixel), or at_mm of two marks on the table or on one body"
+                    .into())
             }
         }
     }

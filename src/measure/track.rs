@@ -75,7 +75,7 @@ pub enum Lost {
         at: [f64; 2],
     },
     /// Another size of picture.
-    #[error("it has {} × {} pixels, the first picture {} × {}", found[0], found[1], first[0], first[1])]
+    #[error("it has {} × {} pixels, the first picture {} × {}: give pictures of one size", found[0], found[1], first[0], first[1])]
     Size {
         /// Its width and height.
         found: [usize; 2],

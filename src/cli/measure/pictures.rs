@@ -110,7 +110,8 @@ pub(super) fn read(path: &Path) -> Result<Grey, Failure> {
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         return Err(wrong(format!("{width} × {height} pixels: give pictures of at most {MOST_PIXELS} pixels")));
     }
-    let image = Image::from_png(&bytes).map_err(|error| wrong(format!("no PNG picture that is read ({error})")))?;
+    let image = Image::from_png(&bytes)
+        .map_err(|error| wrong(format!("no PNG picture that is read ({error}): save it anew, or leave it out")))?;
     // Grey pictures are expanded to two bytes a pixel, grey and alpha.
     let rgba = if image.rgba.len() == 2 * (image.width as usize) * (image.height as usize) {
         image.rgba.chunks_exact(2).flat_map(|p| [p[0], p[0], p[0], p[1]]).collect()

@@ -78,7 +78,7 @@ fn one_of<T>(key: &str, own: Option<(T, u64)>, beside: Option<T>, what: &str) ->
         }
         (Some(own), None) => Ok(own),
         (None, Some(beside)) => Ok((beside, 1)),
-        (None, None) => Err(RecordError::new(1, "no such line", format!("give {what} beside the file"))),
+        (None, None) => Err(RecordError::new(1, "no line that states it", format!("give {what} beside the file"))),
     }
 }
 
