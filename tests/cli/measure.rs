@@ -116,7 +116,12 @@ fn lost_marks_and_bad_pictures_are_told_with_their_picture() {
     std::fs::write(&third, &kept[..200]).expect("cut off");
     refused(&["00003.png: no PNG picture"]);
     std::fs::remove_file(&third).expect("removed");
-    refused(&["the layout states 4 pictures, 3 are there"]);
+    refused(&[
+        "after skew45-abutment-marks-00002.png comes skew45-abutment-marks-00004.png",
+        "put what is missing there",
+    ]);
+    std::fs::remove_file(picture(folder.path(), 4)).expect("removed");
+    refused(&["the layout states 4 pictures, 2 are there"]);
     std::fs::write(folder.path().join("marks.toml"), layout.replace("fps = 30.0", "fps = 30.0\nfsp = 1"))
         .expect("written");
     refused(&["marks.toml: line 2: unknown field `fsp`"]);

@@ -293,7 +293,7 @@ fn check_prints_everything_that_was_understood() {
     let flags = sets.iter().flat_map(|set| ["--set", set]);
     let said = call(&["check", "deck-30m"].into_iter().chain(flags).collect::<Vec<_>>());
     let of_girder =
-        ["heading 12°", "0.2, 0, 0 m/s", "pushed by 7, 0, 0 N", "held in yaw", "0.7 m under +x", "ω_z", "h_z"];
+        ["heading 12°", "0.2, 0, 0 m/s", "pushed by 7, 0, 0 N", "held in yaw", "1.5 m under +x", "ω_z", "h_z"];
     let of_scene = ["spatial, gravity 9.80665 m/s²", "event-driven", "1e-9", "view: side", "gap 50 mm"];
     for words in of_girder.into_iter().chain(of_scene) {
         assert!(said.out.contains(words), "{words} in {} {}", said.out, said.err);
