@@ -8,7 +8,8 @@ use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPE
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
-use crate::dynamics::connection::{Kinematics, Separation, SeparationBounds};
+use crate::dynamics::closing::phase_end;
+use crate::dynamics::connection::{Kinematics, Separation, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -16,17 +17,22 @@ use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
-/// Searches the beginning of the force of a link, which does not act, from `t` on and enters it in the link's track.
+/// Searches the beginning of the force of a link from `t` on, or the end of its phase where it acts on a body in flight, and
+/// enters it in the link's track.
 pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> NextClosing {
-    world.links[link].begins = None;
+    world.links[link].ends = None;
+    if world.link_acts(link) {
+        return phase_end::search(world, link, t);
+    }
     if world.model.links[world.links[link].link].device.has_ended(&world.links[link].phase) {
         return NextClosing::at(f64::INFINITY);
     }
     let slots = world.links[link].slots;
     match first_step_end(world, slots) {
         Some(until) => {
-            world.links[link].begins = in_steps(world, link, t, until);
-            NextClosing::at(world.links[link].begins.unwrap_or(f64::INFINITY))
+            let begins = in_steps(world, link, t, until);
+            world.links[link].ends = begins.map(|at| (at, Switch::Closing));
+            NextClosing::at(begins.unwrap_or(f64::INFINITY))
         }
         None => in_flight(world, link, t),
     }
@@ -35,8 +41,14 @@ pub(in crate::dynamics) fn search(world: &mut World, link: usize, t: f64) -> Nex
 /// Conservative advancement where neither end is in a planned step.
 fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     let (duration, slots) = (world.model.duration, world.links[link].slots);
-    let until = horizon(&world.model.ground, t, duration);
-    remember(world, slots, until);
+    let [t, until] = phase_end::open_until(world, link, t).unwrap_or_else(|| {
+        let until = horizon(&world.model.ground, t, duration);
+        remember(world, slots, until);
+        [t, until]
+    });
+    if t >= until {
+        return NextClosing::at(if until < duration { until } else { f64::INFINITY });
+    }
     let present = &*world;
     let (mut evaluations, size) = (1, resolution(present, link, t));
     let here = bounded_gap(present, link, t, duration);
@@ -51,7 +63,7 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
     };
     match found {
         FirstZero::Crossing(at) => {
-            world.links[link].begins = Some(at);
+            world.links[link].ends = Some((at, Switch::Closing));
             NextClosing { due: at, evaluations, work: 0 }
         }
         FirstZero::NoneUntil(end) if end >= duration => NextClosing { due: f64::INFINITY, evaluations, work: 0 },
@@ -92,7 +104,6 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     }
     let LinkTrack { link, slots, phase, simultaneity, .. } = &world.links[number];
     let link = &world.model.links[*link];
-    let resolution = resolution(world, number, t);
     let gap = |at: f64| {
         let [gap, rate] = link.device.gap(phase, &motion(world, number, at));
         GapSample { t: at, gap, rate }
@@ -116,6 +127,13 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         link.device.gap_curvature(phase, &bounds)
     };
     let first = gap(t);
+    let resolution = resolution(world, number, t);
+    // The parabola of the greatest curvature stays above 0: the device is slack throughout.
+    let span = until - t;
+    let lowest = first.gap + first.rate.min(0.0) * span - 0.5 * curvature_bound(&first, until) * span * span;
+    if first.gap > resolution && lowest > 0.0 {
+        return None;
+    }
     if first.gap <= resolution && first.rate < -rate_error(t) {
         return Some(t);
     }

@@ -10,5 +10,6 @@ pub(in crate::dynamics) mod in_flight;
 pub(in crate::dynamics) mod in_steps;
 pub(in crate::dynamics) mod link_closing;
 pub mod next_closing;
+mod phase_end;
 pub(in crate::dynamics) mod shared;
 mod step_samples;

@@ -28,6 +28,13 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
+    /// Whether, in a phase in which it acts, force and switching functions are linear with a constant in displacement and rate
+    /// of its points, and a switching function that is a length changes by no more than they are displaced.
+    fn is_linear_in(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        self.is_linear()
+    }
+
     /// The phase in a word, for tables and pictures.
     fn state(&self, phase: &Phase) -> &'static str {
         if self.acts(phase) { "acts" } else { "open" }

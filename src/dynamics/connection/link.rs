@@ -54,7 +54,7 @@ impl Link {
     /// Vector from the second point to the first as placed, in the link's axes \[m\].
     pub fn placed(&self) -> DVec3 {
         let [first, second] = [0, 1].map(|i| self.homes[i] + self.arms[i]);
-        self.axes.transpose() * (first - second)
+        self.axes.mul_transpose_vec3(first - second)
     }
 
     /// Poses of its ends, the ground's where an end is fixed.

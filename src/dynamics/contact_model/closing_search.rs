@@ -24,10 +24,12 @@ impl ClosingSearch<'_> {
         for pair in self.world.pairs_of(slots) {
             self.pair_among(pair, t, &mut shared);
         }
-        // A device whose force acts is not in the queue: its island finds the end of the phase.
         for link in self.world.links_of(slots) {
-            if !self.world.link_acts(link) {
+            if !self.world.link_acts(link) || self.world.acts_in_flight(link) {
                 self.link(link, t);
+            } else {
+                // Its island finds the end of the phase.
+                self.schedule.queue.remove(EventSource::Link(link).into());
             }
         }
     }

@@ -92,16 +92,17 @@ impl ContactRun {
         self.rebuild(now, first_of_touch(pace));
     }
 
-    /// Handles the beginning of a link's force at `t`; continues the search where none is due.
-    pub(in crate::dynamics) fn begin_force(&mut self, number: usize, t: f64) {
-        if self.world.links[number].begins.is_none_or(|at| at > t) {
+    /// Handles the beginning of a link's force at `t`, or the end of its phase on a body in flight; continues the search where
+    /// none is due.
+    pub(in crate::dynamics) fn change_phase(&mut self, number: usize, t: f64) {
+        let Some((_, event)) = self.world.links[number].ends.filter(|(at, _)| *at <= t) else {
             self.search().link(number, t);
             return;
-        }
+        };
         let mut slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
         slots.sort_unstable();
         let (now, pace) = self.release(&slots, t);
-        self.link_transitions(&now).change(number, Switch::Closing);
+        self.link_transitions(&now).change(number, event);
         self.rebuild(now, first_of_touch(pace));
     }
 

@@ -126,7 +126,7 @@ pub(in crate::dynamics) fn end_flight(world: &mut World, slot: usize, t: f64) {
     if let Trajectory::Flight(flight) = &track.now
         && t > flight.start()
     {
-        let segment = track.flown(flight, t);
-        track.path.push(segment);
+        let segments = track.flown(flight, t);
+        segments.into_iter().for_each(|segment| track.path.push(segment));
     }
 }

@@ -21,6 +21,7 @@ use crate::dynamics::event_loop::event_queue::Source;
 use crate::dynamics::event_loop::mechanics::Mechanics;
 use crate::dynamics::event_loop::schedule::Schedule;
 use crate::dynamics::integrator::step_control::ControllerState;
+use crate::dynamics::model::closed_form::GroundSpring;
 use crate::dynamics::record::event::Event;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::{BodyTrack, Trajectory};
@@ -117,15 +118,17 @@ impl ContactRun {
         for members in self.world.joined(&slots) {
             let first = slots[members[0]];
             let alone = members.len() == 1 && !self.world.is_joined(first);
-            let start = if alone {
+            let may_fly = members.len() == 1 && !alone && self.world.bodies[first].system.is_some();
+            let spring = if may_fly { self.world.ground_spring(first) } else { None };
+            let start = if alone || spring.is_some() {
                 let state = &mut states[members[0]];
                 let body = &self.world.model.bodies[self.world.bodies[first].body];
                 body.restore(&bases[members[0]].numbers(), state);
-                if self.world.bodies[first].system.is_some() {
-                    self.start_flight(first, state, t);
+                if self.start_flight(first, state, t, spring) {
                     continue;
                 }
-                Start { members: &[first], bases: vec![body.placed()], y: state.clone(), t }
+                let placed = self.world.model.bodies[self.world.bodies[first].body].placed();
+                Start { members: &[first], bases: vec![placed], y: state.clone(), t }
             } else {
                 let y: Vec<f64> = members.iter().flat_map(|&i| states[i].iter().copied()).collect();
                 let bases = members.iter().map(|&i| bases[i]).collect();
@@ -140,12 +143,17 @@ impl ContactRun {
         self.search().around(&slots, t);
     }
 
-    fn start_flight(&mut self, slot: usize, state: &[f64], t: f64) {
+    /// Begins a flight in closed form, on springs to the ground where these act; whether there is one.
+    fn start_flight(&mut self, slot: usize, state: &[f64], t: f64, spring: Option<GroundSpring>) -> bool {
+        let Some(system) = &self.world.bodies[slot].system else { return false };
+        let flight = match spring {
+            Some(spring) => system.fly_on(t, state, spring),
+            None => Some(system.fly(t, state)),
+        };
+        let Some(flight) = flight else { return false };
         end_flight(&mut self.world, slot, t);
-        let track = &mut self.world.bodies[slot];
-        if let Some(system) = &track.system {
-            track.now = Trajectory::Flight(system.fly(t, state));
-        }
+        self.world.bodies[slot].now = Trajectory::Flight(flight);
+        true
     }
 
     /// What the run has spent at `t`; a step takes a time and a code in a path beside what the store counts.
@@ -201,7 +209,7 @@ impl Mechanics for ContactRun {
         match source.into() {
             EventSource::Island(number) => self.end_step(number, t),
             EventSource::Pair(number) => self.close_pair(number, t),
-            EventSource::Link(number) => self.begin_force(number, t),
+            EventSource::Link(number) => self.change_phase(number, t),
         }
     }
 

@@ -53,8 +53,9 @@ impl StepStore {
     pub(in crate::dynamics) fn commit_all(&mut self, world: &mut World, t: f64) {
         for track in &mut world.bodies {
             if let Trajectory::Flight(flight) = &track.now {
-                let segment = track.flown(flight, t);
-                if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
+                for segment in track.flown(flight, t) {
+                    if track.path.is_empty() { track.path.push_only(segment) } else { track.path.push(segment) }
+                }
             }
         }
         for number in 0..world.islands.len() {

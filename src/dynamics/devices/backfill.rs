@@ -40,7 +40,11 @@ impl Envelope {
 
     /// `F_env(y)` \[N\].
     pub fn force(&self, push: f64) -> f64 {
-        let push = push.min(self.limit);
+        self.rising(push.min(self.limit))
+    }
+
+    /// The part before the limit, continued beyond \[N\].
+    fn rising(&self, push: f64) -> f64 {
         self.stiffness * push / (1.0 + self.curvature * push)
     }
 
@@ -99,7 +103,8 @@ impl Backfill {
             APART => 0.0,
             // By the distance from y_z, so that F is 0 there to the last bit.
             ELASTIC => self.unloading * (push - self.remaining_gap(phase)),
-            _ => self.envelope.force(push),
+            ENVELOPE => self.envelope.rising(push),
+            _ => self.envelope.force(self.envelope.limit),
         }
     }
 
@@ -150,6 +155,10 @@ impl Device for Backfill {
 
     fn acts(&self, phase: &Phase) -> bool {
         phase.law != APART
+    }
+
+    fn is_linear_in(&self, phase: &Phase) -> bool {
+        phase.law != ENVELOPE || self.envelope.curvature == 0.0
     }
 
     fn state(&self, phase: &Phase) -> &'static str {

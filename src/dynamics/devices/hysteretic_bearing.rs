@@ -111,6 +111,10 @@ impl Connection for Hysteresis {
 }
 
 impl Device for Hysteresis {
+    fn is_linear_in(&self, _: &Phase) -> bool {
+        matches!(self, Hysteresis::PerAxis(_))
+    }
+
     /// Elastic, its hysteretic part at rest as placed.
     fn initial(&self, _: &Separation) -> Phase {
         Phase::default()

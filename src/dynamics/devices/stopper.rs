@@ -97,6 +97,10 @@ impl Device for Stopper {
         matches!(phase.law, ON | YIELD)
     }
 
+    fn is_linear_in(&self, _: &Phase) -> bool {
+        true
+    }
+
     fn state(&self, phase: &Phase) -> &'static str {
         match phase.law {
             OPEN => "open",

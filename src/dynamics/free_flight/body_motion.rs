@@ -6,7 +6,7 @@ use crate::contact::Frame;
 use crate::dynamics::free_flight::flight::{Flight, FreeMotion};
 use crate::dynamics::free_flight::uncoupled_axis::UncoupledAxis;
 use crate::dynamics::model::body::{Body, BodyCoordinates};
-use crate::dynamics::model::closed_form::ClosedForm;
+use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::model::coordinates::planar::{PlanarState, in_a_row, is_along};
 use crate::dynamics::model::motion_bounds::MotionBounds;
@@ -66,6 +66,33 @@ impl BodyMotion {
         }
     }
 
+    /// Begins a flight of a body of one coordinate on springs to the ground; `None` where that has no closed form.
+    pub(in crate::dynamics) fn fly_on(&self, start: f64, state: &[f64], spring: GroundSpring) -> Option<BodyFlight> {
+        let Self::Custom(form) = self else { return None };
+        let (numbers, state) = (form.begin_on(state, spring)?, state.into());
+        Some(BodyFlight::Custom(Box::new(CustomFlight { start, state, numbers })))
+    }
+
+    /// [`ClosedForm::stretch_end`]; infinite for a girder.
+    pub(in crate::dynamics) fn stretch_end(&self, flight: &BodyFlight, t: f64) -> f64 {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return f64::INFINITY };
+        form.stretch_end(&own.numbers, t)
+    }
+
+    /// [`ClosedForm::range`]; nothing of a girder.
+    pub(in crate::dynamics) fn range(&self, flight: &BodyFlight, span: [f64; 2]) -> Option<[f64; 2]> {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return None };
+        form.range(own.start, &own.numbers, span)
+    }
+
+    /// The rest of a flight from `t` on.
+    pub(in crate::dynamics) fn resume(&self, flight: &BodyFlight, t: f64) -> BodyFlight {
+        let (Self::Custom(form), BodyFlight::Custom(own)) = (self, flight) else { return flight.clone() };
+        let state = custom_state(&**form, own, t);
+        let numbers = form.resume(&own.numbers, &state);
+        BodyFlight::Custom(Box::new(CustomFlight { start: t, state, numbers }))
+    }
+
     /// State at `t` in `flight`.
     pub fn state(&self, flight: &BodyFlight, t: f64) -> BodyState {
         match (self, flight) {
@@ -108,8 +135,11 @@ impl BodyMotion {
 
     /// Stores the states from which evaluations up to `t` start.
     pub(in crate::dynamics) fn remember(&self, flight: &mut BodyFlight, t: f64) {
-        if let (Self::Girder(motion), BodyFlight::Girder(flight)) = (self, flight) {
-            motion.remember(flight, t);
+        match (self, flight) {
+            (Self::Girder(motion), BodyFlight::Girder(flight)) => motion.remember(flight, t),
+            (Self::Custom(form), BodyFlight::Custom(own)) => form.remember(own.start, &mut own.numbers, t),
+            // A flight is begun by its own motion.
+            _ => {}
         }
     }
 

@@ -4,6 +4,15 @@ use std::fmt::Debug;
 
 use crate::dynamics::model::motion_bounds::MotionBounds;
 
+/// Force of connections between the ground and a body of one coordinate u, per unit mass: `load − stiffness u`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GroundSpring {
+    /// \[1/s²\].
+    pub stiffness: f64,
+    /// \[m/s²\].
+    pub load: f64,
+}
+
 /// The free motion of a body: bearings, given pushes and ground, without contact.
 ///
 /// A flight is computed from when it began \[s\] and from the numbers that [`begin`](Self::begin) makes of the state then; states
@@ -12,6 +21,29 @@ pub trait ClosedForm: Debug + Send + Sync {
     /// What a flight from this state at `start` is computed from.
     fn begin(&self, _start: f64, state: &[f64]) -> Vec<f64> {
         state.to_vec()
+    }
+
+    /// What a flight from this state on springs to the ground is computed from; `None` where that has no closed form.
+    fn begin_on(&self, _state: &[f64], _spring: GroundSpring) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Adds the states that evaluations up to `t` start from.
+    fn remember(&self, _start: f64, _numbers: &mut Vec<f64>, _t: f64) {}
+
+    /// End of the stretch from `t` on within which the motion is smooth and swings by about a radian at most \[s\].
+    fn stretch_end(&self, _numbers: &[f64], _t: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Least and greatest value of the only coordinate over an interval without a kink \[m\]; `None` with several coordinates.
+    fn range(&self, _start: f64, _numbers: &[f64], _span: [f64; 2]) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// Numbers of the rest of a flight, from `t` on with this state.
+    fn resume(&self, numbers: &[f64], _state: &[f64]) -> Vec<f64> {
+        numbers.to_vec()
     }
 
     /// State at `t` of a flight, written to `out`.

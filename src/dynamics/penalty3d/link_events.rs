@@ -1,7 +1,7 @@
 //! Ends of phases of devices within a planned step: zeros of their switching functions on the dense output.
 
 use crate::dynamics::Model;
-use crate::dynamics::connection::{Separation, SwitchUnit};
+use crate::dynamics::connection::{Link, Phase, Separation, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
 use crate::dynamics::penalty3d::due::LinkDue;
@@ -26,20 +26,8 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         }
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
-        let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);
         for number in 0..link.device.switches(&active.phase) {
-            // A phase that begins at a zero of the next one's function, with its rate 0 as well, is not ended by round-off.
-            let (zero, band) = match link.device.switch_unit(number, &active.phase) {
-                SwitchUnit::Length => {
-                    let length = size(&|m| link.device.gap(&active.phase, m)[0].abs());
-                    let band = POSITION_ROUNDING * (link.size() + length);
-                    (ZERO_BAND * length + band, band)
-                }
-                SwitchUnit::Speed => {
-                    let rounding = POSITION_ROUNDING * link.size() * island.omega();
-                    (ZERO_BAND * size(&|m| m.rate.length()) + rounding, 0.0)
-                }
-            };
+            let (zero, band) = zero_and_band(link, (number, &active.phase), &motions, island.omega());
             let switch =
                 |motion: &Separation, t: f64| link.device.switch(number, &island.phase_at(index, t), motion) - band;
             let values: Vec<f64> = motions.iter().zip(&times).map(|(motion, &t)| switch(motion, t)).collect();
@@ -56,4 +44,27 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         }
     }
     found
+}
+
+/// Value of a switching function of a phase that counts as 0 at the start of a stretch with these motions, and the value that is
+/// taken off the function: a phase that begins at a zero of the next one's function, with its rate 0 as well, is not ended by
+/// round-off. `omega` is the fastest circular frequency \[rad/s\].
+pub(in crate::dynamics) fn zero_and_band(
+    link: &Link,
+    (number, phase): (usize, &Phase),
+    motions: &[Separation],
+    omega: f64,
+) -> (f64, f64) {
+    let size = |of: &dyn Fn(&Separation) -> f64| motions.iter().map(of).fold(0.0, f64::max);
+    match link.device.switch_unit(number, phase) {
+        SwitchUnit::Length => {
+            let length = size(&|m| link.device.gap(phase, m)[0].abs());
+            let band = POSITION_ROUNDING * (link.size() + length);
+            (ZERO_BAND * length + band, band)
+        }
+        SwitchUnit::Speed => {
+            let rounding = POSITION_ROUNDING * link.size() * omega;
+            (ZERO_BAND * size(&|m| m.rate.length()) + rounding, 0.0)
+        }
+    }
 }

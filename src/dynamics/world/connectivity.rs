@@ -52,7 +52,7 @@ impl World {
         self.model.links[*link].device.acts(phase)
     }
 
-    fn pair_acts(&self, pair: usize) -> bool {
+    pub(super) fn pair_acts(&self, pair: usize) -> bool {
         self.pairs[pair].contacts.clone().any(|c| self.contacts[c].state.closed().is_some())
     }
 

@@ -10,6 +10,7 @@ mod constants;
 pub(in crate::dynamics) mod contact_points;
 #[cfg(test)]
 pub(in crate::dynamics) mod example;
+mod ground_spring;
 pub(in crate::dynamics) mod poses;
 pub(in crate::dynamics) mod setup;
 pub(in crate::dynamics) mod site_geometry;

@@ -133,7 +133,7 @@ impl World {
         // A device without stiffness has no time scale; a nominal frequency stands for it.
         let frequency = if stiffness > 0.0 { (stiffness / mass).sqrt() } else { NOMINAL_FREQUENCY };
         let (simultaneity, log) = (SIMULTANEOUS_PHASE / frequency, LinkLog::default());
-        self.links.push(LinkTrack { link: number, slots, phase, begins: None, simultaneity, log });
+        self.links.push(LinkTrack { link: number, slots, phase, ends: None, omega: frequency, simultaneity, log });
     }
 
     /// Enters in each contact the other contacts of its node, where an end is in more than one pair.

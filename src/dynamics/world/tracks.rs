@@ -1,10 +1,11 @@
 //! Bodies, facing pairs, links and contacts of one group during a run: present states, trajectories, and times found
 //! by searches.
 
-use crate::dynamics::model::edge_node::NodePlace;
+use smallvec::SmallVec;
 
-use crate::dynamics::connection::Phase;
+use crate::dynamics::connection::{Phase, Switch};
 use crate::dynamics::free_flight::body_motion::{BodyFlight, BodyMotion};
+use crate::dynamics::model::edge_node::NodePlace;
 use crate::dynamics::penalty3d::contact_state::Contact;
 use crate::dynamics::record::contact_log::ContactLog;
 use crate::dynamics::record::link_log::LinkLog;
@@ -42,14 +43,27 @@ pub(in crate::dynamics) struct BodyTrack {
 }
 
 impl BodyTrack {
-    /// A flight as a segment of the path that ends at `t`, with its states at the samples of a record.
-    pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> Segment {
+    /// A flight as segments of the path that end at `t`: one, with its states at the samples of a record, unless it swings
+    /// faster than its stretches.
+    pub(in crate::dynamics) fn flown(&self, flight: &BodyFlight, t: f64) -> SmallVec<[Segment; 1]> {
         let mut flight = flight.clone();
+        let mut segments = SmallVec::new();
         if let Some(system) = &self.system {
             system.remember(&mut flight, t);
+            let mut until = system.stretch_end(&flight, flight.start());
+            while until < t {
+                let rest = system.resume(&flight, until);
+                segments.push(segment(std::mem::replace(&mut flight, rest), until));
+                until = system.stretch_end(&flight, until);
+            }
         }
-        Segment { from: flight.start(), until: t, path: SegmentMotion::Flight(Box::new(flight)) }
+        segments.push(segment(flight, t));
+        segments
     }
+}
+
+fn segment(flight: BodyFlight, until: f64) -> Segment {
+    Segment { from: flight.start(), until, path: SegmentMotion::Flight(Box::new(flight)) }
 }
 
 /// A pair of the group.
@@ -98,9 +112,12 @@ pub(in crate::dynamics) struct LinkTrack {
     pub slots: [Option<usize>; 2],
     /// Present phase of its device.
     pub phase: Phase,
-    /// Beginning of its force on the present trajectories; `None` without one before the end of the search \[s\].
-    pub begins: Option<f64>,
-    /// Simultaneity interval \[s\], from the stiffness of its device.
+    /// Time at which its phase ends on the present trajectories, and how: its force begins or, in a body's flight, a switching
+    /// function rises; `None` without an end before that of the search \[s\].
+    pub ends: Option<(f64, Switch)>,
+    /// Nominal circular frequency of its lighter body on its device \[rad/s\].
+    pub omega: f64,
+    /// Simultaneity interval \[s\], from that.
     pub simultaneity: f64,
     /// Phases since t = 0.
     pub log: LinkLog,

@@ -1,14 +1,18 @@
 //! A body that moves along one horizontal direction and does not turn: displacement u along it, and u̇. Free of bearings.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::contact::Frame;
 use crate::dynamics::model::body::{Body, Coordinates, Counted, Point};
+use crate::dynamics::model::closed_form::ClosedForm;
+use crate::dynamics::model::coordinates::guided_flight::GuidedFlight;
 use crate::dynamics::model::motion_bounds::MotionBounds;
 use crate::dynamics::model::reference_pose::ReferencePose;
 use crate::dynamics::model::wrench::Wrench;
+use crate::motion::Ground;
 
 const PLACE: usize = 0;
 const RATE: usize = 1;
@@ -106,6 +110,10 @@ impl Coordinates for Guided {
     fn port(&self, body: &Body, _: Point<'_>, force: DVec3, [response, load]: [&mut [f64]; 2]) {
         let force = force.dot(self.along);
         (response[RATE], load[RATE]) = (force / body.mass, force);
+    }
+
+    fn free_motion(&self, ground: &Ground) -> Option<Arc<dyn ClosedForm>> {
+        Some(Arc::new(GuidedFlight::under(ground, self.along)?))
     }
 
     fn fastest(&self, _: &Body) -> f64 {

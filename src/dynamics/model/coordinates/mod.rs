@@ -5,6 +5,7 @@
 
 pub mod elastic;
 pub(in crate::dynamics) mod guided;
+mod guided_flight;
 pub mod planar;
 pub mod spatial;
 pub(in crate::dynamics) mod state_layout;

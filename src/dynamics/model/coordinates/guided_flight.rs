@@ -1,0 +1,258 @@
+//! The motion of a body of one coordinate on springs to the ground, under a record, in closed form.
+//!
+//! `ü + ω² u = load − a_g(t)`: between two samples of the record a free oscillation about a straight line. The impulse response
+//! `S0 = sin(ω τ)/ω` and its integrals `S1 = ∫S0`, `S2 = ∫S1` carry a state across an interval:
+//! `u(τ) = u C + v S0 + c0 S1 + c1 S2` with `C = 1 − ω² S1` and the force `c0 + c1 τ`.
+
+use glam::DVec3;
+
+use crate::dynamics::model::closed_form::{ClosedForm, GroundSpring};
+use crate::dynamics::model::motion_bounds::MotionBounds;
+use crate::motion::{Ground, LinearPiece};
+
+/// Longest stretch of a flight \[rad of its oscillation\]. Tuned: that of explicit steps, whose samples show every sign change.
+const STRETCH: f64 = 1.25;
+/// Most samples of the record that bounds look ahead.
+const AHEAD: usize = 8;
+/// ω τ below which the integrals are summed as series, whose terms beyond the last are below rounding.
+const SMALL: f64 = 0.5;
+/// Terms of these series: 0.5¹⁶/18! of the first is below 1e-20.
+const TERMS: i32 = 8;
+/// Numbers of a flight: stiffness, load, displacement and rate at the start, then displacement and rate at each sample of the
+/// record since.
+const HEAD: usize = 4;
+
+/// The motion along one direction.
+#[derive(Debug)]
+pub(super) struct GuidedFlight {
+    ground: Ground,
+    along: DVec3,
+}
+
+impl GuidedFlight {
+    /// `None` under a sine, whose steady response has a resonance.
+    pub(super) fn under(ground: &Ground, along: DVec3) -> Option<Self> {
+        (!matches!(ground, Ground::Sine { .. })).then(|| Self { ground: ground.clone(), along })
+    }
+
+    /// Force per unit mass at `t` within a piece, and its rate.
+    fn force(&self, spring: GroundSpring, piece: &LinearPiece, t: f64) -> [f64; 2] {
+        [spring.load - piece.acceleration(t).dot(self.along), -piece.rate().dot(self.along)]
+    }
+
+    fn advance(&self, spring: GroundSpring, piece: &LinearPiece, at: f64, [u, v]: [f64; 2], tau: f64) -> [f64; 2] {
+        let [c0, c1] = self.force(spring, piece, at);
+        let [c, s0, s1, s2] = responses(spring.stiffness, tau);
+        [u * c + v * s0 + c0 * s1 + c1 * s2, v * c - spring.stiffness * s0 * u + c0 * s0 + c1 * s1]
+    }
+
+    /// `u, u̇` at `t`.
+    fn at(&self, start: f64, numbers: &[f64], t: f64) -> [f64; 2] {
+        let Some((spring, own, kept)) = parts(numbers) else { return [f64::NAN; 2] };
+        let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
+        let known = target.saturating_sub(first).min(kept.len());
+        let (mut number, mut at, mut state) = match known.checked_sub(1) {
+            Some(last) => (first + known, self.ground.piece(first + known).from, kept[last]),
+            None => (first, start, own),
+        };
+        while number < target {
+            let piece = self.ground.piece(number);
+            state = self.advance(spring, &piece, at, state, piece.until - at);
+            (number, at) = (number + 1, piece.until);
+        }
+        self.advance(spring, &self.ground.piece(number), at, state, t - at)
+    }
+}
+
+/// Spring, state at the start, and states at the samples since.
+fn parts(numbers: &[f64]) -> Option<(GroundSpring, [f64; 2], &[[f64; 2]])> {
+    let (&[stiffness, load, u, v], kept) = numbers.split_first_chunk::<HEAD>()?;
+    Some((GroundSpring { stiffness, load }, [u, v], kept.as_chunks().0))
+}
+
+/// `C, S0, S1, S2` over τ.
+fn responses(omega2: f64, tau: f64) -> [f64; 4] {
+    let omega = omega2.sqrt();
+    if omega * tau > SMALL {
+        let (sin, cos) = (0.5 * omega * tau).sin_cos();
+        let (less, s0) = (2.0 * sin * sin, 2.0 * sin * cos / omega);
+        return [1.0 - less, s0, less / omega2, (tau - s0) / omega2];
+    }
+    // S1 = τ² Σ x^k/(2k + 2)!, S2 = τ³ Σ x^k/(2k + 3)!, x = −ω² τ².
+    let x = -omega2 * tau * tau;
+    let (mut s1, mut s2) = (0.0, 0.0);
+    for k in (0..TERMS).rev() {
+        let n = f64::from(2 * k);
+        s1 = (1.0 + x * s1) / ((n + 1.0) * (n + 2.0));
+        s2 = (1.0 + x * s2) / ((n + 2.0) * (n + 3.0));
+    }
+    let (s1, s2) = (tau * tau * s1, tau * tau * tau * s2);
+    [1.0 - omega2 * s1, tau - omega2 * s2, s1, s2]
+}
+
+/// What a motion comes to: least and greatest displacement \[m\], greatest speed \[m/s\] and acceleration \[m/s²\].
+struct Extremes {
+    range: [f64; 2],
+    speed: f64,
+    acceleration: f64,
+}
+
+impl Extremes {
+    /// Over τ from a state under `c0 + c1 τ`.
+    fn of(omega2: f64, [u, v]: [f64; 2], [c0, c1]: [f64; 2], tau: f64) -> Self {
+        if omega2 > 0.0 {
+            let (rest, drift) = (c0 / omega2, c1 / omega2);
+            let speed = ((u - rest) * (u - rest) * omega2 + (v - drift) * (v - drift)).sqrt();
+            let (omega, last) = (omega2.sqrt(), rest + drift * tau);
+            let range = [rest.min(last) - speed / omega, rest.max(last) + speed / omega];
+            return Self { range, speed: speed + drift.abs(), acceleration: speed * omega };
+        }
+        let acceleration = c0.abs().max((c0 + c1 * tau).abs());
+        let speed = v.abs() + acceleration * tau;
+        Self { range: [u - speed * tau, u + speed * tau], speed, acceleration }
+    }
+}
+
+impl ClosedForm for GuidedFlight {
+    fn begin(&self, _: f64, state: &[f64]) -> Vec<f64> {
+        self.begin_on(state, GroundSpring::default()).unwrap_or_default()
+    }
+
+    fn begin_on(&self, state: &[f64], spring: GroundSpring) -> Option<Vec<f64>> {
+        let &[u, v] = state else { return None };
+        (spring.stiffness >= 0.0).then(|| vec![spring.stiffness, spring.load, u, v])
+    }
+
+    fn remember(&self, start: f64, numbers: &mut Vec<f64>, t: f64) {
+        let Some((spring, own, kept)) = parts(numbers) else { return };
+        let mut number = self.ground.piece_number(start) + kept.len();
+        let (mut state, mut piece) = (kept.last().copied().unwrap_or(own), self.ground.piece(number));
+        let mut at = piece.from.max(start);
+        while piece.until <= t {
+            state = self.advance(spring, &piece, at, state, piece.until - at);
+            numbers.extend(state);
+            (number, at) = (number + 1, piece.until);
+            piece = self.ground.piece(number);
+        }
+    }
+
+    fn stretch_end(&self, numbers: &[f64], t: f64) -> f64 {
+        let omega = numbers.first().map_or(0.0, |stiffness| stiffness.sqrt());
+        let kink = self.ground.next_kink(t);
+        let phase = omega * (kink - t);
+        if phase <= STRETCH {
+            kink
+        } else if kink.is_finite() {
+            t + (kink - t) / (phase / STRETCH).ceil()
+        } else if omega > 0.0 {
+            t + STRETCH / omega
+        } else {
+            kink
+        }
+    }
+
+    fn range(&self, start: f64, numbers: &[f64], [from, until]: [f64; 2]) -> Option<[f64; 2]> {
+        let (spring, ..) = parts(numbers)?;
+        let piece = self.ground.piece(self.ground.piece_number(from));
+        let state = self.at(start, numbers, from);
+        Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
+    }
+
+    fn resume(&self, numbers: &[f64], state: &[f64]) -> Vec<f64> {
+        numbers.iter().take(HEAD - 2).chain(state).copied().collect()
+    }
+
+    fn state(&self, start: f64, numbers: &[f64], t: f64, out: &mut [f64]) {
+        out.copy_from_slice(&self.at(start, numbers, t));
+    }
+
+    fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds {
+        let (mut bounds, end) = (MotionBounds::still(horizon), t + horizon);
+        let Some((spring, ..)) = parts(numbers) else { return MotionBounds { window: 0.0, ..bounds } };
+        let (mut number, mut at, mut state) = (self.ground.piece_number(t), t, self.at(start, numbers, t));
+        for _ in 0..AHEAD {
+            let piece = self.ground.piece(number);
+            let tau = piece.until.min(end) - at;
+            let extremes = Extremes::of(spring.stiffness, state, self.force(spring, &piece, at), tau);
+            bounds.reach = extremes.range.into_iter().fold(bounds.reach, |reach, u| reach.max(u.abs()));
+            bounds.speed = bounds.speed.max(extremes.speed);
+            bounds.acceleration = bounds.acceleration.max(extremes.acceleration);
+            if piece.until >= end {
+                return bounds;
+            }
+            state = self.advance(spring, &piece, at, state, tau);
+            (number, at) = (number + 1, piece.until);
+        }
+        MotionBounds { window: at - t, ..bounds }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A flight on a spring of ω² under a record, from 0.3 of an interval on.
+    fn flight(omega2: f64) -> (GuidedFlight, f64, Vec<f64>) {
+        let ground = Ground::record(DVec3::X, 0.01, [0.0, 1.3, -0.8, 0.4, 2.0, -1.0, 0.3, 0.0]);
+        let form = GuidedFlight::under(&ground, DVec3::new(0.6, 0.8, 0.0)).expect("a record");
+        let spring = GroundSpring { stiffness: omega2, load: 0.7 };
+        let numbers = form.begin_on(&[1e-4, -0.02], spring).expect("a spring that pulls");
+        (form, 0.003, numbers)
+    }
+
+    #[test]
+    fn the_closed_form_solves_the_equation_of_motion() {
+        for omega2 in [0.0, 9.0, 900.0, 6e4] {
+            let (form, start, numbers) = flight(omega2);
+            for t in [0.0045, 0.0137, 0.0255, 0.0612, 0.093] {
+                let step = 1e-4 / omega2.sqrt().max(10.0);
+                let rate = |k: f64| form.at(start, &numbers, t + k * step)[1];
+                let gained = (rate(-2.0) - 8.0 * rate(-1.0) + 8.0 * rate(1.0) - rate(2.0)) / (12.0 * step);
+                let ground = form.ground.acceleration(t).dot(form.along);
+                let force = 0.7 - omega2 * form.at(start, &numbers, t)[0] - ground;
+                assert!(
+                    (gained - force).abs() < 1e-8 * omega2.sqrt().max(10.0),
+                    "{omega2}, {t} s: {gained} for {force}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn states_kept_at_samples_change_nothing_and_a_flight_can_be_resumed() {
+        let (form, start, numbers) = flight(6e4);
+        let mut kept = numbers.clone();
+        form.remember(start, &mut kept, 0.055);
+        assert_eq!(kept.len(), numbers.len() + 2 * 5, "samples at 10 to 50 ms");
+        let rest = form.resume(&kept, &form.at(start, &kept, 0.0231));
+        for t in [0.0231, 0.041, 0.0599, 0.2] {
+            let [a, b, c] = [(start, &numbers), (start, &kept), (0.0231, &rest)].map(|(from, n)| form.at(from, n, t));
+            assert_eq!(a, b, "{t} s");
+            assert!((a[0] - c[0]).abs() < 1e-16 && (a[1] - c[1]).abs() < 1e-14, "{t} s: {a:?} against {c:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_hold_and_stretches_end_at_samples() {
+        for omega2 in [0.0, 900.0, 6e4] {
+            let (form, start, numbers) = flight(omega2);
+            let bounds = form.bounds(start, &numbers, 0.004, 0.04);
+            assert!(bounds.window >= 0.04, "{bounds:?}");
+            for i in 0..=400 {
+                let [u, v] = form.at(start, &numbers, 0.004 + 1e-4 * f64::from(i));
+                assert!(u.abs() <= bounds.reach && v.abs() <= bounds.speed, "{u} m, {v} m/s: {bounds:?}");
+            }
+            let (mut t, mut kinks) = (start, 0);
+            while t < 0.0399 {
+                let end = form.stretch_end(&numbers, t);
+                let [least, greatest] = form.range(start, &numbers, [t, end]).expect("one coordinate");
+                let ways = (0..=50).map(|i| form.at(start, &numbers, t + (end - t) * f64::from(i) / 50.0)[0]);
+                assert!(ways.into_iter().all(|u| (least..=greatest).contains(&u)), "{least} to {greatest} m");
+                assert!(end > t && omega2.sqrt() * (end - t) <= STRETCH * (1.0 + 1e-12), "{t} to {end}");
+                kinks += u32::from(end == form.ground.next_kink(t));
+                t = end;
+            }
+            assert_eq!((t, kinks), (0.04, 4), "at every sample");
+        }
+    }
+}
