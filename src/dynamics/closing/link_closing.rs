@@ -9,7 +9,7 @@ use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
 use crate::dynamics::closing::phase_end;
-use crate::dynamics::connection::{Kinematics, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Kinematics, Link, Separation, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -126,8 +126,11 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
         };
         link.device.gap_curvature(phase, &bounds)
     };
-    let first = gap(t);
-    let resolution = resolution(world, number, t);
+    let here = frames(world, number, t);
+    let motion_here = link.motion([&here[0], &here[1]]).0;
+    let [gap_here, rate_here] = link.device.gap(phase, &motion_here);
+    let first = GapSample { t, gap: gap_here, rate: rate_here };
+    let resolution = resolution_of(link, &here);
     // The parabola of the greatest curvature stays above 0: the device is slack throughout.
     let span = until - t;
     let lowest = first.gap + first.rate.min(0.0) * span - 0.5 * curvature_bound(&first, until) * span * span;
@@ -158,6 +161,11 @@ pub(in crate::dynamics) fn motion(world: &World, number: usize, t: f64) -> Separ
 
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].
 fn resolution(world: &World, number: usize, t: f64) -> f64 {
-    let moved: f64 = frames(world, number, t).iter().map(|frame| frame.shift.length()).sum();
-    RESOLUTION * (world.model.links[world.links[number].link].size() + moved)
+    resolution_of(&world.model.links[world.links[number].link], &frames(world, number, t))
+}
+
+/// The same, with the link's ends in these poses.
+fn resolution_of(link: &Link, frames: &[Frame; 2]) -> f64 {
+    let moved: f64 = frames.iter().map(|frame| frame.shift.length()).sum();
+    RESOLUTION * (link.size() + moved)
 }

@@ -106,6 +106,13 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         f64::NEG_INFINITY
     }
 
+    /// Whether a switching function stays below 0 for certain while the first point is displaced from `motion` by no more than
+    /// `way` \[m\], whatever its rate.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+        let _ = (number, phase, motion, way);
+        false
+    }
+
     /// Phase that begins where the gap closes (from a phase without force) or a switching function rises through 0; energy
     /// that the change releases \[J\].
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {

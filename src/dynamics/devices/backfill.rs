@@ -202,6 +202,10 @@ impl Device for Backfill {
         }
     }
 
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+        self.switch_unit(number, phase) == SwitchUnit::Length && self.switch(number, phase, motion) + way < 0.0
+    }
+
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let (push, greatest) = (self.push(motion), Self::greatest(phase));
         let next = |law, greatest| Phase { law, memory: [greatest, 0.0, 0.0] };

@@ -195,6 +195,19 @@ impl Device for Hysteresis {
         }
     }
 
+    /// Elastic, `|z|` grows by no more than `k_t` times the way.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+        match *self {
+            Hysteresis::Circle(_) if phase.law == YIELDING => false,
+            Hysteresis::Circle(Play { stiffness, force }) => {
+                self.hysteretic_force(phase, motion).length() + stiffness * way < force
+            }
+            Hysteresis::PerAxis(_) => {
+                Self::state(phase, number / 2) == 0 && self.switch(number, phase, motion) + way < 0.0
+            }
+        }
+    }
+
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         let Switch::Function(number) = event else { return (*phase, 0.0) };
         let z = self.hysteretic_force(phase, motion);

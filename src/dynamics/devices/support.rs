@@ -165,6 +165,17 @@ impl Device for Support {
         }
     }
 
+    /// The excess beyond the room is convex in the displacement.
+    fn stays_below(&self, number: usize, phase: &Phase, motion: &Separation, way: f64) -> bool {
+        match self.standing(phase) {
+            Some(law) if number < law.switches(phase) => law.stays_below(number, phase, motion, way),
+            _ => {
+                let [w, _] = self.across(motion);
+                self.room.excess(w - way) < 0.0 && self.room.excess(w + way) < 0.0
+            }
+        }
+    }
+
     fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
         match (self.standing(phase), event) {
             (Some(law), Switch::Function(number)) if number < law.switches(phase) => law.next(event, phase, motion),

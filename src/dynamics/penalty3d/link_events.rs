@@ -1,8 +1,11 @@
 //! Ends of phases of devices within a planned step: zeros of their switching functions on the dense output.
 
+use smallvec::SmallVec;
+
 use crate::dynamics::Model;
-use crate::dynamics::connection::{Link, Phase, Separation, SwitchUnit};
+use crate::dynamics::connection::{Kinematics, Link, Phase, Separation, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
+use crate::dynamics::penalty3d::active_link::ActiveLink;
 use crate::dynamics::penalty3d::constants::{POSITION_ROUNDING, ZERO_BAND};
 use crate::dynamics::penalty3d::due::LinkDue;
 use crate::dynamics::penalty3d::event_location::sample_count;
@@ -17,16 +20,23 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
     let part = |i: usize| (island.until - island.from) * i as f64 / last as f64;
     let times: Vec<f64> = (0..=last).map(|i| if i == last { island.until } else { island.from + part(i) }).collect();
     let sections = island.system.layout.section_count();
-    let frames = island.frames_since(model, &times);
+    let mut frames = island.frames_since(model, &times[..1]);
     let mut found: Option<(f64, LinkDue)> = None;
     for (index, active) in island.system.links.iter().enumerate() {
         let link = active.of(model);
-        if link.device.switches(&active.phase) == 0 {
+        let begins = active.motion(model, &island.system.bases, &frames).0;
+        let way = way(model, island, active);
+        let likely = |number: &usize| !link.device.stays_below(*number, &active.phase, &begins, way);
+        let likely: SmallVec<[usize; 4]> = (0..link.device.switches(&active.phase)).filter(likely).collect();
+        if likely.is_empty() {
             continue;
+        }
+        if frames.len() == sections {
+            frames.extend(island.frames_since(model, &times[1..]));
         }
         let motions: Vec<_> =
             frames.chunks_exact(sections).map(|f| active.motion(model, &island.system.bases, f).0).collect();
-        for number in 0..link.device.switches(&active.phase) {
+        for number in likely {
             let (zero, band) = zero_and_band(link, (number, &active.phase), &motions, island.omega());
             let switch =
                 |motion: &Separation, t: f64| link.device.switch(number, &island.phase_at(index, t), motion) - band;
@@ -44,6 +54,17 @@ pub(in crate::dynamics) fn first_due(model: &Model, island: &Island) -> Option<(
         }
     }
     found
+}
+
+/// How far the first point of a link goes from where it is at the start of the planned step against the second, at most, in the
+/// link's axes \[m\]; infinite where these turn.
+fn way(model: &Model, island: &Island, active: &ActiveLink) -> f64 {
+    let link = active.of(model);
+    if link.kinematics == Kinematics::Carried && active.ends[1].is_some() {
+        return f64::INFINITY;
+    }
+    let ends = active.ends.into_iter().zip(link.arms);
+    ends.map(|(end, arm)| end.map_or(0.0, |body| island.excursion(model, body, arm.length(), island.from))).sum()
 }
 
 /// Value of a switching function of a phase that counts as 0 at the start of a stretch with these motions, and the value that is

@@ -48,7 +48,7 @@ impl GuidedFlight {
 
     /// `u, u̇` at `t`.
     fn at(&self, start: f64, numbers: &[f64], t: f64) -> [f64; 2] {
-        let Some((spring, own, kept)) = parts(numbers) else { return [f64::NAN; 2] };
+        let Some(Parts { spring, own, kept }) = Parts::of(numbers) else { return [f64::NAN; 2] };
         let (first, target) = (self.ground.piece_number(start), self.ground.piece_number(t));
         let known = target.saturating_sub(first).min(kept.len());
         let (mut number, mut at, mut state) = match known.checked_sub(1) {
@@ -64,10 +64,20 @@ impl GuidedFlight {
     }
 }
 
-/// Spring, state at the start, and states at the samples since.
-fn parts(numbers: &[f64]) -> Option<(GroundSpring, [f64; 2], &[[f64; 2]])> {
-    let (&[stiffness, load, u, v], kept) = numbers.split_first_chunk::<HEAD>()?;
-    Some((GroundSpring { stiffness, load }, [u, v], kept.as_chunks().0))
+/// What the numbers of a flight are.
+struct Parts<'a> {
+    spring: GroundSpring,
+    /// `u, u̇` at the start.
+    own: [f64; 2],
+    /// `u, u̇` at the samples of the record since.
+    kept: &'a [[f64; 2]],
+}
+
+impl<'a> Parts<'a> {
+    fn of(numbers: &'a [f64]) -> Option<Self> {
+        let (&[stiffness, load, u, v], kept) = numbers.split_first_chunk::<HEAD>()?;
+        Some(Self { spring: GroundSpring { stiffness, load }, own: [u, v], kept: kept.as_chunks().0 })
+    }
 }
 
 /// `C, S0, S1, S2` over τ.
@@ -124,7 +134,7 @@ impl ClosedForm for GuidedFlight {
     }
 
     fn remember(&self, start: f64, numbers: &mut Vec<f64>, t: f64) {
-        let Some((spring, own, kept)) = parts(numbers) else { return };
+        let Some(Parts { spring, own, kept }) = Parts::of(numbers) else { return };
         let mut number = self.ground.piece_number(start) + kept.len();
         let (mut state, mut piece) = (kept.last().copied().unwrap_or(own), self.ground.piece(number));
         let mut at = piece.from.max(start);
@@ -152,7 +162,7 @@ impl ClosedForm for GuidedFlight {
     }
 
     fn range(&self, start: f64, numbers: &[f64], [from, until]: [f64; 2]) -> Option<[f64; 2]> {
-        let (spring, ..) = parts(numbers)?;
+        let Parts { spring, .. } = Parts::of(numbers)?;
         let piece = self.ground.piece(self.ground.piece_number(from));
         let state = self.at(start, numbers, from);
         Some(Extremes::of(spring.stiffness, state, self.force(spring, &piece, from), until - from).range)
@@ -168,7 +178,7 @@ impl ClosedForm for GuidedFlight {
 
     fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds {
         let (mut bounds, end) = (MotionBounds::still(horizon), t + horizon);
-        let Some((spring, ..)) = parts(numbers) else { return MotionBounds { window: 0.0, ..bounds } };
+        let Some(Parts { spring, .. }) = Parts::of(numbers) else { return MotionBounds { window: 0.0, ..bounds } };
         let (mut number, mut at, mut state) = (self.ground.piece_number(t), t, self.at(start, numbers, t));
         for _ in 0..AHEAD {
             let piece = self.ground.piece(number);
