@@ -8,8 +8,9 @@ use crate::dynamics::closing::constants::{CLOSING_INTERVAL, CUT_SEARCH_WORK, SPE
 use crate::dynamics::closing::flight_view::{FlightSample, horizon, remember};
 use crate::dynamics::closing::found::{NextClosing, first_step_end};
 use crate::dynamics::closing::gap_curvature::GapCurvature;
+use crate::dynamics::closing::link_motion::{frames, motion};
 use crate::dynamics::closing::phase_end;
-use crate::dynamics::connection::{Kinematics, Link, Separation, SeparationBounds, Switch};
+use crate::dynamics::connection::{Kinematics, Link, SeparationBounds, Switch};
 use crate::dynamics::locate::advancement::{BoundedGap, FirstZero, first_crossing_from};
 use crate::dynamics::locate::constants::RESOLUTION;
 use crate::dynamics::locate::subdivision::{GapSample, Subdivision};
@@ -145,18 +146,6 @@ fn in_steps(world: &World, number: usize, t: f64, until: f64) -> Option<f64> {
     let samples: [GapSample; STEP_SAMPLES] = std::array::from_fn(|i| gap(part(i)));
     Subdivision::new((gap, curvature_bound, rate_error), true, resolution, CLOSING_INTERVAL * simultaneity)
         .first_closing(&samples)
-}
-
-/// Poses of a link's ends at `t`.
-fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
-    let LinkTrack { link, slots, .. } = &world.links[number];
-    world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, 0, t)))
-}
-
-/// Relative motion of a link's points at `t`.
-pub(in crate::dynamics) fn motion(world: &World, number: usize, t: f64) -> Separation {
-    let frames = frames(world, number, t);
-    world.model.links[world.links[number].link].motion([&frames[0], &frames[1]]).0
 }
 
 /// Depth of an excursion of the gap below zero that is round-off at `t` \[m\].

@@ -9,6 +9,7 @@ pub(in crate::dynamics) mod gap_curvature;
 pub(in crate::dynamics) mod in_flight;
 pub(in crate::dynamics) mod in_steps;
 pub(in crate::dynamics) mod link_closing;
+mod link_motion;
 pub mod next_closing;
 mod phase_end;
 pub(in crate::dynamics) mod shared;

@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 use crate::dynamics::closing::constants::{PHASE_END_SAMPLES, STEP_SAMPLES};
 use crate::dynamics::closing::flight_view::remember;
 use crate::dynamics::closing::found::NextClosing;
-use crate::dynamics::closing::link_closing::motion;
+use crate::dynamics::closing::link_motion::motion;
 use crate::dynamics::connection::{Separation, Switch, SwitchUnit};
 use crate::dynamics::locate::first_rise::{EarliestEvent, first_rise};
 use crate::dynamics::penalty3d::link_events::zero_and_band;
