@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
 use std::time::Instant;
+
+use crate::language::Language;
 
 /// Calls the window back when a thread has news; does nothing in a test.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -12,6 +15,15 @@ pub type Wake = Arc<dyn Fn() + Send + Sync>;
 #[expect(clippy::disallowed_methods, reason = "the one clock of the window")]
 pub(in crate::app) fn now() -> Instant {
     Instant::now()
+}
+
+/// A thread whose texts are in the language of this one.
+pub(in crate::app) fn spawn(work: impl FnOnce() + Send + 'static) -> JoinHandle<()> {
+    let language = Language::current();
+    std::thread::spawn(move || {
+        language.speak();
+        work();
+    })
 }
 
 /// A sentence for the user, and the file or folder that it is about.
@@ -51,7 +63,7 @@ impl Background {
     /// Begins work; its result is a sentence, whether it succeeds or fails; an empty one is not told.
     pub(in crate::app) fn run(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
         let (send, wake) = (self.send.clone(), self.wake.clone());
-        std::thread::spawn(move || {
+        spawn(move || {
             let words = work().unwrap_or_else(Told::from);
             // The window has closed, and with it the receiver: nothing to do then.
             let _ = send.send(words);
@@ -68,6 +80,14 @@ impl Background {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn work_speaks_the_language_of_who_began_it() {
+        let background = Background::new(Arc::new(|| ()));
+        Language::Japanese.within(|| background.run(|| Ok(Language::current().code().into())));
+        assert_eq!(background.done.recv().expect("it ends").words, "ja", "there");
+        assert_eq!(Language::current(), Language::English, "and here as before");
+    }
 
     #[test]
     fn work_ends_with_its_sentence_whether_it_succeeds_or_fails() {

@@ -55,7 +55,7 @@ struct Cli {
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
-    /// The language of the window, en or ja; the system's unless given
+    /// The language of the window, en or ja; the one chosen in it last, else the system's, unless given
     #[arg(long, value_name = "LANG")]
     lang: Option<Language>,
 }

@@ -22,7 +22,7 @@ pub(super) struct OpenArgs {
     /// Where the pictures and tables go when there is no display
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
-    /// The language of the window, en or ja; the system's unless given
+    /// The language of the window, en or ja; the one chosen in it last, else the system's, unless given
     #[arg(long, value_name = "LANG")]
     lang: Option<Language>,
 }
@@ -55,8 +55,7 @@ pub(super) fn run(args: &OpenArgs, console: &mut Console) -> Result<(), Failure>
 #[cfg(feature = "gui")]
 fn window(scene: &Scene, args: &OpenArgs) -> Result<Option<String>, Failure> {
     use crate::app::AppError;
-    let language = args.lang.unwrap_or_else(Language::of_system);
-    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene), language) {
+    match crate::app::run(scene.clone(), files::SceneSource::of(&args.scene), args.lang) {
         Ok(()) => Ok(None),
         Err(ended @ AppError::Ended { .. }) => Err(Failure::NoPicture(ended.to_string())),
         // A display that nothing can draw on is as good as none.

@@ -4,15 +4,18 @@
 //! the same keys. A new language is its table, a line in [`Language`] and, where egui's fonts lack its letters, a font.
 
 mod catalog;
+mod letters;
 mod text;
 
 use std::cell::Cell;
 
 pub use fluent_bundle::FluentArgs;
+#[cfg(feature = "render")]
+pub use letters::JAPANESE_FONT;
+pub use letters::is_japanese;
 pub use text::Text;
 
 /// Values of a text by their names: `values!["name" => "deck", "count" => 3]`.
-#[cfg(feature = "gui")]
 macro_rules! values {
     ($($name:literal => $value:expr),+ $(,)?) => {{
         let mut values = $crate::language::FluentArgs::new();
@@ -20,7 +23,6 @@ macro_rules! values {
         values
     }};
 }
-#[cfg(feature = "gui")]
 pub(crate) use values;
 
 /// A language of the program.
@@ -77,6 +79,14 @@ impl Language {
     /// Has the texts of this thread be in this language from now on.
     pub fn speak(self) {
         CURRENT.set(self);
+    }
+
+    /// Has the texts of this thread be in this language while something is done.
+    pub fn within<T>(self, done: impl FnOnce() -> T) -> T {
+        let before = CURRENT.replace(self);
+        let made = done();
+        before.speak();
+        made
     }
 }
 

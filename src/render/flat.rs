@@ -1,18 +1,21 @@
 //! Marks to triangles: text laid out and shapes smoothed by epaint.
 
 use epaint::emath::{Align, pos2, vec2};
-use epaint::text::{Fonts, LayoutJob, TextFormat, TextOptions, ViewportKey};
+use epaint::text::{FontData, FontDefinitions, Fonts, LayoutJob, TextFormat, TextOptions, ViewportKey};
 use epaint::{
-    CircleShape, Color32, CornerRadius, FontId, ImageDelta, Mesh, PathShape, Pos2, Rect, RectShape, Shape, Stroke,
-    StrokeKind, TessellationOptions, Tessellator, TextShape,
+    CircleShape, Color32, CornerRadius, FontFamily, FontId, ImageDelta, Mesh, PathShape, Pos2, Rect, RectShape, Shape,
+    Stroke, StrokeKind, TessellationOptions, Tessellator, TextShape,
 };
 use glam::Vec2;
 
+use crate::language::{JAPANESE_FONT, is_japanese};
 use crate::view::list::{Mark, Rgba};
 
 /// Fonts and the way from marks to triangles. All lengths are pixels.
 pub(super) struct Flat {
     fonts: Fonts,
+    /// Whether the fonts have Japanese letters: from the first text on that has one.
+    has_japanese: bool,
 }
 
 fn color(Rgba([r, g, b, a]): Rgba) -> Color32 {
@@ -23,13 +26,26 @@ fn pos(p: Vec2) -> Pos2 {
     pos2(p.x, p.y)
 }
 
+/// The usual fonts, and Japanese letters where they lack one.
+fn with_japanese() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    fonts.font_data.insert("japanese".to_owned(), FontData::from_static(JAPANESE_FONT).into());
+    fonts.families.entry(FontFamily::Proportional).or_default().push("japanese".to_owned());
+    fonts
+}
+
 impl Flat {
     pub(super) fn new() -> Self {
-        Self { fonts: Fonts::new(TextOptions::default(), epaint::text::FontDefinitions::default()) }
+        Self { fonts: Fonts::new(TextOptions::default(), FontDefinitions::default()), has_japanese: false }
     }
 
     /// One mesh of all marks, in their order.
     pub(super) fn mesh(&mut self, marks: &[&Mark]) -> Mesh {
+        let japanese = |mark: &&Mark| matches!(mark, Mark::Text { text, .. } if text.chars().any(is_japanese));
+        if !self.has_japanese && marks.iter().any(japanese) {
+            self.fonts = Fonts::new(TextOptions::default(), with_japanese());
+            self.has_japanese = true;
+        }
         self.fonts.begin_pass(TextOptions::default(), ViewportKey::default());
         let shapes: Vec<Shape> = marks.iter().flat_map(|mark| self.shapes(mark)).collect();
         let atlas = self.fonts.texture_atlas();

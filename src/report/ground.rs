@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::language::Text;
 use crate::motion::spectrum::{periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;
@@ -30,10 +31,11 @@ pub(super) fn section(history: &History) -> String {
     let samples: Vec<[f64; 3]> = times(history).map(|t| ground.acceleration(t).to_array()).collect();
     let axes: Vec<usize> = (0..3).filter(|&axis| samples.iter().any(|a| a[axis] != 0.0)).collect();
     if axes.is_empty() {
-        return "<p>The ground is still.</p>\n".to_owned();
+        return format!("<p>{}</p>\n", Text::new("report-still"));
     }
     let names = ["x", "y", "z"];
-    let mut html = String::from("<table><tr><th>component</th><th>peak [g]</th><th>at [s]</th></tr>\n");
+    let (component, peak, at) = (Text::new("report-component"), Text::new("report-peak"), Text::new("report-peak-at"));
+    let mut html = format!("<table><tr><th>{component}</th><th>{peak}</th><th>{at}</th></tr>\n");
     let (mut panels, mut spectra) = (Vec::new(), Vec::new());
     for &axis in &axes {
         let series: Vec<f64> = samples.iter().map(|a| a[axis]).collect();
@@ -47,7 +49,7 @@ pub(super) fn section(history: &History) -> String {
         );
         let points = times(history).zip(&series).map(|(t, a)| [t, a / STANDARD_GRAVITY]).collect();
         panels.push(Panel {
-            name: format!("ground {} [g]", names[axis]),
+            name: said!("report-ground-axis", "axis" => names[axis]),
             curves: vec![curve(names[axis], axis, points)],
         });
         let dt = history.end() / f64::from(SAMPLES);
@@ -55,17 +57,19 @@ pub(super) fn section(history: &History) -> String {
         let points = responses.iter().map(|r| [r.period, r.pseudo_acceleration() / STANDARD_GRAVITY]).collect();
         spectra.push(curve(names[axis], axis, points));
     }
-    let motion = Chart { title: String::new(), x: "time [s]".into(), panels };
-    let spectrum = Panel { name: "pseudo-acceleration, 5 % damping [g]".into(), curves: spectra };
-    let spectrum = Chart { title: String::new(), x: "period [s]".into(), panels: vec![spectrum] };
+    let motion = Chart { title: String::new(), x: Text::new("report-time").into(), panels };
+    let spectrum = Panel { name: Text::new("report-pseudo").into(), curves: spectra };
+    let spectrum = Chart { title: String::new(), x: Text::new("report-period").into(), panels: vec![spectrum] };
     let _ = writeln!(
         html,
-        "</table>\n<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>Peaks and spectrum of {} samples of the \
-         motion as the run has it, {:.4} s apart.</p>",
+        "</table>\n<div class=\"picture\">{}</div>\n<div class=\"picture\">{}</div>\n<p>{}</p>",
         motion.to_svg(),
         spectrum.to_svg(),
-        SAMPLES + 1,
-        history.end() / f64::from(SAMPLES)
+        said!(
+            "report-samples",
+            "count" => (SAMPLES + 1).to_string(),
+            "interval" => format!("{:.4}", history.end() / f64::from(SAMPLES))
+        )
     );
     html
 }
@@ -78,10 +82,16 @@ pub(super) fn girders(history: &History) -> String {
         bodies.iter().enumerate().map(|(girder, body)| curve(&body.name, girder, points(girder))).collect()
     };
     let panels = vec![
-        Panel { name: "x of G [mm]".into(), curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.x) },
-        Panel { name: "y of G [mm]".into(), curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.y) },
-        Panel { name: "rotation θ [°]".into(), curves: of(&|g, t| history.motion(g, t).theta.to_degrees()) },
+        Panel {
+            name: Text::new("report-x-of-g").into(),
+            curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.x),
+        },
+        Panel {
+            name: Text::new("report-y-of-g").into(),
+            curves: of(&|g, t| 1e3 * history.motion(g, t).displacement.y),
+        },
+        Panel { name: Text::new("report-theta").into(), curves: of(&|g, t| history.motion(g, t).theta.to_degrees()) },
     ];
-    let chart = Chart { title: String::new(), x: "time [s]".into(), panels };
+    let chart = Chart { title: String::new(), x: Text::new("report-time").into(), panels };
     format!("<div class=\"picture\">{}</div>\n", chart.to_svg())
 }

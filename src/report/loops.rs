@@ -1,5 +1,6 @@
 //! Hysteresis loops: force against displacement of bearings that yield or slide, of devices and of backfill.
 
+use crate::language::Text;
 use crate::sim::quantity::{OfBearing, OfLink};
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;
@@ -24,7 +25,7 @@ fn bearings(history: &History) -> Vec<(String, String)> {
         let curve = |axis: usize| {
             let [x, y] = [OfBearing::Deformation(axis), OfBearing::Force(axis)];
             let [x, y] = [x, y].map(|what| Quantity::Bearing(girder, number, what));
-            curve(history, ["along the girder", "across it"][axis], axis, [x, y])
+            curve(history, &[Text::new("report-along"), Text::new("report-across")][axis], axis, [x, y])
         };
         drawn(name, [curve(0), curve(1)].into_iter().flatten().collect())
     };
@@ -59,7 +60,7 @@ fn drawn(name: &str, curves: Vec<Curve>) -> Option<(String, String)> {
     if curves.is_empty() {
         return None;
     }
-    let panel = Panel { name: "force [kN]".to_owned(), curves };
-    let chart = Chart { title: String::new(), x: "displacement [mm]".to_owned(), panels: vec![panel] };
-    Some((format!("{name}: force against displacement"), chart.to_svg()))
+    let panel = Panel { name: Text::new("report-force-kn").into(), curves };
+    let chart = Chart { title: String::new(), x: Text::new("report-displacement-mm").into(), panels: vec![panel] };
+    Some((said!("report-loop", "name" => name), chart.to_svg()))
 }

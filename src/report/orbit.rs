@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::sections::corner_kind;
+use crate::language::Text;
 use crate::sim::History;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
 use crate::study::plot::chart::{number, ticks};
@@ -27,12 +29,10 @@ pub(super) fn pictures(history: &History) -> Vec<(String, String)> {
     for (girder, body) in history.model().girders().iter().enumerate() {
         for seat in seats::of_girder(history, girder) {
             let orbit = seats::orbit(history, girder, &seat, INTERVALS);
-            let caption = format!(
-                "{}{}: both corners of the end over the seat, ground-fixed, each to scale; along the edge from the middle of the end, \
-                 upwards what remains square to the front edge (red). Colour from light to dark through time, {:.1} s.",
-                body.name,
-                seat.ledge.end.label(),
-                history.end()
+            let caption = said!(
+                "report-orbits",
+                "end" => format!("{}{}", body.name, seat.ledge.end.label()),
+                "duration" => format!("{:.1}", history.end())
             );
             let kinds = seat.corners.map(|corner| body.prism.corner_kind(corner.corner));
             all.push((caption, svg(&seat, kinds, &orbit, history.end())));
@@ -50,7 +50,10 @@ fn svg(seat: &Seat, kinds: [&str; 2], orbit: &[OrbitPoint], end: f64) -> String 
     );
     for (which, (corner, kind)) in seat.corners.iter().zip(kinds).enumerate() {
         let panel = Panel::of(seat, which, orbit, (PANEL + 20.0) * which as f64);
-        panel.frame(&mut svg, &format!("corner {} ({})", corner.corner + 1, kind));
+        panel.frame(
+            &mut svg,
+            &said!("report-corner", "corner" => corner.corner + 1, "kind" => corner_kind(kind).as_str()),
+        );
         panel.orbit(&mut svg, orbit, which, end);
         panel.marks(&mut svg, corner, orbit, which);
     }
@@ -116,8 +119,8 @@ impl<'a> Panel<'a> {
         let edge = format!(r#"stroke="{EDGE}" stroke-width="2.4""#);
         line(svg, (left, bottom), (right, bottom), &edge);
         let (x, y) = self.at([self.low[0], high[1]]);
-        text(svg, (x, y - 8.0), 12.0, "start", INK, &format!("{title}: remaining over along [mm]"));
-        text(svg, (right - 4.0, bottom + 26.0), 10.0, "end", EDGE, "front edge of the seat");
+        text(svg, (x, y - 8.0), 12.0, "start", INK, &said!("report-orbit-axes", "title" => title));
+        text(svg, (right - 4.0, bottom + 26.0), 10.0, "end", EDGE, &Text::new("report-front-edge"));
     }
 
     fn orbit(&self, svg: &mut String, orbit: &[OrbitPoint], which: usize, end: f64) {
@@ -157,8 +160,11 @@ impl<'a> Panel<'a> {
                 svg,
                 r#"<circle cx="{x:.1}" cy="{y:.1}" r="5" fill="none" stroke="{INK}" stroke-width="1.6"/>"#
             );
-            let words =
-                format!("least {} mm, {:.2} s", number((1e4 * corner.least.value).round() / 10.0), corner.least.t);
+            let words = said!(
+                "report-least",
+                "least" => number((1e4 * corner.least.value).round() / 10.0),
+                "t" => format!("{:.2}", corner.least.t)
+            );
             self.beside(svg, (x, y + 14.0), INK, &words);
         }
         if let Some(off) = corner.off {
@@ -166,7 +172,7 @@ impl<'a> Panel<'a> {
             let style = format!(r#"stroke="{EDGE}" stroke-width="2""#);
             line(svg, (x - 5.0, y - 5.0), (x + 5.0, y + 5.0), &style);
             line(svg, (x - 5.0, y + 5.0), (x + 5.0, y - 5.0), &style);
-            self.beside(svg, (x, y - 8.0), EDGE, &format!("off at {:.3} s", off.t));
+            self.beside(svg, (x, y - 8.0), EDGE, &said!("report-off-at", "t" => format!("{:.3}", off.t)));
         }
     }
 

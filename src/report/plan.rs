@@ -40,19 +40,23 @@ pub(super) fn hardest(history: &History) -> Option<(String, Vec<(String, String)
     let force = if touch.peak_force > 0.0 {
         format!("{:.1} kN", touch.peak_force / 1e3)
     } else {
-        format!("an impulse of {:.3e} N·s", touch.impulse)
+        said!("report-impulse", "impulse" => format!("{:.3e}", touch.impulse))
     };
     let corner =
         site.node_body.zip(now.as_ref()).and_then(|(body, now)| nearest_corner(history, body, now.point.truncate(), t));
-    let near = corner.map_or(String::new(), |number| format!(" (at corner {number} of the plan)"));
-    let words = format!("{}{near} against {}: {force} at {t:.4} s.", site.node, site.face_name);
-    let mut pictures = vec![(
-        format!("Plan at {t:.4} s, to scale; dashed as placed. Arrows: forces on the bodies of the nodes."),
-        Plan::at(history, t).svg(),
-    )];
+    let near = corner.map_or(String::new(), |number| said!("report-at-corner", "number" => number));
+    let words = said!(
+        "report-hit",
+        "node" => site.node.as_str(),
+        "near" => near,
+        "face" => site.face_name.to_string(),
+        "force" => force,
+        "t" => format!("{t:.4}")
+    );
+    let mut pictures = vec![(said!("report-plan-at", "t" => format!("{t:.4}")), Plan::at(history, t).svg())];
     if let Some(now) = now {
         let width = site.node_body.map_or(1.0, |body| history.model().bodies[body].prism.width);
-        let caption = format!("The same about the hit, {:.3} m wide.", 2.0 * CLOSE * width);
+        let caption = said!("report-plan-close", "width" => format!("{:.3}", 2.0 * CLOSE * width));
         pictures.push((caption, Plan::close(history, t, now.point.truncate(), CLOSE * width).svg()));
     }
     Some((words, pictures))
@@ -175,7 +179,7 @@ impl<'a> Plan<'a> {
         let (x, y) = self.place(0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
         text(svg, (x.clamp(30.0, WIDTH - 30.0), y), 12.0, "middle", INK, &escape(&abutment.name));
         if let Some(gap) = abutment.gap {
-            let words = format!("gap {} mm", trimmed(1e3 * gap));
+            let words = said!("report-gap", "gap" => trimmed(1e3 * gap));
             text(svg, (x.clamp(44.0, WIDTH - 44.0), y + 15.0), 11.0, "middle", GREY, &words);
         }
     }

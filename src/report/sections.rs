@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
+use crate::language::Text;
 use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;
@@ -17,8 +18,36 @@ fn facts(rows: impl IntoIterator<Item = (String, String)>) -> String {
     format!("<table>{}</table>\n", rows.into_iter().map(row).collect::<String>())
 }
 
-fn fact(name: &str, value: String) -> (String, String) {
-    (name.to_owned(), value)
+fn fact(name: Text, value: String) -> (String, String) {
+    (name.into(), value)
+}
+
+/// The first row of a table.
+fn head(columns: &[&str]) -> String {
+    let cells: String = columns.iter().map(|column| format!("<th>{}</th>", escape(column))).collect();
+    format!("<table><tr>{cells}</tr>\n")
+}
+
+/// A value and when it is reached \[s\].
+fn at(value: String, t: f64) -> String {
+    said!("report-value-at", "value" => value, "t" => format!("{t:.3}"))
+}
+
+/// What a corner of the plan is called.
+pub(super) fn corner_kind(kind: &str) -> Text {
+    match kind {
+        "acute" => Text::new("report-acute"),
+        "obtuse" => Text::new("report-obtuse"),
+        _ => Text::new("report-right"),
+    }
+}
+
+fn source(source: Source) -> Text {
+    match source {
+        Source::Scene => Text::new("report-from-scene"),
+        Source::Assumed => Text::new("report-assumed"),
+        Source::Run => Text::new("report-from-run"),
+    }
 }
 
 /// What came out, in a few lines.
@@ -27,41 +56,50 @@ pub(super) fn headline(report: &Report) -> String {
     let off: Vec<String> = report
         .seats
         .iter()
-        .filter_map(|seat| Some(format!("{}{} at {:.3} s", seat.girder, seat.end, seat.left_at?)))
+        .filter_map(|seat| {
+            let (end, t) = (format!("{}{}", seat.girder, seat.end), format!("{:.3}", seat.left_at?));
+            Some(said!("report-end-at", "end" => end, "t" => t))
+        })
         .collect();
     let mut html = String::new();
     if !off.is_empty() {
-        let carried =
-            "The run goes on as if the end were carried: what follows that time is not the motion of a falling deck.";
-        let _ =
-            writeln!(html, "<p class=\"no\">A corner comes off its seat: {}. {carried}</p>", escape(&off.join(", ")));
+        let words = said!("report-comes-off", "ends" => off.join(", "));
+        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
     if let Some(stop) = &report.gave_up {
-        let _ = writeln!(
-            html,
-            "<p class=\"no\">The run ends at {} s, {}: {}</p>",
-            stop.t,
-            escape(&stop.place),
-            escape(&stop.reason)
-        );
+        let (t, place, reason) = (stop.t.to_string(), stop.place.as_str(), stop.reason.as_str());
+        let words = said!("report-gave-up", "t" => t, "place" => place, "reason" => reason);
+        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
+    let dimensions = match report.kind {
+        Kind::Planar => Text::new("report-planar"),
+        Kind::Spatial => Text::new("report-spatial"),
+    };
+    let (end, duration) = (report.end.to_string(), report.duration.to_string());
+    let computed = said!("report-computed-of", "end" => end, "duration" => duration);
     html + &facts([
-        fact("model", format!("{}, {}", report.model, if report.kind == Kind::Planar { "planar" } else { "spatial" })),
-        fact("computed", format!("{} of {} s", report.end, report.duration)),
-        fact("largest displacement of a G", format!("{:.2} mm", 1e3 * n.max_displacement)),
-        fact("largest rotation", format!("{:.4}°", n.max_rotation.to_degrees())),
-        fact("largest force of a contact", format!("{:.1} kN", n.peak_force / 1e3)),
-        fact("hits", format!("{}", n.hits)),
+        fact(Text::new("report-model"), format!("{}, {dimensions}", report.model)),
+        fact(Text::new("report-computed"), computed),
+        fact(Text::new("report-max-displacement"), format!("{:.2} mm", 1e3 * n.max_displacement)),
+        fact(Text::new("report-max-rotation"), format!("{:.4}°", n.max_rotation.to_degrees())),
+        fact(Text::new("report-max-force"), format!("{:.1} kN", n.peak_force / 1e3)),
+        fact(Text::new("report-hits"), format!("{}", n.hits)),
     ])
 }
 
 /// Numbers of girders, bearings, abutments and contact.
 pub(super) fn scene(history: &History) -> String {
     let scene = history.scene();
-    let mut html = String::from(
-        "<table><tr><th>girder</th><th>a₀ × b₀ × t₀ [m]</th><th>β</th><th>mass [t]</th><th>frequencies x, y, θ [Hz]</th>\
-         <th>damping x, y, θ</th><th>bearings</th><th>seats [m]</th></tr>\n",
-    );
+    let mut html = head(&[
+        Text::new("report-girder").as_str(),
+        "a₀ × b₀ × t₀ [m]",
+        "β",
+        &Text::new("report-mass"),
+        &Text::new("report-frequencies"),
+        &Text::new("report-damping"),
+        &Text::new("report-bearings"),
+        &Text::new("report-seats-m"),
+    ]);
     for (girder, body) in scene.girders.iter().zip(&history.model().bodies) {
         let q = body.quantities();
         let [hertz, damping] = [q.omega.map(|w| w / std::f64::consts::TAU), q.damping_ratio]
@@ -93,36 +131,35 @@ fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
     let supports = girder.supports(setting);
     match supports.iter().filter(|b| b.yielding.is_some() || b.sliding.is_some()).count() {
         0 => count.to_string(),
-        yielding => format!("{count}, {yielding} of them yield (frequencies: after yield)"),
+        yielding => said!("report-yielding", "count" => count, "yielding" => yielding),
     }
 }
 
 /// What is assumed: of the model, numbers that stand at the program's default, inputs of codes that the scene does not give.
 pub(super) fn assumptions(history: &History, report: &Report) -> String {
     let (contact, default) = (&history.scene().contact, ContactSettings::default());
-    let mut items: Vec<String> = [
-        "Girders are rigid; supports and abutments are fixed to one ground.",
-        "A contact is a spring and a dashpot at a node with dry friction on a rigid face.",
-        "Seats are fixed to the ground; a corner that is off goes on being carried by its bearings.",
-    ]
-    .map(str::to_owned)
-    .to_vec();
+    let mark = format!("<b class=\"part\">{}</b>", Text::new("report-assumed"));
+    let mut items: Vec<String> =
+        [Text::new("report-assume-rigid"), Text::new("report-assume-contact"), Text::new("report-assume-seats")]
+            .map(String::from)
+            .to_vec();
     let numbers = [
-        ("restitution, normal", contact.restitution_normal, default.restitution_normal),
-        ("restitution, tangential", contact.restitution_tangential, default.restitution_tangential),
+        (Text::new("report-e-normal").as_str(), contact.restitution_normal, default.restitution_normal),
+        (Text::new("report-e-tangential").as_str(), contact.restitution_tangential, default.restitution_tangential),
         ("μ_s", contact.mu_static, default.mu_static),
         ("μ_k", contact.mu_kinetic, default.mu_kinetic),
     ];
     items.extend(numbers.map(|(name, value, assumed)| {
-        let mark = if value == assumed { " <b class=\"part\">assumed</b> (the program's default)" } else { "" };
-        format!("{name} = {}{mark}", trimmed(value))
+        let default =
+            if value == assumed { format!(" {mark} {}", Text::new("report-by-default")) } else { String::new() };
+        format!("{name} = {}{default}", trimmed(value))
     }));
     if contact.stiffness.is_none() {
-        items.push("contact stiffness of a pair: E A/L of what touches, or its own; <b class=\"part\">assumed</b> where no number is given".to_owned());
+        items.push(format!("{} {mark}", Text::new("report-assume-stiffness")));
     }
     let listed = history.scene().assumed_numbers().into_iter();
     items.extend(listed.map(|(path, value)| {
-        format!("{} = {} <b class=\"part\">assumed</b> (not given)", escape(&path), escape(&value))
+        format!("{} = {} {mark} {}", escape(&path), escape(&value), Text::new("report-not-given"))
     }));
     for girder in &history.scene().girders {
         let Some(Bearings::Deck(deck)) = &girder.bearings else { continue };
@@ -130,14 +167,15 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
         let assumed: Vec<String> = assumed.collect();
         if !assumed.is_empty() {
             let (name, kind) = (escape(&girder.name), deck.kind.label());
-            items.push(format!("{kind} bearings of {name}: {} <b class=\"part\">assumed</b>", assumed.join(", ")));
+            let whose = said!("report-bearings-of", "kind" => kind, "name" => name);
+            items.push(format!("{whose} {} {mark}", assumed.join(", ")));
         }
     }
     let mut inputs: Vec<String> = Vec::new();
     for DemandReport { demand, .. } in report.seats.iter().flat_map(|seat| &seat.codes) {
         let assumed = demand.inputs.iter().filter(|input| input.source == Source::Assumed);
         let values: Vec<String> = assumed.map(input_words).collect();
-        let words = format!("{}: {} <b class=\"part\">assumed</b>", escape(demand.rule), values.join(", "));
+        let words = format!("{}: {} {mark}", escape(demand.rule), values.join(", "));
         if !values.is_empty() && !inputs.contains(&words) {
             inputs.push(words);
         }
@@ -145,7 +183,7 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     items.extend(inputs);
     let outside = report.outside_domain.iter().map(|d| {
         let what = format!("{}, {} = {} {}: {}", d.place, d.quantity, trimmed(d.value), d.unit, d.consequence);
-        format!("<b class=\"no\">outside the checked domain</b>: {}", escape(&what))
+        format!("<b class=\"no\">{}</b>: {}", Text::new("report-outside"), escape(&what))
     });
     let mut html = String::from("<ul>\n");
     for item in items.into_iter().chain(outside) {
@@ -156,39 +194,41 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
 
 /// Extremes of every girder, and limits that were passed.
 pub(super) fn readings(history: &History, report: &Report) -> String {
-    let mut html = String::from(
-        "<table><tr><th>girder</th><th>rotation</th><th>drift of corners 1–4 [mm]</th><th>least gap [mm]</th>\
-         <th>largest force [kN]</th></tr>\n",
-    );
+    let mut html = head(&[
+        Text::new("report-girder").as_str(),
+        &Text::new("report-rotation"),
+        &Text::new("report-drift"),
+        &Text::new("report-least-gap"),
+        &Text::new("report-largest-force"),
+    ]);
     for (number, body) in history.model().girders().iter().enumerate() {
         let reading = readings::reading(history, number);
         let drift = reading.drift.map(|e| format!("{:.1}", 1e3 * e.value)).join(", ");
-        let gap = reading.gap.map_or("–".to_owned(), |e| format!("{:.2} at {:.3} s", 1e3 * e.value, e.t));
-        let force = reading.force.map_or("–".to_owned(), |e| format!("{:.1} at {:.3} s", e.value / 1e3, e.t));
+        let gap = reading.gap.map_or("–".to_owned(), |e| at(format!("{:.2}", 1e3 * e.value), e.t));
+        let force = reading.force.map_or("–".to_owned(), |e| at(format!("{:.1}", e.value / 1e3), e.t));
         let _ = writeln!(
             html,
-            "<tr><td>{}</td><td class=\"number\">{:.4}° at {:.3} s</td><td class=\"number\">{drift}</td>\
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{drift}</td>\
              <td class=\"number\">{gap}</td><td class=\"number\">{force}</td></tr>",
             escape(&body.name),
-            reading.rotation.value.to_degrees(),
-            reading.rotation.t
+            at(format!("{:.4}°", reading.rotation.value.to_degrees()), reading.rotation.t)
         );
     }
     html.push_str("</table>\n");
     if history.scene().limits == Limits::default() {
-        html.push_str("<p>The scene sets no limits.</p>\n");
+        let _ = writeln!(html, "<p>{}</p>", Text::new("report-no-limits"));
     } else if report.limits_passed.is_empty() {
-        html.push_str("<p class=\"yes\">No limit of the scene is passed.</p>\n");
+        let _ = writeln!(html, "<p class=\"yes\">{}</p>", Text::new("report-limits-kept"));
     }
     for passed in &report.limits_passed {
-        let _ = writeln!(
-            html,
-            "<p class=\"no\">{}: limit {} passed at {:.4} s, reached {}</p>",
-            escape(&passed.whose),
-            passed.limit,
-            passed.t,
-            trimmed(passed.reached)
+        let words = said!(
+            "report-limit-passed",
+            "whose" => passed.whose.as_str(),
+            "limit" => passed.limit,
+            "t" => format!("{:.4}", passed.t),
+            "reached" => trimmed(passed.reached)
         );
+        let _ = writeln!(html, "<p class=\"no\">{}</p>", escape(&words));
     }
     html
 }
@@ -196,11 +236,9 @@ pub(super) fn readings(history: &History, report: &Report) -> String {
 /// Needed, there, used of every seat.
 pub(super) fn seats(report: &Report) -> String {
     if report.seats.is_empty() {
-        return "<p>The scene gives no seats (<code>seat_m</code> of a girder).</p>\n".to_owned();
+        return format!("<p>{}</p>\n", Text::new("report-no-seats"));
     }
-    let mut html = String::from(
-        "<p>All lengths square to the front edge of the seat. Used: placed less least. A code's number does not change the run.</p>\n",
-    );
+    let mut html = format!("<p>{}</p>\n", Text::new("report-seats-means"));
     for ends in report.seats.chunk_by(|one, other| one.girder == other.girder) {
         for seat in ends {
             html.push_str(&seat_table(seat));
@@ -217,29 +255,36 @@ fn seat_table(seat: &SeatReport) -> String {
     let mut html = format!("<h3>{}{}</h3>\n", escape(&seat.girder), seat.end);
     for corner in &seat.corners {
         let off = corner.left_at.map_or_else(
-            || "stays on its seat".to_owned(),
+            || Text::new("report-corner-stays").into(),
             |t| {
-                format!(
-                    "<b class=\"no\">comes off at {t:.4} s</b>, {:.3} m along the edge",
-                    corner.left_along.unwrap_or(0.0)
-                )
+                let along = format!("{:.3}", corner.left_along.unwrap_or(0.0));
+                said!("report-corner-off", "t" => format!("{t:.4}"), "along" => along)
             },
         );
-        let turning =
-            corner.zero_rotation_deg.map_or(String::new(), |a| format!("; turned about G it is off from {a:.2}°"));
-        let _ = writeln!(
-            html,
-            "<p>Corner {} ({}): least {:.1} mm at {:.4} s, {off}{turning}.</p>",
-            corner.corner,
-            corner.angle,
-            1e3 * corner.least_remaining,
-            corner.t
+        let turning = corner
+            .zero_rotation_deg
+            .map_or(String::new(), |a| said!("report-corner-turned", "angle" => format!("{a:.2}")));
+        let words = said!(
+            "report-corner-least",
+            "corner" => corner.corner,
+            "kind" => corner_kind(corner.angle).as_str(),
+            "least" => format!("{:.1}", 1e3 * corner.least_remaining),
+            "t" => format!("{:.4}", corner.t),
+            "off" => off,
+            "turning" => turning
         );
+        let class = if corner.left_at.is_some() { " class=\"no\"" } else { "" };
+        let _ = writeln!(html, "<p{class}>{}</p>", escape(&words));
     }
-    html.push_str(
-        "<table><tr><th>code</th><th>needed [mm]</th><th>there [mm]</th><th>used [mm]</th><th>used/needed</th><th></th>\
-         <th>edition, formula, inputs</th></tr>\n",
-    );
+    html.push_str(&head(&[
+        Text::new("report-code").as_str(),
+        &Text::new("report-needed"),
+        &Text::new("report-there"),
+        &Text::new("report-used"),
+        &Text::new("report-used-needed"),
+        "",
+        &Text::new("report-edition"),
+    ]));
     seat.codes.iter().for_each(|demand| html.push_str(&demand_row(demand)));
     html.push_str("</table>\n");
     html
@@ -257,11 +302,13 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
         .iter()
         .map(|input| {
             let class = if input.source == Source::Assumed { "part" } else { "open" };
-            format!("{} <span class=\"{class}\">({})</span>", input_words(input), input.source.label())
+            format!("{} <span class=\"{class}\">({})</span>", input_words(input), source(input.source))
         })
         .collect();
-    let verdict = if *met { "<span class=\"yes\">long enough</span>" } else { "<span class=\"no\">too short</span>" };
-    let confirmed = if demand.confirmed { "" } else { " <b class=\"part\">not confirmed: quoted from memory</b>" };
+    let (class, words) = if *met { ("yes", Text::new("long-enough")) } else { ("no", Text::new("too-short")) };
+    let verdict = format!("<span class=\"{class}\">{words}</span>");
+    let doubt = || format!(" <b class=\"part\">{}</b>", Text::new("report-not-confirmed"));
+    let confirmed = if demand.confirmed { String::new() } else { doubt() };
     format!(
         "<tr><td>{}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td><td class=\"number\">{:.1}</td>\
          <td class=\"number\">{:.2}</td><td>{verdict}</td><td>{}{confirmed}<br><code>{}</code><br>{}; {}</td></tr>\n",
@@ -281,24 +328,32 @@ fn demand_row(DemandReport { demand, met, ratio }: &DemandReport) -> String {
 pub(super) fn trust(report: &Report) -> String {
     let l = &report.ledger;
     let joule = |value: f64| format!("{:.4e} J", value + 0.0);
-    let error = report.estimated_error.map_or("not computed".to_owned(), |e| {
-        format!("{e:.2e} m, against a run at a hundredth of the tolerance {:e}", report.tolerance)
-    });
-    let balance = format!("{} of a bound of {}", joule(l.residual), joule(report.residual_bound));
+    let error = report.estimated_error.map_or(
+        Text::new("report-not-computed").into(),
+        |e| said!("report-error", "error" => format!("{e:.2e}"), "tolerance" => format!("{:e}", report.tolerance)),
+    );
+    let balance = said!("report-residual-of", "residual" => joule(l.residual), "bound" => joule(report.residual_bound));
     facts([
-        fact("estimated error of displacements", error),
-        fact("energy: work of the ground", joule(l.work_ground)),
-        fact("kinetic at the end", joule(l.kinetic)),
-        fact("stored in bearings", joule(l.bearing)),
-        fact("lost in bearings", joule(l.loss_bearing)),
-        fact("lost in contacts", joule(l.loss_normal + l.loss_tangential + l.loss_hits)),
-        fact("lost in friction", joule(l.loss_friction)),
-        fact("ledger residual", if report.balances { balance } else { format!("{balance}: does not balance") }),
-        fact("overlaps without contact", report.overlaps.len().to_string()),
+        fact(Text::new("report-estimated-error"), error),
+        fact(Text::new("report-work-ground"), joule(l.work_ground)),
+        fact(Text::new("report-kinetic"), joule(l.kinetic)),
+        fact(Text::new("report-stored"), joule(l.bearing)),
+        fact(Text::new("report-lost-bearings"), joule(l.loss_bearing)),
+        fact(Text::new("report-lost-contacts"), joule(l.loss_normal + l.loss_tangential + l.loss_hits)),
+        fact(Text::new("report-lost-friction"), joule(l.loss_friction)),
         fact(
-            "program",
-            format!("girderbench {}, scene format {}", report.versions.girderbench, report.versions.scene_format),
+            Text::new("report-residual"),
+            if report.balances { balance } else { said!("report-unbalanced", "balance" => balance) },
         ),
-        fact("digest of the answer", report.digest.clone()),
+        fact(Text::new("report-overlaps"), report.overlaps.len().to_string()),
+        fact(
+            Text::new("report-program"),
+            said!(
+                "report-versions",
+                "program" => report.versions.girderbench,
+                "format" => report.versions.scene_format
+            ),
+        ),
+        fact(Text::new("report-digest"), report.digest.clone()),
     ])
 }

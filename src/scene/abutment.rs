@@ -15,19 +15,19 @@ table! {
             "the girder that it stands before";
         #[serde(default = "plus")]
         end: End = "end", Range::Words(&["+x", "-x"]), Fallback::Word("+x"), "the end that it stands before";
-        gap: Option<f64> = "gap_m" as "Gap", Range::NotNegative, Fallback::Needed("this or polygon_m"),
+        gap: Option<f64> = "gap_m" as "field-gap", Range::NotNegative, Fallback::Needed("this or polygon_m"),
             "distance to that end as placed, along the girder's axis, m (square to the face it is gap · sin β)";
-        width: Option<f64> = "width_m" as "Face width", Range::Positive, Fallback::Words("three times the girder's end"),
+        width: Option<f64> = "width_m" as "field-face-width", Range::Positive, Fallback::Words("three times the girder's end"),
             "extent along the face, m";
-        height: Option<f64> = "height_m" as "Face height", Range::Positive, Fallback::Words("three times the girder's thickness"),
+        height: Option<f64> = "height_m" as "field-face-height", Range::Positive, Fallback::Words("three times the girder's thickness"),
             "height of the face, about the girder's mid-depth, m";
-        offset: Option<f64> = "offset_m" as "Sideways", Range::Any, Fallback::Number(0.0),
+        offset: Option<f64> = "offset_m" as "field-sideways", Range::Any, Fallback::Number(0.0),
             "sideways shift of the face's centre along the face, m";
         polygon: Option<Vec<[f64; 3]>> = "polygon_m", Range::Like("four corners [x, y, z]"),
             Fallback::Needed("this or gap_m"),
             "the face in the world, anticlockwise as seen from the girder, m; flat, convex, a rectangle or a trapezium \
              whose first and third sides are parallel";
-        depth: Option<f64> = "depth_m" as "Depth", Range::Positive, Fallback::Words("the girder's length"),
+        depth: Option<f64> = "depth_m" as "field-depth", Range::Positive, Fallback::Words("the girder's length"),
             "how far it reaches behind its face, m";
         backfill: Option<Backfill> = "backfill", Range::Free, Fallback::Words("none: the backwall is fixed"),
             "soil behind a backwall that can move, see below";

@@ -20,31 +20,31 @@ table! {
     /// `[abutment.backfill]`: soil behind a backwall that can move.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Backfill, BACKFILL {
-        law: BackfillLaw = "law" as "Soil", Range::Words(BackfillLaw::WORDS), BackfillLaw::FALLBACK,
+        law: BackfillLaw = "law" as "field-soil", Range::Words(BackfillLaw::WORDS), BackfillLaw::FALLBACK,
             "envelope of the resistance over the push";
-        height: Option<f64> = "height_m" as "Wall height h", Range::Positive, Fallback::Words("the girder's thickness"),
+        height: Option<f64> = "height_m" as "field-wall-height", Range::Positive, Fallback::Words("the girder's thickness"),
             "height of the wall that presses on the soil, m";
-        stiffness: Option<f64> = "stiffness_n_per_m" as "Soil stiffness K", Range::Positive,
+        stiffness: Option<f64> = "stiffness_n_per_m" as "field-soil-stiffness", Range::Positive,
             Fallback::Words("by the law, b₀ and h"), "slope at no push; of mean-stiffness that through F_ult/2, N/m";
-        ultimate: Option<f64> = "ultimate_n" as "Ultimate force", Range::Positive,
+        ultimate: Option<f64> = "ultimate_n" as "field-ultimate-force", Range::Positive,
             Fallback::Words("by the law, b₀ and h, times exp(-skew/45°)"), "F_ult, N";
-        failure_ratio: Option<f64> = "failure_ratio" as "Failure ratio", Range::Between([0.0, 1.0]), Fallback::Words("0.7"),
+        failure_ratio: Option<f64> = "failure_ratio" as "field-failure-ratio", Range::Between([0.0, 1.0]), Fallback::Words("0.7"),
             "R_f of the hyperbolic law";
-        limit: Option<f64> = "failing_push_m" as "Fails at push", Range::Positive, Fallback::Words("0.05 h"),
+        limit: Option<f64> = "failing_push_m" as "field-failing-push", Range::Positive, Fallback::Words("0.05 h"),
             "y_max of mean-stiffness, m";
-        unloading: Option<f64> = "unloading_stiffness_n_per_m" as "Unloading stiffness", Range::Positive,
+        unloading: Option<f64> = "unloading_stiffness_n_per_m" as "field-unloading-stiffness", Range::Positive,
             Fallback::Words("the slope at no push"), "K_ur, N/m";
-        reduces_stiffness: bool = "skew_reduces_stiffness" as "Skew reduces stiffness", Range::Switch, Fallback::Switch(false),
+        reduces_stiffness: bool = "skew_reduces_stiffness" as "field-skew-reduces", Range::Switch, Fallback::Switch(false),
             "whether exp(-skew/45°) reduces the stiffness that is not given as well";
-        mass: Option<f64> = "wall_mass_kg" as "Wall mass", Range::Positive, Fallback::Words("of concrete, h/4 thick"),
+        mass: Option<f64> = "wall_mass_kg" as "field-wall-mass", Range::Positive, Fallback::Words("of concrete, h/4 thick"),
             "mass of the backwall that moves, kg";
-        friction: Option<f64> = "base_friction" as "Base friction", Range::NotNegative, Fallback::Words("0.6"),
+        friction: Option<f64> = "base_friction" as "field-base-friction", Range::NotNegative, Fallback::Words("0.6"),
             "friction coefficient below the wall";
-        base_displacement: Option<f64> = "base_displacement_m" as "Base slides at", Range::Positive,
+        base_displacement: Option<f64> = "base_displacement_m" as "field-base-slides", Range::Positive,
             Fallback::Words("0.0001"), "displacement at which that friction is fully there, m";
-        fuse_stiffness: Option<f64> = "fuse_stiffness_n_per_m" as "Fuse stiffness", Range::Positive,
+        fuse_stiffness: Option<f64> = "fuse_stiffness_n_per_m" as "field-fuse-stiffness", Range::Positive,
             Fallback::Words("no fuse"), "of what holds the wall at its foot until it breaks, N/m";
-        fuse_force: Option<f64> = "fuse_force_n" as "Fuse breaks at", Range::Positive,
+        fuse_force: Option<f64> = "fuse_force_n" as "field-fuse-breaks", Range::Positive,
             Fallback::Needed("must be given with fuse_stiffness_n_per_m"), "force at which that breaks, N";
     }
 }

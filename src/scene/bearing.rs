@@ -62,9 +62,9 @@ table! {
         at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
             Fallback::Needed("this or the last"),
             "places before skewing, m: y cot β is added to x, so that they follow the skew";
-        travel: Option<f64> = "travel_m" as "Free travel", Range::Positive, Fallback::Words("no end"),
+        travel: Option<f64> = "travel_m" as "field-free-travel", Range::Positive, Fallback::Words("no end"),
             "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
-        height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
+        height: Option<f64> = "height_m" as "field-height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
         on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier"), Fallback::Words("the ground"),
             "the pier under the bearings of the -x half";
@@ -85,23 +85,23 @@ table! {
         #[serde(with = "super::two_or_three")]
         damping: [f64; 3] = "damping_n_s_per_m", Range::NotNegative, Fallback::Needed("must be given"),
             "[c_x, c_y] or [c_x, c_y, c_z], N·s/m";
-        yield_force: Option<f64> = "yield_force_n" as "Yield Q", Range::Positive, Fallback::Words("none: linear"),
+        yield_force: Option<f64> = "yield_force_n" as "field-yield", Range::Positive, Fallback::Words("none: linear"),
             "Q, force without displacement on the upper line of the loop (lead rubber; μN of a slider), N; stiffness_n_per_m is then that after yield";
-        yield_displacement: Option<f64> = "yield_displacement_m" as "Yields at", Range::Positive,
+        yield_displacement: Option<f64> = "yield_displacement_m" as "field-yields-at", Range::Positive,
             Fallback::Needed("must be given with yield_force_n"), "u_y = Q/(k₁ − k₂), m";
         per_axis: Option<bool> = "yields_per_axis", Range::Switch, Fallback::Words("false"),
             "whether it yields along x and y each for itself; otherwise on one circle";
-        friction: Option<f64> = "friction" as "Friction μ", Range::Positive, Fallback::Words("none"),
+        friction: Option<f64> = "friction" as "field-friction", Range::Positive, Fallback::Words("none"),
             "μ of a slider or a friction pendulum, in place of yield_force_n";
-        radius: Option<f64> = "radius_m" as "Radius R", Range::NotNegative, Fallback::Words("0.0: flat"),
+        radius: Option<f64> = "radius_m" as "field-radius", Range::NotNegative, Fallback::Words("0.0: flat"),
             "R of a friction pendulum, which has the stiffness N/R beside its own, m";
-        slider_displacement: Option<f64> = "slider_displacement_m" as "Slides at", Range::Positive, Fallback::Words("0.0005"),
+        slider_displacement: Option<f64> = "slider_displacement_m" as "field-slides-at", Range::Positive, Fallback::Words("0.0005"),
             "displacement at which the friction is fully there, a regularisation; full scale, m";
-        load: Option<f64> = "load_n" as "Load N", Range::Positive, Fallback::Words("an equal share of the weight"),
+        load: Option<f64> = "load_n" as "field-load", Range::Positive, Fallback::Words("an equal share of the weight"),
             "N at rest that friction goes by; of all bearings or of none, in a planar scene, N";
-        travel: Option<f64> = "travel_m" as "Free travel", Range::Positive, Fallback::Words("no end"),
+        travel: Option<f64> = "travel_m" as "field-free-travel", Range::Positive, Fallback::Words("no end"),
             "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
-        height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
+        height: Option<f64> = "height_m" as "field-height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
         on: Option<String> = "on", Range::Like("a pier"), Fallback::Words("the ground"), "the pier that it stands on";
     }

@@ -32,21 +32,21 @@ table! {
     /// Equal bearings of a whole deck, by their kind.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct DeckBearings, DECK_BEARINGS {
-        kind: BearingKind = "kind" as "Bearings", Range::Words(BearingKind::WORDS), Fallback::Needed("must be given"),
+        kind: BearingKind = "kind" as "field-bearings", Range::Words(BearingKind::WORDS), Fallback::Needed("must be given"),
             "what they are";
-        period: Option<f64> = "post_yield_period_s" as "Period", Range::Positive, Fallback::Words("2.0, assumed"),
+        period: Option<f64> = "post_yield_period_s" as "field-period", Range::Positive, Fallback::Words("2.0, assumed"),
             "T of the deck on k₂ of lead rubber, or on its pendulums, s";
-        force_per_weight: Option<f64> = "yield_force_per_weight" as "Q/W", Range::Positive, Fallback::Words("0.07, assumed"),
+        force_per_weight: Option<f64> = "yield_force_per_weight" as "field-q-over-w", Range::Positive, Fallback::Words("0.07, assumed"),
             "Q of all lead-rubber bearings per weight of the deck";
-        stiffness_ratio: Option<f64> = "stiffness_ratio" as "k₁/k₂", Range::Positive, Fallback::Words("6.5, assumed"),
+        stiffness_ratio: Option<f64> = "stiffness_ratio" as "field-k1-over-k2", Range::Positive, Fallback::Words("6.5, assumed"),
             "k₁/k₂ of lead rubber, more than 1";
-        damping_ratio: Option<f64> = "damping_ratio" as "Damping h", Range::NotNegative, Fallback::Words("0.0"),
+        damping_ratio: Option<f64> = "damping_ratio" as "field-damping-h", Range::NotNegative, Fallback::Words("0.0"),
             "of the rubber itself, of critical at the period";
-        friction: Option<f64> = "friction" as "Friction μ", Range::Positive, Fallback::Words("0.05, assumed"),
+        friction: Option<f64> = "friction" as "field-friction", Range::Positive, Fallback::Words("0.05, assumed"),
             "μ of pendulums";
-        radius: Option<f64> = "radius_m" as "Radius R", Range::NotNegative, Fallback::Words("of the period"),
+        radius: Option<f64> = "radius_m" as "field-radius", Range::NotNegative, Fallback::Words("of the period"),
             "R of pendulums, 0 of flat sliders, m";
-        slider_displacement: Option<f64> = "slider_displacement_m" as "Slides at", Range::Positive, Fallback::Words("0.0005"),
+        slider_displacement: Option<f64> = "slider_displacement_m" as "field-slides-at", Range::Positive, Fallback::Words("0.0005"),
             "displacement at which the friction of pendulums is fully there, a regularisation; full scale, m";
         vertical_frequency_hz: Option<f64> = "vertical_frequency_hz", Range::Positive,
             Fallback::Needed("must be given in a spatial scene (unless z is held)"),
@@ -57,9 +57,9 @@ table! {
         at_skewed: Option<Vec<[f64; 2]>> = "at_skewed_m", Range::Like("one or more [x, y]"),
             Fallback::Needed("this or the last"),
             "places before skewing, m: y cot β is added to x, so that they follow the skew";
-        travel: Option<f64> = "travel_m" as "Free travel", Range::Positive, Fallback::Words("no end"),
+        travel: Option<f64> = "travel_m" as "field-free-travel", Range::Positive, Fallback::Words("no end"),
             "displacement square to the front edge of its seat, either way, at which a bearing loses its support, m";
-        height: Option<f64> = "height_m" as "Height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
+        height: Option<f64> = "height_m" as "field-height", Range::Any, Fallback::Words("the underside, -thickness_m / 2"),
             "height above G in the girder's frame, m", in in_space;
         on_minus_x: Option<String> = "on_minus_x", Range::Like("a pier"), Fallback::Words("the ground"),
             "the pier under the bearings of the -x half";

@@ -105,8 +105,8 @@ table! {
     /// `[girder.elastic.rayleigh]`: damping `α/2ω + β ω/2` of a mode.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Rayleigh, RAYLEIGH {
-        mass: f64 = "mass" as "Rayleigh α", Range::NotNegative, Fallback::Number(0.0), "α, 1/s";
-        stiffness: f64 = "stiffness" as "Rayleigh β", Range::NotNegative, Fallback::Number(0.0), "β, s";
+        mass: f64 = "mass" as "field-rayleigh-alpha", Range::NotNegative, Fallback::Number(0.0), "α, 1/s";
+        stiffness: f64 = "stiffness" as "field-rayleigh-beta", Range::NotNegative, Fallback::Number(0.0), "β, s";
     }
 }
 
@@ -114,24 +114,24 @@ table! {
     /// `[girder.elastic]`: a girder that is not rigid.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Elastic, ELASTIC {
-        young_modulus: f64 = "young_modulus_pa" as "Young's modulus", Range::Positive, Fallback::Number(30e9), "E, Pa";
-        poisson_ratio: f64 = "poisson_ratio" as "Poisson's ratio", Range::Between([-1.0, 0.5]), Fallback::Number(0.2), "ν";
-        area: Option<f64> = "area_m2" as "Section area A", Range::Positive, Fallback::Needed("this or the next"),
+        young_modulus: f64 = "young_modulus_pa" as "field-young", Range::Positive, Fallback::Number(30e9), "E, Pa";
+        poisson_ratio: f64 = "poisson_ratio" as "field-poisson", Range::Between([-1.0, 0.5]), Fallback::Number(0.2), "ν";
+        area: Option<f64> = "area_m2" as "field-section-area", Range::Positive, Fallback::Needed("this or the next"),
             "A of the cross-section, m²";
-        density: Option<f64> = "density_kg_m3" as "Density ρ", Range::Positive, Fallback::Needed("this or the last"),
+        density: Option<f64> = "density_kg_m3" as "field-density", Range::Positive, Fallback::Needed("this or the last"),
             "ρ, kg/m³: A is the mass over ρ a₀";
-        second_moment: Option<f64> = "second_moment_m4" as "Second moment I_z", Range::Positive, Fallback::Words("A b₀²/12"),
+        second_moment: Option<f64> = "second_moment_m4" as "field-second-moment", Range::Positive, Fallback::Words("A b₀²/12"),
             "I_z of the section, for bending in plan, m⁴";
-        shear_factor: ShearFactor = "shear_factor" as "Shear factor k_s", Range::Positive, Fallback::Number(RECTANGLE),
+        shear_factor: ShearFactor = "shear_factor" as "field-shear-factor", Range::Positive, Fallback::Number(RECTANGLE),
             "k_s of the section; none is rigid in shear";
-        damping_ratio: Option<f64> = "damping_ratio" as "Damping ratio ζ", Range::NotNegative, Fallback::Words("0.02"),
+        damping_ratio: Option<f64> = "damping_ratio" as "field-damping-zeta", Range::NotNegative, Fallback::Words("0.02"),
             "ζ of every mode; not together with rayleigh";
         rayleigh: Option<Rayleigh> = "rayleigh", Range::Free, Fallback::Words("none"), "Rayleigh damping, see below";
-        modes: Degree = "modes" as "Degree n", Range::Within(DEGREES), Fallback::Word("auto"),
+        modes: Degree = "modes" as "field-degree", Range::Within(DEGREES), Fallback::Word("auto"),
             "degree n of the polynomials, 3n − 1 modes; auto is what the contacts need";
-        tolerance: f64 = "tol_flex" as "Rigid below", Range::NotNegative, Fallback::Number(1e-4),
+        tolerance: f64 = "tol_flex" as "field-rigid-below", Range::NotNegative, Fallback::Number(1e-4),
             "softening κ_e of the contacts below which auto takes the girder as rigid";
-        strength: Option<f64> = "strength_pa" as "Strength", Range::Positive, Fallback::Words("not looked at"),
+        strength: Option<f64> = "strength_pa" as "field-strength", Range::Positive, Fallback::Words("not looked at"),
             "stress of the extreme fibre that is flagged where it is passed, Pa";
     }
 }

@@ -29,20 +29,20 @@ table! {
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Initial, INITIAL {
         #[serde(with = "super::two_or_three")]
-        displacement: [f64; 3] = "displacement_m" as "Starts at", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        displacement: [f64; 3] = "displacement_m" as "field-starts-at", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m; a third only in a spatial scene";
-        rotation_deg: f64 = "rotation_deg" as "Starts turned", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
+        rotation_deg: f64 = "rotation_deg" as "field-starts-turned", Range::Any, Fallback::Number(0.0), "about the vertical, degrees";
         #[serde(with = "super::two_or_three")]
-        velocity: [f64; 3] = "velocity_m_s" as "Starts with v", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        velocity: [f64; 3] = "velocity_m_s" as "field-starts-velocity", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "of G, world frame, m/s";
-        spin_deg_s: f64 = "spin_deg_s" as "Starts with spin", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
-        pitch_deg: Option<f64> = "pitch_deg" as "Starts pitched", Range::Any, Fallback::Words("0.0"),
+        spin_deg_s: f64 = "spin_deg_s" as "field-starts-spin", Range::Any, Fallback::Number(0.0), "about the vertical, degrees/s";
+        pitch_deg: Option<f64> = "pitch_deg" as "field-starts-pitched", Range::Any, Fallback::Words("0.0"),
             "about its y axis after that turn, +x end downwards, degrees", in in_space;
-        roll_deg: Option<f64> = "roll_deg" as "Starts rolled", Range::Any, Fallback::Words("0.0"),
+        roll_deg: Option<f64> = "roll_deg" as "field-starts-rolled", Range::Any, Fallback::Words("0.0"),
             "about its x axis after those two, degrees", in in_space;
-        pitch_deg_s: Option<f64> = "pitch_deg_s" as "Starts with pitch rate", Range::Any, Fallback::Words("0.0"),
+        pitch_deg_s: Option<f64> = "pitch_deg_s" as "field-starts-pitch-rate", Range::Any, Fallback::Words("0.0"),
             "rate of pitch_deg, degrees/s", in in_space;
-        roll_deg_s: Option<f64> = "roll_deg_s" as "Starts with roll rate", Range::Any, Fallback::Words("0.0"),
+        roll_deg_s: Option<f64> = "roll_deg_s" as "field-starts-roll-rate", Range::Any, Fallback::Words("0.0"),
             "rate of roll_deg, degrees/s", in in_space;
     }
 }
@@ -52,12 +52,12 @@ table! {
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Push, PUSH {
         #[serde(with = "super::two_or_three")]
-        force: [f64; 3] = "force_n" as "Push", Range::Like("two or three numbers"), Fallback::Zeros(2),
+        force: [f64; 3] = "force_n" as "field-push", Range::Like("two or three numbers"), Fallback::Zeros(2),
             "constant force at G, world frame, N";
-        moment: f64 = "moment_n_m" as "Push moment", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
-        moment_x: Option<f64> = "moment_x_n_m" as "Push moment about x", Range::Any, Fallback::Words("0.0"),
+        moment: f64 = "moment_n_m" as "field-push-moment", Range::Any, Fallback::Number(0.0), "constant moment about the vertical, N·m";
+        moment_x: Option<f64> = "moment_x_n_m" as "field-push-moment-x", Range::Any, Fallback::Words("0.0"),
             "constant moment about world x, N·m", in in_space;
-        moment_y: Option<f64> = "moment_y_n_m" as "Push moment about y", Range::Any, Fallback::Words("0.0"),
+        moment_y: Option<f64> = "moment_y_n_m" as "field-push-moment-y", Range::Any, Fallback::Words("0.0"),
             "constant moment about world y, N·m", in in_space;
     }
 }
@@ -66,11 +66,11 @@ table! {
     /// Length of seat under each end, along the axis, and its width, for what remains of it \[m\].
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Seat, SEAT {
-        plus: Option<f64> = "+x" as "Seat at +x", Range::Positive, Fallback::Words("not looked at"),
+        plus: Option<f64> = "+x" as "field-seat-plus", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the +x end, m";
-        minus: Option<f64> = "-x" as "Seat at -x", Range::Positive, Fallback::Words("not looked at"),
+        minus: Option<f64> = "-x" as "field-seat-minus", Range::Positive, Fallback::Words("not looked at"),
             "length of seat under the -x end, m";
-        side: Option<f64> = "side" as "Seat beyond the sides", Range::NotNegative, Fallback::Words("not looked at"),
+        side: Option<f64> = "side" as "field-seat-side", Range::NotNegative, Fallback::Words("not looked at"),
             "by how much both seats are wider than the deck at either side, along their front edge, m";
     }
 }
@@ -125,17 +125,17 @@ table! {
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Girder, GIRDER {
         name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
-        length: f64 = "length_m" as "Length a₀", Range::Positive, Fallback::Needed("must be given"), "length along the axis, m";
-        width: f64 = "width_m" as "Width b₀", Range::Positive, Fallback::Needed("must be given"), "width square to the axis, m";
-        thickness: f64 = "thickness_m" as "Thickness t₀", Range::Positive, Fallback::Needed("must be given"), "depth of the deck, m";
+        length: f64 = "length_m" as "field-length-a", Range::Positive, Fallback::Needed("must be given"), "length along the axis, m";
+        width: f64 = "width_m" as "field-width-b", Range::Positive, Fallback::Needed("must be given"), "width square to the axis, m";
+        thickness: f64 = "thickness_m" as "field-thickness", Range::Positive, Fallback::Needed("must be given"), "depth of the deck, m";
         #[serde(default = "straight")]
-        skew_deg: f64 = "skew_deg" as "Skew β", Range::Between([0.0, 180.0]), Fallback::Number(STRAIGHT),
+        skew_deg: f64 = "skew_deg" as "field-skew", Range::Between([0.0, 180.0]), Fallback::Number(STRAIGHT),
             "skew angle β between the axis and the support line, degrees; 90 is straight", slider [20.0, 160.0];
-        mass: f64 = "mass_kg" as "Mass m", Range::Positive, Fallback::Needed("must be given"), "mass, kg";
+        mass: f64 = "mass_kg" as "field-mass-m", Range::Positive, Fallback::Needed("must be given"), "mass, kg";
         #[serde(default)]
-        position: [f64; 3] = "position_m" as "Position", Range::Like("three numbers"), Fallback::Zeros(3), "where G is placed, m";
+        position: [f64; 3] = "position_m" as "field-position", Range::Like("three numbers"), Fallback::Zeros(3), "where G is placed, m";
         #[serde(default)]
-        heading_deg: f64 = "heading_deg" as "Heading", Range::Any, Fallback::Number(0.0),
+        heading_deg: f64 = "heading_deg" as "field-heading", Range::Any, Fallback::Number(0.0),
             "direction of the axis in plan, degrees from world x; multiples of 90 are exact";
         bearings: Option<Bearings> = "bearings", Range::Free, Fallback::Words("none: it flies free"),
             "what it stands on, see below";
@@ -151,10 +151,10 @@ table! {
         seat: Seat = "seat_m", Range::Free, Fallback::Words("none"), "length of seat under each end, see below";
         elastic: Option<Elastic> = "elastic", Range::Free, Fallback::Words("none: it is rigid"),
             "how it bends and shortens, see below; planar scenes under the contact model";
-        after_unseating: Option<AfterUnseating> = "after_unseating" as "Off a seat", Range::Words(AfterUnseating::WORDS),
+        after_unseating: Option<AfterUnseating> = "after_unseating" as "field-off-a-seat", Range::Words(AfterUnseating::WORDS),
             Fallback::Words("stop where a bearing has travel_m; seats are only measured"),
             "what a planar run does when a bearing loses its support; given, bearings are lost over the front edges of seats as well";
-        drop: Option<f64> = "drop_m" as "Stops dropped by", Range::Positive, Fallback::Words("0.1"),
+        drop: Option<f64> = "drop_m" as "field-stops-dropped", Range::Positive, Fallback::Words("0.1"),
             "how far a corner of a spatial girder that lost a support drops before the run stops, m", in in_space;
     }
 }

@@ -11,12 +11,12 @@ table! {
     /// `[limits]`: what must not be passed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Limits, LIMITS {
-        rotation_deg: Option<f64> = "rotation_deg" as "Rotation limit", Range::NotNegative, NONE,
+        rotation_deg: Option<f64> = "rotation_deg" as "field-rotation-limit", Range::NotNegative, NONE,
             "largest rotation of any girder, either way, degrees";
-        drift: Option<f64> = "drift_m" as "Drift limit", Range::NotNegative, NONE,
+        drift: Option<f64> = "drift_m" as "field-drift-limit", Range::NotNegative, NONE,
             "largest distance of any corner in plan from where it was placed, m";
-        remaining_seat: Option<f64> = "remaining_seat_m" as "Seat to remain", Range::NotNegative, NONE,
+        remaining_seat: Option<f64> = "remaining_seat_m" as "field-seat-to-remain", Range::NotNegative, NONE,
             "least seat that remains under every end that has one (seat_m), m";
-        force: Option<f64> = "force_n" as "Force limit", Range::NotNegative, NONE, "largest force of any contact, N";
+        force: Option<f64> = "force_n" as "field-force-limit", Range::NotNegative, NONE, "largest force of any contact, N";
     }
 }

@@ -31,7 +31,7 @@ table! {
     /// `[model]`: what computes the scene.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
     default struct ModelSettings, MODEL {
-        kind: ModelKind = "kind" as "Model", Range::Words(ModelKind::WORDS), ModelKind::FALLBACK,
+        kind: ModelKind = "kind" as "field-model", Range::Words(ModelKind::WORDS), ModelKind::FALLBACK,
             "the 3D contact-friction model, the 2D rigid-body impact model (planar scenes only), or both, to be looked \
              at together; the contact model leads";
     }
@@ -52,19 +52,19 @@ table! {
     /// `[impact]`: numbers of the impact model.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct ImpactSettings, IMPACT {
-        restitution_normal: f64 = "restitution_normal" as "Impact e n", Range::Within([0.0, 1.0]), Fallback::Number(0.4), "e_n (29)", slider [0.0, 1.0];
-        restitution_tangential: f64 = "restitution_tangential" as "Impact e t", Range::Within([-1.0, 1.0]), Fallback::Number(-0.9),
+        restitution_normal: f64 = "restitution_normal" as "field-impact-en", Range::Within([0.0, 1.0]), Fallback::Number(0.4), "e_n (29)", slider [0.0, 1.0];
+        restitution_tangential: f64 = "restitution_tangential" as "field-impact-et", Range::Within([-1.0, 1.0]), Fallback::Number(-0.9),
             "e_t (31); −1 is smooth", slider [-1.0, 1.0];
-        mu_static: f64 = "mu_static" as "Face μ s", Range::NotBelow("mu_kinetic"), Fallback::Number(0.2), "μ_s of a face", slider [0.0, 1.0];
-        mu_kinetic: f64 = "mu_kinetic" as "Face μ k", Range::NotNegative, Fallback::Number(0.15), "μ_k of a face", slider [0.0, 1.0];
-        corner_mu_static: Option<f64> = "corner_mu_static" as "Corner μ s", Range::NotBelow("corner_mu_kinetic"),
+        mu_static: f64 = "mu_static" as "field-face-mus", Range::NotBelow("mu_kinetic"), Fallback::Number(0.2), "μ_s of a face", slider [0.0, 1.0];
+        mu_kinetic: f64 = "mu_kinetic" as "field-face-muk", Range::NotNegative, Fallback::Number(0.15), "μ_k of a face", slider [0.0, 1.0];
+        corner_mu_static: Option<f64> = "corner_mu_static" as "field-corner-mus", Range::NotBelow("corner_mu_kinetic"),
             Fallback::Words("mu_static"), "μ̄_s of a corner", slider [0.0, 1.0];
-        corner_mu_kinetic: Option<f64> = "corner_mu_kinetic" as "Corner μ k", Range::NotNegative,
+        corner_mu_kinetic: Option<f64> = "corner_mu_kinetic" as "field-corner-muk", Range::NotNegative,
             Fallback::Words("mu_kinetic, or μ̄_s where that is less"), "μ̄_k of a corner", slider [0.0, 1.0];
-        flush: Flush = "flush" as "Flush hits", Range::Words(Flush::WORDS), Flush::FALLBACK,
+        flush: Flush = "flush" as "field-flush-hits", Range::Words(Flush::WORDS), Flush::FALLBACK,
             "a hit along a whole face: the paper's impulse at the centroid of the approach (44), or an impulse at each \
              of its ends";
-        stop_speed: f64 = "stop_speed_m_s" as "Stop speed", Range::Positive, Fallback::Number(1e-4),
+        stop_speed: f64 = "stop_speed_m_s" as "field-stop-speed", Range::Positive, Fallback::Number(1e-4),
             "slower than this there is no bounce, m/s", slider [1e-6, 1e-2];
     }
 }

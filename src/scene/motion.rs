@@ -24,19 +24,19 @@ table! {
     /// `kind = "sine"`: `A sin(2π f t + φ0)` in plan, `A_z sin(2π f t + φz)` upwards.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     struct SineMotion, SINE {
-        amplitude_g: Option<f64> = "amplitude_g" as "Amplitude", Range::Any, Fallback::Needed("this or the next"),
+        amplitude_g: Option<f64> = "amplitude_g" as "field-amplitude", Range::Any, Fallback::Needed("this or the next"),
             "A as a multiple of 9.80665 m/s²", slider [0.0, 1.0];
-        amplitude: Option<f64> = "amplitude_m_s2" as "Amplitude", Range::Any, Fallback::Needed("this or the last"), "A, m/s²", slider [0.0, STANDARD_GRAVITY];
-        frequency_hz: f64 = "frequency_hz" as "Frequency", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz", slider [0.1, 10.0];
+        amplitude: Option<f64> = "amplitude_m_s2" as "field-amplitude", Range::Any, Fallback::Needed("this or the last"), "A, m/s²", slider [0.0, STANDARD_GRAVITY];
+        frequency_hz: f64 = "frequency_hz" as "field-frequency", Range::NotNegative, Fallback::Needed("must be given"), "f, Hz", slider [0.1, 10.0];
         #[serde(default)]
-        phase_deg: f64 = "phase_deg" as "Phase φ0", Range::Any, Fallback::Number(0.0), "φ0, degrees", slider [-180.0, 180.0];
+        phase_deg: f64 = "phase_deg" as "field-phase", Range::Any, Fallback::Number(0.0), "φ0, degrees", slider [-180.0, 180.0];
         #[serde(default)]
-        angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
-        vertical_amplitude_g: Option<f64> = "vertical_amplitude_g" as "Vertical amplitude", Range::Any,
+        angle_deg: f64 = "angle_deg" as "field-angle", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
+        vertical_amplitude_g: Option<f64> = "vertical_amplitude_g" as "field-vertical-amplitude", Range::Any,
             Fallback::Words("0.0, or the next"), "A_z as a multiple of 9.80665 m/s²", slider [0.0, 1.0], in in_space;
-        vertical_amplitude: Option<f64> = "vertical_amplitude_m_s2" as "Vertical amplitude", Range::Any,
+        vertical_amplitude: Option<f64> = "vertical_amplitude_m_s2" as "field-vertical-amplitude", Range::Any,
             Fallback::Words("0.0, or the last"), "A_z, m/s²", slider [0.0, STANDARD_GRAVITY], in in_space;
-        vertical_phase_deg: Option<f64> = "vertical_phase_deg" as "Vertical phase φz", Range::Any,
+        vertical_phase_deg: Option<f64> = "vertical_phase_deg" as "field-vertical-phase", Range::Any,
             Fallback::Words("as phase_deg"), "φz, degrees", slider [-180.0, 180.0], in in_space;
     }
 }

@@ -22,11 +22,11 @@ table! {
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     struct Pier, PIER {
         name: String = "name", Range::Like("unique"), Fallback::Needed("must be given"), "its name";
-        mass: f64 = "mass_kg" as "Mass", Range::Positive, Fallback::Needed("must be given"),
+        mass: f64 = "mass_kg" as "field-mass", Range::Positive, Fallback::Needed("must be given"),
             "mass that moves with its cap: the cap and about a third of a cantilever column, kg";
         position: Option<[f64; 2]> = "position_m", Range::Like("two numbers"),
             Fallback::Words("the middle of the bearings that stand on it"), "its place in plan, world, m";
-        heading_deg: Option<f64> = "heading_deg" as "Heading", Range::Any,
+        heading_deg: Option<f64> = "heading_deg" as "field-heading", Range::Any,
             Fallback::Words("square to the end of the first girder on it"),
             "direction of its first axis, which is called along, degrees from world x";
         stiffness: Option<PerDirection> = "stiffness_n_per_m", Range::Positive,
@@ -37,23 +37,23 @@ table! {
             Fallback::Needed("this, stiffness_n_per_m or frequency_hz"),
             "its columns: one number, the diameter of round ones, or [along, across], the sides of rectangular ones, m";
         #[serde(default = "one")]
-        columns: f64 = "columns" as "Columns", Range::Within([1.0, 12.0]), Fallback::Number(1.0), "how many equal columns stand across it";
-        modulus: Option<f64> = "young_modulus_pa" as "Modulus E", Range::Positive, Fallback::Words("3e10"),
+        columns: f64 = "columns" as "field-columns", Range::Within([1.0, 12.0]), Fallback::Number(1.0), "how many equal columns stand across it";
+        modulus: Option<f64> = "young_modulus_pa" as "field-modulus", Range::Positive, Fallback::Words("3e10"),
             "E of its columns, cracked where they are, Pa";
         #[serde(default)]
-        top: ColumnTop = "column_top" as "Column tops", Range::Words(ColumnTop::WORDS), ColumnTop::FALLBACK,
+        top: ColumnTop = "column_top" as "field-column-tops", Range::Words(ColumnTop::WORDS), ColumnTop::FALLBACK,
             "whether the cap holds them from turning: k = 3EI/h³ a column where it is free, 12EI/h³ where it is held";
         damping_ratio: Option<PerDirection> = "damping_ratio", Range::NotNegative, Fallback::Words("0.05"),
             "h of the pier alone, c = 2 h √(k m): one number, or [along, across]";
-        turn_stiffness: Option<f64> = "turn_stiffness_n_m_per_rad" as "Turning stiffness", Range::Positive,
+        turn_stiffness: Option<f64> = "turn_stiffness_n_m_per_rad" as "field-turning-stiffness", Range::Positive,
             Fallback::Words("it does not turn"), "k_θ against rotation in plan, N·m/rad; its dashpot is c/k of the direction across times this";
-        turn_inertia: Option<f64> = "turn_inertia_kg_m2" as "Turning inertia", Range::Positive,
+        turn_inertia: Option<f64> = "turn_inertia_kg_m2" as "field-turning-inertia", Range::Positive,
             Fallback::Words("that of its cap as a plate of its mass"), "moment of inertia about its vertical axis, kg·m²";
         yield_force: Option<PerDirection> = "yield_force_n", Range::Positive, Fallback::Words("none: elastic"),
             "force at which its base yields: one number, or [along, across], N";
-        post_yield_ratio: Option<f64> = "post_yield_ratio" as "After yield", Range::Between([0.0, 1.0]), Fallback::Words("0.05"),
+        post_yield_ratio: Option<f64> = "post_yield_ratio" as "field-after-yield", Range::Between([0.0, 1.0]), Fallback::Words("0.05"),
             "stiffness after yield over k";
-        height: Option<f64> = "height_m" as "Height", Range::Positive, Fallback::Words("five girder depths"),
+        height: Option<f64> = "height_m" as "field-height", Range::Positive, Fallback::Words("five girder depths"),
             "from its foot to the underside of the bearings, m; must be given with column_m";
         cap: Option<[f64; 3]> = "cap_m", Range::Like("three numbers > 0"), Fallback::Words("what its bearings need"),
             "sides of its cap along, across and up, m; for the drawing and the inertia";

@@ -28,17 +28,17 @@ table! {
     /// `[motion.processing]`: what is done to the samples of a record.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct Processing, PROCESSING {
-        from: Option<f64> = "from_s" as "Cut from", Range::NotNegative, Fallback::Words("its start"),
+        from: Option<f64> = "from_s" as "field-cut-from", Range::NotNegative, Fallback::Words("its start"),
             "where the record is cut to begin, time of the file, s";
-        until: Option<f64> = "to_s" as "Cut to", Range::NotNegative, Fallback::Words("its end"), "where it is cut to end, time of the file, s";
-        baseline: Baseline = "baseline" as "Baseline", Range::Words(Baseline::WORDS), Baseline::FALLBACK,
+        until: Option<f64> = "to_s" as "field-cut-to", Range::NotNegative, Fallback::Words("its end"), "where it is cut to end, time of the file, s";
+        baseline: Baseline = "baseline" as "field-baseline", Range::Words(Baseline::WORDS), Baseline::FALLBACK,
             "what is taken off: nothing, its mean, its line of least squares, or the parabola that leaves the least velocity (Berg and Housner)";
-        taper: f64 = "taper_s" as "Taper", Range::NotNegative, Fallback::Number(0.0),
+        taper: f64 = "taper_s" as "field-taper", Range::NotNegative, Fallback::Number(0.0),
             "length of the half cosine over which it rises at its start and falls at its end, s", slider [0.0, 5.0];
-        pad: f64 = "pad_s" as "Padding", Range::NotNegative, Fallback::Number(0.0), "stillness before its start and after its end, s", slider [0.0, 10.0];
-        time_scale: f64 = "time_scale" as "Time scale", Range::Positive, Fallback::Number(1.0),
+        pad: f64 = "pad_s" as "field-padding", Range::NotNegative, Fallback::Number(0.0), "stillness before its start and after its end, s", slider [0.0, 10.0];
+        time_scale: f64 = "time_scale" as "field-time-scale", Range::Positive, Fallback::Number(1.0),
             "multiplies the interval: √λ for a model of scale λ under the same accelerations", slider [0.1, 2.0];
-        peak_g: Option<f64> = "peak_g" as "Scaled to a peak", Range::Positive, Fallback::Words("as recorded"),
+        peak_g: Option<f64> = "peak_g" as "field-scaled-to-peak", Range::Positive, Fallback::Words("as recorded"),
             "largest magnitude that all samples are scaled to, of several components that of their sum, g; scale multiplies it";
     }
 }

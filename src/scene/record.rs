@@ -23,7 +23,7 @@ pub const RECORD: &[Key] = &[
         Fallback::Needed("must be given with samples_m_s2"),
         "interval between samples, s; beside a file only where that states none",
     )
-    .labelled("Interval")
+    .labelled("field-interval")
     .slid([0.001, 0.1]),
     Key::new(
         "file",
@@ -34,13 +34,13 @@ pub const RECORD: &[Key] = &[
     Key::new("channel", CHANNEL, ONE_CHANNEL, "which channel of a file that has several"),
     Key::new("unit", Range::Words(Unit::WORDS), AS_STATED, "unit of the numbers in a file that states none"),
     Key::new("scale", Range::Any, Fallback::Number(1.0), "multiplies every sample")
-        .labelled("Record scale")
+        .labelled("field-record-scale")
         .slid([0.0, 3.0]),
     Key::new("angle_deg", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees")
-        .labelled("Angle α")
+        .labelled("field-angle")
         .slid([-180.0, 180.0]),
     Key::new("vertical_scale", Range::Any, Fallback::Number(0.0), "multiplies every sample for a vertical component")
-        .labelled("Vertical scale")
+        .labelled("field-vertical-scale")
         .slid([0.0, 3.0])
         .in_space(),
     Key::new("processing", Range::Free, Fallback::Words("none"), "[motion.processing]"),
@@ -89,15 +89,15 @@ table! {
     default struct Component, COMPONENT {
         file: Option<String> = "file", Range::Free, Fallback::Needed("this or samples_m_s2"), "a file that holds it, beside the scene's file";
         channel: Option<usize> = "channel", CHANNEL, ONE_CHANNEL, "which channel of a file that has several";
-        unit: Option<Unit> = "unit" as "Unit", Range::Words(Unit::WORDS), AS_STATED, "unit of the numbers in a file that states none";
+        unit: Option<Unit> = "unit" as "field-unit", Range::Words(Unit::WORDS), AS_STATED, "unit of the numbers in a file that states none";
         samples: Option<Vec<f64>> = "samples_m_s2", Range::Like("two or more numbers"), Fallback::Needed("this or file"),
             "acceleration from t = 0 on, m/s²";
-        dt: Option<f64> = "dt_s" as "Interval", Range::Positive, Fallback::Needed("must be given with samples_m_s2"),
+        dt: Option<f64> = "dt_s" as "field-interval", Range::Positive, Fallback::Needed("must be given with samples_m_s2"),
             "interval between samples, s; beside a file only where that states none";
-        azimuth_deg: Option<f64> = "azimuth_deg" as "Azimuth", Range::Any, Fallback::Words("as the file states"),
+        azimuth_deg: Option<f64> = "azimuth_deg" as "field-azimuth", Range::Any, Fallback::Words("as the file states"),
             "azimuth of positive samples, clockwise from north, degrees";
-        vertical: Option<bool> = "vertical" as "Points", Range::Switch, Fallback::Words("as the file states"), "whether positive samples point upwards";
-        scale: f64 = "scale" as "Factor", Range::Any, Fallback::Number(1.0), "multiplies every sample of this component";
+        vertical: Option<bool> = "vertical" as "field-points", Range::Switch, Fallback::Words("as the file states"), "whether positive samples point upwards";
+        scale: f64 = "scale" as "field-factor", Range::Any, Fallback::Number(1.0), "multiplies every sample of this component";
     }
 }
 

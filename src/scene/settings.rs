@@ -17,9 +17,9 @@ table! {
     /// `[solver]`: how exactly a run is computed.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct SolverSettings, SOLVER {
-        tolerance: f64 = "tolerance" as "Tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
+        tolerance: f64 = "tolerance" as "field-tolerance", Range::Within([1e-13, 0.01]), Fallback::Number(1e-10),
             "local error a step, relative to the motion in hand";
-        method: SolverMethod = "method" as "Method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
+        method: SolverMethod = "method" as "field-method", Range::Words(SolverMethod::WORDS), SolverMethod::FALLBACK,
             "closed-form flight where it exists, an embedded pair of order 8 elsewhere, every event root-found";
     }
 }
@@ -59,10 +59,10 @@ table! {
         x: Option<String> = "x", Range::Like("the name of a quantity"), Fallback::Words("time"),
             "what it is drawn against";
         #[serde(default)]
-        shows: PlotShows = "shows" as "Shows", Range::Words(PlotShows::WORDS), PlotShows::FALLBACK,
+        shows: PlotShows = "shows" as "field-shows", Range::Words(PlotShows::WORDS), PlotShows::FALLBACK,
             "their course, their Fourier amplitudes over frequency, or their 5 % response spectrum over period";
         #[serde(default)]
-        log: bool = "log" as "Logarithmic", Range::Switch, Fallback::Switch(false),
+        log: bool = "log" as "field-logarithmic", Range::Switch, Fallback::Switch(false),
             "whether the upright axis is logarithmic, of the magnitude; of spectra both axes";
     }
 }

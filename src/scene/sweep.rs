@@ -23,12 +23,12 @@ table! {
     /// `kind = "sweep"`: a sine of constant amplitude and changing frequency.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     default struct SweepMotion, SWEEP {
-        amplitude_g: f64 = "amplitude_g" as "Amplitude", Range::Any, Fallback::Number(0.05), "A as a multiple of 9.80665 m/s²", slider [0.0, 1.0];
-        from_hz: f64 = "from_hz" as "From", Range::Positive, Fallback::Number(1.0), "frequency f₀ at its start, Hz", slider [0.1, 10.0];
-        to_hz: f64 = "to_hz" as "To", Range::Positive, Fallback::Number(8.0), "frequency f₁ at its end, Hz", slider [0.1, 10.0];
-        rate: SweepRate = "rate" as "Rate", Range::Words(SweepRate::WORDS), SweepRate::FALLBACK, "how the frequency changes: by the same number of hertz, or by the same factor each second";
-        length: f64 = "length_s" as "Length", Range::Positive, Fallback::Number(60.0), "length T; the ground then stands still, s", slider [5.0, 100.0];
-        angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
+        amplitude_g: f64 = "amplitude_g" as "field-amplitude", Range::Any, Fallback::Number(0.05), "A as a multiple of 9.80665 m/s²", slider [0.0, 1.0];
+        from_hz: f64 = "from_hz" as "field-from-frequency", Range::Positive, Fallback::Number(1.0), "frequency f₀ at its start, Hz", slider [0.1, 10.0];
+        to_hz: f64 = "to_hz" as "field-to-frequency", Range::Positive, Fallback::Number(8.0), "frequency f₁ at its end, Hz", slider [0.1, 10.0];
+        rate: SweepRate = "rate" as "field-rate", Range::Words(SweepRate::WORDS), SweepRate::FALLBACK, "how the frequency changes: by the same number of hertz, or by the same factor each second";
+        length: f64 = "length_s" as "field-length", Range::Positive, Fallback::Number(60.0), "length T; the ground then stands still, s", slider [5.0, 100.0];
+        angle_deg: f64 = "angle_deg" as "field-angle", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
     }
 }
 

@@ -16,20 +16,20 @@ table! {
     /// `kind = "synthetic"`: filtered noise under an envelope, by seed.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     default struct SyntheticMotion, SYNTHETIC {
-        seed: f64 = "seed" as "Seed", Range::Within([0.0, 1e6]), Fallback::Number(1.0), "seed of the noise, a whole number", slider [0.0, 100.0];
-        peak_g: f64 = "peak_g" as "Peak", Range::NotNegative, Fallback::Number(0.35), "largest magnitude, g", slider [0.0, 1.0];
-        duration: f64 = "length_s" as "Length", Range::Positive, Fallback::Number(40.0), "length of the record, s", slider [5.0, 100.0];
-        dt: f64 = "dt_s" as "Interval", Range::Positive, Fallback::Number(0.01), "interval between samples, s", slider [0.001, 0.02];
-        ground_hz: f64 = "ground_hz" as "Ground frequency", Range::Positive, Fallback::Number(2.5), "frequency of the ground ω_g / 2π, Hz", slider [0.5, 10.0];
-        ground_damping: f64 = "ground_damping" as "Ground damping", Range::Positive, Fallback::Number(0.6), "damping of the ground ζ_g, of critical", slider [0.1, 1.0];
-        rise: f64 = "rise_s" as "Rise", Range::NotNegative, Fallback::Number(2.0), "time within which the envelope rises, as a parabola, s", slider [0.0, 10.0];
-        strong: f64 = "strong_s" as "Strong motion", Range::NotNegative, Fallback::Number(10.0), "time for which it then is 1, s", slider [0.0, 40.0];
-        decay: f64 = "decay_s" as "Decay", Range::Positive, Fallback::Number(7.0), "time τ of its decay exp(−t/τ), s", slider [1.0, 20.0];
-        angle_deg: f64 = "angle_deg" as "Angle α", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
-        across: f64 = "across" as "Across", Range::Any, Fallback::Number(0.0), "multiplies an independent component square to the first in plan, of the next seed", slider [0.0, 1.5];
+        seed: f64 = "seed" as "field-seed", Range::Within([0.0, 1e6]), Fallback::Number(1.0), "seed of the noise, a whole number", slider [0.0, 100.0];
+        peak_g: f64 = "peak_g" as "field-peak", Range::NotNegative, Fallback::Number(0.35), "largest magnitude, g", slider [0.0, 1.0];
+        duration: f64 = "length_s" as "field-length", Range::Positive, Fallback::Number(40.0), "length of the record, s", slider [5.0, 100.0];
+        dt: f64 = "dt_s" as "field-interval", Range::Positive, Fallback::Number(0.01), "interval between samples, s", slider [0.001, 0.02];
+        ground_hz: f64 = "ground_hz" as "field-ground-frequency", Range::Positive, Fallback::Number(2.5), "frequency of the ground ω_g / 2π, Hz", slider [0.5, 10.0];
+        ground_damping: f64 = "ground_damping" as "field-ground-damping", Range::Positive, Fallback::Number(0.6), "damping of the ground ζ_g, of critical", slider [0.1, 1.0];
+        rise: f64 = "rise_s" as "field-rise", Range::NotNegative, Fallback::Number(2.0), "time within which the envelope rises, as a parabola, s", slider [0.0, 10.0];
+        strong: f64 = "strong_s" as "field-strong-motion", Range::NotNegative, Fallback::Number(10.0), "time for which it then is 1, s", slider [0.0, 40.0];
+        decay: f64 = "decay_s" as "field-decay", Range::Positive, Fallback::Number(7.0), "time τ of its decay exp(−t/τ), s", slider [1.0, 20.0];
+        angle_deg: f64 = "angle_deg" as "field-angle", Range::Any, Fallback::Number(0.0), "excitation angle α, degrees", slider [-180.0, 180.0];
+        across: f64 = "across" as "field-across", Range::Any, Fallback::Number(0.0), "multiplies an independent component square to the first in plan, of the next seed", slider [0.0, 1.5];
         target: Option<Vec<[f64; 2]>> = "target_psa_g", Range::Like("two or more pairs"), Fallback::Words("none"),
             "spectrum that each component is matched to in place of its peak: period in s and 5 % pseudo-acceleration in g, periods growing";
-        vertical: f64 = "vertical" as "Vertical", Range::Any, Fallback::Number(0.0), "multiplies an independent vertical component, of the seed after that", slider [0.0, 1.5], in in_space;
+        vertical: f64 = "vertical" as "field-vertical", Range::Any, Fallback::Number(0.0), "multiplies an independent vertical component, of the seed after that", slider [0.0, 1.5], in in_space;
     }
 }
 

@@ -147,7 +147,7 @@ pub const TOP: &[Key] = &[
         Fallback::Needed("must be given"),
         "how long the ground shakes and the answer reaches, s",
     )
-    .labelled("Duration")
+    .labelled("field-duration")
     .slid([0.1, 60.0]),
     Key::new(
         "gravity_m_s2",
@@ -155,7 +155,7 @@ pub const TOP: &[Key] = &[
         Fallback::Number(STANDARD_GRAVITY),
         "gravity in a spatial scene, m/s²",
     )
-    .labelled("Gravity"),
+    .labelled("field-gravity"),
     Key::new(
         "assumed",
         Range::Free,

@@ -5,6 +5,7 @@ use super::History;
 use super::report::Extreme;
 use super::seats::{self, Seat};
 use crate::geometry::End;
+use crate::language::{Text, values};
 
 /// What a run says of the seats of a girder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,29 +110,35 @@ impl Verdict {
         }
     }
 
-    /// In words: `stays on its seats: at worst 1.36 m of 1.50 m left, end +x, 4.18 s`.
+    /// In words, in the language of this thread: `stays on its seats: at worst 1.36 m of 1.50 m left, end +x, 4.18 s`.
     pub fn words(&self) -> String {
         match self {
             Self::Stays { end, least, placed, .. } => {
                 let [left, placed] = [least.value, *placed].map(length);
-                format!("stays on its seats: at worst {left} of {placed} left, end {}, {:.2} s", end.label(), least.t)
+                let values = values!["left" => left, "placed" => placed, "end" => end.label(), "t" => seconds(least.t)];
+                Text::new("verdict-stays").with(&values)
             }
             Self::CornerOff { end, corner, t, side: true, .. } => {
-                format!("comes off its seat: corner {} over the side, end {}, {t:.2} s", corner + 1, end.label())
+                let values = values!["corner" => corner + 1, "end" => end.label(), "t" => seconds(*t)];
+                Text::new("verdict-over-side").with(&values)
             }
-            Self::CornerOff { end, corner, t, least, .. } => format!(
-                "comes off its seat: corner {}, end {}, {t:.2} s; at worst {} beyond the edge, {:.2} s",
-                corner + 1,
-                end.label(),
-                length(-least.value),
-                least.t
-            ),
-            Self::Lost { end, t, first, .. } => format!(
-                "comes off its seat: the whole end {} from {t:.2} s, its first corner at {first:.2} s",
-                end.label()
-            ),
+            Self::CornerOff { end, corner, t, least, .. } => {
+                let (corner, end, t) = (corner + 1, end.label(), seconds(*t));
+                let (beyond, worst) = (length(-least.value), seconds(least.t));
+                let values = values!["corner" => corner, "end" => end, "t" => t, "beyond" => beyond, "worst" => worst];
+                Text::new("verdict-corner-off").with(&values)
+            }
+            Self::Lost { end, t, first, .. } => {
+                let values = values!["end" => end.label(), "t" => seconds(*t), "first" => seconds(*first)];
+                Text::new("verdict-lost").with(&values)
+            }
         }
     }
+}
+
+/// A time as it is read.
+fn seconds(t: f64) -> String {
+    format!("{t:.2}")
 }
 
 /// A length as it is read: metres from half a metre on, millimetres below.

@@ -16,9 +16,9 @@ code { background: #f4f4f4; padding: 0 0.25em; }
 ";
 
 /// Begins a page of this title, which is HTML already.
-pub fn begin(title: &str) -> String {
+pub fn begin(title: &str, language: &str) -> String {
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\
+        "<!DOCTYPE html>\n<html lang=\"{language}\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\
          <title>{title}</title><style>{STYLE}</style></head><body>\n"
     )
 }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::language::Language;
 use crate::scene::Girder;
 use crate::sim::{History, verdict};
 
@@ -22,7 +23,7 @@ pub struct VerdictReport {
 pub(super) fn of(history: &History) -> Vec<VerdictReport> {
     let report = |(number, girder): (usize, &Girder)| {
         let verdict = verdict::verdict(history, number)?;
-        let (girder, words) = (girder.name.clone(), verdict.words());
+        let (girder, words) = (girder.name.clone(), Language::English.within(|| verdict.words()));
         Some(VerdictReport { girder, stays: verdict.stays(), t: verdict.t(), words })
     };
     history.scene().girders.iter().enumerate().filter_map(report).collect()

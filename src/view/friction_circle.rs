@@ -12,6 +12,7 @@ use super::list::Mark;
 use super::moment::Moment;
 use super::palette::{Palette, of_state};
 use super::texts::{TEXT, pixel};
+use crate::language::{Text, values};
 use crate::sim::{ContactNow, ContactState};
 
 /// Radius of the `μ_s` circle, and the least of a small picture \[points\].
@@ -159,7 +160,8 @@ fn caption(contact: &ContactNow, Round { middle, radius, ppp }: Round, palette: 
         at: middle + Vec2::new(0.0, 1.42 * radius),
         align: Vec2::splat(0.5),
         size: (0.29 * radius).min((TEXT - 1.0) * ppp),
-        text: format!("T/N {ratio:.3} of {:.2}", contact.mu_static),
+        text: Text::new("view-cone-use")
+            .with(&values!["ratio" => format!("{ratio:.3}"), "most" => format!("{:.2}", contact.mu_static)]),
         color: palette.ink,
         plate: None,
     }

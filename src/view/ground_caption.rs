@@ -1,19 +1,22 @@
 //! The caption of the ground motion: its kind, and every component with its size and direction.
 
 use super::scale;
+use crate::language::{Text, values};
 use crate::scene::{Component, Heading, Motion, RecordMotion, STANDARD_GRAVITY};
 
 /// How the ground moves, in a line: every component with its direction.
 pub(super) fn ground_caption(motion: &Motion) -> String {
     let plain = scale::plain;
     let (kind, parts) = match motion {
-        Motion::None => return "no ground motion".to_owned(),
+        Motion::None => return Text::new("ground-none").into(),
         Motion::Sine(s) => {
             let short = |a: f64| if a < 1e4 { format!("{a:.2}") } else { plain(a) };
             let (level, up) = (short(s.amplitude_si() / STANDARD_GRAVITY), s.vertical_si() / STANDARD_GRAVITY);
-            let level = format!("{level} g, {} Hz {}", plain(s.frequency_hz), degrees(s.angle_deg));
+            let (frequency, direction) = (plain(s.frequency_hz), degrees(s.angle_deg));
+            let values = values!["level" => level, "frequency" => frequency, "direction" => direction];
+            let level = Text::new("ground-sine-level").with(&values);
             let up = (up != 0.0).then(|| format!("{} g {UPWARDS}", short(up)));
-            ("sine ", std::iter::once(level).chain(up).collect())
+            (Text::new("ground-sine"), std::iter::once(level).chain(up).collect())
         }
         Motion::Synthetic(s) => {
             // The spectrum that is matched replaces the peak.
@@ -22,21 +25,23 @@ pub(super) fn ground_caption(motion: &Motion) -> String {
                 None if factor == 1.0 => format!("{} g", plain(s.peak_g)),
                 None => format!("{} g", plain(three_digits(s.peak_g * factor))),
             };
-            let directions = [degrees(s.angle_deg), degrees(s.angle_deg + 90.0), UPWARDS.to_owned()];
+            let directions = [degrees(s.angle_deg), degrees(s.angle_deg + 90.0), UPWARDS.into()];
             let parts = s.factors().into_iter().zip(directions).filter(|(factor, _)| *factor != 0.0);
-            let kind = if s.target.is_some() { "synthetic of a given spectrum, " } else { "synthetic, " };
+            let kind = Text::new(if s.target.is_some() { "ground-matched" } else { "ground-synthetic" });
             (kind, parts.map(|(factor, direction)| format!("{} {direction}", size(factor))).collect())
         }
-        Motion::Record(r) => ("record ", record_parts(r)),
+        Motion::Record(r) => (Text::new("ground-record"), record_parts(r)),
         Motion::Sweep(s) => {
             let [amplitude, from, to] = [s.amplitude_g, s.from_hz, s.to_hz].map(plain);
-            ("sweep ", vec![format!("{amplitude} g, {from} to {to} Hz {}", degrees(s.angle_deg))])
+            let direction = degrees(s.angle_deg);
+            let values = values!["level" => amplitude, "from" => from, "to" => to, "direction" => direction];
+            (Text::new("ground-sweep"), vec![Text::new("ground-sweep-level").with(&values)])
         }
     };
-    format!("ground: {kind}{}", listed(parts))
+    Text::new("ground-of").with(&values!["motion" => kind.with(&values!["parts" => listed(parts)])])
 }
 
-const UPWARDS: &str = "upwards";
+const UPWARDS: Text = Text::new("ground-upwards");
 /// At most this many components are named in the caption.
 const MOST_COMPONENTS: usize = 3;
 
@@ -44,13 +49,13 @@ const MOST_COMPONENTS: usize = 3;
 fn record_parts(record: &RecordMotion) -> Vec<String> {
     let part = |factor: f64, direction: &str| format!("× {} {direction}", scale::plain(factor));
     if record.components.is_empty() {
-        let up = (record.vertical_scale != 0.0).then(|| part(record.vertical_scale, UPWARDS));
+        let up = (record.vertical_scale != 0.0).then(|| part(record.vertical_scale, &UPWARDS));
         return std::iter::once(part(record.scale, &degrees(record.angle_deg))).chain(up).collect();
     }
     let component = |(n, own): (usize, &Component)| match record.heading(n) {
-        Some(Heading::Up) => part(record.scale * own.scale, UPWARDS),
+        Some(Heading::Up) => part(record.scale * own.scale, &UPWARDS),
         Some(Heading::InPlan(angle)) => part(record.scale * own.scale, &degrees(angle)),
-        None => part(record.scale * own.scale, "in a direction not stated"),
+        None => part(record.scale * own.scale, &Text::new("ground-unknown")),
     };
     record.components.iter().enumerate().map(component).collect()
 }
@@ -70,7 +75,7 @@ fn degrees(angle: f64) -> String {
     } else {
         turned
     };
-    format!("at {}°", scale::plain(turned))
+    Text::new("ground-at").with(&values!["angle" => scale::plain(turned)])
 }
 
 /// Parts in a line, the first few of many.
@@ -78,7 +83,7 @@ fn listed(mut parts: Vec<String>) -> String {
     let more = parts.len().saturating_sub(MOST_COMPONENTS);
     parts.truncate(MOST_COMPONENTS);
     if more > 0 {
-        parts.push(format!("{more} more"));
+        parts.push(Text::new("ground-more").with(&values!["count" => more]));
     }
     parts.join(" + ")
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::area::Area;
 use super::crowd::Crowd;
 use super::list::{Mark, Rgba};
+use crate::language::is_japanese;
 
 /// About how large a text is; the renderer lays it out exactly, this only keeps texts apart \[pixels\].
 pub(super) fn text_size(text: &str, size: f32) -> Vec2 {
@@ -16,6 +17,7 @@ pub(super) fn text_size(text: &str, size: f32) -> Vec2 {
             'm' | 'w' | 'M' | 'W' => 0.84,
             '_' => 0.0,
             c if c.is_uppercase() => 0.66,
+            c if is_japanese(c) => 1.0,
             _ => 0.56,
         })
         .sum();

@@ -13,6 +13,8 @@ use super::moment::Moment;
 use super::palette::{DAMPING, IMPULSE, NORMAL, OVERLAP, Palette, STICK, TANGENTIAL};
 use super::scale::{round_down, round_force, round_impulse, round_length};
 use super::texts::TEXT;
+use super::words::{contact_state, friction_laws, section_force};
+use crate::language::{Text, values};
 use crate::sim::ContactState;
 
 /// Height of a row \[points\].
@@ -82,57 +84,58 @@ fn rows(input: &ViewInput<'_>, moment: &Moment, grid: Option<f64>) -> Vec<Row> {
     let o = input.overlays;
     let mut rows = Vec::new();
     let arrows = [
-        (o.resultant, input_resultant(input), "force without dashpots"),
-        (o.normal, NORMAL, "normal force K δ"),
-        (o.tangential, TANGENTIAL, "tangential force"),
-        (o.damping, DAMPING, "dashpot force"),
+        (o.resultant, input_resultant(input), Text::new("legend-resultant")),
+        (o.normal, NORMAL, Text::new("legend-normal")),
+        (o.tangential, TANGENTIAL, Text::new("legend-tangential")),
+        (o.damping, DAMPING, Text::new("legend-damping")),
     ];
-    let shown = |(on, color, text): (bool, Rgba, &str)| on.then(|| row(Sign::Arrow(color), text));
+    let shown = |(on, color, text): (bool, Rgba, Text)| on.then(|| row(Sign::Arrow(color), text));
     let can_touch = !moment.facings.is_empty();
     if let (true, Some((force, length))) =
         (can_touch && (o.cones || arrows.iter().any(|a| a.0)), force_bar(input, moment))
     {
         rows.push(row(Sign::Bar(length), round_force(force)));
         rows.extend(arrows.into_iter().filter_map(shown));
-        rows.push(row(Sign::None, "on the body that owns the node"));
+        rows.push(row(Sign::None, Text::new("legend-on-owner")));
         if o.cones {
-            rows.push(row(Sign::Cone, "outline μ_s, filled μ_k"));
+            rows.push(row(Sign::Cone, Text::new("legend-cone")));
         }
     }
     if let Some((impulse, length)) = o.resultant.then(|| impulse_bar(input, moment)).flatten() {
         rows.push(row(Sign::Bar(length), round_impulse(impulse)));
-        rows.push(row(Sign::Arrow(IMPULSE), "impulse of a hit, fading"));
+        rows.push(row(Sign::Arrow(IMPULSE), Text::new("legend-impulse")));
     }
     if let Some((force, most)) = input.bent.and_then(|bent| bent.colored) {
         let (unit, size) = force.unit();
         let low = if force.is_signed() { -1.0 } else { 0.0 };
         let end = |part: f64| three(part * most / size);
-        rows.push(row(Sign::Colors(low), format!("{} to {} {unit}", end(low), end(1.0))));
-        rows.push(row(Sign::None, force.label()));
+        let range = values!["from" => end(low), "to" => end(1.0), "unit" => unit];
+        rows.push(row(Sign::Colors(low), Text::new("legend-range").with(&range)));
+        rows.push(row(Sign::None, section_force(force)));
     }
     if !moment.ghosts.is_empty() {
-        rows.push(row(Sign::Girder, "contact model"));
-        rows.push(row(Sign::Ghost, "impact model, and its states"));
+        rows.push(row(Sign::Girder, Text::new("legend-contact-model")));
+        rows.push(row(Sign::Ghost, Text::new("legend-impact-model")));
     }
     if o.contacts && can_touch {
-        rows.push(row(Sign::State(ContactState::Stick), "stick"));
-        rows.push(row(Sign::State(ContactState::Slip), "slip"));
-        rows.push(row(Sign::State(ContactState::Open), "just opened"));
+        rows.push(row(Sign::State(ContactState::Stick), contact_state(ContactState::Stick)));
+        rows.push(row(Sign::State(ContactState::Slip), contact_state(ContactState::Slip)));
+        rows.push(row(Sign::State(ContactState::Open), Text::new("legend-opened")));
     }
     if moment.devices.iter().any(|device| !device.line.is_empty()) {
-        rows.push(row(Sign::Device(true), "device whose force acts"));
-        rows.push(row(Sign::Device(false), "idle device"));
+        rows.push(row(Sign::Device(true), Text::new("legend-device-acts")));
+        rows.push(row(Sign::Device(false), Text::new("legend-device-idle")));
     }
     if moment.walls.iter().any(Option::is_some) {
-        rows.push(row(Sign::None, "brown: soil, with its failure surface"));
+        rows.push(row(Sign::None, Text::new("legend-soil")));
     }
     if !moment.overlaps.is_empty() {
-        rows.push(row(Sign::Overlap, "overlap that no contact carries"));
+        rows.push(row(Sign::Overlap, Text::new("legend-overlap")));
     }
     if can_touch && !moment.laws.is_empty() {
-        rows.push(row(Sign::None, format!("friction law: {}", moment.laws.join(", "))));
+        rows.push(row(Sign::None, friction_laws(&moment.laws)));
     }
-    rows.extend(grid.map(|g| row(Sign::Grid, format!("grid {}", round_length(g)))));
+    rows.extend(grid.map(|g| row(Sign::Grid, Text::new("legend-grid").with(&values!["spacing" => round_length(g)]))));
     rows
 }
 

@@ -42,6 +42,7 @@ mod scale_bar;
 mod seats;
 mod texts;
 mod walls;
+mod words;
 
 pub use bending::{Bending, Bent};
 pub use bounds::Bounds;
@@ -52,6 +53,7 @@ pub use list::{Background, DrawList};
 pub use moment::Moment;
 pub use pick::pick;
 pub use scale::auto_force_scale;
+pub use words::section_force;
 
 use labels::Placer;
 use palette::Palette;

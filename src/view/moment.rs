@@ -93,8 +93,8 @@ pub struct Moment {
     pub off_seat: Vec<OffSeat>,
     /// Contacts that opened a moment ago.
     pub opened: Vec<Opened>,
-    /// The friction laws in use, by name; empty where nothing can touch.
-    pub laws: Vec<&'static str>,
+    /// The friction laws in use; empty where nothing can touch.
+    pub laws: Vec<FrictionLaw>,
     /// Motion of each girder by the other model, where the answer has it beside this one.
     pub ghosts: Vec<Motion>,
     /// State of each girder under the impact model, this one or the one beside; empty without.
@@ -159,7 +159,7 @@ impl Moment {
             off_seat: off_seat(history, t),
             laws: match history.impact() {
                 Some(_) => Vec::new(),
-                None => law_names(model.pairs.iter().map(|p| p.contact.law)),
+                None => distinct(model.pairs.iter().map(|p| p.contact.law)),
             },
             true_gaps: Vec::new(),
             force_scale: Some(auto_force_scale(history)),
@@ -180,7 +180,7 @@ impl Moment {
             overlaps: Vec::new(),
             off_seat: Vec::new(),
             opened: Vec::new(),
-            laws: law_names(pairs.iter().map(|p| p.contact.law)),
+            laws: distinct(pairs.iter().map(|p| p.contact.law)),
             ghosts: Vec::new(),
             states: Vec::new(),
             impulses: Vec::new(),
@@ -299,16 +299,9 @@ fn just_opened(history: &History, t: f64, linger: f64, closed: &[ContactNow]) ->
     opened
 }
 
-fn law_names(laws: impl Iterator<Item = FrictionLaw>) -> Vec<&'static str> {
-    let mut names: Vec<_> = laws
-        .map(|law| match law {
-            FrictionLaw::Paper => "paper",
-            FrictionLaw::ReturnMapping => "return-mapping",
-        })
-        .collect();
-    names.sort_unstable();
-    names.dedup();
-    names
+fn distinct(laws: impl Iterator<Item = FrictionLaw>) -> Vec<FrictionLaw> {
+    let laws: Vec<_> = laws.collect();
+    [FrictionLaw::Paper, FrictionLaw::ReturnMapping].into_iter().filter(|law| laws.contains(law)).collect()
 }
 
 #[cfg(test)]

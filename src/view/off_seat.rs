@@ -10,6 +10,7 @@ use super::palette::{OVERLAP, Palette};
 use super::scale;
 use super::texts::{TEXT, pixel};
 use crate::geometry::Prism;
+use crate::language::{Text, values};
 use crate::scene::Scene;
 use crate::sim::seats::seated_share;
 
@@ -54,7 +55,7 @@ pub(super) fn labels(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, 
         Some(Label {
             at: pixel(input, place)?,
             clear: 10.0 * ppp,
-            text: format!("off its seat by {}", scale::length(-remaining)),
+            text: Text::new("view-off-seat").with(&values!["length" => scale::length(-remaining)]),
             size: TEXT * ppp,
             color: palette.ink,
             plate: palette.plate,

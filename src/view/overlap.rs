@@ -15,6 +15,7 @@ use super::scale;
 use super::texts::{TEXT, pixel};
 use super::walls;
 use crate::geometry::shape::{common_area, common_centre};
+use crate::language::{Text, values};
 use crate::sim::SolidId;
 
 /// Width of the outline \[points\].
@@ -47,7 +48,7 @@ pub(super) fn labels(input: &ViewInput<'_>, moment: &Moment, palette: &Palette, 
         Some(Label {
             at: pixel(input, place)?,
             clear: 14.0 * ppp,
-            text: format!("overlap {}, no contact", scale::length(overlap.depth)),
+            text: Text::new("view-overlap").with(&values!["depth" => scale::length(overlap.depth)]),
             size: TEXT * ppp,
             color: palette.ink,
             plate: palette.plate,

@@ -10,7 +10,9 @@ use super::labels::{BESIDE, Label, ON, Placer, text_size};
 use super::list::{ArrowKind, Mark};
 use super::moment::{Moment, period};
 use super::palette::Palette;
+use super::words::{contact_state, impact_state};
 use super::{ViewInput, forces::Forces, scale};
+use crate::language::{Text, values};
 use crate::sim::History;
 
 /// Height of ordinary text \[points\].
@@ -66,10 +68,11 @@ pub(super) fn heading(input: &ViewInput<'_>, moment: &Moment, palette: &Palette,
 fn factors(input: &ViewInput<'_>) -> String {
     let one_digit = |factor: f64| (factor * 10.0).round() / 10.0;
     let motion = (input.exaggeration != 1.0 && input.exaggeration.is_finite())
-        .then(|| format!("motion shown × {}", one_digit(input.exaggeration)));
+        .then(|| Text::new("view-motion-times").with(&values!["factor" => one_digit(input.exaggeration).to_string()]));
     let bends = |history: &History| (0..history.scene().girders.len()).any(|girder| history.flexible(girder).is_some());
     let bent = input.bent.filter(|_| input.history.is_some_and(bends));
-    let deformation = bent.map(|bent| format!("deformation drawn × {}", one_digit(bent.factor)));
+    let deformation =
+        bent.map(|bent| Text::new("view-bent-times").with(&values!["factor" => one_digit(bent.factor).to_string()]));
     motion.into_iter().chain(deformation).collect::<Vec<_>>().join(", ")
 }
 
@@ -80,10 +83,14 @@ fn one_line(text: &str) -> String {
 
 /// `t = 1.2500 s   3.250 periods`.
 fn time_stamp(input: &ViewInput<'_>, moment: &Moment) -> String {
-    let Some(t) = moment.t else { return "as placed".to_owned() };
+    let Some(t) = moment.t else { return Text::new("view-as-placed").into() };
+    let stamp = format!("{t:.4}");
     match period(input.scene) {
-        Some(period) => format!("t = {t:.4} s  ·  {:.3} periods", t / period),
-        None => format!("t = {t:.4} s"),
+        Some(period) => {
+            let values = values!["t" => stamp, "periods" => format!("{:.3}", t / period)];
+            Text::new("view-time-periods").with(&values)
+        }
+        None => Text::new("view-time").with(&values!["t" => stamp]),
     }
 }
 
@@ -98,7 +105,7 @@ fn top_of(block: &Block) -> DVec3 {
 /// A girder's name, with its state under the impact model: `deck · c: contact, sliding and turning`.
 fn with_state(name: &str, moment: &Moment, girder: usize) -> String {
     match moment.states.get(girder) {
-        Some(state) => format!("{name} · {}: {}", state.letter(), state.label()),
+        Some(state) => format!("{name} · {}: {}", state.letter(), impact_state(*state)),
         None => name.to_owned(),
     }
 }
@@ -133,7 +140,7 @@ pub(super) fn gap_values(
 ) -> Vec<Mark> {
     let ppp = input.pixels_per_point;
     let label = |d: &Dimension| {
-        let text = format!("gap {}", scale::length(d.gap));
+        let text = Text::new("view-gap").with(&values!["length" => scale::length(d.gap)]);
         let (color, plate) = (palette.ink, palette.plate);
         let at = pixel(input, d.ends[0])?;
         Some(Label { at, clear: 5.0 * ppp, text, size: TEXT * ppp, color, plate, directions: BESIDE.to_vec() })
@@ -166,8 +173,9 @@ pub(super) fn force_values(
         let beyond = (at - node).try_normalize();
         let directions = beyond.into_iter().chain(BESIDE.iter().copied()).collect();
         let [whole, without] = [c.force, c.elastic_force()].map(|force| scale::force(force.length()));
-        let aside = if whole == without { String::new() } else { format!(" ({without} without dashpots)") };
-        let text = format!("{whole}, {}{aside}", c.state.label());
+        let aside = || Text::new("view-without-dashpots").with(&values!["force" => without.as_str()]);
+        let aside = if whole == without { String::new() } else { aside() };
+        let text = format!("{whole}, {}{aside}", contact_state(c.state));
         let (color, plate) = (palette.ink, palette.plate);
         Some(Label { at, clear: 6.0 * ppp, text, size: TEXT * ppp, color, plate, directions })
     };

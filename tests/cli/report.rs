@@ -47,3 +47,21 @@ fn a_corner_that_comes_off_heads_the_page() {
     assert!(none.contains("The scene gives no seats"), "without seats");
     assert!(!none.contains("a <b>"), "names cannot break the page");
 }
+
+#[test]
+fn a_report_is_in_the_language_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("page.html");
+    let path = out.to_str().expect("a UTF-8 path");
+    let said = call(&["report", "deck-30m", "--until", "2", "--lang", "ja", "--out", path]);
+    assert_eq!(said.status, Some(0), "{}", said.err);
+    let page = std::fs::read_to_string(&out).expect("the page");
+    for words in ["<html lang=\"ja\">", "<h2>仮定</h2>", "<h2>桁かかりと設計基準</h2>", "桁かかりの前縁", "反発係数"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+    for left in ["Assumptions", "front edge", "girder<", "report-"] {
+        assert!(!page.contains(left), "{left} is not Japanese");
+    }
+    assert_eq!(call(&["report", "deck-30m", "--lang", "xx", "--out", path]).status, Some(2), "no such language");
+}

@@ -27,6 +27,19 @@ fn the_language_is_chosen_in_the_menu_of_views_and_taken_back() {
 }
 
 #[test]
+fn a_chosen_language_is_there_at_the_next_start() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut harness = open(presets::OPENING);
+    harness.state_mut().keep_in(folder.path());
+    assert_eq!(harness.state().files.session.language(), None, "nothing chosen yet");
+    harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
+    let mut next = open(presets::OPENING);
+    next.state_mut().keep_in(folder.path());
+    assert_eq!(next.state().files.session.language(), Some(Language::Japanese), "kept");
+    assert!(harness.state().window.notice().is_none(), "and nothing to say");
+}
+
+#[test]
 fn fonts_have_every_letter_of_every_language() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
     for language in Language::ALL {
@@ -53,7 +66,7 @@ fn what_a_girder_is_shown_with_is_japanese() {
     harness.state_mut().apply(WindowCommand::Language(Language::Japanese));
     harness.state_mut().apply(SelectCommand::Only(Some(Target::Girder(0))));
     harness.run_steps(10);
-    for words in ["計算値", "計算の読み", "配置", "条件"] {
+    for words in ["計算値", "計算の読み", "配置", "条件", "桁長 a₀", "質量 m", "落橋しない"] {
         assert!(harness.query_all_by_label_contains(words).next().is_some(), "{words}");
     }
 }

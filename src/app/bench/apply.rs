@@ -129,6 +129,10 @@ impl Workbench {
         if command == WindowCommand::CancelRun {
             self.replay.runner.cancel();
         }
+        if let WindowCommand::Language(language) = command {
+            let kept = self.files.session.keep_language(language);
+            self.window.say_failure(kept);
+        }
         if command == WindowCommand::GiveUp {
             // Undo brings it back, and then it is kept again.
             self.files.forget_work();

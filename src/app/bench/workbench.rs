@@ -86,7 +86,7 @@ impl Workbench {
         self.tasks.set_wake(wake);
     }
 
-    /// Keeps recent files and unsaved work in a folder from now on, and asks about work that is found.
+    /// Keeps recent files, settings and unsaved work in a folder from now on, and asks about work that is found.
     pub fn keep_in(&mut self, folder: &Path) {
         self.files.keep_in(folder, self.tasks.wake());
     }

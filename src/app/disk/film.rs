@@ -8,7 +8,7 @@ use std::thread::JoinHandle;
 
 use crate::app::command::{FilmFormat, FilmPlan, Filming};
 use crate::app::disk::dialogs::file_stem;
-use crate::app::host::{Told, Wake};
+use crate::app::host::{Told, Wake, spawn};
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{Draft, FileSet, WriteError};
@@ -89,7 +89,7 @@ impl Films {
         let (send, told) = channel();
         let (cancel, done) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
         let watch = Watch { cancel: cancel.clone(), done: done.clone() };
-        let thread = std::thread::spawn(move || make(&order, count, &path, &watch, &send, &wake));
+        let thread = spawn(move || make(&order, count, &path, &watch, &send, &wake));
         self.job = Some(Job { cancel, done, count, told, thread: Some(thread) });
     }
 

@@ -1,4 +1,4 @@
-//! What is kept for the user beside the scene itself: recent files, unsaved work, the file's state on the disk.
+//! What is kept for the user beside the scene itself: recent files, settings, unsaved work, the file's state on the disk.
 //!
 //! Nothing is kept unless [`SessionFiles::keep_in`] says where, so that a test or a picture of the window leaves the
 //! user's files alone. The disk is looked at while a frame is drawn anyway, at most once a second: an idle window sleeps.
@@ -11,7 +11,8 @@ use crate::app::disk::autosave::{Autosave, Work};
 use crate::app::edits::Document;
 use crate::app::host::{Wake, now};
 use crate::app::text;
-use crate::files::{Found, Recent, Stamp, find_beside, find_in, load_scene, load_unsaved};
+use crate::files::{Found, Recent, Settings, Stamp, find_beside, find_in, load_scene, load_unsaved};
+use crate::language::Language;
 use crate::scene::Scene;
 
 /// How often the opened file is looked at.
@@ -22,6 +23,7 @@ const LOOK: Duration = Duration::from_secs(1);
 pub struct SessionFiles {
     folder: Option<PathBuf>,
     recent: Recent,
+    settings: Settings,
     autosave: Option<Autosave>,
     found: Vec<FoundWork>,
     stamps: BTreeMap<PathBuf, Option<Stamp>>,
@@ -64,9 +66,10 @@ pub(in crate::app) fn users_folder() -> Option<PathBuf> {
 }
 
 impl SessionFiles {
-    /// Keeps recent files and unsaved work in a folder from now on, and looks for work that was left there.
+    /// Keeps recent files, settings and unsaved work in a folder from now on, and looks for work that was left there.
     pub(in crate::app) fn keep_in(&mut self, folder: &Path, wake: Wake) {
         self.recent = Recent::open(folder.join("recent.toml"));
+        self.settings = Settings::open(folder.join("settings.toml"));
         self.autosave = Some(Autosave::new(wake));
         self.found = find_in(&folder.join("unsaved")).into_iter().map(FoundWork::of).collect();
         self.folder = Some(folder.to_owned());
@@ -95,6 +98,22 @@ impl SessionFiles {
     /// Whether a question about files is open.
     pub(in crate::app) fn asks(&self) -> bool {
         !self.found.is_empty() || self.file_has_changed()
+    }
+
+    /// The language that was chosen in this window or an earlier one, if one was.
+    pub fn language(&self) -> Option<Language> {
+        self.settings.language()
+    }
+
+    /// Keeps a chosen language for the next start.
+    ///
+    /// # Errors
+    /// In words: the settings cannot be written.
+    pub(in crate::app) fn keep_language(&mut self, language: Language) -> Result<(), String> {
+        if self.folder.is_none() {
+            return Ok(());
+        }
+        self.settings.set_language(language).map_err(|e| e.to_string())
     }
 
     /// Files that were used last.

@@ -52,7 +52,8 @@ impl<'a> Look<'a> {
     }
 
     fn label(&self, key: &Key) -> String {
-        if self.whose.is_empty() { key.label.to_owned() } else { format!("{} {}", key.label, self.whose) }
+        let name = text::field(key);
+        if self.whose.is_empty() { name.to_owned() } else { format!("{name} {}", self.whose) }
     }
 
     fn unit(&self, key: &Key, now: f64) -> Unit {

@@ -1,6 +1,7 @@
 //! Which keys of a scene a map can have, how each is called, and what a map shows at first.
 
 use crate::app::command::{MapAxis, MapDraft};
+use crate::app::text;
 use crate::app::unit::{Size, Unit, unit_of};
 use crate::scene::keys::{Fallback, Key, Range, TABLES, of_place};
 use crate::scene::overrides::Laid;
@@ -74,10 +75,10 @@ fn places(scene: &Scene, path: &str) -> Vec<String> {
 
 /// What a key is called on an axis, without its unit.
 pub(super) fn title(path: &str) -> String {
-    let label = of_place(path).map_or(path, |(_, key)| key.label);
+    let label = of_place(path).map_or(path, |(_, key)| text::field(key));
     match path.split('.').collect::<Vec<_>>()[..] {
-        ["girder" | "abutment", name, ..] if name != path => format!("{label} of {name}"),
-        [_, name, _] => format!("{label} of {name}"),
+        ["girder" | "abutment", name, ..] if name != path => text::of_whom(label, name),
+        [_, name, _] => text::of_whom(label, name),
         _ => label.to_owned(),
     }
 }
@@ -136,7 +137,7 @@ mod tests {
         assert!(draft.axes.iter().all(|axis| axis.from < axis.to), "a stretch each: {draft:?}");
         assert_eq!(
             title(&draft.axes[0].key),
-            format!("{} of deck", of_place("girder.deck.skew_deg").expect("known").1.label)
+            text::of_whom(text::field(of_place("girder.deck.skew_deg").expect("known").1), "deck")
         );
     }
 }

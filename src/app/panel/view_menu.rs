@@ -9,7 +9,7 @@ use crate::app::style::size::SCALES;
 use crate::app::text;
 use crate::language::Language;
 use crate::sim::OfSection;
-use crate::view::Bending;
+use crate::view::{Bending, section_force};
 
 /// The menu of views beyond the standing ones.
 pub(in crate::app) fn menu(ui: &mut Ui, sight: Sight, document: &Document, out: &mut Vec<Command>) {
@@ -59,7 +59,7 @@ fn bending(ui: &mut Ui, bent: &mut Option<Bending>) {
     if let Some(bending) = bent {
         ui.radio_value(&mut bending.force, None, text::BENT_PLAIN);
         for (_, force) in OfSection::ALL {
-            ui.radio_value(&mut bending.force, Some(force), force.label());
+            ui.radio_value(&mut bending.force, Some(force), section_force(force).as_str());
         }
     }
 }

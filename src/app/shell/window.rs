@@ -56,17 +56,17 @@ pub enum AppError {
     },
 }
 
-/// Opens the workbench on a scene, in a language, and returns when its window is closed.
+/// Opens the workbench on a scene and returns when its window is closed. Its words are in this language; in the one that was
+/// chosen in an earlier window, else in the system's, where none is given.
 ///
 /// # Errors
 /// [`AppError::NoDisplay`] when the machine has no display, [`AppError::NoWindow`] when none can be opened on it,
 /// [`AppError::Ended`] when it was open and the display or the graphics device went away for good.
-pub fn run(scene: Scene, source: SceneSource, language: Language) -> Result<(), AppError> {
+pub fn run(scene: Scene, source: SceneSource, language: Option<Language>) -> Result<(), AppError> {
     let event_loop = EventLoop::<News>::with_user_event().build().map_err(|_| AppError::NoDisplay)?;
     let proxy = event_loop.create_proxy();
-    let mut bench = Workbench::new(scene, source);
-    bench.window.language = language;
-    let mut shell = Shell { bench, proxy, open: None, failed: None };
+    let bench = Workbench::new(scene, source);
+    let mut shell = Shell { bench, proxy, language, open: None, failed: None };
     let ran = event_loop.run_app(&mut shell);
     shell.ended(ran.err().map(|problem| problem.to_string()))
 }
@@ -90,6 +90,8 @@ impl From<accesskit_winit::Event> for News {
 struct Shell {
     bench: Workbench,
     proxy: EventLoopProxy<News>,
+    /// The language that was asked for.
+    language: Option<Language>,
     open: Option<Open>,
     failed: Option<String>,
 }
@@ -214,6 +216,8 @@ impl ApplicationHandler<News> for Shell {
         }
         match Open::new(event_loop, &mut self.bench, &self.proxy) {
             Ok(open) => {
+                let chosen = self.language.or(self.bench.files.session.language());
+                self.bench.window.language = chosen.unwrap_or_else(Language::of_system);
                 open.window.request_redraw();
                 self.open = Some(open);
             }
@@ -326,7 +330,7 @@ mod tests {
         let event_loop = on_any_thread().build().expect("a display");
         let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
         let girders = bench.files.document.scene().girders.len();
-        let shell = Shell { bench, proxy: event_loop.create_proxy(), open: None, failed: None };
+        let shell = Shell { bench, proxy: event_loop.create_proxy(), language: None, open: None, failed: None };
         let mut losing = Losing { shell, frames: 0, seen: Vec::new() };
         event_loop.run_app(&mut losing).expect("it ends when it is told to");
         let Losing { mut shell, seen, .. } = losing;

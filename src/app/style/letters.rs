@@ -3,16 +3,13 @@
 use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
 use egui::{Context, FontData, FontFamily, Id};
 
-use crate::language::Language;
-
-/// Kana, and the kanji of the Japanese texts and lessons: a subset of Noto Sans CJK JP (README says how it is made).
-const JAPANESE: &[u8] = include_bytes!("../../../assets/fonts/japanese.otf");
+use crate::language::{JAPANESE_FONT, Language};
 
 /// Gives the fonts what a language needs, once for a context.
 pub(in crate::app) fn install(ctx: &Context, language: Language) {
     let font = match language {
         Language::English => return,
-        Language::Japanese => JAPANESE,
+        Language::Japanese => JAPANESE_FONT,
     };
     let there = Id::unique(("letters", language.code()));
     if ctx.data(|data| data.get_temp::<bool>(there)).is_some() {

@@ -1,6 +1,7 @@
 //! Words around fields: what they say of themselves, the ground motion, contact numbers of all pairs.
 
 use crate::language::{Text, values};
+use crate::scene::keys::Key;
 
 // What a field says of itself.
 pub(in crate::app) const ALLOWED: Text = Text::new("allowed");
@@ -88,6 +89,16 @@ pub(in crate::app) const ASSUMED_HINT: Text = Text::new("assumed-hint");
 /// The button that says of an assumed value that it is right.
 pub(in crate::app) fn given(path: &str) -> String {
     Text::new("given").with(&values!["path" => path])
+}
+
+/// What the field of a key of the scene file is called.
+pub(in crate::app) fn field(key: &Key) -> &'static str {
+    key.label.map_or(key.name, |label| Text::new(label).as_str())
+}
+
+/// What a quantity of a part of the scene is called.
+pub(in crate::app) fn of_whom(quantity: &str, part: &str) -> String {
+    Text::new("of-whom").with(&values!["quantity" => quantity, "part" => part])
 }
 
 /// What a kind of device is called.

@@ -173,11 +173,9 @@ pub(in crate::app) fn phase(from: f64, state: &str) -> String {
 }
 
 /// Stands in the status line while the answer is of a coarse pass.
-pub(in crate::app) const COARSE: &str = "coarse, the full run follows";
-pub(in crate::app) const COARSE_MEANS: &str =
-    "Computed at a tolerance of 1e-4 so that it is seen soon; limits, verdicts, pins and files wait for the full run";
+pub(in crate::app) const COARSE: Text = Text::new("coarse");
+pub(in crate::app) const COARSE_MEANS: Text = Text::new("coarse-means");
 /// Told instead of writing a file of a coarse pass.
-pub(in crate::app) const STILL_COARSE: &str =
-    "The run is not computed in full yet: nothing was written; ask again when it is";
+pub(in crate::app) const STILL_COARSE: Text = Text::new("still-coarse");
 /// Heads the verdicts on every girder.
-pub(in crate::app) const VERDICTS: &str = "On its seats?";
+pub(in crate::app) const VERDICTS: Text = Text::new("verdicts");

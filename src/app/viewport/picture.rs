@@ -10,6 +10,7 @@ use crate::app::viewport::eye::ndc;
 use crate::app::viewport::glide::Glide;
 use crate::app::viewport::hand::Hand;
 use crate::app::viewport::seen::Seen;
+use crate::language::Language;
 use crate::scene::device::Joint;
 use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::sim::History;
@@ -31,6 +32,7 @@ pub(super) struct Key {
     pub(super) size: [u32; 2],
     pub(super) pixels_per_point: f32,
     pub(super) background: Background,
+    pub(super) language: Language,
 }
 
 /// The view's own state.

@@ -14,6 +14,7 @@ use crate::app::viewport::picture::{Key, Viewport, input, listed};
 use crate::app::viewport::screen::Screen;
 use crate::app::viewport::seen::Seen;
 use crate::app::viewport::{gizmo, mouse, section, tool};
+use crate::language::Language;
 use crate::scene::{Overlays, ViewPreset};
 use crate::sim::History;
 use crate::view::{Background, Bounds, Camera, Target};
@@ -144,6 +145,7 @@ fn key(ui: &Ui, camera: Camera, (viewport, seen): (&Viewport, &Seen<'_>)) -> Key
         size: viewport.size,
         pixels_per_point,
         background: if ui.visuals().dark_mode { Background::Dark } else { Background::Studio },
+        language: Language::current(),
     }
 }
 

@@ -76,40 +76,40 @@ pub const DEFAULT_YOUNG_MODULUS: f64 = 30e9;
 // lies over what, the numbers in force for a pair and the rows of the inspector follow.
 contact_tables! {
     elasticity {
-        stiffness = "stiffness_n_per_m" as "K", Range::Positive, Fallback::Words("E A / L"),
+        stiffness = "stiffness_n_per_m" as "field-contact-k", Range::Positive, Fallback::Words("E A / L"),
             "K of a pair (54), N/m; not together with the next three";
-        young_modulus = "young_modulus_pa" as "E", Range::Positive, Fallback::Number(DEFAULT_YOUNG_MODULUS),
+        young_modulus = "young_modulus_pa" as "field-contact-e", Range::Positive, Fallback::Number(DEFAULT_YOUNG_MODULUS),
             "E of K = E A / L (64), Pa; of two girders the smaller K counts";
-        area = "area_m2" as "A", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
-        contact_length = "contact_length_m" as "L", Range::Positive,
+        area = "area_m2" as "field-contact-a", Range::Positive, Fallback::Words("width × thickness of the girder"), "A of (64), m²";
+        contact_length = "contact_length_m" as "field-contact-l", Range::Positive,
             Fallback::Words("a₀; a₀/10 if elastic"), "L of K = E A / L (64), m; a₀ is the length of the girder";
     }
     given {
-        hertz_stiffness = "hertz_stiffness_n_per_m1_5" as "k_h", Range::Positive, Fallback::Words("from K at the design speed"),
+        hertz_stiffness = "hertz_stiffness_n_per_m1_5" as "field-hertz-k", Range::Positive, Fallback::Words("from K at the design speed"),
             "k_h of a Hertz spring, N/m^1.5; without stiffness_n_per_m, K of the tangential spring then follows from it";
-        law_parameter = "law_parameter" as "ζ, ξ or a", Range::NotNegative, Fallback::Words("from restitution_normal"),
+        law_parameter = "law_parameter" as "field-law-parameter", Range::NotNegative, Fallback::Words("from restitution_normal"),
             "damping ratio ζ of kelvin-voigt and approach, ξ of hertz-viscous and jankowski, a of hertz-damp";
     }
     numbers {
-        restitution_normal = "restitution_normal" as "e normal", Range::Within([LEAST_RESTITUTION, 1.0]), 0.4, "e_n; 1 is no dashpot (65)",
+        restitution_normal = "restitution_normal" as "field-e-normal", Range::Within([LEAST_RESTITUTION, 1.0]), 0.4, "e_n; 1 is no dashpot (65)",
             slider [LEAST_RESTITUTION, 1.0];
-        restitution_tangential = "restitution_tangential" as "e tangential", Range::Within([LEAST_RESTITUTION, 1.0]), 0.9,
+        restitution_tangential = "restitution_tangential" as "field-e-tangential", Range::Within([LEAST_RESTITUTION, 1.0]), 0.9,
             "e_t; 1 is no dashpot (65)", slider [LEAST_RESTITUTION, 1.0];
-        mu_static = "mu_static" as "μ static", Range::NotBelow("mu_kinetic"), 0.20, "μ_s", slider [0.0, 1.0];
-        mu_kinetic = "mu_kinetic" as "μ kinetic", Range::NotNegative, 0.15, "μ_k", slider [0.0, 1.0];
-        design_speed = "design_speed_m_s" as "Design speed", Range::Positive, 0.3,
+        mu_static = "mu_static" as "field-mu-static", Range::NotBelow("mu_kinetic"), 0.20, "μ_s", slider [0.0, 1.0];
+        mu_kinetic = "mu_kinetic" as "field-mu-kinetic", Range::NotNegative, 0.15, "μ_k", slider [0.0, 1.0];
+        design_speed = "design_speed_m_s" as "field-design-speed", Range::Positive, 0.3,
             "impact speed at which a Hertz spring is as deep as K, and at which bilinear returns e_n", slider [0.01, 2.0];
     }
     rules {
-        normal_law: NormalName = "normal_law" as "Normal law", "force against penetration: see docs/physics.md";
-        calibration: Calibration = "calibration" as "Calibration",
+        normal_law: NormalName = "normal_law" as "field-normal-law", "force against penetration: see docs/physics.md";
+        calibration: Calibration = "calibration" as "field-calibration",
             "parameter of the normal law from e_n: so that a head-on hit returns e_n, or by the formula in print; by-law is \
              published for kelvin-voigt, (65), and exact for the others";
-        law: FrictionLaw = "law" as "Friction law",
+        law: FrictionLaw = "law" as "field-friction-law",
             "friction: the paper's law taken literally, or elastic-plastic Coulomb, which holds a static load";
-        sharing: Sharing = "sharing" as "Sharing",
+        sharing: Sharing = "sharing" as "field-sharing",
             "K and C divided by the nodes that face the other end when the pair closes, or whole for each node";
-        tension: Tension = "tension" as "Tension",
+        tension: Tension = "tension" as "field-tension",
             "whether the dashpot may pull just before a contact opens, or the normal force is held at 0";
     }
 }

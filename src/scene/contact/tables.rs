@@ -21,7 +21,7 @@ macro_rules! contact_tables {
                 $( $option: Option<f64> = $option_key as $option_label, $option_range, $option_fallback, $option_meaning; )+
                 $( $number: f64 = $key as $label, $range, Fallback::Number($default), $meaning, slider $bounds; )+
                 $( $rule: $Rule = $rule_key as $rule_label, Range::Words($Rule::WORDS), $Rule::FALLBACK, $rule_meaning; )+
-                between: Between = "between" as "Between", Range::Words(Between::WORDS), Between::FALLBACK,
+                between: Between = "between" as "field-between", Range::Words(Between::WORDS), Between::FALLBACK,
                     "which faces can touch: any of any two bodies that come near, or facing ends and declared pairs alone";
                 pairs: Vec<PairSettings> = "pair", Range::Free, Fallback::Words("none"), "[[contact.pair]], see below";
             }

@@ -11,18 +11,18 @@ device_table! {
     /// A bumper or shock absorber: rubber that its first point is pushed against.
     struct Bumper, BUMPER {
         #[serde(default, with = "crate::scene::two_or_three::optional")]
-        normal: Option<[f64; 3]> = "normal" as "Normal", Range::Like("two or three numbers"),
+        normal: Option<[f64; 3]> = "normal" as "field-normal", Range::Like("two or three numbers"),
             Fallback::Words("out of the abutment's face; otherwise from to_m towards at_m"),
             "direction of the force on the girder as placed, in its frame; it turns with the body of to_m";
-        gap: Option<f64> = "gap_m" as "Gap", Range::NotNegative, Fallback::Words("distance of at_m from the plane through to_m"),
+        gap: Option<f64> = "gap_m" as "field-gap", Range::NotNegative, Fallback::Words("distance of at_m from the plane through to_m"),
             "distance along the normal as placed before the force begins, m";
-        stiffness: Option<f64> = "stiffness_n_per_m" as "Stiffness", Range::Positive, Fallback::Needed("this or depth_force_m_n"),
+        stiffness: Option<f64> = "stiffness_n_per_m" as "field-stiffness", Range::Positive, Fallback::Needed("this or depth_force_m_n"),
             "of a linear bumper, N/m";
         table: Option<Vec<[f64; 2]>> = "depth_force_m_n", Range::Like("rising pairs"),
             Fallback::Needed("this or stiffness_n_per_m"),
             "[[depth, force], …] from (0, 0) on, joined by straight lines of which the last goes on, m and N";
         #[serde(default)]
-        damping: f64 = "damping_n_s_per_m" as "Damping c", Range::NotNegative, Fallback::Number(0.0),
+        damping: f64 = "damping_n_s_per_m" as "field-damping-c", Range::NotNegative, Fallback::Number(0.0),
             "c of the dashpot beside it, N·s/m";
     }
 }

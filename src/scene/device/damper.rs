@@ -8,15 +8,15 @@ use crate::scene::keys::{Fallback, Range};
 device_table! {
     /// A viscous damper along the line between its points.
     struct Damper, DAMPER {
-        coefficient: f64 = "coefficient" as "Coefficient c", Range::Positive, Fallback::Needed("must be given"),
+        coefficient: f64 = "coefficient" as "field-coefficient", Range::Positive, Fallback::Needed("must be given"),
             "c of F = c sgn(v) abs(v)^α, N (s/m)^α";
         #[serde(default = "linear")]
-        exponent: f64 = "exponent" as "Exponent α", Range::Within([0.1, 1.0]), Fallback::Number(LINEAR), "α; 1 is linear",
+        exponent: f64 = "exponent" as "field-exponent", Range::Within([0.1, 1.0]), Fallback::Number(LINEAR), "α; 1 is linear",
             slider [0.1, 1.0];
         #[serde(default = "usual")]
-        regularisation: f64 = "regularisation_speed_m_s" as "Regularised at", Range::Positive, Fallback::Number(USUAL),
+        regularisation: f64 = "regularisation_speed_m_s" as "field-regularised", Range::Positive, Fallback::Number(USUAL),
             "v_r of F = c v (v² + v_r²)^((α−1)/2) for α below 1, m/s";
-        brace_stiffness: Option<f64> = "brace_stiffness_n_per_m" as "Brace", Range::Positive,
+        brace_stiffness: Option<f64> = "brace_stiffness_n_per_m" as "field-brace", Range::Positive,
             Fallback::Words("none: rigid"), "K_b of a spring in series, which takes the place of v_r, N/m";
     }
 }

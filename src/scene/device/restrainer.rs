@@ -9,19 +9,19 @@ device_table! {
     /// A cable that pulls once its slack is used up.
     struct Restrainer, RESTRAINER {
         #[serde(default)]
-        slack: f64 = "slack_m" as "Slack", Range::NotNegative, Fallback::Number(0.0),
+        slack: f64 = "slack_m" as "field-slack", Range::NotNegative, Fallback::Number(0.0),
             "elongation since placed at which it is taut, m";
-        stiffness: Option<f64> = "stiffness_n_per_m" as "Stiffness K", Range::Positive, Fallback::Needed("this or axial_stiffness_n"),
+        stiffness: Option<f64> = "stiffness_n_per_m" as "field-stiffness-k", Range::Positive, Fallback::Needed("this or axial_stiffness_n"),
             "K = EA/ℓ, N/m";
-        axial_stiffness: Option<f64> = "axial_stiffness_n" as "Stiffness EA", Range::Positive,
+        axial_stiffness: Option<f64> = "axial_stiffness_n" as "field-stiffness-ea", Range::Positive,
             Fallback::Needed("this or stiffness_n_per_m"), "EA of K = EA/ℓ, N";
-        cable_length: Option<f64> = "length_m" as "Cable length", Range::Positive, Fallback::Words("distance of its points and slack_m"),
+        cable_length: Option<f64> = "length_m" as "field-cable-length", Range::Positive, Fallback::Words("distance of its points and slack_m"),
             "ℓ of K = EA/ℓ, m";
-        yield_force: Option<f64> = "yield_force_n" as "Yields at", Range::Positive, Fallback::Words("none: elastic"),
+        yield_force: Option<f64> = "yield_force_n" as "field-yields-at", Range::Positive, Fallback::Words("none: elastic"),
             "T_y, force at the first yield, N";
-        post_yield_stiffness: Option<f64> = "post_yield_stiffness_n_per_m" as "Stiffness after yield", Range::NotNegative,
+        post_yield_stiffness: Option<f64> = "post_yield_stiffness_n_per_m" as "field-stiffness-after-yield", Range::NotNegative,
             Fallback::Words("0.0"), "K₂ in yield, less than K, N/m";
-        break_elongation: Option<f64> = "break_elongation_m" as "Breaks at", Range::Positive, Fallback::Words("it does not break"),
+        break_elongation: Option<f64> = "break_elongation_m" as "field-breaks-at", Range::Positive, Fallback::Words("it does not break"),
             "elongation beyond the slack at which it breaks, m";
     }
 }

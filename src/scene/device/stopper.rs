@@ -23,23 +23,23 @@ device_table! {
     /// A shear key or stopper: a stop to either side along a direction.
     struct Stopper, STOPPER {
         #[serde(default, with = "crate::scene::two_or_three::optional")]
-        direction: Option<[f64; 3]> = "direction" as "Direction", Range::Like("two or three numbers"),
+        direction: Option<[f64; 3]> = "direction" as "field-direction", Range::Like("two or three numbers"),
             Fallback::Words("across the girder"),
             "d as placed, in the girder's frame; it turns with the body of to_m";
         #[serde(default)]
-        sides: Sides = "sides" as "Sides", Range::Words(Sides::WORDS), Sides::FALLBACK,
+        sides: Sides = "sides" as "field-sides", Range::Words(Sides::WORDS), Sides::FALLBACK,
             "whether it stops motion along d, against d, or both";
         #[serde(default)]
-        gap: f64 = "gap_m" as "Gap", Range::NotNegative, Fallback::Number(0.0),
+        gap: f64 = "gap_m" as "field-gap", Range::NotNegative, Fallback::Number(0.0),
             "way along d since placed before it touches, m";
-        minus_gap: Option<f64> = "minus_gap_m" as "Gap against d", Range::NotNegative, Fallback::Words("as gap_m"),
+        minus_gap: Option<f64> = "minus_gap_m" as "field-gap-against", Range::NotNegative, Fallback::Words("as gap_m"),
             "the same against d, m";
-        stiffness: f64 = "stiffness_n_per_m" as "Stiffness", Range::Positive, Fallback::Needed("must be given"), "K of each side, N/m";
-        break_force: Option<f64> = "break_force_n" as "Breaks at", Range::Positive, Fallback::Words("none"),
+        stiffness: f64 = "stiffness_n_per_m" as "field-stiffness", Range::Positive, Fallback::Needed("must be given"), "K of each side, N/m";
+        break_force: Option<f64> = "break_force_n" as "field-breaks-at", Range::Positive, Fallback::Words("none"),
             "F_u at which a brittle side breaks, N";
-        yield_force: Option<f64> = "yield_force_n" as "Yields at", Range::Positive, Fallback::Words("none"),
+        yield_force: Option<f64> = "yield_force_n" as "field-yields-at", Range::Positive, Fallback::Words("none"),
             "F_y at which a ductile side yields, N";
-        break_displacement: Option<f64> = "break_displacement_m" as "Breaks after", Range::Positive,
+        break_displacement: Option<f64> = "break_displacement_m" as "field-breaks-after", Range::Positive,
             Fallback::Words("it does not break"), "plastic displacement w_u at which a ductile side breaks, m";
     }
 }

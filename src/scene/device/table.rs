@@ -19,10 +19,10 @@ macro_rules! device_table {
                 to: Option<String> = "to", Range::Like("another girder, or an abutment"), Fallback::Words("the ground"),
                     "the body that its second point is on";
                 #[serde(with = "crate::scene::two_or_three")]
-                at: [f64; 3] = "at_m" as "At", Range::Like("two or three numbers"), Fallback::Needed("must be given"),
+                at: [f64; 3] = "at_m" as "field-at", Range::Like("two or three numbers"), Fallback::Needed("must be given"),
                     "its first point from the girder's G: along, across and up in its frame, m";
                 #[serde(default, with = "crate::scene::two_or_three::optional")]
-                to_at: Option<[f64; 3]> = "to_m" as "To", Range::Like("two or three numbers"),
+                to_at: Option<[f64; 3]> = "to_m" as "field-to", Range::Like("two or three numbers"),
                     Fallback::Words("where at_m is as placed"),
                     "its second point: of a girder from its G in its frame; of an abutment from the centre of its face, out of the \
                      face, along it and up; of the ground in the world, m";

@@ -30,8 +30,8 @@ pub struct Key {
     pub fallback: Fallback,
     /// What it means, with its unit.
     pub meaning: &'static str,
-    /// What its field in the window is called; the name itself unless stated otherwise.
-    pub label: &'static str,
+    /// The text that says what its field in the window is called; none: the name itself.
+    pub label: Option<&'static str>,
     /// From where to where its slider goes, in the unit of the key; what is typed may lie beyond. None: no slider.
     pub slider: Option<[f64; 2]>,
     /// Whether a planar scene has no such quantity.
@@ -45,12 +45,12 @@ impl Key {
         fallback: Fallback,
         meaning: &'static str,
     ) -> Self {
-        Self { name, range, fallback, meaning, label: name, slider: None, spatial: false }
+        Self { name, range, fallback, meaning, label: None, slider: None, spatial: false }
     }
 
-    /// The same with a name for its field.
+    /// The same with a name for its field, the key of a text.
     pub(in crate::scene) const fn labelled(self, label: &'static str) -> Self {
-        Self { label, ..self }
+        Self { label: Some(label), ..self }
     }
 
     /// The same with a slider between these bounds.

@@ -188,8 +188,8 @@ pub(in crate::scene) trait Keyed {
     }
 }
 
-/// States a table of the scene file: one line a key, of field, type, name in the file (`as` the name of its field in the
-/// window), range, default, meaning, bounds of its slider where it has one, and `in in_space` where planar scenes have no such
+/// States a table of the scene file: one line a key, of field, type, name in the file (`as` the text that names its
+/// field in the window), range, default, meaning, bounds of its slider where it has one, and `in in_space` where planar scenes have no such
 /// quantity.
 ///
 /// `default struct` is a table that may be left out, with all of its keys: each field is what its [`Fallback`] says. The

@@ -269,7 +269,8 @@ fn fields_of_a_table_have_names_of_their_own_and_sliders_within_their_ranges() {
     let mut sliders = 0;
     for table in TABLES {
         for key in table.keys {
-            let alike = table.keys.iter().filter(|other| other.label == key.label && other.name != key.name);
+            let called = |key: &Key| key.label.unwrap_or(key.name);
+            let alike = table.keys.iter().filter(|other| called(other) == called(key) && other.name != key.name);
             let alike: Vec<_> = alike.filter(|other| !overrides::replaced_by(key.name).contains(&other.name)).collect();
             assert!(alike.is_empty(), "[{}] {} and {alike:?} are called the same", table.path, key.name);
             let Some([from, to]) = key.slider else { continue };

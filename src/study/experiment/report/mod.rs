@@ -20,7 +20,7 @@ use crate::study::plot::draw::escape;
 /// The page.
 pub fn html(results: &Results, earthquake: &Earthquake, occasion: &Occasion) -> String {
     let findings = findings(results);
-    let mut page = page::begin("The experiment of Abe et al. (2004), computed");
+    let mut page = page::begin("The experiment of Abe et al. (2004), computed", "en");
     page.push_str(&introduction(results, earthquake, occasion));
     page.push_str("<h2>Findings</h2>\n");
     page.push_str(&verdicts::overview(&findings));

@@ -1,0 +1,46 @@
+//! What states, laws and section forces are called in the picture.
+
+use crate::language::{Text, values};
+use crate::scene::FrictionLaw;
+use crate::sim::{ContactState, OfSection, State};
+
+/// A state of a contact.
+pub(super) fn contact_state(state: ContactState) -> Text {
+    match state {
+        ContactState::Open => Text::new("state-open"),
+        ContactState::Stick => Text::new("state-stick"),
+        ContactState::Slip => Text::new("state-slip"),
+    }
+}
+
+/// A state of a girder under the impact model.
+pub(super) fn impact_state(state: State) -> Text {
+    match state {
+        State::FreeTurning => Text::new("impact-a"),
+        State::Free => Text::new("impact-b"),
+        State::SlidingTurning => Text::new("impact-c"),
+        State::Turning => Text::new("impact-d"),
+        State::Sliding => Text::new("impact-e"),
+        State::Resting => Text::new("impact-f"),
+    }
+}
+
+/// What a section force is called, with its sign.
+pub fn section_force(force: OfSection) -> Text {
+    match force {
+        OfSection::Axial => Text::new("section-axial"),
+        OfSection::Shear => Text::new("section-shear"),
+        OfSection::Moment => Text::new("section-moment"),
+        OfSection::Stress => Text::new("section-stress"),
+    }
+}
+
+/// The friction laws in use.
+pub(super) fn friction_laws(laws: &[FrictionLaw]) -> String {
+    let name = |law: &FrictionLaw| match law {
+        FrictionLaw::Paper => Text::new("law-paper"),
+        FrictionLaw::ReturnMapping => Text::new("law-return-mapping"),
+    };
+    let names: Vec<&str> = laws.iter().map(|law| name(law).as_str()).collect();
+    Text::new("legend-law").with(&values!["laws" => names.join(", ")])
+}
