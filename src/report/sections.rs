@@ -24,8 +24,11 @@ fn fact(name: Text, value: String) -> (String, String) {
 
 /// The first row of a table.
 fn head(columns: &[&str]) -> String {
-    let cells: String = columns.iter().map(|column| format!("<th>{}</th>", escape(column))).collect();
-    format!("<table><tr>{cells}</tr>\n")
+    let mut html = String::from("<table><tr>");
+    for column in columns {
+        let _ = write!(html, "<th>{}</th>", escape(column));
+    }
+    html + "</tr>\n"
 }
 
 /// A value and when it is reached \[s\].
