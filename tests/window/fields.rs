@@ -22,7 +22,8 @@ type Window = Harness<'static, Workbench>;
 const NO_FIELD: &[(&str, &str, &str)] = &[("", "format", "the program writes its own version")];
 
 /// Sections that are folded away at first.
-const FOLDED: [&str; 10] = [
+const FOLDED: [&str; 11] = [
+    "Assumed values",
     "Start, push, held",
     "Seats",
     "Design codes",
