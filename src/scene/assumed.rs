@@ -5,7 +5,7 @@
 
 use toml::{Table, Value};
 
-use super::overrides::{item_at, value_at};
+use super::path::{item_at, value_at};
 use super::{Scene, SceneError};
 
 /// Whether a path is listed, by itself or with the table that it stands in.

@@ -19,6 +19,7 @@ mod kind;
 mod limits;
 mod model;
 mod motion;
+mod path;
 mod pier;
 mod processing;
 mod record;

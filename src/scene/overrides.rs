@@ -6,6 +6,7 @@
 
 use toml::{Table, Value};
 
+use super::path::{item_of, items, value_at};
 use super::{Motion, Scene, SceneError, SceneErrors, assumed, format};
 
 /// Keys that say the same thing in different ways: setting the first removes the others from its table.
@@ -115,19 +116,6 @@ impl Laid {
     }
 }
 
-/// What stands at a path of a table, where something does.
-pub(super) fn value_at<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
-    let mut steps = path.split('.').map(str::trim);
-    let mut here = table.get(steps.next()?)?;
-    for step in steps {
-        here = match here {
-            Value::Array(list) => list.get(index_of(list, step)?)?,
-            other => other.get(step)?,
-        };
-    }
-    Some(here)
-}
-
 /// What a record's file held is no part of the written scene; it stays while the file is the same.
 fn keep_loaded(scene: &Scene, changed: &mut Scene) {
     if let (Motion::Record(before), Motion::Record(after)) = (&scene.motion, &mut changed.motion) {
@@ -230,28 +218,6 @@ fn value_of(setting: &str, text: &str) -> Result<Value, SceneErrors> {
         }
         _ => Ok(Value::String(text.to_owned())),
     }
-}
-
-/// How the items of a list are called: by name, or by number.
-fn items(list: &[Value]) -> Vec<String> {
-    (0..list.len()).map(|number| item_at(list, number)).collect()
-}
-
-/// How the item at a number is called in a path: a name with a dot would be two steps.
-pub(super) fn item_at(list: &[Value], number: usize) -> String {
-    let name = list.get(number).and_then(|item| item.get("name")?.as_str()).filter(|name| !name.contains('.'));
-    name.map_or_else(|| number.to_string(), str::to_owned)
-}
-
-fn item_of<'l>(list: &'l mut [Value], item: &str) -> Option<&'l mut Value> {
-    let index = index_of(list, item)?;
-    list.get_mut(index)
-}
-
-/// Number of the item of this name or number.
-fn index_of(list: &[Value], item: &str) -> Option<usize> {
-    let named = list.iter().position(|value| value.get("name").and_then(Value::as_str) == Some(item));
-    named.or_else(|| item.parse().ok())
 }
 
 fn set(table: &mut Table, key: &str, value: Value) {

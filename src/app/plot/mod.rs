@@ -12,4 +12,5 @@ pub(in crate::app) mod user_plots;
 mod value_axis;
 pub(in crate::app) mod views;
 mod wave_chart;
+mod wave_picture;
 mod windows;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::app::plot::sampled::{self, PanelCache, Sampled};
 use crate::app::plot::traces::{TraceCache, Traces};
 use crate::app::plot::views::PlotViews;
-use crate::app::plot::wave_chart::WaveCache;
+use crate::app::plot::wave_picture::WaveCache;
 use crate::app::run::answer::Answer;
 use crate::app::run::comparison::Pin;
 use crate::app::time::playback::Playback;
