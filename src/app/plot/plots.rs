@@ -29,7 +29,7 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     let legend = legend_width(ui);
     let height = ui.available_height();
     let own = source.scene.view.plots.iter().filter(|plot| source.is_over_time(plot)).count();
-    let own = own + wave_rows(source);
+    let own = own + usize::from(wave_chart::is_shown(source));
     let least = (3 + own) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
     // The wheel zooms: what does not fit is reached by the bar.
     let area = ScrollArea::vertical().id_salt("plots").scroll_source(ScrollSource::SCROLL_BAR).auto_shrink(false);
@@ -37,9 +37,14 @@ pub(in crate::app) fn show(ui: &mut Ui, source: &Source<'_>, out: &mut Vec<Comma
     windows::show(ui, source);
 }
 
-/// Rows of charts that waves take: two where the girder in question bends.
-fn wave_rows(source: &Source<'_>) -> usize {
-    if wave_chart::is_shown(source) { 2 } else { 0 }
+/// Rows of charts that waves take below others: two where there is room; none where the girder in question does not bend.
+fn wave_rows(source: &Source<'_>, height: f32, others: usize) -> usize {
+    let room = height >= (others + 2) as f32 * (LEAST_HEIGHT + BETWEEN) - BETWEEN;
+    match (wave_chart::is_shown(source), room) {
+        (false, _) => 0,
+        (true, false) => 1,
+        (true, true) => 2,
+    }
 }
 
 fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: &mut Vec<Command>) {
@@ -60,7 +65,7 @@ fn over_time(ui: &mut Ui, source: &Source<'_>, [legend, height]: [f32; 2], out: 
     let mut all: Vec<Chart<'_>> = charts::standing(source, &traces, at, &palette);
     let panels = own.iter().zip(&stacks).zip(numbers);
     all.extend(panels.map(|((panel, stack), i)| charts::own(panel, stack, &source.own_at(i, at))));
-    let waves = wave_rows(source);
+    let waves = wave_rows(source, rect.height(), all.len());
     let row = (rect.height() + BETWEEN) / (all.len() + waves) as f32;
     let over = |number: usize, rows: usize| {
         let top = rect.top() + number as f32 * row;
