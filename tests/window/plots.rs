@@ -174,7 +174,7 @@ fn a_wave_is_read_over_time_and_station_where_a_deck_bends() {
     harness.hover_at(chart.center());
     harness.run();
     let named = harness.query_all_by_label_contains(" MN at station ").next().expect("the value pointed to");
-    let said = named.accesskit_node().label().unwrap_or_default();
+    let said = named.accesskit_node().value().or(named.accesskit_node().label()).unwrap_or_default();
     let value: f64 = said.split(' ').next().and_then(|n| n.replace('−', "-").parse().ok()).expect("a number");
     // Half a point beside the middle of the chart, at most, and three digits.
     let axial = |station: f64, t: f64| history.section_forces(0, station, t).axial / 1e6;
