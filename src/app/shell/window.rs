@@ -338,7 +338,7 @@ mod tests {
         let bench = Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::New);
         let girders = bench.files.document.scene().girders.len();
         let shell = Shell { bench, proxy: event_loop.create_proxy(), language: None, open: None, failed: None };
-        let begun = std::time::Instant::now();
+        let begun = now();
         let mut losing = Losing { shell, frames: 0, back: 0, begun, seen: Vec::new() };
         event_loop.run_app(&mut losing).expect("it ends when it is told to");
         let Losing { mut shell, seen, .. } = losing;
