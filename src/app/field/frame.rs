@@ -114,7 +114,7 @@ pub(super) fn menu(response: &Response, own: &Own) -> bool {
     chosen
 }
 
-/// The name of a value: leaning where it was not given, striking where it is wrong.
+/// The name of a value: in italics where it was not given, in the colour of problems where it is wrong.
 pub(super) fn named(ui: &Ui, place: Place<'_>, (key, label): (&str, &str)) -> RichText {
     let text = RichText::new(label);
     let text = if place.is_assumed(key) { text.italics() } else { text };

@@ -55,12 +55,13 @@ fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(all)
 }
 
-/// Neighbours, by their names, whose numbers are farther apart than those of the first two pictures.
+/// Neighbours, by their names, whose numbers are farther apart than those of any others; none where the last numbers of names do not
+/// count the pictures.
 fn hole(all: &[PathBuf]) -> Option<[String; 2]> {
     let name = |path: &PathBuf| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let numbers: Vec<u64> = all.iter().map(|path| last_number(&name(path))).collect::<Option<_>>()?;
     let steps = || numbers.windows(2).map(|pair| pair[1].saturating_sub(pair[0]));
-    let usual = steps().min()?;
+    let usual = steps().min().filter(|step| *step > 0)?;
     let at = steps().position(|step| step != usual)?;
     Some([name(&all[at]), name(&all[at + 1])])
 }
@@ -136,6 +137,11 @@ mod tests {
         let missing = hole(&paths(&["f1.png", "f2.png", "f4.png"]));
         assert_eq!(missing, Some(["f2.png".to_owned(), "f4.png".to_owned()]), "the third");
         assert_eq!(hole(&paths(&["a.png", "b.png", "d.png"])), None, "without numbers");
+        assert_eq!(
+            hole(&paths(&["f1.mp4.png", "f2.mp4.png", "f4.mp5.png"])),
+            None,
+            "numbers that count something else"
+        );
         assert_eq!(last_number("überf0012é.png"), Some(12), "among other letters");
     }
 

@@ -71,8 +71,8 @@ impl Island {
             // A device gives its bodies no more speed than by the energy that it has stored, however far its points have gone, and
             // swings them no faster than by its own stiffness, however fast the contacts beside it are.
             let stiffness = device.stiffness_bound(&phase);
-            let yielding = link.mobility(model).min(omega * omega / stiffness);
-            speed2 = speed2.max(2.0 * device.stored_energy(&phase, &motion).max(0.0) * yielding + rate * rate);
+            let mobility = link.mobility(model).min(omega * omega / stiffness);
+            speed2 = speed2.max(2.0 * device.stored_energy(&phase, &motion).max(0.0) * mobility + rate * rate);
             if link.evolving.is_some() {
                 // Displacement that changes the force as much as a unit of the memory does.
                 memories.push(device.evolution(&phase, &motion).force.length() / device.stiffness_bound(&phase));
