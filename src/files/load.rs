@@ -21,8 +21,20 @@ pub fn load_scene(name_or_path: impl AsRef<Path>, sets: &[String]) -> Result<Sce
         Some(preset) => (preset.text.to_owned(), Path::new("")),
         None => (read_text(path)?, path.parent().unwrap_or(Path::new(""))),
     };
-    let file = &path.to_string_lossy();
-    let scene = format::parse(&text, file)?;
+    complete(&text, sets, (folder, &path.to_string_lossy()))
+}
+
+/// Reads a scene from its text, which complaints call `name`.
+///
+/// # Errors
+/// As [`load_scene`].
+pub fn read_scene(text: &str, name: &str) -> Result<Scene, SceneErrors> {
+    complete(text, &[], (Path::new(""), name))
+}
+
+/// The scene of a text, whose records are named from a folder on.
+fn complete(text: &str, sets: &[String], (folder, file): (&Path, &str)) -> Result<Scene, SceneErrors> {
+    let scene = format::parse(text, file)?;
     let mut scene = overrides::apply_all(&scene, sets).map_err(|errors| errors.in_file(file))?;
     load_record(&mut scene, folder, file)?;
     validate_file(&scene).map_err(|errors| errors.in_file(file))?;

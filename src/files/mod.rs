@@ -6,6 +6,8 @@
 mod earlier;
 mod journal;
 mod load;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod read;
 mod recent;
 mod recovery;
@@ -19,11 +21,13 @@ mod write_error;
 pub use crate::motion::format::{FORMATS as RECORD_FORMATS, Record, Supplement, formats_in_words, is_record};
 pub use earlier::{earlier_files, remove_files};
 pub use journal::Journal;
-pub use load::{Records, load_scene, load_unsaved, read_record};
+pub use load::{Records, load_scene, load_unsaved, read_record, read_scene};
+#[cfg(target_arch = "wasm32")]
+pub use page::take_in;
 pub use read::{ReadError, read_input, read_table};
 pub use recent::Recent;
 pub use recovery::{Found, SideFile, find_beside, find_in};
-pub use save::{Draft, FileSet, check_folder, save_scene, write_atomic, write_set};
+pub use save::{Draft, FileSet, check_folder, save_scene, scene_text, write_atomic, write_set};
 pub use scene_source::SceneSource;
 pub use settings::Settings;
 pub use stamp::Stamp;

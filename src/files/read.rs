@@ -3,8 +3,11 @@
 //! A device or a pipe may have no end, and to open a pipe may wait for ever: what stands under the name is looked at before
 //! it is opened.
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::fs::{File, FileType, Metadata};
-use std::io::{ErrorKind, Read as _};
+use std::io::ErrorKind;
+#[cfg(not(target_arch = "wasm32"))]
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 /// Largest scene or record that is read \[bytes\]: three million lines of twenty characters, eight hours at 100 Hz.
@@ -26,6 +29,7 @@ enum Cause {
     /// What the system answered.
     System(std::io::Error),
     /// It is no regular file, but this.
+    #[cfg(not(target_arch = "wasm32"))]
     Kind(&'static str),
     /// So large, and so large at the most \[bytes\].
     Size(u64, u64),
@@ -41,6 +45,7 @@ impl ReadError {
     pub(super) fn found(&self) -> String {
         match self.cause {
             Cause::System(ref error) => format!("it cannot be read ({error})"),
+            #[cfg(not(target_arch = "wasm32"))]
             Cause::Kind(what) => format!("it is {what}"),
             Cause::Size(size, most) => {
                 let (size, most) = (size as f64 / f64::from(1 << 20), most >> 20);
@@ -53,6 +58,7 @@ impl ReadError {
     pub(super) fn remedy(&self) -> &'static str {
         match self.cause {
             Cause::System(_) => "give a file that is there and may be read",
+            #[cfg(not(target_arch = "wasm32"))]
             Cause::Kind(_) => "give a regular file",
             Cause::Size(..) => "give a smaller file",
         }
@@ -80,12 +86,24 @@ pub fn read_input(path: &Path) -> Result<Vec<u8>, ReadError> {
 /// # Errors
 /// When it is not there or may not be read, is no regular file, or has more bytes.
 pub(super) fn read_regular(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
-    let fail = |cause| ReadError { path: path.to_owned(), cause };
-    regular(&std::fs::metadata(path).map_err(|error| fail(Cause::System(error)))?, most).map_err(fail)?;
-    bytes_of(path, most).map_err(fail)
+    contents(path, most).map_err(|cause| ReadError { path: path.to_owned(), cause })
+}
+
+#[cfg(target_arch = "wasm32")]
+fn contents(path: &Path, most: u64) -> Result<Vec<u8>, Cause> {
+    let bytes = super::page::read(path).ok_or_else(|| Cause::System(ErrorKind::NotFound.into()))?;
+    let size = bytes.len() as u64;
+    if size > most { Err(Cause::Size(size, most)) } else { Ok(bytes) }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn contents(path: &Path, most: u64) -> Result<Vec<u8>, Cause> {
+    regular(&std::fs::metadata(path).map_err(Cause::System)?, most)?;
+    bytes_of(path, most)
 }
 
 /// Reads a file that seems to be regular; a file that grows meanwhile, or that states no length, is read no further.
+#[cfg(not(target_arch = "wasm32"))]
 fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Cause> {
     let file = File::open(path).map_err(Cause::System)?;
     let mut bytes = Vec::new();
@@ -94,6 +112,7 @@ fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Cause> {
     if size > most { Err(Cause::Size(size, most)) } else { Ok(bytes) }
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 fn regular(about: &Metadata, most: u64) -> Result<(), Cause> {
     let (kind, size) = (about.file_type(), about.len());
     match () {
@@ -115,7 +134,7 @@ fn special(kind: FileType) -> &'static str {
     }
 }
 
-#[cfg(not(unix))]
+#[cfg(not(any(unix, target_arch = "wasm32")))]
 fn special(_: FileType) -> &'static str {
     "no regular file"
 }

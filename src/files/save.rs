@@ -5,8 +5,12 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+#[cfg(target_arch = "wasm32")]
+use super::page::{self, Stage};
 use super::scene_source::SceneSource;
-use super::staging::{Stage, file_in, sweep};
+#[cfg(not(target_arch = "wasm32"))]
+use super::staging::Stage;
+use super::staging::{file_in, sweep};
 use super::write_error::WriteError;
 use crate::scene::{Motion, Scene, format};
 
@@ -19,15 +23,26 @@ use crate::scene::{Motion, Scene, format};
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
 pub fn save_scene(scene: &Scene, source: &SceneSource, path: &Path) -> Result<(), WriteError> {
+    #[cfg(target_arch = "wasm32")]
+    return page::write(path, scene_text(scene, source, path).as_bytes());
+    #[cfg(not(target_arch = "wasm32"))]
     persist(stage_scene(scene, source.text().as_deref(), path)?, path)
+}
+
+/// The text of a scene that is saved at a path.
+pub fn scene_text(scene: &Scene, source: &SceneSource, path: &Path) -> String {
+    text_at(scene, source.text().as_deref(), path)
+}
+
+fn text_at(scene: &Scene, text: Option<&str>, path: &Path) -> String {
+    let scene = portable(scene, path);
+    text.map_or_else(|| format::write(&scene), |text| format::update(text, &scene))
 }
 
 /// Puts a scene on the disk beside `path`, in `text` where there is one, down to the medium: a power cut after the
 /// renaming must not leave a name without its contents.
 pub(super) fn stage_scene(scene: &Scene, text: Option<&str>, path: &Path) -> Result<NamedTempFile, WriteError> {
-    let scene = portable(scene, path);
-    let text = text.map_or_else(|| format::write(&scene), |text| format::update(text, &scene));
-    let file = stage(path, text.as_bytes())?;
+    let file = stage(path, text_at(scene, text, path).as_bytes())?;
     file.as_file().sync_all().map_err(|cause| WriteError::new(path, cause))?;
     Ok(file)
 }
@@ -50,6 +65,9 @@ fn portable(scene: &Scene, path: &Path) -> Scene {
 /// # Errors
 /// When the file cannot be written; what stood there before then still does.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    #[cfg(target_arch = "wasm32")]
+    return page::write(path, bytes);
+    #[cfg(not(target_arch = "wasm32"))]
     persist(stage(path, bytes)?, path)
 }
 
@@ -122,6 +140,14 @@ impl FileSet {
 struct Folders(Vec<PathBuf>);
 
 impl Folders {
+    /// A page has no folders, and needs none.
+    #[cfg(target_arch = "wasm32")]
+    #[expect(clippy::unnecessary_wraps, clippy::unused_self, reason = "a disk may refuse")]
+    fn make(&mut self, _: &Path) -> Result<(), WriteError> {
+        Ok(())
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
     fn make(&mut self, folder: &Path) -> Result<(), WriteError> {
         let missing = folder.ancestors().take_while(|f| *f != Path::new("") && !f.exists()).map(Path::to_owned);
         self.0.extend(missing.collect::<Vec<_>>().into_iter().rev());

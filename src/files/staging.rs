@@ -54,6 +54,7 @@ pub(super) struct Stage {
     _lock: File,
 }
 
+#[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "a page has no folders"))]
 impl Stage {
     pub(super) fn in_folder(folder: &Path) -> std::io::Result<Self> {
         sweep(folder);

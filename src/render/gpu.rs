@@ -62,12 +62,33 @@ pub enum GpuError {
 fn no_adapter(looked: &str) -> String {
     let set = |name: &str| std::env::var(name).ok().map(|value| format!("{name}={value} is set: try without it; "));
     let set: String = ["WGPU_BACKEND", "VK_ICD_FILENAMES", "VK_DRIVER_FILES"].into_iter().filter_map(set).collect();
-    let install = if cfg!(target_os = "linux") {
+    let install = if cfg!(target_arch = "wasm32") {
+        "use a browser with WebGPU or WebGL2, and hardware acceleration switched on"
+    } else if cfg!(target_os = "linux") {
         "install mesa-vulkan-drivers (or libegl1 and libgl1-mesa-dri)"
     } else {
         "install the graphics card's driver"
     };
     format!("no graphics adapter, not even in software: {set}{install}; {looked}")
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+async fn adapter() -> Result<wgpu::Adapter, GpuError> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default());
+    adapter.await.map_err(|e| GpuError::NoAdapter(e.to_string()))
+}
+
+/// WebGPU's, or WebGL's, which there is only together with a canvas.
+#[cfg(target_arch = "wasm32")]
+async fn adapter() -> Result<wgpu::Adapter, GpuError> {
+    let wanted = wgpu::InstanceDescriptor::new_without_display_handle();
+    let instance = wgpu::util::new_instance_with_webgpu_detection(wanted).await;
+    let canvas = web_sys::OffscreenCanvas::new(1, 1).map_err(|e| GpuError::NoSurface(format!("{e:?}")))?;
+    let target = wgpu::SurfaceTarget::OffscreenCanvas(canvas);
+    let surface = instance.create_surface(target).map_err(|e| GpuError::NoAdapter(e.to_string()))?;
+    let options = wgpu::RequestAdapterOptions { compatible_surface: Some(&surface), ..Default::default() };
+    instance.request_adapter(&options).await.map_err(|e| GpuError::NoAdapter(e.to_string()))
 }
 
 /// A device to draw with.
@@ -99,12 +120,12 @@ impl Gpu {
         pollster::block_on(Self::bring_up())
     }
 
-    async fn bring_up() -> Result<Self, GpuError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let adapter = instance
-            .request_adapter(&wgpu::RequestAdapterOptions::default())
-            .await
-            .map_err(|e| GpuError::NoAdapter(e.to_string()))?;
+    /// The same where a thread must not wait for the device: on a page.
+    ///
+    /// # Errors
+    /// As [`Gpu::headless`].
+    pub async fn bring_up() -> Result<Self, GpuError> {
+        let adapter = adapter().await?;
         let info = adapter.get_info();
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("girderbench"),

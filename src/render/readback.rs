@@ -1,10 +1,18 @@
 //! From the device's memory into a picture: one buffer, kept for as long as pictures keep their size.
 
+use std::sync::mpsc::Receiver;
+#[cfg(target_arch = "wasm32")]
+use std::sync::mpsc::TryRecvError;
+
 use super::image::straight;
 use super::{Gpu, GpuError, Image};
 
 /// Most pixels of one picture, so that its targets fit into memory.
 const MOST_PIXELS: u64 = 1 << 25;
+
+/// Between two looks at a buffer \[ms\].
+#[cfg(target_arch = "wasm32")]
+const PAUSE: i32 = 5;
 
 /// Refuses sizes that the device does not draw.
 pub(super) fn check_size(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<(), GpuError> {
@@ -40,7 +48,7 @@ impl Readback {
     }
 
     /// Finishes and submits an encoder, and reads a texture of this size back. After an error it is not to be used again.
-    pub(super) fn read(
+    pub(super) async fn read(
         &self,
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
@@ -53,26 +61,57 @@ impl Readback {
             texture.size(),
         );
         gpu.queue.submit([encoder.finish()]);
-        let rgba = self.rows(gpu)?;
+        let rgba = self.rows(gpu).await?;
         self.buffer.unmap();
         let [width, height] = self.size;
         Ok(Image { width, height, rgba: straight(rgba) })
     }
 
     /// Waits, and copies the rows without what lies between them.
-    fn rows(&self, gpu: &Gpu) -> Result<Vec<u8>, GpuError> {
+    async fn rows(&self, gpu: &Gpu) -> Result<Vec<u8>, GpuError> {
         let failed = |e: &dyn std::fmt::Display| GpuError::Readback(e.to_string());
         let (sender, receiver) = std::sync::mpsc::channel();
         self.buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // Whoever waits may have gone; then nobody wants the answer.
             let _ = sender.send(result);
         });
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
-        receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+        come(gpu, receiver).await?.map_err(|e| failed(&e))?;
         let mapped = self.buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
         let used = 4 * self.size[0] as usize;
         let mut rgba = Vec::with_capacity(used * self.size[1] as usize);
         mapped.chunks_exact(self.row as usize).for_each(|row| rgba.extend_from_slice(&row[..used]));
         Ok(rgba)
+    }
+}
+
+/// What a buffer's mapping has come to.
+type Mapped = Result<(), wgpu::BufferAsyncError>;
+
+/// Waits until the device has mapped a buffer.
+#[cfg(not(target_arch = "wasm32"))]
+#[expect(clippy::unused_async, reason = "a page has to let go of its thread")]
+async fn come(gpu: &Gpu, receiver: Receiver<Mapped>) -> Result<Mapped, GpuError> {
+    let failed = |e: &dyn std::fmt::Display| GpuError::Readback(e.to_string());
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
+    receiver.recv().map_err(|e| failed(&e))
+}
+
+/// Asks again and again whether the device has mapped a buffer, which it does while the page does something else.
+#[cfg(target_arch = "wasm32")]
+async fn come(gpu: &Gpu, receiver: Receiver<Mapped>) -> Result<Mapped, GpuError> {
+    let failed = |e: &dyn std::fmt::Display| GpuError::Readback(e.to_string());
+    let soon = |resolve: &js_sys::Function| {
+        web_sys::window().map(|w| w.set_timeout_with_callback_and_timeout_and_arguments_0(resolve, PAUSE))
+    };
+    loop {
+        gpu.device.poll(wgpu::PollType::Poll).map_err(|e| failed(&e))?;
+        match receiver.try_recv() {
+            Ok(mapped) => return Ok(mapped),
+            Err(TryRecvError::Disconnected) => return Err(failed(&"the device has forgotten it")),
+            Err(TryRecvError::Empty) => {
+                let pause = js_sys::Promise::new(&mut |resolve, _| drop(soon(&resolve)));
+                let _ = wasm_bindgen_futures::JsFuture::from(pause).await;
+            }
+        }
     }
 }

@@ -103,13 +103,21 @@ impl Renderer {
     /// # Errors
     /// When the size is not one that the device draws, or the read-back fails.
     pub fn picture(&mut self, gpu: &Gpu, list: &DrawList, size: [u32; 2]) -> Result<Image, GpuError> {
+        pollster::block_on(self.picture_later(gpu, list, size))
+    }
+
+    /// The same where a thread must not wait for the device: on a page.
+    ///
+    /// # Errors
+    /// As [`Renderer::picture`].
+    pub async fn picture_later(&mut self, gpu: &Gpu, list: &DrawList, size: [u32; 2]) -> Result<Image, GpuError> {
         readback::check_size(gpu, size)?;
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw(gpu, &mut encoder, list, size);
         let target = self.target.as_ref().ok_or_else(|| GpuError::Readback("nothing was drawn".to_owned()))?;
         let kept = self.readback.take().filter(|readback| readback.size() == target.size);
         let readback = kept.unwrap_or_else(|| Readback::new(gpu, target.size));
-        let image = readback.read(gpu, encoder, &target.texture);
+        let image = readback.read(gpu, encoder, &target.texture).await;
         // What a device that has failed gives back is no picture, whether it says so or not.
         let image = gpu.fault().map_or(image, |fault| Err(fault.into()))?;
         self.readback = Some(readback);
