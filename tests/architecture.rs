@@ -58,6 +58,7 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
     ("field", &["style", "unit", "text"]),
     ("edits", &["command", "text"]),
     ("learn", &["command", "text"]),
+    ("link", &["text"]),
     ("run", &["host", "style", "command", "text"]),
     ("time", &["style", "command", "text", "run"]),
     ("plot", &["host", "style", "command", "text", "field", "run", "time"]),
@@ -68,18 +69,18 @@ const APP_ROOMS: &[(&str, &[&str])] = &[
     (
         "bench",
         &[
-            "host", "style", "command", "text", "edits", "learn", "run", "time", "plot", "disk", "viewport", "map",
-            "quake",
+            "host", "style", "command", "text", "edits", "learn", "link", "run", "time", "plot", "disk", "viewport",
+            "map", "quake",
         ],
     ),
     (
         "panel",
         &[
-            "style", "unit", "command", "text", "field", "edits", "learn", "run", "time", "plot", "disk", "viewport",
-            "map", "quake", "bench",
+            "host", "style", "unit", "command", "text", "field", "edits", "learn", "run", "time", "plot", "disk",
+            "viewport", "map", "quake", "bench",
         ],
     ),
-    ("shell", &["host", "command", "text", "disk", "bench", "panel"]),
+    ("shell", &["host", "command", "text", "run", "disk", "bench", "panel"]),
 ];
 
 /// Every room inside of `dynamics` and the rooms of `dynamics` that it may use, without exception.

@@ -1,12 +1,25 @@
-//! What the window takes from the machine besides files: the time on the wall, threads, and a way for them to wake it.
+//! What the window takes from the machine: the time on the wall, threads and a way for them to wake it, paths that the user
+//! chooses. A page in a browser has the same by other means; it has no threads, and what would go on beside the window is
+//! done at once or in slices between frames.
 
+#[cfg(target_arch = "wasm32")]
+#[path = "host/browser.rs"]
+mod machine;
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "host/native.rs"]
+mod machine;
+
+use std::future::Future;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::thread::JoinHandle;
-use std::time::Instant;
 
-use crate::language::Language;
+use machine::{MaySend, finish};
+
+pub(in crate::app) use machine::{
+    Later, PAGE, Slices, THREADS, Thread, choose, home_folder, in_slices, share, spawn, users_folder,
+};
+pub(in crate::app) use web_time::Instant;
 
 /// Calls the window back when a thread has news; does nothing in a test.
 pub type Wake = Arc<dyn Fn() + Send + Sync>;
@@ -17,14 +30,19 @@ pub(in crate::app) fn now() -> Instant {
     Instant::now()
 }
 
-/// A thread whose texts are in the language of this one.
-pub(in crate::app) fn spawn(work: impl FnOnce() + Send + 'static) -> JoinHandle<()> {
-    let language = Language::current();
-    std::thread::spawn(move || {
-        language.speak();
-        work();
-    })
+/// What a path is chosen for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::app) enum Choice {
+    /// A file that is there.
+    File,
+    /// A folder.
+    Folder,
+    /// A file that is to be written, called so unless the user says otherwise.
+    New(String),
 }
+
+/// Files of a kind: its name, and what their names end in.
+pub(in crate::app) type Filter = (String, Vec<&'static str>);
 
 /// A sentence for the user, and the file or folder that it is about.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -63,8 +81,20 @@ impl Background {
     /// Begins work; its result is a sentence, whether it succeeds or fails; an empty one is not told.
     pub(in crate::app) fn run(&self, work: impl FnOnce() -> Result<Told, String> + Send + 'static) {
         let (send, wake) = (self.send.clone(), self.wake.clone());
-        spawn(move || {
+        // It ends by itself.
+        let _ = spawn(move || {
             let words = work().unwrap_or_else(Told::from);
+            // The window has closed, and with it the receiver: nothing to do then.
+            let _ = send.send(words);
+            wake();
+        });
+    }
+
+    /// Begins work that has to wait for the graphics system, or for the browser.
+    pub(in crate::app) fn run_later(&self, work: impl Future<Output = Result<Told, String>> + MaySend + 'static) {
+        let (send, wake) = (self.send.clone(), self.wake.clone());
+        finish(async move {
+            let words = work.await.unwrap_or_else(Told::from);
             // The window has closed, and with it the receiver: nothing to do then.
             let _ = send.send(words);
             wake();
@@ -80,6 +110,7 @@ impl Background {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::Language;
 
     #[test]
     fn work_speaks_the_language_of_who_began_it() {

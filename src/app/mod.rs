@@ -17,6 +17,7 @@
 //! | `field` | one number of a scene: label, unit, range, reset |
 //! | `edits` | the scene with its past and what is selected in it; edits |
 //! | `learn` | lessons |
+//! | `link` | what a link to the page opens |
 //! | `run` | runs of the scene, their answers, runs kept to compare with |
 //! | `time` | the answer played back: clock, window of time, timeline |
 //! | `plot` | curves: sampled, drawn, written |
@@ -35,6 +36,7 @@ mod edits;
 mod field;
 mod host;
 mod learn;
+mod link;
 mod map;
 mod panel;
 mod plot;
@@ -56,9 +58,12 @@ pub use command::{
 };
 pub use host::Wake;
 pub use learn::lessons::{Lesson, Try, lessons};
+pub use link::{Link, Target};
 pub use map::{Angles, Maps};
 pub use panel::layout::show;
 pub use quake::Shaking;
 pub use run::answer::{Answer, Span};
+#[cfg(target_arch = "wasm32")]
+pub use shell::outside::{give_up, open_page};
 pub use shell::window::{AppError, run};
 pub use time::clock::{Clock, HIT_SPEED, SPEEDS};

@@ -12,10 +12,17 @@ use crate::scene::{Scene, SceneErrors, format, presets};
 use crate::sim::History;
 use crate::tables::{TableOptions, all, in_memory};
 
-/// Begins: gives the page's scripts what they may call.
+/// Begins: gives the page's scripts what they may call, and opens the window where there is a page.
 pub fn main() {
     // There is nobody to answer to before the page is there: a browser without objects runs no WebAssembly either.
     let _ = offer();
+    #[cfg(feature = "gui")]
+    if web_sys::window().is_some() {
+        std::panic::set_hook(Box::new(|why| crate::app::give_up(&why.to_string())));
+        if let Err(why) = crate::app::open_page() {
+            crate::app::give_up(&why);
+        }
+    }
 }
 
 fn offer() -> Result<(), JsValue> {

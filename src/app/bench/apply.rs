@@ -8,7 +8,9 @@ use crate::app::command::{
     AngleCommand, Command, CompareCommand, FileCommand, Filming, HandCommand, Learn, MapCommand, ViewCommand,
     WindowCommand,
 };
+use crate::app::host::share;
 use crate::app::style::size::LECTURE;
+use crate::app::text;
 use crate::scene::edit::EditError;
 
 impl Workbench {
@@ -128,6 +130,13 @@ impl Workbench {
     fn apply_window(&mut self, command: WindowCommand) {
         if command == WindowCommand::CancelRun {
             self.replay.runner.cancel();
+        }
+        if command == WindowCommand::CopyLink {
+            match self.link() {
+                Ok(link) if share(&link) => self.window.say(text::LINK_COPIED),
+                Ok(_) => {}
+                Err(words) => self.window.say(words),
+            }
         }
         if let WindowCommand::Language(language) = command {
             let kept = self.files.session.keep_language(language);

@@ -2,6 +2,7 @@
 
 mod apply;
 mod folds;
+mod linked;
 mod opening;
 mod window_state;
 mod workbench;

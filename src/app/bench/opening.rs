@@ -151,7 +151,7 @@ impl Workbench {
     }
 
     /// Goes on with another scene; undo brings the one before back.
-    fn take_up(&mut self, scene: Scene, source: SceneSource) {
+    pub(super) fn take_up(&mut self, scene: Scene, source: SceneSource) {
         if self.learning.lesson().is_some() {
             // What was tried in a lesson is no work.
             self.files.forget_work();

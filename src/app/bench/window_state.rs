@@ -78,8 +78,12 @@ impl WindowState {
     /// Does a command; `dirty` tells whether something is not saved. `true` when the window closes now.
     pub(super) fn apply(&mut self, command: WindowCommand, dirty: bool) -> bool {
         match command {
-            // The context of egui keeps theme and size, the runner the run; the workbench gives up.
-            WindowCommand::Theme(_) | WindowCommand::Scale(_) | WindowCommand::CancelRun | WindowCommand::GiveUp => {}
+            // The context of egui keeps theme and size, the runner the run; the workbench gives up and links.
+            WindowCommand::Theme(_)
+            | WindowCommand::Scale(_)
+            | WindowCommand::CancelRun
+            | WindowCommand::GiveUp
+            | WindowCommand::CopyLink => {}
             WindowCommand::Language(language) => self.language = language,
             WindowCommand::Help(open) => self.help = open,
             WindowCommand::AskRow(draft) => self.row = draft,

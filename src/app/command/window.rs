@@ -42,6 +42,8 @@ pub enum WindowCommand {
     FoldAll(bool),
     /// Tell the user something.
     Say(String),
+    /// Copy a link to what is shown.
+    CopyLink,
     /// Stop computing.
     CancelRun,
     /// The notice at the bottom has been read.

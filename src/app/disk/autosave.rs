@@ -8,11 +8,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::app::disk::exit_hook::{self, Will};
-use crate::app::host::{Wake, now};
+use crate::app::host::{Instant, Thread, Wake, now, spawn};
 use crate::files::{SceneSource, SideFile, WriteError};
 use crate::scene::Scene;
 
@@ -63,7 +62,7 @@ pub(in crate::app) struct Work {
 /// The thread that writes, and what it has been given.
 pub(in crate::app) struct Autosave {
     jobs: Option<Sender<Job>>,
-    thread: Option<JoinHandle<()>>,
+    thread: Option<Thread>,
     problems: Receiver<String>,
     /// Revision of each origin that was last written.
     written: BTreeMap<u64, u64>,
@@ -81,13 +80,13 @@ impl Autosave {
     pub(in crate::app) fn new(wake: Wake) -> Self {
         let (jobs, wanted) = channel();
         let (send, problems) = channel();
-        let thread = std::thread::spawn(move || write_as_asked(&wanted, &send, &wake));
+        let thread = spawn(move || write_as_asked(&wanted, &send, &wake));
         let will: Will = Rc::new({
             let jobs = jobs.clone();
             move || jobs.send(Job::Write).is_ok() && ask_whether_kept(&jobs, PATIENCE)
         });
         exit_hook::leave(&will);
-        let (jobs, thread, will) = (Some(jobs), Some(thread), Some(will));
+        let (jobs, thread, will) = (Some(jobs), thread, Some(will));
         Self { jobs, thread, problems, written: BTreeMap::new(), held: None, will, due: None, delay: DELAY }
     }
 
@@ -173,7 +172,7 @@ impl Drop for Autosave {
     fn drop(&mut self) {
         (self.jobs, self.will) = (None, None);
         // What was asked for is finished; a thread that panicked has nothing more to say.
-        let _ = self.thread.take().map(JoinHandle::join);
+        let _ = self.thread.take().map(Thread::join);
     }
 }
 

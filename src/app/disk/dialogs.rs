@@ -1,16 +1,13 @@
-//! The system's file dialogs, on threads: the window goes on while one is open.
+//! The system's file dialogs: the window goes on while one is open.
 //!
 //! A system without a dialog answers as one whose dialog was cancelled does, but at once: then the window asks itself.
 
-use std::future::Future;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use rfd::{AsyncFileDialog, FileHandle};
-
 use crate::app::command::{Command, FileCommand, Filming, PathCommand, Wish};
-use crate::app::host::{Wake, now};
+use crate::app::host::{Choice, Filter, Wake, choose, now};
 use crate::app::text;
 use crate::files::RECORD_FORMATS;
 
@@ -45,40 +42,35 @@ impl Dialogs {
 
     /// Asks for a path; a new file is called `name`.
     pub(in crate::app) fn ask(&self, wish: Wish, name: &str) {
-        let dialog = AsyncFileDialog::new();
-        match (wish, wish.extension()) {
-            (Wish::Open, _) => self.wait(wish, scenes(dialog).pick_file()),
-            (Wish::Record | Wish::Component(_), _) => {
-                let dialog = dialog.add_filter(text::RECORDS, &extensions(wish));
-                let dialog = RECORD_FORMATS.iter().fold(dialog, |dialog, f| dialog.add_filter(f.name, f.extensions));
-                self.wait(wish, dialog.pick_file());
-            }
-            (_, None) => self.wait(wish, dialog.pick_folder()),
-            (_, Some(extension)) => {
-                let dialog = if wish == Wish::Save {
-                    scenes(dialog)
-                } else {
-                    dialog.add_filter(extension.to_uppercase(), &[extension])
-                };
-                self.wait(wish, dialog.set_file_name(format!("{}.{extension}", file_stem(name))).save_file());
-            }
-        }
-    }
-
-    fn wait(&self, wish: Wish, dialog: impl Future<Output = Option<FileHandle>> + Send + 'static) {
         if self.silent {
             return;
         }
-        let (send, wake) = (self.send.clone(), self.wake.clone());
-        std::thread::spawn(move || {
-            let begun = now();
-            let chosen = pollster::block_on(dialog).map(|file| file.path().to_owned());
+        let choice = match wish.extension() {
+            _ if wish.is_for_reading() => Choice::File,
+            None => Choice::Folder,
+            Some(extension) => Choice::New(format!("{}.{extension}", file_stem(name))),
+        };
+        let (send, wake, begun) = (self.send.clone(), self.wake.clone(), now());
+        choose(choice, filters(wish), move |chosen| {
             if let Some(command) = after(wish, chosen, begun.elapsed()) {
                 // Nobody listens any more when the window has closed: nothing to do then.
                 let _ = send.send(command);
                 wake();
             }
         });
+    }
+}
+
+/// What files are offered; none for a folder.
+fn filters(wish: Wish) -> Vec<Filter> {
+    match (wish, wish.extension()) {
+        (Wish::Open | Wish::Save, _) => vec![("Girderbench scene".to_owned(), vec!["toml"])],
+        (Wish::Record | Wish::Component(_), _) => {
+            let each = RECORD_FORMATS.iter().map(|format| (format.name.to_owned(), format.extensions.to_vec()));
+            [(text::RECORDS.to_string(), extensions(wish))].into_iter().chain(each).collect()
+        }
+        (_, Some(extension)) => vec![(extension.to_uppercase(), vec![extension])],
+        (_, None) => Vec::new(),
     }
 }
 
@@ -116,10 +108,6 @@ pub(super) fn extensions(wish: Wish) -> Vec<&'static str> {
 /// A scene's name as a file's name can be.
 pub(super) fn file_stem(name: &str) -> String {
     name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
-}
-
-fn scenes(dialog: AsyncFileDialog) -> AsyncFileDialog {
-    dialog.add_filter("Girderbench scene", &["toml"])
 }
 
 #[cfg(test)]

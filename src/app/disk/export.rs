@@ -1,6 +1,6 @@
-//! Pictures and tables written to the disk, on a thread.
+//! Pictures and tables written to the disk, beside the window.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::app::host::Told;
@@ -15,12 +15,18 @@ use crate::view::DrawList;
 ///
 /// # Errors
 /// In words: no adapter, or no place to write.
-pub(in crate::app) fn picture(list: &DrawList, size: [u32; 2], title: &str, path: &Path) -> Result<Told, String> {
-    let gpu = Gpu::headless().map_err(|e| e.to_string())?;
-    let image = Renderer::new(&gpu, Quality::FINE).picture(&gpu, list, size).map_err(|e| e.to_string())?;
-    let texts = [("Title", title.to_owned()), ("Adapter", gpu.adapter.to_string())];
-    write_atomic(path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
-    Ok(told(text::PICTURE_WRITTEN.as_str(), path))
+pub(in crate::app) async fn picture(
+    list: Arc<DrawList>,
+    size: [u32; 2],
+    title: String,
+    path: PathBuf,
+) -> Result<Told, String> {
+    let gpu = Gpu::bring_up().await.map_err(|e| e.to_string())?;
+    let mut renderer = Renderer::new(&gpu, Quality::FINE);
+    let image = renderer.picture_later(&gpu, &list, size).await.map_err(|e| e.to_string())?;
+    let texts = [("Title", title), ("Adapter", gpu.adapter.to_string())];
+    write_atomic(&path, &image.to_png(&texts, Packing::Small)).map_err(|e| e.to_string())?;
+    Ok(told(text::PICTURE_WRITTEN.as_str(), &path))
 }
 
 /// What was written, and where.

@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
-use std::thread::JoinHandle;
 
 use crate::app::command::{FilmFormat, FilmPlan, Filming};
 use crate::app::disk::dialogs::file_stem;
-use crate::app::host::{Told, Wake, spawn};
+use crate::app::host::{THREADS, Thread, Told, Wake, spawn};
 use crate::app::run::answer::Answer;
 use crate::app::text;
 use crate::files::{Draft, FileSet, WriteError};
@@ -44,14 +43,14 @@ struct Job {
     done: Arc<AtomicUsize>,
     count: u32,
     told: Receiver<Result<Told, Ended>>,
-    thread: Option<JoinHandle<()>>,
+    thread: Option<Thread>,
 }
 
 impl Drop for Job {
     fn drop(&mut self) {
         // Waits for a frame at most: what was written so far must be taken away again.
         self.cancel.store(true, Ordering::Relaxed);
-        let _ = self.thread.take().map(JoinHandle::join);
+        let _ = self.thread.take().map(Thread::join);
     }
 }
 
@@ -67,6 +66,7 @@ impl Films {
     /// Does a command; answers with what the user is told.
     pub(in crate::app) fn apply(&mut self, command: Filming, source: Source<'_>) -> Option<&'static str> {
         match command {
+            Filming::Ask if !THREADS => return Some(text::NOT_ON_A_PAGE.as_str()),
             Filming::Ask => self.plan = Some(FilmPlan::of(source.stretch[0], source.stretch[1])),
             Filming::Plan(plan) => self.plan = Some(plan),
             Filming::Never => self.plan = None,
@@ -90,7 +90,7 @@ impl Films {
         let (cancel, done) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
         let watch = Watch { cancel: cancel.clone(), done: done.clone() };
         let thread = spawn(move || make(&order, count, &path, &watch, &send, &wake));
-        self.job = Some(Job { cancel, done, count, told, thread: Some(thread) });
+        self.job = Some(Job { cancel, done, count, told, thread });
     }
 
     /// Frames written and frames in all, while a film is being written.

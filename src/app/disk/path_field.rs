@@ -4,6 +4,7 @@ use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use crate::app::command::{Command, PathCommand, Wish};
 use crate::app::disk::dialogs::{extensions, file_stem, then};
+use crate::app::host::home_folder;
 use crate::app::text;
 
 /// Most ways to go on that are listed.
@@ -196,9 +197,8 @@ pub(in crate::app) fn in_folder(folder: &Path) -> String {
 /// The path that a text means: `~` is the user's own folder.
 fn resolved(text: &str) -> PathBuf {
     let text = text.trim();
-    let home = || etcetera::home_dir().ok();
     match text.strip_prefix('~').filter(|rest| rest.is_empty() || rest.starts_with(std::path::is_separator)) {
-        Some(rest) => home().map(|home| home.join(rest.trim_start_matches(std::path::is_separator))),
+        Some(rest) => home_folder().map(|home| home.join(rest.trim_start_matches(std::path::is_separator))),
         None => std::path::absolute(text).ok(),
     }
     .unwrap_or_else(|| PathBuf::from(text))

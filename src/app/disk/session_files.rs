@@ -5,11 +5,11 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::app::disk::autosave::{Autosave, Work};
 use crate::app::edits::Document;
-use crate::app::host::{Wake, now};
+use crate::app::host::{Instant, Wake, now};
 use crate::app::text;
 use crate::files::{Found, Recent, Settings, Stamp, find_beside, find_in, load_scene, load_unsaved};
 use crate::language::Language;
@@ -55,14 +55,6 @@ pub(in crate::app) struct Compared {
     pub(in crate::app) same: bool,
     /// What the user is told.
     pub(in crate::app) notice: Option<String>,
-}
-
-/// Where this user's lists and unsaved work are kept: the state folder of the system.
-pub(in crate::app) fn users_folder() -> Option<PathBuf> {
-    use etcetera::{AppStrategy as _, AppStrategyArgs, choose_app_strategy};
-    let names = AppStrategyArgs { app_name: "girderbench".into(), ..AppStrategyArgs::default() };
-    let places = choose_app_strategy(names).ok()?;
-    Some(places.state_dir().unwrap_or_else(|| places.data_dir()))
 }
 
 impl SessionFiles {

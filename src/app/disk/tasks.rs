@@ -91,7 +91,7 @@ impl Tasks {
 
     /// Begins to write a picture of a list, `size` in pixels.
     pub(in crate::app) fn export_picture(&self, list: Arc<DrawList>, size: [u32; 2], title: String, path: PathBuf) {
-        self.begin(move || export::picture(&list, size, &title, &path));
+        self.background.run_later(export::picture(list, size, title, path));
     }
 
     /// Begins to write the tables of an answer into a folder.

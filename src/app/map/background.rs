@@ -137,7 +137,8 @@ impl<D: Asked> Background<D> {
 
     /// Takes what threads have brought; `scene` is the scene as it is now.
     pub(super) fn poll(&mut self, scene: &Scene) {
-        while let Some(news) = self.job.as_ref().and_then(|job| job.news.try_recv().ok()) {
+        self.job.iter_mut().for_each(Job::go_on);
+        while let Some(news) = self.job.as_ref().and_then(Job::take) {
             match news {
                 News::Begun(plan) => {
                     let (Some(draft), Some(grid)) = (self.asked.clone(), Nested::of(&plan)) else { continue };

@@ -10,6 +10,7 @@ use crate::app::command::{
 };
 use crate::app::disk::recent;
 use crate::app::disk::scene_files::SceneFiles;
+use crate::app::host::PAGE;
 use crate::app::learn::lesson_panel;
 use crate::app::learn::lessons::Learning;
 use crate::app::panel::view_menu;
@@ -71,7 +72,9 @@ fn button(ui: &mut Ui, enabled: bool, words: &str, keys: &str, command: Command,
 fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Command>) {
     item(ui, text::NEW.as_str(), "Ctrl N", Command::File(FileCommand::New), out);
     item(ui, text::OPEN.as_str(), "Ctrl O", Command::File(FileCommand::Ask(Wish::Open)), out);
-    ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, used, out));
+    if !PAGE {
+        ui.menu_button(text::OPEN_RECENT, |ui| recent::show(ui, used, out));
+    }
     let items = [
         (text::SAVE, "Ctrl S", Command::File(FileCommand::Save)),
         (text::SAVE_AS, "Ctrl Shift S", Command::File(FileCommand::Ask(Wish::Save))),
@@ -84,6 +87,10 @@ fn file(ui: &mut Ui, used: &[PathBuf], mut paths_here: bool, out: &mut Vec<Comma
         item(ui, &words, keys, command, out);
     }
     ui.separator();
+    if PAGE {
+        // The browser asks for paths, and closes its pages.
+        return item(ui, text::COPY_LINK.as_str(), "", Command::Window(WindowCommand::CopyLink), out);
+    }
     if ui.checkbox(&mut paths_here, text::PATHS_HERE).on_hover_text(text::PATHS_HERE_HINT).changed() {
         out.push(FileCommand::Path(PathCommand::Here(paths_here)).into());
     }

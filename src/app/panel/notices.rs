@@ -4,6 +4,7 @@ use egui::{Align2, Area, Color32, Frame, Id, Order, ProgressBar, Rect, RichText,
 
 use crate::app::bench::{Next, WindowState};
 use crate::app::command::{Command, FileCommand, Tool, WindowCommand};
+use crate::app::host::PAGE;
 use crate::app::run::runner::Runner;
 use crate::app::style::theme::Palette;
 use crate::app::text;
@@ -72,7 +73,7 @@ pub(in crate::app) fn over_all(ui: &mut Ui, window: &WindowState, out: &mut Vec<
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
                     ui.label(notice);
-                    if let Some(place) = window.place() {
+                    if let Some(place) = window.place().filter(|_| !PAGE) {
                         if ui.button(text::SHOW_FOLDER).on_hover_text(text::SHOW_FOLDER_HINT).clicked() {
                             out.push(FileCommand::ShowFolder(place.to_owned()).into());
                         }

@@ -12,6 +12,7 @@ use crate::app::command::{
     SelectCommand, TimeCommand, Tool, ViewCommand, Way, WindowCommand, Wish,
 };
 use crate::app::edits;
+use crate::app::host::PAGE;
 use crate::app::time::clock::Clock;
 use crate::app::viewport::hand::Hand;
 use crate::scene::{Scene, ViewPreset};
@@ -107,7 +108,7 @@ fn with_command(key: Key, modifiers: Modifiers) -> Option<Command> {
         (Key::S, false) => Some(Command::File(FileCommand::Save)),
         (Key::N, _) => Some(Command::File(FileCommand::New)),
         (Key::O, _) => Some(Command::File(FileCommand::Ask(Wish::Open))),
-        (Key::Q, _) => Some(Command::Window(WindowCommand::Close)),
+        (Key::Q, _) if !PAGE => Some(Command::Window(WindowCommand::Close)),
         _ => None,
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 
 use crate::app::command::QuakeCommand;
-use crate::app::host::Wake;
+use crate::app::host::{Wake, spawn};
 use crate::app::run::answer::Answer;
 use crate::sim::History;
 use crate::study::ground::{Component, Shaker, components};
@@ -93,7 +93,8 @@ impl Shaking {
 
     fn begin(&self, ground: Shaker, end: f64) -> Receiver<Shaken> {
         let ((send, done), wake) = (channel(), self.wake.clone());
-        std::thread::spawn(move || {
+        // It ends by itself.
+        let _ = spawn(move || {
             // Nobody listens any more where another motion is asked for.
             let _ = send.send(Shaken { components: components(&ground, end) });
             wake();

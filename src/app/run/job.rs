@@ -1,11 +1,12 @@
-//! A run on a thread: a coarse pass first where the scene asks for a finer one, then the full one; progress and cancel.
+//! A run beside the window: a coarse pass first where the scene asks for a finer one, then the full one; progress and cancel.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::app::host::{Wake, now};
+use crate::app::host::{Instant, Slices, Wake, in_slices, now};
 use crate::app::run::answer::Answer;
 use crate::scene::{Scene, SolverSettings};
 use crate::sim::Session;
@@ -20,7 +21,7 @@ pub(super) struct Brought {
     pub(super) coarse: bool,
 }
 
-/// A run on a thread; dropped, it ends.
+/// A run beside the window; dropped, it ends.
 pub(super) struct Job {
     /// When it was begun.
     pub(super) begun: Instant,
@@ -31,9 +32,10 @@ pub(super) struct Job {
     reached: Arc<Reached>,
     duration: f64,
     done: Receiver<Brought>,
+    work: Slices,
 }
 
-/// What the thread and the window tell each other.
+/// What the run and the window tell each other.
 #[derive(Default)]
 struct Reached {
     cancelled: AtomicBool,
@@ -70,6 +72,7 @@ impl Job {
     /// # Errors
     /// Nothing yet, or nothing more.
     pub(super) fn take(&mut self) -> Result<Brought, TryRecvError> {
+        self.work.go_on();
         let brought = self.done.try_recv()?;
         self.coarse = false;
         Ok(brought)
@@ -80,16 +83,16 @@ impl Job {
 pub(super) fn spawn((session, took): (Session, Duration), revision: u64, numbers: [u64; 2], wake: Wake) -> Job {
     let (send, done) = channel();
     let (reached, duration) = (Arc::new(Reached::default()), session.scene().duration);
-    let coarse = coarse(session.scene());
-    let job = Job { begun: now(), revision, coarse: coarse.is_some(), reached: reached.clone(), duration, done };
-    std::thread::spawn(move || {
-        let tell = Tell { reached, send, wake };
-        if let Some(session) = coarse {
-            tell.pass(session, Duration::ZERO, numbers[0], true);
-        }
-        tell.pass(session, took, numbers[1], false);
-    });
-    job
+    let first = coarse(session.scene());
+    let coarse = first.is_some();
+    let mut passes: VecDeque<Pass> = first
+        .map(|session| Pass { session, took: Duration::ZERO, number: numbers[0], coarse: true })
+        .into_iter()
+        .chain([Pass { session, took, number: numbers[1], coarse: false }])
+        .collect();
+    let tell = Tell { reached: reached.clone(), send, wake: wake.clone() };
+    let work = in_slices(move |portion| tell.go_on(&mut passes, portion), wake);
+    Job { begun: now(), revision, coarse, reached, duration, done, work }
 }
 
 /// The coarse pass of a scene; none where the scene asks for no finer one.
@@ -99,7 +102,15 @@ fn coarse(scene: &Scene) -> Option<Session> {
     coarser.then(|| Session::new(&Scene { solver, ..scene.clone() }).ok()).flatten()
 }
 
-/// The thread's end of a job.
+/// A run at one tolerance, as far as it has come.
+struct Pass {
+    session: Session,
+    took: Duration,
+    number: u64,
+    coarse: bool,
+}
+
+/// The run's end of a job.
 struct Tell {
     reached: Arc<Reached>,
     send: Sender<Brought>,
@@ -107,16 +118,30 @@ struct Tell {
 }
 
 impl Tell {
-    fn pass(&self, mut session: Session, took: Duration, number: u64, coarse: bool) {
-        let (begun, duration) = (now(), session.scene().duration);
-        session.advance(duration, &mut |reached| {
+    /// Computes for a while; whether there is more to be computed.
+    fn go_on(&self, passes: &mut VecDeque<Pass>, portion: Duration) -> bool {
+        let Some(pass) = passes.front_mut() else { return false };
+        let (begun, duration) = (now(), pass.session.scene().duration);
+        let mut whole = true;
+        pass.session.advance(duration, &mut |reached| {
             self.reached.t.store(reached.t.to_bits(), Ordering::Relaxed);
-            !self.reached.is_cancelled()
+            whole = !self.reached.is_cancelled() && begun.elapsed() < portion;
+            whole
         });
+        pass.took += begun.elapsed();
         if self.reached.is_cancelled() {
-            return;
+            return false;
         }
-        let answer = Answer::new(session.finish(), took + begun.elapsed(), number);
+        if whole && let Some(pass) = passes.pop_front() {
+            self.bring(pass);
+        }
+        !passes.is_empty()
+    }
+
+    fn bring(&self, Pass { session, took, number, coarse }: Pass) {
+        let begun = now();
+        let history = session.finish();
+        let answer = Answer::new(history, took + begun.elapsed(), number);
         // Nobody listens any more when the window has closed: nothing to do then.
         let _ = self.send.send(Brought { answer, coarse });
         (self.wake)();

@@ -1,15 +1,15 @@
-//! Runs the scene that is shown: at once when it is quick, on a thread with progress and cancel when it is not.
+//! Runs the scene that is shown: at once when it is quick, beside the window with progress and cancel when it is not.
 //!
-//! On a thread a coarse pass comes first: it is shown until the full one has come in, and is kept for nothing. A scene that comes
+//! Beside the window a coarse pass comes first: it is shown until the full one has come in, and is kept for nothing. A scene that comes
 //! while a coarse pass is computed waits for it, so that a drag of a large scene is followed by its answers instead of cancelling
 //! each of them. The last good answer stays in view until a better one is there; a scene that cannot be run leaves its complaints.
 //! When the window is idle, a thread estimates the error of the answer.
 
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use crate::app::host::{Wake, now};
+use crate::app::host::{Instant, THREADS, Wake, now, spawn};
 use crate::app::run::answer::Answer;
 use crate::app::run::job::{self, Job};
 use crate::scene::{Limits, Scene, SceneErrors};
@@ -22,6 +22,9 @@ const AT_ONCE: Duration = Duration::from_millis(30);
 /// How long a newer scene waits for the coarse pass of the one before it: as long as an answer still seems to follow the hand.
 /// Chosen, not measured.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Longest run whose error is estimated where the window stands still meanwhile.
+const STANDSTILL: Duration = Duration::from_millis(100);
 
 /// How long the window must be left alone before the error is estimated.
 pub(in crate::app) const IDLE_BEFORE_ESTIMATE: Duration = Duration::from_millis(400);
@@ -273,9 +276,15 @@ impl Runner {
         if quiet < IDLE_BEFORE_ESTIMATE {
             return Some(IDLE_BEFORE_ESTIMATE.saturating_sub(quiet));
         }
+        if !THREADS && answer.took > STANDSTILL {
+            // It takes a few times as long as the run.
+            answer.set_error(f64::NAN);
+            return None;
+        }
         let (send, done) = channel();
         let (asked, wake) = (answer.clone(), self.wake.clone());
-        std::thread::spawn(move || {
+        // It ends by itself.
+        let _ = spawn(move || {
             // Nobody listens any more when the window has closed: nothing to do then.
             let _ = send.send(asked.history.estimate_error());
             wake();

@@ -4,9 +4,8 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{LineWriter, Write};
-use std::time::Instant;
 
-use crate::app::host::now;
+use crate::app::host::{Instant, now};
 
 /// The file that is written.
 const VARIABLE: &str = "GIRDERBENCH_EVENT_LOG";

@@ -39,24 +39,30 @@ pub(in crate::app) fn modest(mut setup: WgpuSetupCreateNew) -> WgpuSetup {
 }
 
 impl Painter {
-    /// Brings a device up that can draw on a surface, if there is one, with all of egui's textures.
+    /// Brings a device up that can draw on a surface, if there is one.
     ///
     /// # Errors
-    /// No adapter, no device, or one that fails at once.
-    pub(in crate::app) fn new(
+    /// No adapter, or no device.
+    pub(in crate::app) async fn new(
         setup: WgpuSetup,
         instance: &wgpu::Instance,
         surface: Option<&wgpu::Surface<'static>>,
-        textures: &Textures,
     ) -> Result<Self, GpuError> {
         let wanted = WgpuConfiguration { wgpu_setup: setup, ..WgpuConfiguration::default() };
         let made = RenderState::create(&wanted, instance, surface, RendererOptions::default());
-        let state = pollster::block_on(made).map_err(in_words)?;
-        let painter = Self { health: Health::of(&state.device), state };
+        let state = made.await.map_err(in_words)?;
+        Ok(Self { health: Health::of(&state.device), state })
+    }
+
+    /// Takes in all of egui's textures.
+    ///
+    /// # Errors
+    /// A device that fails at once.
+    pub(in crate::app) fn load(&self, textures: &Textures) -> Result<(), Fault> {
         for (id, image) in textures.all() {
-            painter.state.renderer.write().update_texture(&painter.state.device, &painter.state.queue, id, &image);
+            self.state.renderer.write().update_texture(&self.state.device, &self.state.queue, id, &image);
         }
-        painter.fault().map_or(Ok(painter), |fault| Err(fault.into()))
+        self.fault().map_or(Ok(()), Err)
     }
 
     /// The device.
@@ -186,7 +192,8 @@ mod tests {
     fn painter(textures: &Textures) -> Option<Painter> {
         let setup = modest(WgpuSetupCreateNew::without_display_handle());
         let instance = pollster::block_on(setup.new_instance());
-        let made = Painter::new(setup, &instance, None, textures);
+        let made = pollster::block_on(Painter::new(setup, &instance, None));
+        let made = made.and_then(|painter| painter.load(textures).map(|()| painter).map_err(GpuError::from));
         let asked = std::env::var_os("GIRDERBENCH_REQUIRE_GPU").is_some_and(|v| v == "1");
         let skipped = |none: GpuError| {
             assert!(!asked, "GIRDERBENCH_REQUIRE_GPU=1, but {none}");

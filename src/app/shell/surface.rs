@@ -6,7 +6,7 @@
 //! lives on the device.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::TexturesDelta;
 use egui_wgpu::WgpuSetupCreateNew;
@@ -14,7 +14,7 @@ use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureF
 use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::window::Window;
 
-use crate::app::host::now;
+use crate::app::host::{Instant, Later, Wake, now};
 use crate::app::shell::painter::{Painter, Shapes, modest};
 use crate::app::shell::textures::Textures;
 use crate::render::{AdapterSummary, Fault, GpuError};
@@ -44,8 +44,12 @@ pub(in crate::app) struct Surface {
     window: Arc<Window>,
     display: OwnedDisplayHandle,
     textures: Textures,
-    /// Absent between a device that has failed and the next.
+    /// Absent before the first device, and between one that has failed and the next.
     on: Option<On>,
+    /// The next one, while it comes up.
+    coming: Option<Later<Result<On, GpuError>>>,
+    /// Who is woken when it is there.
+    wake: Wake,
     failures: u32,
     /// When the next one is tried.
     due: Option<Instant>,
@@ -65,24 +69,21 @@ struct On {
 }
 
 impl Surface {
-    /// Brings up a device that can draw on a window.
-    ///
-    /// # Errors
-    /// No adapter, no device, no surface.
-    pub(in crate::app) fn new(event_loop: &ActiveEventLoop, window: &Arc<Window>) -> Result<Self, GpuError> {
-        let mut surface = Self {
+    /// No device yet.
+    pub(in crate::app) fn new(event_loop: &ActiveEventLoop, window: &Arc<Window>, wake: Wake) -> Self {
+        Self {
             window: window.clone(),
             display: event_loop.owned_display_handle(),
             textures: Textures::default(),
             on: None,
+            coming: None,
+            wake,
             failures: 0,
             due: None,
             format: TextureFormat::Rgba8Unorm,
             largest: 0,
             adapter: None,
-        };
-        surface.bring_up()?;
-        Ok(surface)
+        }
     }
 
     /// What egui draws into.
@@ -105,13 +106,28 @@ impl Surface {
         self.adapter.as_ref().is_some_and(|adapter| adapter.is_cpu)
     }
 
-    fn bring_up(&mut self) -> Result<(), GpuError> {
-        let on = On::new(&self.window, &self.display, &self.textures)?;
+    /// Begins to bring up a device that can draw on the window, or goes on with it. On a page it is not there at once: the
+    /// window is woken then.
+    ///
+    /// # Errors
+    /// No adapter, no device, no surface.
+    pub(in crate::app) fn bring_up(&mut self) -> Result<Painted, GpuError> {
+        let begin = || Later::of(On::new(self.window.clone(), self.display.clone()), self.wake.clone());
+        let Some(made) = self.coming.get_or_insert_with(begin).take() else {
+            // Woken when it is there.
+            return Ok(Painted::Again(Duration::MAX));
+        };
+        self.coming = None;
+        let mut on = made?;
+        on.painter.load(&self.textures)?;
         self.format = on.config.format;
         self.largest = on.painter.device().limits().max_texture_dimension_2d;
+        let size = self.window.inner_size();
+        on.resize([size.width, size.height].map(|side| side.min(self.largest)));
+        on.painter.fault().map_or(Ok(()), Err)?;
         self.adapter = Some(on.painter.summary());
         self.on = Some(on);
-        Ok(())
+        Ok(Painted::Anew)
     }
 
     /// The window has another size; a minimised one may have none, and nothing is drawn on it.
@@ -131,7 +147,7 @@ impl Surface {
             Some(on) => on.paint(&self.window, shapes, &delta).map_err(GpuError::from),
             None => match self.due.and_then(|due| due.checked_duration_since(now())) {
                 Some(wait) => Ok(Painted::Again(wait)),
-                None => self.bring_up().map(|()| Painted::Anew),
+                None => self.bring_up(),
             },
         };
         // Whatever became of the frame: its textures are known.
@@ -171,11 +187,14 @@ impl Surface {
 }
 
 impl On {
-    fn new(window: &Arc<Window>, display: &OwnedDisplayHandle, textures: &Textures) -> Result<Self, GpuError> {
-        let setup = modest(WgpuSetupCreateNew::from_display_handle(display.clone()));
-        let instance = pollster::block_on(setup.new_instance());
-        let target = instance.create_surface(window.clone()).map_err(|e| no_surface(&instance, &e))?;
-        let painter = Painter::new(setup, &instance, Some(&target), textures)?;
+    async fn new(window: Arc<Window>, display: OwnedDisplayHandle) -> Result<Self, GpuError> {
+        let setup = modest(WgpuSetupCreateNew::from_display_handle(display));
+        let instance = setup.new_instance().await;
+        let target = match instance.create_surface(window.clone()) {
+            Ok(target) => target,
+            Err(why) => return Err(no_surface(&instance, &why).await),
+        };
+        let painter = Painter::new(setup, &instance, Some(&target)).await?;
         let size = window.inner_size();
         let mut config = target
             .get_default_config(painter.adapter(), size.width.max(1), size.height.max(1))
@@ -183,10 +202,7 @@ impl On {
         config.format = painter.format();
         config.view_formats = vec![painter.format()];
         config.present_mode = wgpu::PresentMode::AutoVsync;
-        let mut on = Self { target, config, painter, instance, misses: 0 };
-        let largest = on.painter.device().limits().max_texture_dimension_2d;
-        on.resize([size.width, size.height].map(|side| side.min(largest)));
-        on.painter.fault().map_or(Ok(on), |fault| Err(fault.into()))
+        Ok(Self { target, config, painter, instance, misses: 0 })
     }
 
     fn resize(&mut self, [width, height]: [u32; 2]) {
@@ -242,8 +258,8 @@ impl On {
 }
 
 /// Why there is no surface: most often since there is no adapter.
-fn no_surface(instance: &wgpu::Instance, why: &wgpu::CreateSurfaceError) -> GpuError {
-    match pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())) {
+async fn no_surface(instance: &wgpu::Instance, why: &wgpu::CreateSurfaceError) -> GpuError {
+    match instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await {
         Ok(_) => GpuError::NoSurface(why.to_string()),
         Err(none) => GpuError::NoAdapter(none.to_string()),
     }

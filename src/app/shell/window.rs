@@ -7,19 +7,17 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::ViewportId;
-use egui_winit::accesskit_winit;
 use winit::application::ApplicationHandler;
-use winit::dpi::LogicalSize;
 use winit::event::{StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
 use crate::app::bench::Workbench;
 use crate::app::command::WindowCommand;
-use crate::app::disk::session_files;
-use crate::app::host::now;
+use crate::app::host::{Wake, now, users_folder};
 use crate::app::panel::layout;
 use crate::app::shell::event_log::{EventLog, Part};
+use crate::app::shell::outside::{self, Asked, Outside};
 use crate::app::shell::painter::Shapes;
 use crate::app::shell::surface::{Painted, Surface};
 use crate::app::text;
@@ -73,31 +71,31 @@ pub fn run(scene: Scene, source: SceneSource, language: Option<Language>) -> Res
 
 /// What comes from elsewhere than the window.
 #[derive(Debug)]
-enum News {
+pub(super) enum News {
     /// A thread has something.
     Wake,
-    /// A screen reader asks.
-    Accesskit(accesskit_winit::Event),
+    /// Somebody asks for something.
+    Asked(Asked),
 }
 
-impl From<accesskit_winit::Event> for News {
-    fn from(event: accesskit_winit::Event) -> Self {
-        Self::Accesskit(event)
+impl From<Asked> for News {
+    fn from(asked: Asked) -> Self {
+        Self::Asked(asked)
     }
 }
 
 /// The event loop's state.
-struct Shell {
-    bench: Workbench,
-    proxy: EventLoopProxy<News>,
+pub(super) struct Shell {
+    pub(super) bench: Workbench,
+    pub(super) proxy: EventLoopProxy<News>,
     /// The language that was asked for.
-    language: Option<Language>,
-    open: Option<Open>,
-    failed: Option<String>,
+    pub(super) language: Option<Language>,
+    pub(super) open: Option<Open>,
+    pub(super) failed: Option<String>,
 }
 
 /// An open window.
-struct Open {
+pub(super) struct Open {
     window: Arc<Window>,
     egui: egui_winit::State,
     surface: Surface,
@@ -105,32 +103,42 @@ struct Open {
     /// Nothing of it can be seen, as far as the system tells.
     hidden: bool,
     log: Option<EventLog>,
+    outside: Outside,
 }
 
 impl Open {
     fn new(event_loop: &ActiveEventLoop, bench: &mut Workbench, proxy: &EventLoopProxy<News>) -> Result<Self, String> {
         let title = bench.title();
-        let size = LogicalSize::new(1280.0, 720.0);
-        // Accessibility wants to be there before the window is seen.
-        let look = Window::default_attributes().with_title(&title).with_inner_size(size).with_visible(false);
-        let look = look.with_min_inner_size(LogicalSize::new(800.0, 480.0));
+        // Whoever listens wants to be there before the window is seen.
+        let look = outside::look(Window::default_attributes().with_title(&title).with_visible(false));
         let window = Arc::new(event_loop.create_window(look).map_err(|e| e.to_string())?);
-        let surface = Surface::new(event_loop, &window).map_err(|e| e.to_string())?;
-        let (scale, theme) = (Some(pixels_per_point(&window)), window.theme());
-        let (context, largest) = (egui::Context::default(), Some(surface.largest()));
-        let mut egui = egui_winit::State::new(context, ViewportId::ROOT, event_loop, scale, theme, largest);
-        egui.init_accesskit(event_loop, &window, proxy.clone());
-        bench.view.set_target(surface.format(), surface.adapter().cloned());
-        let wake = proxy.clone();
-        bench.set_wake(Arc::new(move || {
+        let events = proxy.clone();
+        let wake: Wake = Arc::new(move || {
             // The event loop has ended: nobody to wake.
-            let _ = wake.send_event(News::Wake);
-        }));
-        if let Some(folder) = session_files::users_folder() {
+            let _ = events.send_event(News::Wake);
+        });
+        let mut surface = Surface::new(event_loop, &window, wake.clone());
+        let (scale, theme) = (Some(pixels_per_point(&window)), window.theme());
+        let mut egui =
+            egui_winit::State::new(egui::Context::default(), ViewportId::ROOT, event_loop, scale, theme, None);
+        let outside = Outside::new(event_loop, (&window, &mut egui), proxy);
+        bench.set_wake(wake);
+        let begun = surface.bring_up().map_err(|e| e.to_string())?;
+        if let Some(folder) = users_folder() {
             bench.keep_in(&folder);
         }
         window.set_visible(true);
-        Ok(Self { window, egui, surface, title, hidden: false, log: EventLog::wanted() })
+        let mut open = Self { window, egui, surface, title, hidden: false, log: EventLog::wanted(), outside };
+        if begun == Painted::Anew {
+            open.draw_on_it(bench);
+        }
+        Ok(open)
+    }
+
+    /// There is a device: the workbench is drawn on it from now on.
+    fn draw_on_it(&mut self, bench: &mut Workbench) {
+        self.egui.set_max_texture_side(self.surface.largest());
+        bench.view.set_target(self.surface.format(), self.surface.adapter().cloned());
     }
 
     /// Sees to it that a frame is drawn after a time.
@@ -152,6 +160,12 @@ impl Open {
 
     /// Shows the workbench; answers when it wants to be shown again.
     fn draw(&mut self, bench: &mut Workbench) -> Result<Duration, GpuError> {
+        if self.surface.adapter().is_none() {
+            match self.surface.bring_up()? {
+                Painted::Again(wait) => return Ok(wait),
+                Painted::Shown | Painted::Anew => self.draw_on_it(bench),
+            }
+        }
         let began = now();
         self.log(EventLog::begin);
         let mut input = self.egui.take_egui_input(&self.window);
@@ -160,6 +174,7 @@ impl Open {
         let context = self.egui.egui_ctx().clone();
         let output = context.run_ui(input, |ui| layout::show(bench, ui));
         self.log(|log| log.end(Part::LaidOut));
+        self.outside.seen(bench, &output.platform_output);
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let jobs = context.tessellate(output.shapes, output.pixels_per_point);
         self.log(|log| log.end(Part::Tessellated));
@@ -171,7 +186,7 @@ impl Open {
             log.shown(shown.0, shown.1);
         });
         if painted == Painted::Anew {
-            bench.view.set_target(self.surface.format(), self.surface.adapter().cloned());
+            self.draw_on_it(bench);
             bench.window.say(text::DRAWN_ANEW);
         }
         let title = bench.title();
@@ -228,6 +243,10 @@ impl ApplicationHandler<News> for Shell {
         }
     }
 
+    fn exiting(&mut self, _event_loop: &ActiveEventLoop) {
+        self.failed.iter().for_each(|why| outside::give_up(why));
+    }
+
     fn new_events(&mut self, _event_loop: &ActiveEventLoop, cause: StartCause) {
         if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &self.open) {
             open.window.request_redraw();
@@ -236,14 +255,8 @@ impl ApplicationHandler<News> for Shell {
 
     fn user_event(&mut self, _event_loop: &ActiveEventLoop, news: News) {
         let Some(open) = &mut self.open else { return };
-        if let News::Accesskit(event) = news {
-            match event.window_event {
-                accesskit_winit::WindowEvent::InitialTreeRequested => open.egui.egui_ctx().enable_accesskit(),
-                accesskit_winit::WindowEvent::ActionRequested(request) => {
-                    open.egui.on_accesskit_action_request(request);
-                }
-                accesskit_winit::WindowEvent::AccessibilityDeactivated => open.egui.egui_ctx().disable_accesskit(),
-            }
+        if let News::Asked(asked) = news {
+            open.outside.answer(asked, (&mut open.egui, &mut self.bench));
         }
         open.window.request_redraw();
     }

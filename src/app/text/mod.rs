@@ -324,6 +324,10 @@ pub(super) const FILMING: Text = Text::new("filming");
 pub(super) const CANCEL_FILM: Text = Text::new("cancel-film");
 pub(super) const FILM_CANCELLED: Text = Text::new("film-cancelled");
 pub(super) const FILM_WRITTEN: Text = Text::new("film-written");
+pub(super) const LINK_TOO_LONG: Text = Text::new("link-too-long");
+pub(super) const COPY_LINK: Text = Text::new("copy-link");
+pub(super) const LINK_COPIED: Text = Text::new("link-copied");
+pub(super) const NOT_ON_A_PAGE: Text = Text::new("not-on-a-page");
 
 // Questions and notices.
 pub(super) const UNSAVED_QUESTION: Text = Text::new("unsaved-question");

@@ -24,6 +24,11 @@ pub(in crate::app) fn pane_key(pane: Pane) -> &'static str {
     }
 }
 
+/// A part of a link that has no sense.
+pub(in crate::app) fn link_refused(part: &str) -> String {
+    Text::new("link-refused").with(&values!["part" => part])
+}
+
 /// A button that folds a panel.
 pub(in crate::app) fn fold(which: Pane) -> String {
     Text::new("fold").with(&values!["pane" => pane(which)])

@@ -1,0 +1,115 @@
+//! The workbench by a link: what one opens, and one that leads to what is shown.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::workbench::Workbench;
+use crate::app::command::{FileCommand, Learn, TimeCommand, WindowCommand};
+use crate::app::learn::lessons::lessons;
+use crate::app::link::{Link, Target};
+use crate::app::text;
+use crate::files::{SceneSource, read_scene, scene_text};
+use crate::scene::presets;
+
+impl Workbench {
+    /// Goes where a link leads; what has no sense in it is told, and nothing of it is done then.
+    pub fn follow(&mut self, fragment: &str) {
+        match Link::parse(fragment) {
+            Ok(link) => self.go_to(link),
+            Err(words) => self.window.say(words),
+        }
+    }
+
+    fn go_to(&mut self, Link { target, t, language }: Link) {
+        if let Some(language) = language {
+            language.speak();
+            self.apply(WindowCommand::Language(language));
+        }
+        match target {
+            None => {}
+            Some(Target::Preset(name)) if presets::get(&name).is_none() => {
+                return self.window.say(text::link_refused(&format!("scene={name}")));
+            }
+            Some(Target::Preset(name)) => self.apply(FileCommand::OpenPreset(name)),
+            Some(Target::Lesson(name)) => match lessons().iter().position(|lesson| lesson.name == name) {
+                Some(number) => self.apply(Learn::Open(number)),
+                None => return self.window.say(text::link_refused(&format!("lesson={name}"))),
+            },
+            Some(Target::Text(words)) => match read_scene(&words, "link") {
+                Ok(scene) => self.take_up(scene, SceneSource::Text(Arc::from(words))),
+                Err(errors) => return self.window.say(errors.to_string()),
+            },
+        }
+        // The moment is one of what the link opens, which may wait until unsaved work is saved.
+        if let Some(t) = t.filter(|_| !self.window.asks()) {
+            self.apply(TimeCommand::Seek(t));
+        }
+    }
+
+    /// A link to the scene, the moment and the language that are shown.
+    ///
+    /// # Errors
+    /// In words: the scene has too much text for a link.
+    pub fn link(&self) -> Result<String, String> {
+        let (document, changed) = (&self.files.document, self.files.document.is_dirty());
+        let source = document.source();
+        let shipped = |preset: &&presets::Preset| source == SceneSource::Shipped(preset.text);
+        let target = match (self.learning.lesson(), presets::all().iter().find(shipped)) {
+            (Some(lesson), _) if !changed => Target::Lesson(lesson.name.to_owned()),
+            (None, Some(preset)) if !changed => Target::Preset(preset.name.to_owned()),
+            _ => {
+                let as_seen = self.view.display.scene_as_seen(document.scene());
+                Target::Text(scene_text(&as_seen, &source, Path::new("")))
+            }
+        };
+        let language = Some(self.window.language);
+        Link { target: Some(target), t: Some(self.replay.t()), language }.write()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::edits;
+    use crate::language::Language;
+
+    fn opened() -> Workbench {
+        let mut bench =
+            Workbench::new(presets::load(presets::OPENING).expect("ships"), SceneSource::of(presets::OPENING));
+        bench.replay.runner.set_estimates(false);
+        bench
+    }
+
+    #[test]
+    fn a_link_to_what_is_shown_leads_back_to_it() {
+        let mut bench = opened();
+        bench.follow("#lesson=stick-and-slip&t=0.42&lang=ja");
+        assert_eq!(
+            (bench.learning.lesson().map(|lesson| lesson.name), bench.replay.t()),
+            (Some("stick-and-slip"), 0.42)
+        );
+        assert_eq!(bench.window.language, Language::Japanese);
+        assert_eq!(bench.link().as_deref(), Ok("lesson=stick-and-slip&t=0.42&lang=ja"));
+        bench.follow("#scene=skew60-abutment&lang=en");
+        assert_eq!(bench.link().as_deref(), Ok("scene=skew60-abutment&t=0&lang=en"), "another scene");
+        let changed = edits::duration(bench.files.document.scene(), 3.5);
+        bench.files.document.edit(changed, None).expect("fits");
+        let link = bench.link().expect("small");
+        let mut other = opened();
+        other.follow(&link);
+        assert_eq!(other.files.document.scene(), bench.files.document.scene(), "a scene of the user's own: {link}");
+        assert!(other.window.notice().is_none() && !other.files.document.is_dirty(), "as it came");
+    }
+
+    #[test]
+    fn a_link_that_leads_nowhere_is_told_and_leaves_the_scene() {
+        let mut bench = opened();
+        let before = bench.files.document.revision();
+        for wrong in ["#scene=no-such", "#lesson=no-such", "#t=soon", "#toml=format%20%3D%202"] {
+            bench.window.say("");
+            bench.follow(wrong);
+            assert!(bench.window.notice().is_some_and(|words| !words.is_empty()), "{wrong}: told");
+        }
+        assert_eq!(bench.files.document.revision(), before, "the scene that was there");
+    }
+}
