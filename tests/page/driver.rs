@@ -9,6 +9,9 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+/// Chromium's own warning to a page that asks whether there is WebGPU, where there is none.
+const NO_WEBGPU: &str = "No available adapters.";
+
 /// Longest wait for the browser to do one thing.
 const PATIENCE: Duration = Duration::from_mins(1);
 
@@ -223,7 +226,8 @@ impl Page {
     pub(crate) fn complaints(&self) -> Vec<String> {
         let log = self.command("/se/log", &json!({ "type": "browser" }));
         let bad = |entry: &&Value| entry["level"] == "SEVERE" || entry["level"] == "WARNING";
-        log.as_array().into_iter().flatten().filter(bad).map(|entry| entry["message"].to_string()).collect()
+        let bad = log.as_array().into_iter().flatten().filter(bad).map(|entry| entry["message"].to_string());
+        bad.filter(|words| !words.contains(NO_WEBGPU)).collect()
     }
 
     /// A file that has been downloaded, once it is whole.
