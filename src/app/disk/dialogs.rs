@@ -51,7 +51,7 @@ impl Dialogs {
             Some(extension) => Choice::New(format!("{}.{extension}", file_stem(name))),
         };
         let (send, wake, begun) = (self.send.clone(), self.wake.clone(), now());
-        choose(choice, filters(wish), move |chosen| {
+        choose(choice, &filters(wish), move |chosen| {
             if let Some(command) = after(wish, chosen, begun.elapsed()) {
                 // Nobody listens any more when the window has closed: nothing to do then.
                 let _ = send.send(command);

@@ -98,12 +98,12 @@ impl<T: 'static> Later<T> {
 
 /// Has the user choose a file, which is read into the page. A file that is written goes to the browser's downloads under the
 /// name that is offered, with others beside it where a folder is asked for.
-pub(in crate::app) fn choose(choice: Choice, filters: Vec<Filter>, then: impl FnOnce(Option<PathBuf>) + 'static) {
+pub(in crate::app) fn choose(choice: Choice, filters: &[Filter], then: impl FnOnce(Option<PathBuf>) + 'static) {
     match choice {
         Choice::New(name) => then(Some(name.into())),
         Choice::Folder => then(Some(PathBuf::new())),
         // A browser without documents shows no window either.
-        Choice::File => drop(pick(&filters, then)),
+        Choice::File => drop(pick(filters, then)),
     }
 }
 

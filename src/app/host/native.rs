@@ -69,13 +69,9 @@ impl<T: 'static> Later<T> {
 }
 
 /// Has the user choose a path in the system's dialog, beside the window; `None` where it was cancelled or there is none.
-pub(in crate::app) fn choose(
-    choice: Choice,
-    filters: Vec<Filter>,
-    then: impl FnOnce(Option<PathBuf>) + Send + 'static,
-) {
+pub(in crate::app) fn choose(choice: Choice, filters: &[Filter], then: impl FnOnce(Option<PathBuf>) + Send + 'static) {
     let empty = AsyncFileDialog::new();
-    let dialog = filters.into_iter().fold(empty, |dialog, (name, endings)| dialog.add_filter(name, &endings));
+    let dialog = filters.iter().fold(empty, |dialog, (name, endings)| dialog.add_filter(name, endings));
     match choice {
         Choice::File => wait(dialog.pick_file(), then),
         Choice::Folder => wait(dialog.pick_folder(), then),

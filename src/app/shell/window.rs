@@ -256,7 +256,7 @@ impl ApplicationHandler<News> for Shell {
     fn user_event(&mut self, _event_loop: &ActiveEventLoop, news: News) {
         let Some(open) = &mut self.open else { return };
         if let News::Asked(asked) = news {
-            open.outside.answer(asked, (&mut open.egui, &mut self.bench));
+            Outside::answer(asked, (&mut open.egui, &mut self.bench));
         }
         open.window.request_redraw();
     }

@@ -37,8 +37,7 @@ impl Outside {
     }
 
     /// Does what was asked.
-    #[expect(clippy::unused_self, reason = "a page has a state of its own")]
-    pub(super) fn answer(&mut self, asked: Asked, (egui, _): (&mut State, &mut Workbench)) {
+    pub(super) fn answer(asked: Asked, (egui, _): (&mut State, &mut Workbench)) {
         match asked.window_event {
             WindowEvent::InitialTreeRequested => egui.egui_ctx().enable_accesskit(),
             WindowEvent::ActionRequested(request) => egui.on_accesskit_action_request(request),

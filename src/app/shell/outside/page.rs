@@ -30,7 +30,7 @@ const CANVAS: &str = "girderbench";
 const MESSAGE: &str = "message";
 
 /// What is asked for from outside.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Asked {
     /// The page's address leads elsewhere.
     Link,
@@ -107,7 +107,7 @@ impl Outside {
     }
 
     /// Does what was asked.
-    pub(super) fn answer(&mut self, asked: Asked, (egui, bench): (&mut State, &mut Workbench)) {
+    pub(super) fn answer(asked: Asked, (egui, bench): (&mut State, &mut Workbench)) {
         match asked {
             Asked::Link => bench.follow(&fragment()),
             Asked::Widgets => egui.egui_ctx().enable_accesskit(),
@@ -212,16 +212,13 @@ impl Seen {
             let label = nodes.iter().find(|(id, _)| id == of).map(|(_, node)| node);
             label.and_then(|node| node.label().or_else(|| node.value()))
         };
-        let name = |node: &Node| {
-            let own = node.label().map(str::to_owned);
-            own.or_else(|| node.labelled_by().first().and_then(words).map(str::to_owned))
-        };
-        nodes.iter().filter_map(|(_, node)| widget(node, name(node), f64::from(zoom))).collect()
+        let name = |node: &Node| json!(node.label().or_else(|| node.labelled_by().first().and_then(words)));
+        nodes.iter().filter_map(|(_, node)| widget(node, &name(node), f64::from(zoom))).collect()
     }
 }
 
 /// What a screen reader is told of a widget that has a place.
-fn widget(node: &Node, name: Option<String>, zoom: f64) -> Option<Value> {
+fn widget(node: &Node, name: &Value, zoom: f64) -> Option<Value> {
     let place = node.bounds()?;
     Some(json!({
         "role": format!("{:?}", node.role()),
