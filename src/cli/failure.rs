@@ -20,7 +20,7 @@ pub(super) enum Failure {
     #[error("{0}")]
     NoPicture(String),
     /// The run ended before its time; what it has was kept.
-    #[error("the run of {} gave up at t = {} s, {}: {}", name(scene), plain(stop.t), stop.place, stop.reason)]
+    #[error("the run of {} {} at t = {} s, {}: {}", name(scene), stop.cause.verb(), plain(stop.t), stop.place, stop.reason)]
     GaveUp {
         /// The scene's name.
         scene: String,
@@ -72,10 +72,11 @@ impl From<ReadError> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sim::Cause;
 
     #[test]
     fn a_run_that_gives_up_says_where_and_why() {
-        let stop = Stop { t: 0.25, place: "deck".into(), reason: "the step fell to 1e-20 s".into() };
+        let stop = Stop { cause: Cause::Computation, t: 0.25, place: "deck".into(), reason: "the step fell to 1e-20 s".into() };
         let failure = Failure::GaveUp { scene: "bridge".into(), stop };
         let said = failure.to_string();
         assert_eq!(said, "the run of bridge gave up at t = 0.25 s, deck: the step fell to 1e-20 s", "all of it");

@@ -35,7 +35,7 @@ fn head(report: &Report) -> Vec<Line> {
     let model = (report.model == "impact").then(|| line("model", "impact (rigid bodies, impulses)".to_owned()));
     let outside = outside_words(&report.outside_domain).map(|words| line("outside the domain", words));
     let gave_up =
-        gave_up.map(|stop| line("gave up", format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
+        gave_up.map(|stop| line(stop.cause.verb(), format!("at {} s, {}: {}", plain(stop.t), stop.place, stop.reason)));
     let lost = report.lost_supports.iter().take(MOST_LISTED).map(lost);
     model
         .into_iter()

@@ -14,6 +14,7 @@ use crate::dynamics::free_flight::body_motion::BodyMotion;
 use crate::dynamics::impact2d::Record;
 use crate::dynamics::model::coordinates::BodyState;
 use crate::dynamics::record::contact_log::ContactLog;
+use crate::dynamics::record::event::Cause;
 use crate::dynamics::record::link_log::LinkLog;
 use crate::dynamics::record::recomputed_steps::Past;
 use crate::dynamics::run::Finished;
@@ -177,7 +178,7 @@ impl History {
         let place = format!("{one}, {other}");
         let reason = "they meet where the impact model has no contact: it knows facing ends and declared pairs; choose `kind = \
                       \"contact\"` in [model], declare the pair, or let bodies pass with `between = \"ends\"` in [contact]";
-        self.stop = Some(Stop { t, place, reason: reason.to_owned() });
+        self.stop = Some(Stop { cause: Cause::NoContact, t, place, reason: reason.to_owned() });
         self.end = t;
         self.record = self.record.map(|record| Record::together(vec![record], t));
         (self.touches, self.books, self.overlaps) = (OnceLock::new(), OnceLock::new(), OnceLock::new());

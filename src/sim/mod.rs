@@ -45,7 +45,7 @@ pub use loops::Loop;
 pub use overlap::{Unjoined, unjoined};
 pub use piers::{PierNow, PierReading};
 pub use quantity::Quantity;
-pub use report::{ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
+pub use report::{Cause, ContactNow, ContactState, Event, EventKind, Ledger, Motion, Overlap, SolidId, Stop, Touch};
 pub use section_field::SectionField;
 pub use section_quantity::OfSection;
 pub use session::{Reached, Session};

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use crate::dynamics::Model;
-pub use crate::dynamics::record::event::{Event, EventKind, Stop};
+pub use crate::dynamics::record::event::{Cause, Event, EventKind, Stop};
 
 /// A body's motion at one instant, relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -178,9 +178,14 @@ impl Session {
         if let Some(stop) = self.stop() {
             return Err(stop);
         }
-        let mut states: Vec<(usize, Vec<f64>)> = self.groups.iter().flat_map(|group| group.states(at)).collect();
+        Ok(self.motions_at(at))
+    }
+
+    /// Motion of every girder at a time between the last event and the next \[s\], of a run that was stopped too.
+    pub(crate) fn motions_at(&self, t: f64) -> Vec<Motion> {
+        let mut states: Vec<(usize, Vec<f64>)> = self.groups.iter().flat_map(|group| group.states(t)).collect();
         states.sort_by_key(|(body, _)| *body);
-        Ok(states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect())
+        states.into_iter().map(|(body, state)| Motion::of(&self.model, body, &state)).collect()
     }
 
     /// What is computed so far.

@@ -9,6 +9,7 @@ use crate::dynamics::connection::{Phase, Separation, Switch};
 use crate::dynamics::contact_model::at_instant::EventInstant;
 use crate::dynamics::contact_model::constants::DEVICE_EVENTS_PER_INSTANT;
 use crate::dynamics::event_loop::schedule::Schedule;
+use crate::dynamics::record::event::Cause;
 use crate::dynamics::world::World;
 use crate::dynamics::world::tracks::LinkTrack;
 
@@ -55,7 +56,7 @@ impl LinkTransitions<'_> {
         if link.device.ends_run(&phase) {
             let reason = self.end_of_support(number, &link.name);
             let slots: Vec<usize> = self.world.links[number].slots.into_iter().flatten().collect();
-            self.schedule.give_up(self.now.t, self.world.names(&slots), reason);
+            self.schedule.end(self.now.t, Cause::SupportLost, self.world.names(&slots), reason);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::dynamics::event_loop::effort::Effort;
 use crate::dynamics::event_loop::event_queue::EventQueue;
-use crate::dynamics::record::event::Stop;
+use crate::dynamics::record::event::{Cause, Stop};
 
 /// Progress of the run of one group of bodies.
 #[derive(Debug, Default)]
@@ -30,10 +30,15 @@ impl Schedule {
         if self.stop.is_none() && self.queue.first_time() > duration { duration } else { self.now }
     }
 
-    /// Stops the run at `t`; the first of several reasons is kept.
+    /// Stops the run at `t`, where the computation comes to its bounds; the first of several reasons is kept.
     pub fn give_up(&mut self, t: f64, place: String, reason: String) {
+        self.end(t, Cause::Computation, place, reason);
+    }
+
+    /// Stops the run at `t`; the first of several reasons is kept.
+    pub fn end(&mut self, t: f64, cause: Cause, place: String, reason: String) {
         if self.stop.is_none() {
-            self.stop = Some(Stop { t, place, reason });
+            self.stop = Some(Stop { cause, t, place, reason });
         }
     }
 

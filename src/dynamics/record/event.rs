@@ -75,9 +75,33 @@ impl Event {
     }
 }
 
+/// What ended a run before its time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cause {
+    /// The computation: a step or a count of changes came to its bound.
+    Computation,
+    /// A vertical support is lost or a corner has dropped: the equations of the model end there (`docs/laws.md#seats`).
+    SupportLost,
+    /// Bodies meet where the model has no contact.
+    NoContact,
+}
+
+impl Cause {
+    /// What the run did, in a sentence: "the run gave up at t = …".
+    pub fn verb(self) -> &'static str {
+        match self {
+            Self::Computation => "gave up",
+            Self::SupportLost | Self::NoContact => "ended",
+        }
+    }
+}
+
 /// Why a run stopped before its end.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Stop {
+    /// Computation or model.
+    pub cause: Cause,
     /// Time \[s\].
     pub t: f64,
     /// Pair or bodies concerned.

@@ -3,7 +3,7 @@
 use super::check::{self, Check, Complaint, Figures};
 use super::watch::{Clock, Limits, NoAnswer, Watch};
 use crate::scene::{Scene, domain};
-use crate::sim::History;
+use crate::sim::{Cause, History, Stop};
 
 /// What came out for a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +64,13 @@ fn checked(scene: &Scene, ran: Result<History, NoAnswer>, watch: &Watch<'_>) -> 
         Err(NoAnswer::Slow(t)) => return failed(scene, Check::Time, format!("came to {t} s of {} s", scene.duration)),
     };
     let inside = domain::is_inside(scene);
-    let gave_up = history.stop().map(|stop| format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
+    // Where a support is lost the model's motion ends: the answer is that of a scene that ends then.
+    let history = match history.stop() {
+        Some(&Stop { cause: Cause::SupportLost, t, .. }) => history.cut(t),
+        _ => history,
+    };
+    let stop = history.stop().filter(|stop| stop.cause != Cause::SupportLost);
+    let gave_up = stop.map(|stop| format!("at t = {} s, {}: {}", stop.t, stop.place, stop.reason));
     if let Some(reason) = gave_up.as_ref().filter(|_| inside) {
         return failed(scene, Check::Finishes, reason.clone());
     }

@@ -51,7 +51,7 @@ impl Row {
             Ok(history) => history,
             Err(errors) => return without(Status::Refused, errors.to_string()),
         };
-        if let Some(Stop { t, place, reason }) = history.stop() {
+        if let Some(Stop { t, place, reason, .. }) = history.stop() {
             return without(Status::GaveUp, format!("at {t:?} s, {place}: {reason}"));
         }
         let values = plan.measures.iter().map(|measure| measure.of(&history)).collect();

@@ -13,7 +13,7 @@ use super::super::watch::{Limits, NoAnswer, Watch};
 use super::finding::{Check, Complaint, Figures};
 use super::looks::size;
 use crate::scene::{self, Direction, Kind, Scene};
-use crate::sim::{History, Motion, Session, Stop};
+use crate::sim::{Cause, History, Motion, Session, Stop};
 
 pub(super) const CLAIM: &str = "the error at a hundredth of the tolerance is below the error at it, or below the \
                                 floor (rounding, or ten times what starts, grounds and friction that differ by \
@@ -122,10 +122,16 @@ impl Run {
     }
 
     fn note(&mut self) -> Result<(), Complaint> {
-        let stopped = |stop: &Stop| {
-            failed(&self.scene, Check::Finishes, &format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason))
+        let motions = match self.session.motions() {
+            Ok(motions) => motions,
+            // The model's motion ends there: the state of its end is compared.
+            Err(Stop { cause: Cause::SupportLost, t, .. }) => self.session.motions_at(*t),
+            Err(stop) => {
+                let what = format!("t = {} s, {}: {}", stop.t, stop.place, stop.reason);
+                return Err(failed(&self.scene, Check::Finishes, &what));
+            }
         };
-        self.motions.push(self.session.motions().map_err(stopped)?);
+        self.motions.push(motions);
         Ok(())
     }
 
