@@ -76,7 +76,12 @@ mod tests {
 
     #[test]
     fn a_run_that_gives_up_says_where_and_why() {
-        let stop = Stop { cause: Cause::Computation, t: 0.25, place: "deck".into(), reason: "the step fell to 1e-20 s".into() };
+        let stop = Stop {
+            cause: Cause::Computation,
+            t: 0.25,
+            place: "deck".into(),
+            reason: "the step fell to 1e-20 s".into(),
+        };
         let failure = Failure::GaveUp { scene: "bridge".into(), stop };
         let said = failure.to_string();
         assert_eq!(said, "the run of bridge gave up at t = 0.25 s, deck: the step fell to 1e-20 s", "all of it");

@@ -68,7 +68,7 @@ impl LinkTransitions<'_> {
         let DVec3 { x, y, z } = frame.origin() + frame.turn(link.arms[0]);
         if link.device.is_lost(phase) {
             format!(
-                "vertical support is lost: {name} left its seat at ({x:.4}, {y:.4}) m; give after_unseating = \"continue\" to go \
+                "vertical support is lost: {name} left its support at ({x:.4}, {y:.4}) m; give after_unseating = \"continue\" to go \
                  on without it"
             )
         } else {

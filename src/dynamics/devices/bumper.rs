@@ -20,8 +20,9 @@ pub struct Bumper {
 }
 
 const OPEN: u32 = 0;
+/// It springs back without force on the first line of the table; the lines that follow have every other number that follows.
 const OFF: u32 = 1;
-/// The force acts on the first line of the table; the lines that follow have the numbers that follow.
+/// The force acts on the first line of the table; likewise.
 const ON: u32 = 2;
 
 impl Bumper {
@@ -52,8 +53,20 @@ impl Bumper {
         self.table[1..self.lines()].partition_point(|point| point[0] <= depth)
     }
 
-    fn line(&self, phase: &Phase, depth: f64) -> usize {
-        if phase.law >= ON { (phase.law - ON) as usize } else { self.line_at(depth) }
+    fn is_off(phase: &Phase) -> bool {
+        phase.law != OPEN && phase.law % ON == OFF
+    }
+
+    /// The line of the table that a phase is on; the first one while open.
+    fn line(phase: &Phase) -> usize {
+        (phase.law.saturating_sub(OFF) / ON) as usize
+    }
+
+    fn numbered(first: u32, line: usize) -> Phase {
+        Phase {
+            law: first.saturating_add(ON.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX))),
+            ..Phase::default()
+        }
     }
 
     /// `F_s(δ)` on a line.
@@ -71,7 +84,11 @@ impl Bumper {
     }
 
     fn on(line: usize) -> Phase {
-        Phase { law: ON + u32::try_from(line).unwrap_or(u32::MAX - ON), ..Phase::default() }
+        Self::numbered(ON, line)
+    }
+
+    fn off(line: usize) -> Phase {
+        Self::numbered(OFF, line)
     }
 }
 
@@ -80,23 +97,23 @@ impl Connection for Bumper {
     type Motion = Separation;
 
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        if phase.law < ON {
+        if phase.law == OPEN || Self::is_off(phase) {
             return DVec3::ZERO;
         }
         let [depth, rate] = self.depth(motion);
-        DVec3::X * (self.spring(self.line(phase, depth), depth) + self.damping * rate)
+        DVec3::X * (self.spring(Self::line(phase), depth) + self.damping * rate)
     }
 
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, _] = self.depth(motion);
-        if phase.law == OPEN { 0.0 } else { self.energy(self.line(phase, depth), depth) }
+        if phase.law == OPEN { 0.0 } else { self.energy(Self::line(phase), depth) }
     }
 
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, rate] = self.depth(motion);
         match phase.law {
             OPEN => 0.0,
-            OFF => -self.spring(self.line_at(depth), depth) * rate,
+            _ if Self::is_off(phase) => -self.spring(Self::line(phase), depth) * rate,
             _ => self.damping * rate * rate,
         }
     }
@@ -106,7 +123,7 @@ impl Connection for Bumper {
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        if phase.law < ON { 0.0 } else { self.damping }
+        if phase.law == OPEN || Self::is_off(phase) { 0.0 } else { self.damping }
     }
 }
 
@@ -123,7 +140,7 @@ impl Device for Bumper {
     fn state(&self, phase: &Phase) -> &'static str {
         match phase.law {
             OPEN => "open",
-            OFF => "springs back",
+            _ if Self::is_off(phase) => "springs back",
             _ => "squeezed",
         }
     }
@@ -140,34 +157,63 @@ impl Device for Bumper {
         3
     }
 
-    /// The line's beginning, where the first one opens; its end; the force vanishes. Off: opening; the force begins again.
+    /// The line's beginning, where the first one opens; its end; squeezed, the force vanishes, off, it begins again.
     fn switch(&self, number: usize, phase: &Phase, motion: &Separation) -> f64 {
         let [depth, rate] = self.depth(motion);
-        let line = self.line(phase, depth);
+        let line = Self::line(phase);
         let force = (self.spring(line, depth) + self.damping * rate) / self.slope(0);
-        match (number, phase.law) {
-            (0, OFF) => -depth,
-            (0, _) => self.table[line][0] - depth,
-            (1, OFF) => force,
-            (1, _) if line + 1 < self.lines() => depth - self.table[line + 1][0],
+        match number {
+            0 => self.table[line][0] - depth,
+            1 if line + 1 < self.lines() => depth - self.table[line + 1][0],
+            2 if Self::is_off(phase) => force,
             // Without a dashpot the force vanishes at the opening.
-            (2, ON..) if self.damping > 0.0 => -force,
+            2 if self.damping > 0.0 => -force,
             _ => -1.0,
         }
     }
 
-    fn next(&self, event: Switch, phase: &Phase, motion: &Separation) -> (Phase, f64) {
-        let [depth, _] = self.depth(motion);
-        let line = self.line(phase, depth);
-        let next = match (event, phase.law) {
-            (Switch::Closing, _) => Self::on(0),
-            (Switch::Function(0), OFF) => Phase { law: OPEN, ..Phase::default() },
-            (Switch::Function(_), OFF) => Self::on(self.line_at(depth)),
-            (Switch::Function(0), _) if line > 0 => Self::on(line - 1),
-            (Switch::Function(0), _) => Phase { law: OPEN, ..Phase::default() },
-            (Switch::Function(1), _) => Self::on(line + 1),
-            (Switch::Function(_), _) => Phase { law: OFF, ..Phase::default() },
+    fn next(&self, event: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
+        let (line, off) = (Self::line(phase), Self::is_off(phase));
+        let at = |line: usize, off: bool| if off { Self::off(line) } else { Self::on(line) };
+        let next = match event {
+            Switch::Closing => Self::on(0),
+            Switch::Function(0) if line > 0 => at(line - 1, off),
+            Switch::Function(0) => Phase { law: OPEN, ..Phase::default() },
+            Switch::Function(1) => at(line + 1, off),
+            Switch::Function(_) => at(line, !off),
         };
         (next, 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn springing_back_it_loses_on_each_line_what_the_rubber_gives_up() {
+        let bumper = Bumper::new(0.0, &[[0.002, 3.0], [0.005, 12.0], [0.008, 30.0]], 30.0).expect("rising");
+        let at = |depth: f64, rate: f64| Separation {
+            moved: -DVec3::X * depth,
+            rate: -DVec3::X * rate,
+            ..Separation::default()
+        };
+        // Thrown out faster than the rubber follows.
+        let (mut phase, rate) = (Bumper::on(2), -0.5);
+        phase = bumper.next(Switch::Function(2), &phase, &at(0.0065, rate)).0;
+        for (line, depth) in [(2, 0.006), (1, 0.004), (0, 0.001)] {
+            assert_eq!((Bumper::is_off(&phase), Bumper::line(&phase)), (true, line), "at {depth} m");
+            assert_eq!(bumper.force(&phase, &at(depth, rate)), DVec3::ZERO);
+            let stored = |t: f64| bumper.stored_energy(&phase, &at(depth + rate * t, rate));
+            let (gained, lost) =
+                ((stored(1e-6) - stored(-1e-6)) / 2e-6, bumper.dissipated_power(&phase, &at(depth, rate)));
+            assert!((gained + lost).abs() < 1e-8 * lost, "{gained} W stored, {lost} W lost");
+            let passed = at(bumper.table[line][0] - 1e-12, rate);
+            assert!(bumper.switch(0, &phase, &passed) > 0.0, "the line's beginning is an event");
+            let (next, released) = bumper.next(Switch::Function(0), &phase, &passed);
+            assert!((bumper.stored_energy(&next, &passed) - stored(0.0)).is_sign_negative() && released == 0.0);
+            phase = next;
+        }
+        assert_eq!(phase.law, OPEN);
     }
 }

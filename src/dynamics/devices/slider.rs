@@ -1,6 +1,6 @@
 //! A slider in space, flat or in a spherical dish, under the vertical force N of its own bearing
 //! (`docs/physics.md#sliders-in-space`). Its link has the ground as its second end and the girder's axes as placed; the vertical
-//! spring `k_z`, dashpot and preload P are the girder's bearing, as are any horizontal springs beside.
+//! spring `k_z`, dashpot and preload P are the girder's bearing, as are horizontal springs and dashpots beside, which lift with it.
 //!
 //! In a dish of radius R the point rises by `h = u²/2R`: `N = P − k_z (w − h)`, the horizontal force is `−(N/R) u − z`. Friction:
 //! elastic `ż = k_t u̇`, `k_t` = `μP/u_y` constant, up to `Q = μN`; sliding, `z = Q (cos φ, sin φ)` with
@@ -31,6 +31,8 @@ pub struct Slider {
     pub stiffness: f64,
     /// `c_z` \[N·s/m\].
     pub damping: f64,
+    /// Horizontal springs and dashpots of the girder's bearing beside it \[N/m, N·s/m\].
+    pub beside: [DVec2; 2],
 }
 
 const ELASTIC: u32 = 0;
@@ -51,6 +53,12 @@ impl Slider {
     /// N without uplift; negative where it would pull \[N\].
     fn normal(&self, motion: &Separation) -> f64 {
         self.load - self.stiffness * (motion.moved.z - self.rise(motion))
+    }
+
+    /// Energy of the horizontal springs beside \[J\].
+    fn energy_beside(&self, motion: &Separation) -> f64 {
+        let moved = motion.moved.truncate();
+        0.5 * moved.dot(self.beside[0] * moved)
     }
 
     /// Its rate \[N/s\].
@@ -95,11 +103,13 @@ impl Connection for Slider {
     type State = Phase;
     type Motion = Separation;
 
-    /// Lifted, it takes away what the girder's vertical bearing has.
+    /// Lifted, it takes away what the girder's bearing has.
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
         if phase.law == LIFTED {
             let [w, rate] = [motion.moved.z, motion.rate.z];
-            return DVec3::Z * (self.stiffness * w + self.damping * rate - self.load);
+            let [springs, dashpots] = self.beside;
+            let across = springs * motion.moved.truncate() + dashpots * motion.rate.truncate();
+            return across.extend(self.stiffness * w + self.damping * rate - self.load);
         }
         let pendulum = motion.moved.truncate() * (self.curvature * self.normal(motion));
         (-pendulum - self.friction_force(phase, motion)).extend(self.stiffness * self.rise(motion))
@@ -110,7 +120,7 @@ impl Connection for Slider {
     fn stored_energy(&self, phase: &Phase, motion: &Separation) -> f64 {
         let upright = self.load - self.stiffness * motion.moved.z;
         if phase.law == LIFTED {
-            return -upright * upright / (2.0 * self.stiffness);
+            return -upright * upright / (2.0 * self.stiffness) - self.energy_beside(motion);
         }
         let rise = self.rise(motion);
         let friction = self.friction_force(phase, motion).length_squared() / (2.0 * self.tangential());
@@ -120,17 +130,20 @@ impl Connection for Slider {
     fn dissipated_power(&self, phase: &Phase, motion: &Separation) -> f64 {
         match phase.law {
             SLIDING => self.limit(motion) * self.slip_rate(phase, motion),
-            LIFTED => -self.damping * motion.rate.z * motion.rate.z,
+            LIFTED => {
+                let rate = motion.rate;
+                -rate.dot(self.beside[1].extend(self.damping) * rate)
+            }
             _ => 0.0,
         }
     }
 
     fn stiffness_bound(&self, _: &Phase) -> f64 {
-        (self.tangential() + self.curvature * self.load).max(self.stiffness)
+        (self.tangential() + self.curvature * self.load).max(self.stiffness).max(self.beside[0].max_element())
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        if phase.law == LIFTED { self.damping } else { 0.0 }
+        if phase.law == LIFTED { self.damping.max(self.beside[1].max_element()) } else { 0.0 }
     }
 }
 
@@ -215,7 +228,13 @@ impl Device for Slider {
             (Switch::Function(_), LIFTED) => self.landed(motion),
             (Switch::Function(_), _) => Phase { law: LIFTED, ..Phase::default() },
         };
-        let released = if next.law == LIFTED { z.length_squared() / (2.0 * self.tangential()) } else { 0.0 };
+        // Springs beside lift with what they store, and land displaced.
+        let released = match (phase.law, next.law) {
+            (LIFTED, LIFTED) => 0.0,
+            (_, LIFTED) => z.length_squared() / (2.0 * self.tangential()) + self.energy_beside(motion),
+            (LIFTED, _) => -self.energy_beside(motion),
+            _ => 0.0,
+        };
         (next, released)
     }
 }
@@ -224,8 +243,15 @@ impl Device for Slider {
 mod tests {
     use super::*;
 
-    const SLIDER: Slider =
-        Slider { friction: 0.1, curvature: 0.5, displacement: 1e-3, load: 50.0, stiffness: 4e3, damping: 3.0 };
+    const SLIDER: Slider = Slider {
+        friction: 0.1,
+        curvature: 0.5,
+        displacement: 1e-3,
+        load: 50.0,
+        stiffness: 4e3,
+        damping: 3.0,
+        beside: [DVec2::new(20.0, 30.0), DVec2::new(0.4, 0.7)],
+    };
 
     fn at(moved: [f64; 3], rate: [f64; 3]) -> Separation {
         Separation { moved: moved.into(), rate: rate.into(), ..Separation::default() }

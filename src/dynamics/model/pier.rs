@@ -50,20 +50,27 @@ fn body(name: &str, pier: &ResolvedPier) -> Body {
     }
 }
 
-/// The elastic part of a pier's column: two Voigt elements beside its axis, so far apart along that their resistance across makes
-/// `k_θ = k d²`.
+/// The elastic part of a pier's column: two springs beside its axis, so far apart along that their resistance across makes
+/// `k_θ = k d²`, and two dashpots so far apart that they make `c_θ = k_θ c/k`, with k of the column before it yields.
 fn column(pier: &ResolvedPier) -> Vec<Bearing> {
     let elastic = pier.yielding.map_or(1.0, |yielding| yielding.ratio);
     let [along, across] = pier.stiffness.map(|k| 0.5 * elastic * k);
     let [c_along, c_across] = pier.damping.map(|c| 0.5 * c);
-    let apart = pier.turn_stiffness.map_or(0.0, |turn| (0.5 * turn / across).sqrt());
-    let element = |x: f64| Bearing {
+    let apart = |across: f64| pier.turn_stiffness.map_or(0.0, |turn| (0.5 * turn / across).sqrt());
+    let element = |x: f64, stiffness: DVec3, damping: DVec3| Bearing {
         place: DVec3::X * x,
-        stiffness: DVec3::new(along, across, 0.0),
-        damping: DVec3::new(c_along, c_across, 0.0),
+        stiffness,
+        damping,
         preload: DVec3::ZERO,
     };
-    vec![element(apart), element(-apart)]
+    let (spring, dashpot) = (DVec3::new(along, across, 0.0), DVec3::new(c_along, c_across, 0.0));
+    let [yielded, whole] = [apart(across), apart(0.5 * pier.stiffness[1])];
+    if yielded == whole {
+        return vec![element(whole, spring, dashpot), element(-whole, spring, dashpot)];
+    }
+    let springs = [yielded, -yielded].map(|x| element(x, spring, DVec3::ZERO));
+    let dashpots = [whole, -whole].map(|x| element(x, DVec3::ZERO, dashpot));
+    springs.into_iter().chain(dashpots).collect()
 }
 
 impl Model {
@@ -117,5 +124,42 @@ impl Model {
             kinematics,
             device,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, format};
+
+    #[test]
+    fn a_pier_whose_base_yields_keeps_the_dashpot_of_its_rotation() {
+        let body = |lines: &str| {
+            let text = format!(
+                "format = 1\nname = \"pier\"\nduration_s = 1.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\n\
+                 thickness_m = 1.5\nmass_kg = 3e5\nbearings = [{{ at_m = [14.0, 0.0], stiffness_n_per_m = [1e7, 1e7], damping_n_s_per_m = [0, 0], on = \"p\" }}]\n\
+                 [[pier]]\nname = \"p\"\nmass_kg = 1.2e5\nstiffness_n_per_m = [6e7, 9e7]\ndamping_ratio = [0.05, 0.04]\n\
+                 turn_stiffness_n_m_per_rad = 4e9\nturn_inertia_kg_m2 = 1.5e6\n{lines}"
+            );
+            let scene: Scene = format::read(&text, "pier").unwrap_or_else(|errors| panic!("{errors}"));
+            let model = Model::compile(&scene).unwrap_or_else(|errors| panic!("{errors}"));
+            model.bodies.last().expect("the pier").planar
+        };
+        let (elastic, yields) = (body(""), body("yield_force_n = [1e6, 1.5e6]\npost_yield_ratio = 0.08\n"));
+        let of = |bearings: &PlanarBearings, i: usize| [bearings.stiffness.col(i)[i], bearings.damping.col(i)[i]];
+        for i in 0..2 {
+            let ([k, c], [k2, c2]) = (of(&elastic, i), of(&yields, i));
+            assert!(
+                (k2 / k - 0.08).abs() < 1e-12 && (c2 / c - 1.0).abs() < 1e-12,
+                "direction {i}: {k2} of {k}, {c2} of {c}"
+            );
+        }
+        let ([k, c], [k2, c2]) = (of(&elastic, 2), of(&yields, 2));
+        assert!((k / 4e9 - 1.0).abs() < 1e-12 && (k2 / 4e9 - 1.0).abs() < 1e-12, "{k} and {k2} N·m");
+        let [across, dashpot] = of(&elastic, 1);
+        assert!(
+            (c / (4e9 * dashpot / across) - 1.0).abs() < 1e-12 && (c2 / c - 1.0).abs() < 1e-12,
+            "{c} and {c2} N·m·s"
+        );
     }
 }

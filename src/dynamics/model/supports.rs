@@ -129,6 +129,7 @@ fn law(resolved: &ResolvedBearing, bearing: &Bearing) -> Option<Arc<dyn Device>>
             load: bearing.preload.z,
             stiffness: bearing.stiffness.z,
             damping: bearing.damping.z,
+            beside: [bearing.stiffness.truncate(), bearing.damping.truncate()],
         }));
     }
     let yielding = resolved.yielding?;

@@ -81,7 +81,7 @@ impl Event {
 pub enum Cause {
     /// The computation: a step or a count of changes came to its bound.
     Computation,
-    /// A vertical support is lost or a corner has dropped: the equations of the model end there (`docs/laws.md#seats`).
+    /// A vertical support is lost or a corner has dropped: the equations of the model end there (`docs/physics.md#loss-of-support`).
     SupportLost,
     /// Bodies meet where the model has no contact.
     NoContact,

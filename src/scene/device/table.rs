@@ -25,7 +25,7 @@ macro_rules! device_table {
                 to_at: Option<[f64; 3]> = "to_m" as "field-to", Range::Like("two or three numbers"),
                     Fallback::Words("where at_m is as placed"),
                     "its second point: of a girder from its G in its frame; of an abutment from the centre of its face, out of the \
-                     face, along it and up; of the ground in the world, m";
+                     face, along it to the right as seen from before it, and up; of the ground in the world, m";
                 $($rows)+
             }
         }
