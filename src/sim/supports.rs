@@ -30,4 +30,17 @@ impl History {
         all.sort_by(|a, b| a.t.total_cmp(&b.t));
         all
     }
+
+    /// The bearing of a girder that lost its support first, by its number in the girder, and when \[s\].
+    pub fn first_lost_bearing(&self, girder: usize) -> Option<(usize, f64)> {
+        let model = self.model();
+        let lost = |(bearing, links): (usize, &Vec<usize>)| {
+            let link = *links.first()?;
+            let device = &model.links[link].device;
+            let (at, _) = self.link_phases(link).iter().find(|(_, phase)| device.is_lost(phase))?;
+            (*at <= self.end()).then_some((bearing, *at))
+        };
+        let supports = model.supports.get(girder)?;
+        supports.iter().enumerate().filter_map(lost).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
 }

@@ -21,6 +21,21 @@ pub enum Verdict {
         /// The seat as placed, square to the front edge \[m\].
         placed: f64,
     },
+    /// Every corner stays over its seat, but a bearing has lost its support.
+    SupportLost {
+        /// The first such bearing, by its number in the girder.
+        bearing: usize,
+        /// When \[s\].
+        t: f64,
+        /// The end with the least left.
+        end: End,
+        /// Its corner with the least left, by its number in plan.
+        corner: usize,
+        /// The least left, square to the front edge \[m\].
+        least: Extreme,
+        /// The seat as placed, square to the front edge \[m\].
+        placed: f64,
+    },
     /// A corner comes off, and its end is not lost.
     CornerOff {
         /// Which end.
@@ -49,12 +64,17 @@ pub enum Verdict {
 
 /// The verdict on a girder; none where the scene gives it no seats.
 pub fn verdict(history: &History, girder: usize) -> Option<Verdict> {
-    of_seats(&seats::of_girder(history, girder))
+    of_seats(&seats::of_girder(history, girder), history.first_lost_bearing(girder))
 }
 
-/// The verdict on the seats of one girder; none without any.
-pub fn of_seats(seats: &[Seat]) -> Option<Verdict> {
-    lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats))
+/// The verdict on the seats of one girder, of which a bearing has lost its support, number and time \[s\]; none without seats.
+pub fn of_seats(seats: &[Seat], bearing: Option<(usize, f64)>) -> Option<Verdict> {
+    lost(seats).or_else(|| corner_off(seats)).or_else(|| stays(seats)).map(|verdict| match (verdict, bearing) {
+        (Verdict::Stays { end, corner, least, placed }, Some((bearing, t))) => {
+            Verdict::SupportLost { bearing, t, end, corner, least, placed }
+        }
+        _ => verdict,
+    })
 }
 
 /// The end that is lost first.
@@ -99,14 +119,17 @@ impl Verdict {
     pub fn t(&self) -> f64 {
         match self {
             Self::Stays { least, .. } => least.t,
-            Self::CornerOff { t, .. } | Self::Lost { t, .. } => *t,
+            Self::CornerOff { t, .. } | Self::Lost { t, .. } | Self::SupportLost { t, .. } => *t,
         }
     }
 
     /// The corner that decides it, by its number in plan.
     pub fn corner(&self) -> usize {
         match self {
-            Self::Stays { corner, .. } | Self::CornerOff { corner, .. } | Self::Lost { corner, .. } => *corner,
+            Self::Stays { corner, .. }
+            | Self::SupportLost { corner, .. }
+            | Self::CornerOff { corner, .. }
+            | Self::Lost { corner, .. } => *corner,
         }
     }
 
@@ -117,6 +140,12 @@ impl Verdict {
                 let [left, placed] = [least.value, *placed].map(length);
                 let values = values!["left" => left, "placed" => placed, "end" => end.label(), "t" => seconds(least.t)];
                 Text::new("verdict-stays").with(&values)
+            }
+            Self::SupportLost { bearing, t, end, least, placed, .. } => {
+                let ([left, placed], t) = ([least.value, *placed].map(length), seconds(*t));
+                let (bearing, end) = (bearing + 1, end.label());
+                let values = values!["bearing" => bearing, "t" => t, "left" => left, "placed" => placed, "end" => end];
+                Text::new("verdict-support-lost").with(&values)
             }
             Self::CornerOff { end, corner, t, side: true, .. } => {
                 let values = values!["corner" => corner + 1, "end" => end.label(), "t" => seconds(*t)];
@@ -181,8 +210,16 @@ mod tests {
         match off {
             Verdict::CornerOff { t, .. } => assert_eq!(t, first, "when the first corner does"),
             Verdict::Lost { first: corner, .. } => assert!(corner >= first, "no sooner than the first corner"),
-            Verdict::Stays { .. } => panic!("{off:?}"),
+            Verdict::Stays { .. } | Verdict::SupportLost { .. } => panic!("{off:?}"),
         }
+    }
+
+    #[test]
+    fn a_girder_that_loses_a_bearing_does_not_stay_though_its_corners_do() {
+        let seats = seats::of_girder(&with_seats(0.2, None), 0);
+        let lost = of_seats(&seats, Some((2, 1.5))).expect("seats");
+        assert_eq!((lost.stays(), lost.t()), (false, 1.5));
+        assert!(lost.words().starts_with("loses a support: bearing 3 at 1.50 s; at worst "), "{}", lost.words());
     }
 
     #[test]

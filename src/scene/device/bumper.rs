@@ -44,7 +44,8 @@ impl Bumper {
 
     /// Depths \[m\] and forces \[N\] beyond (0, 0).
     pub fn depths_and_forces(&self) -> Vec<[f64; 2]> {
-        self.table.clone().or_else(|| self.stiffness.map(|k| vec![[1.0, k]])).unwrap_or_default()
+        let table = self.table.as_deref().map(|table| beyond_zero(table).to_vec());
+        table.or_else(|| self.stiffness.map(|k| vec![[1.0, k]])).unwrap_or_default()
     }
 
     fn own_faults(&self, joint: Option<&Joint>) -> Vec<Fault> {
@@ -72,8 +73,17 @@ impl Bumper {
     }
 }
 
+/// A table of depths and forces without the beginning at (0, 0), which may be written out.
+fn beyond_zero(table: &[[f64; 2]]) -> &[[f64; 2]] {
+    match table {
+        [[0.0, 0.0], beyond @ ..] => beyond,
+        _ => table,
+    }
+}
+
 /// What is wrong with a table of depths and forces.
 fn unsteady(table: &[[f64; 2]]) -> Option<Fault> {
+    let table = beyond_zero(table);
     let mut before = [0.0; 2];
     for point in table {
         if !(point[0] > before[0] && point[1] > before[1]) {

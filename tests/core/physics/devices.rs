@@ -152,7 +152,7 @@ fn a_yielding_cable_and_a_bumper_are_those_of_an_independent_program() {
     let devices = "restrainer=[{ name = \"cable\", girder = \"deck\", at_m = [-0.095, 0.02], to_m = [-0.155, 0.03], \
                    slack_m = 0.002, stiffness_n_per_m = 2e4, yield_force_n = 25, post_yield_stiffness_n_per_m = 1e3 }];\
                    bumper=[{ name = \"rubber\", girder = \"deck\", at_m = [0.095, -0.02], to_m = [0.099, 0], \
-                   normal = [-1, 0], depth_force_m_n = [[0.0008, 10], [0.0018, 45]], damping_n_s_per_m = 8 }]";
+                   normal = [-1, 0], depth_force_m_n = [[0, 0], [0.0008, 10], [0.0018, 45]], damping_n_s_per_m = 8 }]";
     let history = agrees("d_cable_bumper", &with_devices(0.05, devices, [0.15, 2.4, 20.0]), Vec::new(), 1e-9);
     let became = |link: usize, law: u32| history.link_phases(link).iter().filter(|(_, phase)| phase.law == law).count();
     assert_eq!([became(0, 2), became(1, 1)], [6, 11], "the cable yields six times, the bumper lets go eleven times");
