@@ -73,7 +73,7 @@ fn a_girder_is_put_on_bearings_and_taken_off() {
 fn a_pair_says_where_its_numbers_come_from_and_takes_its_own() {
     let mut harness = with(presets::OPENING, &[Target::Abutment(0)]);
     assert!(harness.query_by_label("of this pair").is_none(), "all are the scene's");
-    assert!(harness.query_by_label("μ kinetic").is_some(), "numbers in force by their names");
+    assert!(harness.query_all_by_label("μ kinetic").count() > 0, "numbers in force by their names");
     assert!(harness.query_all_by_label_contains("field-").next().is_none(), "no key of a text in place of its words");
     type_in(&mut harness, "μ static of pair", "0.5");
     let pair = &harness.state().replay.runner.answer().expect("run").history.model().pairs[0];
