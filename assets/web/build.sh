@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Builds the program as a page for browsers: a folder of files for any web server.
 #
-#   assets/web/build.sh [FOLDER | --compile]
+#   assets/web/build.sh [FOLDER | --compile | --bindgen]
 #
-# FOLDER is out/web unless given; --compile stops after the compiler, which takes minutes and wants no wasm-bindgen. Wants
-# Rust's target wasm32-unknown-unknown and wasm-bindgen of the version in Cargo.lock; README says where from. Where the
-# target is missing it is built from the sources of the compiler RUSTC, which Debian has in rustc-web and rust-web-src, and
-# linked with lld.
+# FOLDER is out/web unless given; --compile stops after the compiler, which takes minutes and wants no wasm-bindgen; --bindgen
+# prints the version of wasm-bindgen that is wanted, that in Cargo.lock. Wants Rust's target wasm32-unknown-unknown and
+# wasm-bindgen; README says where from. Where the target is missing it is built from the sources of the compiler RUSTC, which
+# Debian has in rustc-web and rust-web-src, and linked with lld.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -19,10 +19,16 @@ fail() {
   exit 1
 }
 
-# Fails where wasm-bindgen is not there or of another version than the library that is linked.
+# That of the library that is linked.
+wanted=$(awk '/^name = "wasm-bindgen"$/ { getline; gsub(/"/, "", $3); print $3 }' Cargo.lock)
+if [ "$out" = --bindgen ]; then
+  echo "$wanted"
+  exit 0
+fi
+
+# Fails where wasm-bindgen is not there or of another version.
 check_bindgen() {
-  local wanted found
-  wanted=$(awk '/^name = "wasm-bindgen"$/ { getline; gsub(/"/, "", $3); print $3 }' Cargo.lock)
+  local found
   found=$(wasm-bindgen --version 2>/dev/null | awk '{ print $2 }') || true
   [ "$found" = "$wanted" ] ||
     fail "wasm-bindgen $wanted is wanted, ${found:-none} found: cargo install wasm-bindgen-cli --version $wanted"

@@ -18,14 +18,12 @@ pub struct LostSupport {
 impl History {
     /// Supports that were lost up to `t`, in order of time.
     pub fn lost_supports(&self, t: f64) -> Vec<LostSupport> {
-        let model = self.model();
         let lost = |link: usize| {
-            let (device, phases) = (&model.links[link].device, self.link_phases(link));
-            let (at, _) = phases.iter().find(|(_, phase)| device.is_lost(phase))?;
-            let place = self.link(link, *at)?.ends[0];
-            Some(LostSupport { name: model.links[link].name.clone(), t: *at, place })
+            let at = self.lost_at(link)?;
+            let place = self.link(link, at)?.ends[0];
+            Some(LostSupport { name: self.model().links[link].name.clone(), t: at, place })
         };
-        let all = model.supports.iter().flatten().filter_map(|links| lost(*links.first()?));
+        let all = self.model().supports.iter().flatten().filter_map(|links| lost(*links.first()?));
         let mut all: Vec<LostSupport> = all.filter(|lost| lost.t <= t).collect();
         all.sort_by(|a, b| a.t.total_cmp(&b.t));
         all
@@ -33,14 +31,14 @@ impl History {
 
     /// The bearing of a girder that lost its support first, by its number in the girder, and when \[s\].
     pub fn first_lost_bearing(&self, girder: usize) -> Option<(usize, f64)> {
-        let model = self.model();
-        let lost = |(bearing, links): (usize, &Vec<usize>)| {
-            let link = *links.first()?;
-            let device = &model.links[link].device;
-            let (at, _) = self.link_phases(link).iter().find(|(_, phase)| device.is_lost(phase))?;
-            (*at <= self.end()).then_some((bearing, *at))
-        };
-        let supports = model.supports.get(girder)?;
-        supports.iter().enumerate().filter_map(lost).min_by(|a, b| a.1.total_cmp(&b.1))
+        let supports = self.model().supports.get(girder)?.iter().enumerate();
+        let lost = supports.filter_map(|(bearing, links)| Some((bearing, self.lost_at(*links.first()?)?)));
+        lost.filter(|(_, at)| *at <= self.end()).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// When the support that a link is was lost \[s\]: for good, in its last phase.
+    fn lost_at(&self, link: usize) -> Option<f64> {
+        let (at, phase) = self.link_phases(link).last()?;
+        self.model().links[link].device.is_lost(phase).then_some(*at)
     }
 }

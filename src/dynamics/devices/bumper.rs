@@ -20,10 +20,12 @@ pub struct Bumper {
 }
 
 const OPEN: u32 = 0;
-/// It springs back without force on the first line of the table; the lines that follow have every other number that follows.
+/// On the first line of the table it springs back without force.
 const OFF: u32 = 1;
-/// The force acts on the first line of the table; likewise.
+/// On the first line of the table the force acts.
 const ON: u32 = 2;
+/// Laws of a line; those of the next line are so much further.
+const LAWS_PER_LINE: u32 = 2;
 
 impl Bumper {
     /// Of a gap \[m\], rising penetrations \[m\] with rising forces \[N\] beyond (0, 0), and a dashpot \[N·s/m\]; `None` where
@@ -54,19 +56,23 @@ impl Bumper {
     }
 
     fn is_off(phase: &Phase) -> bool {
-        phase.law != OPEN && phase.law % ON == OFF
+        phase.law % LAWS_PER_LINE == OFF
+    }
+
+    /// Whether the force acts.
+    fn is_on(phase: &Phase) -> bool {
+        phase.law != OPEN && !Self::is_off(phase)
     }
 
     /// The line of the table that a phase is on; the first one while open.
     fn line(phase: &Phase) -> usize {
-        (phase.law.saturating_sub(OFF) / ON) as usize
+        (phase.law.saturating_sub(OFF) / LAWS_PER_LINE) as usize
     }
 
-    fn numbered(first: u32, line: usize) -> Phase {
-        Phase {
-            law: first.saturating_add(ON.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX))),
-            ..Phase::default()
-        }
+    /// A law of the first line, on another line.
+    fn on_line(first: u32, line: usize) -> Phase {
+        let beyond = LAWS_PER_LINE.saturating_mul(u32::try_from(line).unwrap_or(u32::MAX));
+        Phase { law: first.saturating_add(beyond), ..Phase::default() }
     }
 
     /// `F_s(δ)` on a line.
@@ -82,14 +88,6 @@ impl Bumper {
         let [from, force] = self.table[line];
         before + 0.5 * (force + self.spring(line, depth)) * (depth - from)
     }
-
-    fn on(line: usize) -> Phase {
-        Self::numbered(ON, line)
-    }
-
-    fn off(line: usize) -> Phase {
-        Self::numbered(OFF, line)
-    }
 }
 
 impl Connection for Bumper {
@@ -97,7 +95,7 @@ impl Connection for Bumper {
     type Motion = Separation;
 
     fn force(&self, phase: &Phase, motion: &Separation) -> DVec3 {
-        if phase.law == OPEN || Self::is_off(phase) {
+        if !Self::is_on(phase) {
             return DVec3::ZERO;
         }
         let [depth, rate] = self.depth(motion);
@@ -123,14 +121,14 @@ impl Connection for Bumper {
     }
 
     fn damping_bound(&self, phase: &Phase) -> f64 {
-        if phase.law == OPEN || Self::is_off(phase) { 0.0 } else { self.damping }
+        if Self::is_on(phase) { self.damping } else { 0.0 }
     }
 }
 
 impl Device for Bumper {
     fn initial(&self, motion: &Separation) -> Phase {
         let [depth, _] = self.depth(motion);
-        if depth > 0.0 { Self::on(self.line_at(depth)) } else { Phase { law: OPEN, ..Phase::default() } }
+        if depth > 0.0 { Self::on_line(ON, self.line_at(depth)) } else { Phase { law: OPEN, ..Phase::default() } }
     }
 
     fn acts(&self, phase: &Phase) -> bool {
@@ -173,14 +171,14 @@ impl Device for Bumper {
     }
 
     fn next(&self, event: Switch, phase: &Phase, _: &Separation) -> (Phase, f64) {
-        let (line, off) = (Self::line(phase), Self::is_off(phase));
-        let at = |line: usize, off: bool| if off { Self::off(line) } else { Self::on(line) };
+        let line = Self::line(phase);
+        let [same, other] = if Self::is_off(phase) { [OFF, ON] } else { [ON, OFF] };
         let next = match event {
-            Switch::Closing => Self::on(0),
-            Switch::Function(0) if line > 0 => at(line - 1, off),
+            Switch::Closing => Self::on_line(ON, 0),
+            Switch::Function(0) if line > 0 => Self::on_line(same, line - 1),
             Switch::Function(0) => Phase { law: OPEN, ..Phase::default() },
-            Switch::Function(1) => at(line + 1, off),
-            Switch::Function(_) => at(line, !off),
+            Switch::Function(1) => Self::on_line(same, line + 1),
+            Switch::Function(_) => Self::on_line(other, line),
         };
         (next, 0.0)
     }
@@ -199,7 +197,7 @@ mod tests {
             ..Separation::default()
         };
         // Thrown out faster than the rubber follows.
-        let (mut phase, rate) = (Bumper::on(2), -0.5);
+        let (mut phase, rate) = (Bumper::on_line(ON, 2), -0.5);
         phase = bumper.next(Switch::Function(2), &phase, &at(0.0065, rate)).0;
         for (line, depth) in [(2, 0.006), (1, 0.004), (0, 0.001)] {
             assert_eq!((Bumper::is_off(&phase), Bumper::line(&phase)), (true, line), "at {depth} m");
