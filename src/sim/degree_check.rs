@@ -34,7 +34,7 @@ impl History {
         let finer = session.finish();
         let [force, other] = [self, &finer].map(Self::largest_force);
         let [impulse, finer_impulse] = [self, &finer].map(Self::impulse);
-        let [section, finer_section] = [self, &finer].map(Self::mid_span);
+        let [section, finer_section] = [self, &finer].map(Self::largest_axial);
         let part = |a: f64, b: f64| if b == 0.0 { 0.0 } else { (a - b).abs() / b };
         Some(DegreeCheck {
             degree,
@@ -75,10 +75,6 @@ impl History {
             borders.windows(2).map(|w| integrate(w[0], w[1], force)[0]).sum::<f64>()
         };
         self.touches().iter().map(of).sum()
-    }
-
-    fn mid_span(&self) -> f64 {
-        self.flexible_readings().iter().map(|reading| reading.axial.value).fold(0.0, f64::max)
     }
 
     fn ends_apart(&self, other: &Self) -> f64 {

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::readings::{Extreme, largest};
+use super::readings::{Extreme, largest, largest_of_each};
 use super::{History, Touch};
-use crate::dynamics::model::coordinates::elastic::{Equilibrium, SectionForces};
+use crate::dynamics::model::coordinates::elastic::{ElasticGirder, Equilibrium, SectionForces};
 use crate::dynamics::model::flexible::Flexible;
 use crate::dynamics::model::pair::Pair;
 use crate::dynamics::model::wrench::Wrench;
@@ -89,9 +89,14 @@ impl History {
 
     /// What acts on an elastic girder at `t`.
     pub fn equilibrium(&self, girder: usize, t: f64) -> Option<Equilibrium<'_>> {
-        let made = self.flexible(girder)?.girder.as_ref()?;
-        let (t, body) = (t.clamp(0.0, self.end()), &self.model().bodies[girder]);
-        let state = self.state(girder, t);
+        let made = self.flexible(girder)?.girder.as_deref()?;
+        let t = t.clamp(0.0, self.end());
+        Some(self.equilibrium_in(girder, made, (t, &self.state(girder, t))))
+    }
+
+    /// The same of a girder that is in this state at `t`.
+    fn equilibrium_in<'a>(&self, girder: usize, made: &'a ElasticGirder, (t, state): (f64, &[f64])) -> Equilibrium<'a> {
+        let body = &self.model().bodies[girder];
         let mut wrenches = vec![Wrench::default(); body.sections()];
         let pairs = self.model().pairs.iter().filter(|pair| pair.bodies.contains(&Some(girder)));
         for contact in pairs.flat_map(Pair::nodes) {
@@ -101,11 +106,12 @@ impl History {
             let sides = [(site.node_body, now.point, now.force), (site.face_body, now.anchor, -now.force)];
             for ((owner, place, force), section) in sides.into_iter().zip(sections) {
                 if owner == Some(girder) {
-                    wrenches[section].push(force, place - body.frame(section, &state).origin());
+                    wrenches[section].push(force, place - body.frame(section, state).origin());
                 }
             }
         }
-        Some(made.equilibrium(&state, &wrenches, self.model().ground.acceleration(t)))
+        self.push_links(girder, (t, state), &mut wrenches);
+        made.equilibrium(state, &wrenches, self.model().ground.acceleration(t))
     }
 
     /// Section forces of an elastic girder at a station \[m\]; 0 of a rigid one.
@@ -154,27 +160,39 @@ impl History {
     /// What the run did to its elastic girders that bend.
     pub fn flexible_readings(&self) -> Vec<FlexibleReading> {
         let all = 0..self.model().girders().len();
-        all.filter_map(|girder| Some(self.flexible_reading(girder, self.flexible(girder)?))).collect()
+        let bending = all.filter_map(|girder| {
+            let flexible = self.flexible(girder)?;
+            Some((girder, flexible, flexible.girder.as_deref()?))
+        });
+        bending.map(|(girder, flexible, made)| self.flexible_reading(girder, flexible, made)).collect()
     }
 
-    fn flexible_reading(&self, girder: usize, flexible: &Flexible) -> FlexibleReading {
+    /// Largest |N| at mid-span of all elastic girders that bend \[N\].
+    pub(super) fn largest_axial(&self) -> f64 {
+        let of = |girder: usize| {
+            let times = self.wave_looks(girder, self.flexible(girder)?);
+            Some(largest(&times, |t| self.section_forces(girder, 0.0, t).axial.abs()).value)
+        };
+        (0..self.model().girders().len()).filter_map(of).fold(0.0, f64::max)
+    }
+
+    fn flexible_reading(&self, girder: usize, flexible: &Flexible, made: &ElasticGirder) -> FlexibleReading {
         let half = 0.5 * flexible.beam.length;
         let times = self.wave_looks(girder, flexible);
-        let at = |t: f64| self.section_forces(girder, 0.0, t);
-        let (axial, moment) = (largest(&times, |t| at(t).axial.abs()), largest(&times, |t| at(t).moment.abs()));
-        let worst = |t: f64| {
-            let Some(equilibrium) = self.equilibrium(girder, t) else { return (0.0, 0.0) };
+        let worst = |equilibrium: &Equilibrium<'_>| {
             let stress = |xi: f64| (self.stress_of(girder, flexible, &equilibrium.at(xi * half)), xi * half);
             STATIONS.map(stress).into_iter().fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a })
         };
-        let stress = largest(&times, |t| worst(t).0);
-        let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
-        let spin = largest(&times, |t| self.motion(girder, t).spin.z.abs()).value;
-        let bent = largest(&times, |t| {
-            [-half, half].map(|s| self.deformation(girder, s, t).truncate().length()).into_iter().fold(0.0, f64::max)
+        let [axial, moment, stress, spin, bent] = largest_of_each(&times, |t| {
+            let state = self.state(girder, t);
+            let equilibrium = self.equilibrium_in(girder, made, (t, &state));
+            let middle = equilibrium.at(0.0);
+            let [spin, bent] = made.moved(&state);
+            [middle.axial.abs(), middle.moment.abs(), worst(&equilibrium).0, spin, bent]
         });
-        let frequencies: Vec<f64> =
-            flexible.girder.iter().flat_map(|made| made.modes.frequencies().take(LISTED)).collect();
+        let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());
+        let at_worst = self.equilibrium_in(girder, made, (stress.t, &self.state(girder, stress.t)));
+        let frequencies: Vec<f64> = made.modes.frequencies().take(LISTED).collect();
         let first = frequencies.first().copied().unwrap_or(f64::INFINITY);
         let buckling = (std::f64::consts::PI / flexible.beam.length).powi(2) * flexible.beam.bending;
         FlexibleReading {
@@ -183,11 +201,11 @@ impl History {
             axial,
             moment,
             stress,
-            stressed_at: worst(stress.t).1,
+            stressed_at: worst(&at_worst).1,
             local_error: if axial.value > 0.0 { (by_strain - axial.value).abs() / axial.value } else { 0.0 },
             neglected: Neglected {
-                centrifugal: (spin / first).powi(2),
-                coriolis: 2.0 * spin / first,
+                centrifugal: (spin.value / first).powi(2),
+                coriolis: 2.0 * spin.value / first,
                 inertia: bent.value / flexible.beam.length,
                 thrust: axial.value / buckling,
             },

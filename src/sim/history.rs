@@ -246,7 +246,12 @@ impl History {
 
     /// Pose and twist of a body at G.
     pub fn frame(&self, body: usize, t: f64) -> Frame {
-        self.model.bodies[body].frame(0, &self.state(body, t))
+        self.section_frame(body, 0, t)
+    }
+
+    /// Pose and twist of a section of a body.
+    pub(super) fn section_frame(&self, body: usize, section: usize, t: f64) -> Frame {
+        self.model.bodies[body].frame(section, &self.state(body, t))
     }
 
     /// Motion of a girder at `t`, clamped to what was computed.
@@ -283,7 +288,7 @@ impl History {
         let site = &self.model.contacts[contact];
         let [node, face] = self.model.sections(contact);
         [(site.node_body, node), (site.face_body, face)].map(|(body, section)| match body {
-            Some(body) => self.model.bodies[body].frame(section, &self.state(body, t)),
+            Some(body) => self.section_frame(body, section, t),
             None => Frame::fixed(site.fixed),
         })
     }

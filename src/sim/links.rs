@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{History, Loop};
 use crate::contact::Frame;
 use crate::dynamics::connection::{Kinematics, Link, Phase, Separation};
+use crate::dynamics::model::wrench::Wrench;
 
 /// A device at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,11 +76,47 @@ impl History {
     }
 
     fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
+        self.link_motion_of(number, t, |body, section| self.section_frame(body, section, t))
+    }
+
+    /// The same, with the poses at `t` of sections of bodies.
+    fn link_motion_of(
+        &self,
+        number: usize,
+        t: f64,
+        frame: impl Fn(usize, usize) -> Frame,
+    ) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
         let link = self.model().links.get(number)?;
         let phase = self.link_logs.get(number)?.evolved_at(t, |phase| link.device.evolves(phase))?;
-        let frames = link.frames(|end| link.bodies[end].map(|body| self.frame(body, t)));
+        let frames = link.frames(|end, section| link.bodies[end].map(|body| frame(body, section)));
         let (motion, _) = link.motion([&frames[0], &frames[1]]);
         Some((link, phase, frames, motion))
+    }
+
+    /// Adds the forces of devices on a body, which is in this state at `t`, to the wrenches on its sections, each about the origin of
+    /// the section's frame.
+    pub(super) fn push_links(&self, body: usize, (t, state): (f64, &[f64]), wrenches: &mut [Wrench]) {
+        let frame = |other: usize, section: usize| {
+            if other == body {
+                self.model().bodies[body].frame(section, state)
+            } else {
+                self.section_frame(other, section, t)
+            }
+        };
+        let own = |(number, link): (usize, &Link)| link.bodies.contains(&Some(body)).then_some(number);
+        for number in self.model().links.iter().enumerate().filter_map(own) {
+            let Some((link, phase, frames, motion)) = self.link_motion_of(number, t, frame) else { continue };
+            if !link.device.acts(&phase) {
+                continue;
+            }
+            let (_, arms) = link.motion([&frames[0], &frames[1]]);
+            let force = link.force(&phase, &motion, &frames[1]);
+            for (end, force) in [force, -force].into_iter().enumerate() {
+                if link.bodies[end] == Some(body) {
+                    wrenches[link.sections[end]].push(force, arms[end]);
+                }
+            }
+        }
     }
 
     /// Stored energy of a device \[J\].

@@ -102,12 +102,27 @@ pub fn reading(history: &History, girder: usize) -> Reading {
 
 /// The largest value over ordered times, refined between the neighbours of the best one.
 pub(super) fn largest(times: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
-    let seen = times.iter().enumerate().map(|(i, &t)| (i, Extreme { value: value(t), t }));
-    let best = seen.filter(|(_, e)| !e.value.is_nan()).reduce(|a, b| if b.1.value > a.1.value { b } else { a });
-    let Some((i, best)) = best else { return Extreme { value: f64::NAN, t: 0.0 } };
-    let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
-    let (t, refined) = touches::golden(&value, around[0], around[1]);
-    if refined > best.value { Extreme { value: refined, t } } else { best }
+    let [largest] = largest_of_each(times, |t| [value(t)]);
+    largest
+}
+
+/// The same of each of several values that are computed together.
+pub(super) fn largest_of_each<const N: usize>(times: &[f64], values: impl Fn(f64) -> [f64; N]) -> [Extreme; N] {
+    let mut best: [Option<(usize, Extreme)>; N] = [None; N];
+    for (i, &t) in times.iter().enumerate() {
+        for (best, value) in best.iter_mut().zip(values(t)) {
+            // No comparison with NaN is true.
+            if best.map_or(!value.is_nan(), |(_, seen)| value > seen.value) {
+                *best = Some((i, Extreme { value, t }));
+            }
+        }
+    }
+    std::array::from_fn(|own| {
+        let Some((i, best)) = best[own] else { return Extreme { value: f64::NAN, t: 0.0 } };
+        let around = [times[i.saturating_sub(1)], times[(i + 1).min(times.len() - 1)]];
+        let (t, refined) = touches::golden(|t| values(t)[own], around[0], around[1]);
+        if refined > best.value { Extreme { value: refined, t } } else { best }
+    })
 }
 
 /// When a function first rises above 0, to a part in a thousand million of the run \[s\].

@@ -77,8 +77,9 @@ fn in_flight(world: &mut World, link: usize, t: f64) -> NextClosing {
 /// Gap of a device in flight at `t` with a bound on its second derivative, valid up to `until` at most.
 fn bounded_gap(world: &World, link: usize, t: f64, until: f64) -> BoundedGap {
     let LinkTrack { link, slots, phase, .. } = &world.links[link];
-    let (sample, link) = (FlightSample::of(world, *slots, [0; 2], t, until), &world.model.links[*link]);
-    let frames = link.frames(|end| slots[end].map(|_| sample.frames[end]));
+    let link = &world.model.links[*link];
+    let sample = FlightSample::of(world, *slots, link.sections, t, until);
+    let frames = link.frames(|end, _| slots[end].map(|_| sample.frames[end]));
     let (motion, _) = link.motion([&frames[0], &frames[1]]);
     let arms = link.arms.map(DVec3::length);
     let sum =

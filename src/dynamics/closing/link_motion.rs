@@ -8,7 +8,7 @@ use crate::dynamics::world::tracks::LinkTrack;
 /// Poses of a link's ends at `t`.
 pub(super) fn frames(world: &World, number: usize, t: f64) -> [Frame; 2] {
     let LinkTrack { link, slots, .. } = &world.links[number];
-    world.model.links[*link].frames(|end| slots[end].map(|slot| world.frame(slot, 0, t)))
+    world.model.links[*link].frames(|end, section| slots[end].map(|slot| world.frame(slot, section, t)))
 }
 
 /// Relative motion of a link's points at `t`.

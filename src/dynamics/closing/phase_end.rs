@@ -92,7 +92,7 @@ fn linear(world: &World, (number, slot): (usize, usize), value: impl Fn(&Separat
     let body = &world.model.bodies[world.bodies[slot].body];
     let at = |u: f64| {
         let frame = body.frame(0, &[u, 0.0]);
-        let [_, ground] = link.frames(|_| None);
+        let [_, ground] = link.frames(|_, _| None);
         value(&link.motion([&frame, &ground]).0)
     };
     let [placed, moved] = [0.0, 1.0].map(at);

@@ -40,6 +40,8 @@ pub struct Link {
     pub bodies: [Option<usize>; 2],
     /// Arms of its points from G as placed, world axes; 0 for the ground \[m\].
     pub arms: [DVec3; 2],
+    /// Sections of its bodies that its points are on; those of the bodies' G where the link is put into a model, which finds them.
+    pub sections: [usize; 2],
     /// Origins of its ends as placed: G, or the point of the ground \[m\].
     pub homes: [DVec3; 2],
     /// Axes that the device sees its motion in, in the columns, in the world as placed.
@@ -57,9 +59,9 @@ impl Link {
         self.axes.mul_transpose_vec3(first - second)
     }
 
-    /// Poses of its ends, the ground's where an end is fixed.
-    pub fn frames(&self, frame: impl Fn(usize) -> Option<Frame>) -> [Frame; 2] {
-        [0, 1].map(|i| frame(i).unwrap_or_else(|| Frame::fixed(self.homes[i])))
+    /// Poses of the sections at its ends, the ground's where an end is fixed; `frame` gives that of an end, by its number and section.
+    pub fn frames(&self, frame: impl Fn(usize, usize) -> Option<Frame>) -> [Frame; 2] {
+        [0, 1].map(|i| frame(i, self.sections[i]).unwrap_or_else(|| Frame::fixed(self.homes[i])))
     }
 
     /// Motion of its points with its ends in these poses since they were placed, and the arms of its force from both G, world

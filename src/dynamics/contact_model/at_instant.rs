@@ -72,9 +72,9 @@ impl EventInstant {
         self.slots.binary_search(&slot).ok()
     }
 
-    /// Pose of a body relative to its placed pose; `None` for a body that the event does not concern.
-    pub(in crate::dynamics) fn pose(&self, slot: usize) -> Option<Frame> {
-        self.frames.get(self.section(slot, 0)?).copied()
+    /// Pose of a body's section relative to its placed pose; `None` for a body that the event does not concern.
+    pub(in crate::dynamics) fn pose(&self, slot: usize, section: usize) -> Option<Frame> {
+        self.frames.get(self.section(slot, section)?).copied()
     }
 
     /// Place of a body's section in the lists of poses.

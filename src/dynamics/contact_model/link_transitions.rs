@@ -64,7 +64,9 @@ impl LinkTransitions<'_> {
     fn end_of_support(&self, number: usize, name: &str) -> String {
         let LinkTrack { link, slots, phase, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];
-        let frame = slots[0].and_then(|slot| self.now.pose(slot)).unwrap_or_else(|| Frame::fixed(link.homes[0]));
+        let frame = slots[0]
+            .and_then(|slot| self.now.pose(slot, link.sections[0]))
+            .unwrap_or_else(|| Frame::fixed(link.homes[0]));
         let DVec3 { x, y, z } = frame.origin() + frame.turn(link.arms[0]);
         if link.device.is_lost(phase) {
             format!(
@@ -80,7 +82,7 @@ impl LinkTransitions<'_> {
     fn motion(&self, number: usize) -> Separation {
         let LinkTrack { link, slots, .. } = &self.world.links[number];
         let link = &self.world.model.links[*link];
-        let frames = link.frames(|end| self.now.pose(slots[end]?));
+        let frames = link.frames(|end, section| self.now.pose(slots[end]?, section));
         link.motion([&frames[0], &frames[1]]).0
     }
 }

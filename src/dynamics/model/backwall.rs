@@ -120,6 +120,7 @@ impl WallFrame {
             name: format!("{}.{what}", body.name),
             bodies: [Some(number), None],
             arms: [arm, DVec3::ZERO],
+            sections: [0; 2],
             homes: [self.corner, self.centre],
             axes,
             kinematics: Kinematics::Points,

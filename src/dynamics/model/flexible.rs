@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
+use crate::dynamics::connection::Phase;
+use crate::dynamics::devices::laws;
 use crate::dynamics::elastic::{Beam, Modes, Softness, automatic_degree};
 use crate::dynamics::model::body::{Body, BodyCoordinates};
 use crate::dynamics::model::coordinates::elastic::{ElasticGirder, ModalDamping};
 use crate::geometry::Prism;
+use crate::scene::device::{DeviceId, Joint, Part};
 use crate::scene::facing::Facing;
-use crate::scene::{Elastic, Girder, Kind, ResolvedElastic, Scene};
+use crate::scene::{Elastic, Girder, Kind, ResolvedBearing, ResolvedElastic, Scene};
 
 /// What is known of a girder that the scene calls elastic.
 #[derive(Clone, Debug)]
@@ -18,7 +21,7 @@ pub struct Flexible {
     pub beam: Beam,
     /// Section and moduli.
     pub section: ResolvedElastic,
-    /// How soft it is against the stiffest of its contacts, or of its bearings where it has no contact.
+    /// How soft it is against the stiffest of its contacts and devices, or of its bearings where it has neither.
     pub softness: Softness,
     /// `κ_e` below which it is taken as rigid.
     pub tolerance: f64,
@@ -45,18 +48,18 @@ pub(super) fn add(scene: &Scene, facings: &[Facing], bodies: &mut [Body]) -> Vec
     let planar = scene.kind == Kind::Planar;
     let girders = scene.girders.iter().enumerate();
     girders
-        .map(|(n, girder)| girder.elastic.filter(|_| planar).map(|e| one(girder, &e, (n, facings), &mut bodies[n])))
+        .map(|(n, girder)| girder.elastic.filter(|_| planar).map(|e| one(scene, &e, (n, facings), &mut bodies[n])))
         .collect()
 }
 
-fn one(girder: &Girder, elastic: &Elastic, (number, facings): (usize, &[Facing]), body: &mut Body) -> Flexible {
+fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), body: &mut Body) -> Flexible {
+    let girder = &scene.girders[number];
     let section = elastic.resolve(girder);
     let beam = beam(girder, &section);
     let of_contacts = facings.iter().filter(|facing| !facing.met);
     let of_contacts = of_contacts.filter(|f| [f.first, f.second].into_iter().any(|side| side.girder() == Some(number)));
-    let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(0.0, f64::max);
-    let bearing = || body.bearings.iter().map(|b| b.stiffness.truncate().max_element()).fold(0.0, f64::max);
-    let stiffness = if stiffest > 0.0 { stiffest } else { bearing() };
+    let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(of_devices(scene, number), f64::max);
+    let stiffness = if stiffest > 0.0 { stiffest } else { of_bearings(scene, girder) };
     let half = 0.5 * girder.width;
     let corner = |y: f64| DVec2::new(y * body.prism.shear(), y);
     let softness = Softness::of(&beam, stiffness, &[corner(half), corner(-half)]);
@@ -72,4 +75,24 @@ fn one(girder: &Girder, elastic: &Elastic, (number, facings): (usize, &[Facing])
         body.coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(made));
     }
     Flexible { beam, section, softness, tolerance: elastic.tolerance, girder: made }
+}
+
+/// Stiffness of the stiffest device at a girder \[N/m\].
+fn of_devices(scene: &Scene, girder: usize) -> f64 {
+    let laws_of = |(id, part): (DeviceId, &dyn Part)| {
+        let joint = Joint::of(scene, &part.ends())?;
+        let own = joint.girder == girder || joint.other == Some(girder);
+        Some(laws(&scene.device(id).filter(|_| own)?, &joint))
+    };
+    let laws = scene.devices().into_iter().filter_map(laws_of).flatten();
+    laws.map(|law| law.device.stiffness_bound(&Phase::default())).fold(0.0, f64::max)
+}
+
+/// Stiffness of the stiffest bearing of a girder before it yields or slides \[N/m\].
+fn of_bearings(scene: &Scene, girder: &Girder) -> f64 {
+    let of = |bearing: &ResolvedBearing| {
+        let [along, across, _] = bearing.stiffness;
+        along.max(across) + bearing.yielding.map_or(0.0, |yielding| yielding.stiffness())
+    };
+    girder.supports(scene.setting()).iter().map(of).fold(0.0, f64::max)
 }

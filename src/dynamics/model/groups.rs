@@ -6,7 +6,9 @@ use glam::{DMat3, DVec3};
 
 use crate::dynamics::connection::{Anchor, Device, Kinematics, Link};
 use crate::dynamics::devices::{Law, laws};
+use crate::dynamics::model::body::BodyCoordinates;
 use crate::dynamics::model::compiled_model::{Model, ModelDevice};
+use crate::dynamics::model::coordinates::elastic::ElasticGirder;
 use crate::scene::device::Joint;
 use crate::scene::{Kind, Scene};
 
@@ -59,7 +61,7 @@ impl Model {
             return Err(LinkError::SameBody);
         }
         let (homes, arms) = (ends.map(|end| self.home_of(&end)), ends.map(|end| self.arm_of(&end)));
-        let link = Link { name: name.into(), bodies, arms, homes, axes, kinematics, device };
+        let link = Link { name: name.into(), bodies, arms, sections: [0; 2], homes, axes, kinematics, device };
         if self.kind == Kind::Planar && (homes[0] + arms[0] - homes[1] - arms[1]).z != 0.0 {
             return Err(LinkError::OutOfPlane);
         }
@@ -68,11 +70,25 @@ impl Model {
         Ok(())
     }
 
-    /// Adds a link; its groups are formed later.
-    pub(super) fn add_link(&mut self, link: Link) {
-        // A device can lead its bodies off an axis.
-        link.bodies.into_iter().flatten().for_each(|body| self.bodies[body].straight = [false; 2]);
+    /// Adds a link, its points on their sections; its groups are formed later.
+    pub(super) fn add_link(&mut self, mut link: Link) {
+        for (end, body) in link.bodies.into_iter().enumerate() {
+            let Some(body) = body else { continue };
+            // A device can lead its bodies off an axis.
+            self.bodies[body].straight = [false; 2];
+            link.sections[end] = self.section_at(body, link.arms[end], link.kinematics);
+        }
         self.links.push(link);
+    }
+
+    /// The section of a body that a point of a link is on, at this arm from G as placed in the world's axes; an elastic girder gets one
+    /// there.
+    fn section_at(&mut self, body: usize, arm: DVec3, kinematics: Kinematics) -> usize {
+        let flexible = self.flexible.get_mut(body).and_then(Option::as_mut);
+        let Some(girder) = flexible.and_then(|flexible| flexible.girder.as_mut()) else { return 0 };
+        let section = Arc::make_mut(girder).section_at(arm, kinematics);
+        self.bodies[body].coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(girder));
+        section
     }
 
     /// Adds the devices of a scene that has been checked; their groups are formed later.
@@ -96,6 +112,7 @@ impl Model {
             name: format!("{name}{suffix}"),
             bodies: [Some(joint.girder), joint.other],
             arms: [joint.points[0] - first, joint.points[1] - second],
+            sections: [0; 2],
             homes: [first, second],
             axes,
             kinematics,

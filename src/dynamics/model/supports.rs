@@ -73,6 +73,7 @@ impl Model {
             name,
             bodies: [Some(body), None],
             arms: [arm, DVec3::ZERO],
+            sections: [0; 2],
             homes: [*home, *home + arm],
             axes,
             kinematics,

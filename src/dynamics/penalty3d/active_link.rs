@@ -21,7 +21,7 @@ pub(in crate::dynamics) struct ActiveLink {
     pub track: usize,
     /// Indices in the island of the bodies at its ends; `None` for the ground.
     pub ends: [Option<usize>; 2],
-    /// The first sections of these bodies among those of the island's bodies; 0 for the ground.
+    /// Sections of these bodies that its points are on, among those of the island's bodies; 0 for the ground.
     pub sections: [usize; 2],
     /// Phase of the device, with what its law remembers at the start of the island.
     pub phase: Phase,
@@ -31,8 +31,9 @@ pub(in crate::dynamics) struct ActiveLink {
 
 impl ActiveLink {
     /// Finds its sections among those of the island's bodies.
-    pub(in crate::dynamics) fn find_sections(&mut self, layout: &StateLayout) {
-        self.sections = self.ends.map(|body| body.map_or(0, |i| layout.sections(i).start));
+    pub(in crate::dynamics) fn find_sections(&mut self, model: &Model, layout: &StateLayout) {
+        let own = self.of(model).sections;
+        self.sections = [0, 1].map(|end| self.ends[end].map_or(0, |i| layout.sections(i).start + own[end]));
     }
 
     pub(in crate::dynamics) fn of<'a>(&self, model: &'a Model) -> &'a Link {

@@ -54,7 +54,7 @@ impl CoupledSystem {
         let mut frames = Vec::with_capacity(layout.section_count());
         states.for_each(|(&b, state)| model.bodies[b].push_frames(state, &mut frames));
         for link in &mut links {
-            link.find_sections(&layout);
+            link.find_sections(model, &layout);
         }
         for a in &mut active {
             a.find_sections(model, &layout);

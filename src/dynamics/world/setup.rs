@@ -126,7 +126,7 @@ impl World {
             self.bodies[slot].links.push(self.links.len());
         }
         let link = &model.links[number];
-        let frames = link.frames(|_| None);
+        let frames = link.frames(|_, _| None);
         let phase = link.device.initial(&link.motion([&frames[0], &frames[1]]).0);
         let stiffness = link.device.stiffness_bound(&phase);
         let mass = link.bodies.iter().flatten().map(|&b| model.bodies[b].mass).fold(f64::INFINITY, f64::min);

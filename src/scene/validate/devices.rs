@@ -48,9 +48,6 @@ fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, String, Strin
         let remedy = format!("no girder has this name; {}", names(scene));
         return Some(("girder", format!("{:?}", ends.girder), remedy));
     }
-    if let Some(fault) = on_elastic(scene, ends) {
-        return Some(fault);
-    }
     let to = ends.to?;
     if to == ends.girder {
         let remedy = "both points are on one girder: name another body, or leave it out for the ground";
@@ -59,13 +56,4 @@ fn bodies(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, String, Strin
     let known = is_girder(to) || scene.abutments.iter().any(|a| a.name == to);
     let remedy = || format!("nobody has this name: leave it out for the ground; {}", names(scene));
     (!known).then(|| ("to", format!("{to:?}"), remedy()))
-}
-
-/// A device at a girder that bends: its points would move with stations that no section stands for so far.
-fn on_elastic(scene: &Scene, ends: &Ends<'_>) -> Option<(&'static str, String, String)> {
-    let elastic = |name: &str| scene.girders.iter().any(|girder| girder.name == name && girder.elastic.is_some());
-    let remedy = "devices stand at rigid girders only so far: leave out the device, or [girder.elastic] of this girder";
-    let named = [("girder", Some(ends.girder)), ("to", ends.to)];
-    let (key, name) = named.into_iter().find_map(|(key, name)| Some((key, name.filter(|name| elastic(name))?)))?;
-    Some((key, format!("{name:?}, which is elastic"), remedy.to_owned()))
 }

@@ -1,6 +1,7 @@
 //! Girders that bend, shorten and ring: against an independent program, closed forms, and invariants.
 
 mod closed_forms;
+mod connections;
 mod invariants;
 mod reference;
 mod scenes;

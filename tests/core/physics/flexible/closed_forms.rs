@@ -7,7 +7,7 @@ use crate::support::{run, within};
 use girderbench::sim::{History, OfSection};
 
 /// Force of (F11) in parts of F₀, where touching begins at 0: `a` is K/Z of the wall, 2K/Z of two bars.
-fn st_venant(a: f64, back: f64, t: f64) -> f64 {
+pub(super) fn st_venant(a: f64, back: f64, t: f64) -> f64 {
     let left = (-a * back).exp();
     if t <= back {
         1.0 - (-a * t).exp()

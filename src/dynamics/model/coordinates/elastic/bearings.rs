@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use super::section::carrying;
 use crate::dynamics::elastic::{Modes, modes::displacement};
 use crate::dynamics::model::bearing::Bearing;
 
@@ -84,8 +85,7 @@ pub(super) fn axes_of(bearings: &[Bearing], modes: &Modes, cot: f64, axes: &DMat
     let mut all = Vec::new();
     for bearing in bearings {
         let place = bearing.place.truncate();
-        // The oblique section that the bearing stands on.
-        let (station, offset) = (place.x - place.y * cot, DVec2::new(place.y * cot, place.y));
+        let (station, offset) = carrying(place, cot, 0.5 * modes.beam.length);
         let fields = modes.section(2.0 * station / modes.beam.length);
         for (axis, unit) in [DVec2::X, DVec2::Y].into_iter().enumerate() {
             let (stiffness, damping) = (bearing.stiffness[axis], bearing.damping[axis]);

@@ -27,8 +27,8 @@ pub(super) struct FreeGirder {
     /// Places of all coordinates at the start: of those that are held, for ever.
     start: Vec<f64>,
     lever: f64,
-    /// How far each exponential moves a section: of G, of both ends.
-    sections: [Vec<Reach>; 3],
+    /// How far each exponential moves a section: of G, of both ends, of links.
+    sections: Vec<Vec<Reach>>,
     /// Constant generalised force of the push.
     push: Vec<f64>,
     losses: [PowerForm; 2],
@@ -75,8 +75,8 @@ impl FreeGirder {
             .collect();
         let losses = [PowerForm::of(&motion, &on_bearings), PowerForm::of(&motion, &own)];
         let shapes = Shapes { motion: &motion, order: &order, roots: &roots };
-        let sections = [None, girder.end(1), girder.end(2)].map(|section| shapes.reaches(section));
-        let lever = girder.ends[1].lever.length();
+        let sections = (0..=girder.along.len()).map(|section| shapes.reaches(girder.along(section))).collect();
+        let lever = girder.lever();
         let (ground, places) = (ground.clone(), girder.places());
         Some(Self { motion, ground, places, order, roots, start, lever, sections, push, losses })
     }
@@ -185,7 +185,8 @@ impl ClosedForm for FreeGirder {
 
     fn bounds(&self, start: f64, numbers: &[f64], t: f64, horizon: f64) -> MotionBounds {
         let (parts, window) = (self.motion.at(Flight { start, numbers }, t), self.motion.window(horizon));
-        let all = [0, 1, 2].map(|section| self.section_bounds(section, &parts, window));
+        let all: Vec<MotionBounds> =
+            (0..self.sections.len()).map(|section| self.section_bounds(section, &parts, window)).collect();
         let most = |of: fn(&MotionBounds) -> f64| all.iter().map(of).fold(0.0, f64::max);
         MotionBounds {
             window,

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::bearings::{BearingAxis, BearingRows, axes_of};
-use super::section::Section;
+use super::section::{Section, SectionFrame, carrying};
+use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::body::Body;
 
@@ -13,6 +14,9 @@ pub(in crate::dynamics) const RIGID: usize = 3;
 /// Part of the distance of an end from G that the end's frame is taken to be displaced by at most, where bounds need it: far beyond what
 /// a linear beam stands for.
 pub(super) const DEFORMED: f64 = 0.1;
+
+/// Stations that differ by less than this part of half the length are one \[–\]: rounding of places, far below what a beam tells apart.
+const SAME_STATION: f64 = 1e-12;
 
 /// Damping of the elastic modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +42,8 @@ impl ModalDamping {
     }
 }
 
-/// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end.
+/// An elastic girder: x, y, θ of its mean axes, modal coordinates, and their rates. Sections: G, the −x end, the +x end, then those
+/// of its links.
 #[derive(Clone, Debug)]
 pub struct ElasticGirder {
     /// Its modes.
@@ -47,15 +52,15 @@ pub struct ElasticGirder {
     pub damping: ModalDamping,
     /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
     pub(super) springs: Vec<[f64; 2]>,
-    /// Sections of the ends, −x first.
-    pub(super) ends: [Section; 2],
+    /// Sections of the ends, −x first, then those of links.
+    pub(super) along: Vec<Section>,
     /// Bearings, axis by axis.
     pub(in crate::dynamics) bearings: Vec<BearingAxis>,
     /// The same for their forces.
     pub(super) rows: BearingRows,
     /// Constant load of the given push on the modes.
     pub(super) pushed: Vec<f64>,
-    /// Amplitudes at the ends of each mode, the larger: |(u, v)| and |φ|.
+    /// Amplitudes of each mode, the largest of its sections: |(u, v)| and |φ|.
     pub(super) most: Vec<[f64; 2]>,
     /// The body it is of, with rigid coordinates: shape, place, mass, what holds it.
     pub(super) rigid: Body,
@@ -65,25 +70,25 @@ impl ElasticGirder {
     /// Of a rigid girder in plan with these modes.
     pub(in crate::dynamics) fn new(rigid: &Body, modes: Modes, damping: ModalDamping) -> Self {
         let axes = &rigid.axes;
-        let ends = [-1.0, 1.0].map(|xi| Section::at(&modes, axes, xi));
-        let middle = Section::at(&modes, axes, 0.0);
+        let half = 0.5 * modes.beam.length;
+        let section = |station: f64| Section::at(&modes, axes, station, SectionFrame::Rigid);
+        let (along, middle) = (vec![section(-half), section(half)], section(0.0));
         let push = rigid.push.truncate();
         let pushed = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
-        let most = ends[0]
-            .fields
-            .iter()
-            .zip(&ends[1].fields)
-            .map(|(a, b)| [a.truncate().length().max(b.truncate().length()), a.z.abs().max(b.z.abs())]);
+        let mut most = vec![[0.0; 2]; modes.count()];
+        for section in &along {
+            widen(&mut most, section);
+        }
         let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
         Self {
             springs: modes.frequencies().map(|omega| [omega * omega, damping.dashpot(omega)]).collect(),
             rows: BearingRows::of(&bearings, RIGID + modes.count()),
             bearings,
-            most: most.collect(),
+            most,
             rigid: rigid.clone(),
             modes,
             damping,
-            ends,
+            along,
             pushed,
         }
     }
@@ -104,9 +109,30 @@ impl ElasticGirder {
         [*mass, *mass, mass * gyration2].into_iter().chain(std::iter::repeat_n(1.0, self.count()))
     }
 
-    /// The end of a section; nothing of that of G.
-    pub(super) fn end(&self, section: usize) -> Option<&Section> {
-        self.ends.get(section.checked_sub(1)?)
+    /// A section by its number; nothing for that of G.
+    pub(super) fn along(&self, section: usize) -> Option<&Section> {
+        self.along.get(section.checked_sub(1)?)
+    }
+
+    /// Distance of the ends from G \[m\].
+    pub(super) fn lever(&self) -> f64 {
+        0.5 * self.modes.beam.length
+    }
+
+    /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
+    pub(in crate::dynamics) fn section_at(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
+        let place = self.rigid.axes.mul_transpose_vec3(arm);
+        let half = self.lever();
+        let (station, _) = carrying(place.truncate(), self.rigid.prism.shear(), half);
+        let frame = if kinematics == Kinematics::Linear { SectionFrame::Linear } else { SectionFrame::Rigid };
+        let same = |own: &Section| own.frame == frame && (own.station - station).abs() <= SAME_STATION * half;
+        if let Some(known) = self.along.iter().position(same) {
+            return known + 1;
+        }
+        let added = Section::at(&self.modes, &self.rigid.axes, station, frame);
+        widen(&mut self.most, &added);
+        self.along.push(added);
+        self.along.len()
     }
 
     /// u, v and φ of the section at a station \[m\] in a state, girder axes \[m, rad\].
@@ -116,10 +142,17 @@ impl ElasticGirder {
         fields.into_iter().zip(q).map(|(field, q)| field * *q).sum()
     }
 
+    /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
+    pub fn moved(&self, state: &[f64]) -> [f64; 2] {
+        let (place, rate) = self.halves(state);
+        let away = |end: &Section| end.deformation(&place[RIGID..], &rate[RIGID..]).of.truncate().length();
+        [rate[2].abs(), self.along[..2].iter().map(away).fold(0.0, f64::max)]
+    }
+
     /// Displacement against the mean axes of a point at this place in girder axes \[m\], and its rate, in a state.
     pub fn displaced(&self, state: &[f64], place: DVec2) -> [DVec2; 2] {
-        let offset = DVec2::new(place.y * self.rigid.prism.shear(), place.y);
-        let shapes = self.modes.point(2.0 * (place.x - offset.x) / self.modes.beam.length, offset);
+        let (station, offset) = carrying(place, self.rigid.prism.shear(), self.lever());
+        let shapes = self.modes.point(2.0 * station / self.modes.beam.length, offset);
         let (q, rates) = self.halves(state);
         [q, rates].map(|half| shapes.iter().zip(&half[RIGID..]).map(|(shape, x)| *shape * *x).sum())
     }
@@ -138,7 +171,7 @@ impl ElasticGirder {
             x.x + y.y
         };
         // The trace of a symmetric positive matrix is not below its largest eigenvalue.
-        let most = corners.iter().flat_map(|&arm| self.ends.iter().map(move |end| (end, arm)));
+        let most = corners.iter().flat_map(|&arm| self.along.iter().map(move |end| (end, arm)));
         let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
         self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
     }
@@ -151,5 +184,12 @@ impl ElasticGirder {
     /// Power lost in the girder by the rates of its modal coordinates \[W\].
     pub fn loss(&self, rates: &[f64]) -> f64 {
         self.springs.iter().zip(rates).map(|([_, c], v)| c * v * v).sum()
+    }
+}
+
+/// Raises amplitudes to those of a section where these are larger.
+fn widen(most: &mut [[f64; 2]], section: &Section) {
+    for (most, own) in most.iter_mut().zip(section.amplitudes()) {
+        *most = [0, 1].map(|i| most[i].max(own[i]));
     }
 }

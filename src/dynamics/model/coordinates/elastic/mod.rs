@@ -53,7 +53,7 @@ impl ElasticGirder {
             spin: DVec3::Z * spin,
             level: true,
         };
-        if let Some(end) = self.end(section) {
+        if let Some(end) = self.along(section) {
             let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
             let turns = Turns::of(angle, deformation.of.z);
             let offset = end.offset(&turns, &deformation);
@@ -76,11 +76,11 @@ impl ElasticGirder {
             if force == DVec2::ZERO && moment == 0.0 {
                 continue;
             }
-            if let Some(end) = self.end(section) {
+            if let Some(end) = self.along(section) {
                 let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
                 let turns = Turns::of(place[2], deformation.of.z);
                 end.push(&end.load(&turns, force, moment), &mut out[RIGID..]);
-                moment += end.offset(&turns, &deformation).perp_dot(force);
+                moment = end.about_g(end.offset(&turns, &deformation), force, moment);
             }
             out[0] += force.x;
             out[1] += force.y;
@@ -143,7 +143,7 @@ impl Coordinates for ElasticGirder {
     }
 
     fn sections(&self) -> usize {
-        3
+        1 + self.along.len()
     }
 
     fn section(&self, end: End) -> usize {
@@ -245,7 +245,7 @@ impl Coordinates for ElasticGirder {
     }
 
     fn excursion(&self, arm: f64, way: &dyn Fn(Range<usize>) -> f64) -> f64 {
-        let lever = self.ends[1].lever.length();
+        let lever = self.lever();
         let modal = |(j, [moved, turned]): (usize, &[f64; 2])| {
             let way = way(RIGID + j..RIGID + j + 1);
             (moved + (lever + arm) * turned) * way
@@ -263,14 +263,15 @@ impl Coordinates for ElasticGirder {
             section.turned[0] += turned * rate;
             section.turned[1] += turned * gain;
         }
-        let lever = self.ends[1].lever.length();
+        let lever = self.lever();
         section.of_frame(lever, DEFORMED * lever, f64::INFINITY)
     }
 
     fn acceleration(&self, body: &Body, point: Point<'_>, force: DVec3) -> DVec3 {
         let rigid = rigid_body::acceleration(body, &point, force);
         let heading = point.frame.heading;
-        let modal = self.end(point.section).map(|end| end.compliance(heading, point.arm.truncate(), force.truncate()));
+        let modal =
+            self.along(point.section).map(|end| end.compliance(heading, point.arm.truncate(), force.truncate()));
         rigid + modal.unwrap_or_default().extend(0.0)
     }
 
@@ -279,7 +280,7 @@ impl Coordinates for ElasticGirder {
         let load = &mut load[places..];
         load[..RIGID].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
         load[RIGID..].fill(0.0);
-        if let Some(end) = self.end(point.section) {
+        if let Some(end) = self.along(point.section) {
             // φ is small beside the angle of the frame.
             let turns = Turns::of(point.frame.heading, 0.0);
             let moment = point.arm.cross(force).z;

@@ -1,13 +1,38 @@
 //! A section of an elastic girder: where it is and how fast it moves, and what a force on it does to the modes.
+//!
+//! The frame of a section that touches or holds something at its true place is rigid: it turns by θ + φ. That of a section for a planar
+//! bearing is linear, (F6): `(x, y) + d` at the point, with `d = (u, v) + φ ẑ × (l − s)` in axes as placed; the frame's origin, `l` from
+//! the point, is displaced by `(u, v) − φ ẑ × s`. Forces do virtual work by the motion that the frame has, so that energy balances.
 
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use super::turn::{composed, planar_turn};
 use crate::dynamics::elastic::Modes;
 
+/// Station of the oblique section that carries a point \[m\], and the point's offset from its centre, girder axes \[m\]; points beyond the
+/// ends, at ±`half`, are carried by the end sections. `shear` is cot β.
+pub(super) fn carrying(place: DVec2, shear: f64, half: f64) -> (f64, DVec2) {
+    let [oblique, across] = [place.x - place.y * shear, place.y * shear];
+    let station = oblique.clamp(-half, half);
+    (station, DVec2::new(across + (oblique - station), place.y))
+}
+
+/// How the frame of a section moves with φ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::dynamics) enum SectionFrame {
+    /// It turns by θ + φ.
+    Rigid,
+    /// Linear in φ, in axes as placed.
+    Linear,
+}
+
 /// A rigid section of the girder: its station, and its motion in every mode.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics) struct Section {
+    /// Its frame.
+    pub frame: SectionFrame,
+    /// Its station s \[m\].
+    pub station: f64,
     /// From G to its centre, world axes as placed \[m\].
     pub lever: DVec2,
     /// u, v in the world's axes as placed, φ, of every mode \[1/√kg, 1/(m√kg)\].
@@ -48,14 +73,18 @@ impl Turns {
 }
 
 impl Section {
-    /// At ξ = 2s/a0 of a girder whose axes as placed are the columns.
-    pub(in crate::dynamics) fn at(modes: &Modes, axes: &DMat3, xi: f64) -> Self {
+    /// At a station of a girder whose axes as placed are the columns.
+    pub(in crate::dynamics) fn at(modes: &Modes, axes: &DMat3, station: f64, frame: SectionFrame) -> Self {
         let [along, across] = [axes.x_axis.truncate(), axes.y_axis.truncate()];
         let turned = |field: DVec3| (along * field.x + across * field.y).extend(field.z);
-        Self {
-            lever: along * (0.5 * modes.beam.length * xi),
-            fields: modes.section(xi).into_iter().map(turned).collect(),
-        }
+        let xi = 2.0 * station / modes.beam.length;
+        let fields = modes.section(xi).into_iter().map(turned).collect();
+        Self { frame, station, lever: along * station, fields }
+    }
+
+    /// Amplitudes of each mode: |(u, v)| and |φ|.
+    pub(in crate::dynamics) fn amplitudes(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.fields.iter().map(|field| [field.truncate().length(), field.z.abs()])
     }
 
     /// By the modal coordinates and their rates.
@@ -70,6 +99,9 @@ impl Section {
 
     /// Displacement of the origin of the section's frame against G: a point that was at `l` from G is at `R(θ + φ) l` from the origin.
     pub(in crate::dynamics) fn offset(&self, turns: &Turns, deformation: &Deformation) -> DVec2 {
+        if self.frame == SectionFrame::Linear {
+            return deformation.of.truncate() - self.lever.perp() * deformation.of.z;
+        }
         let own = deformation.of.truncate() - turns.own * self.lever;
         own + turns.body * own
     }
@@ -77,15 +109,29 @@ impl Section {
     /// Velocity of that origin, which is at `offset`, against G, where the body turns at `spin`.
     pub(in crate::dynamics) fn velocity(&self, turns: &Turns, offset: DVec2, spin: f64, rate: DVec3) -> DVec2 {
         let moved = rate.truncate();
+        if self.frame == SectionFrame::Linear {
+            return moved - self.lever.perp() * rate.z;
+        }
         let turned = self.lever + turns.whole * self.lever;
         offset.perp() * spin + moved + turns.body * moved - turned.perp() * rate.z
     }
 
     /// A force on the section with its moment about the frame's origin as it acts on the modes.
     pub(in crate::dynamics) fn load(&self, turns: &Turns, force: DVec2, moment: f64) -> SectionLoad {
+        if self.frame == SectionFrame::Linear {
+            return SectionLoad { force, moment: moment - self.lever.perp_dot(force) };
+        }
         let lever = self.lever + turns.whole * self.lever;
         let back = force + turns.body.transpose() * force;
         SectionLoad { force: back, moment: moment - lever.perp_dot(force) }
+    }
+
+    /// Moment about G of a force on the section with its moment about the frame's origin, which is at `offset`.
+    pub(in crate::dynamics) fn about_g(&self, offset: DVec2, force: DVec2, moment: f64) -> f64 {
+        match self.frame {
+            SectionFrame::Rigid => moment + offset.perp_dot(force),
+            SectionFrame::Linear => moment,
+        }
     }
 
     /// Adds what a load does to the modes.
@@ -97,7 +143,10 @@ impl Section {
 
     /// Acceleration of a point at `arm` from the frame's origin by a force there and by the modes alone, in a frame turned by `angle`.
     pub(in crate::dynamics) fn compliance(&self, angle: f64, arm: DVec2, force: DVec2) -> DVec2 {
-        let turn = DMat2::from_angle(angle);
+        let turn = match self.frame {
+            SectionFrame::Rigid => DMat2::from_angle(angle),
+            SectionFrame::Linear => DMat2::IDENTITY,
+        };
         let r = arm - turn * self.lever;
         let moved = |field: &DVec3| turn * field.truncate() + r.perp() * field.z;
         self.fields.iter().map(moved).map(|d| d * d.dot(force)).sum()

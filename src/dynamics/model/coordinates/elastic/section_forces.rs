@@ -45,7 +45,7 @@ impl ElasticGirder {
     pub fn equilibrium(&self, state: &[f64], wrenches: &[Wrench], ground: DVec3) -> Equilibrium<'_> {
         let (place, _) = self.halves(state);
         let modal = self.accelerations(state, wrenches, ground).split_off(RIGID);
-        let mut loads = self.on_ends(state, wrenches);
+        let mut loads = self.on_sections(state, wrenches);
         loads.extend(self.on_bearings(state).map(|(axis, w, v)| {
             let force = axis.along * -(axis.stiffness * w + axis.damping * v);
             Load { station: axis.station, force, moment: axis.offset.perp_dot(force) }
@@ -68,19 +68,17 @@ impl ElasticGirder {
     }
 
     /// Loads of wrenches on the sections.
-    fn on_ends(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
+    fn on_sections(&self, state: &[f64], wrenches: &[Wrench]) -> Vec<Load> {
         let (place, rate) = self.halves(state);
-        let half = 0.5 * self.modes.beam.length;
         let of = |(section, wrench): (usize, &Wrench)| {
             let (force, moment) = (wrench.force.truncate(), wrench.moment.z);
-            let Some(end) = self.end(section) else {
+            let Some(end) = self.along(section) else {
                 let back = glam::DMat2::from_angle(-place[2]) * force;
                 return Load { station: 0.0, force: self.girder_axes(back), moment };
             };
             let turns = Turns::of(place[2], end.deformation(&place[RIGID..], &rate[RIGID..]).of.z);
             let load = end.load(&turns, force, moment);
-            let station = if section == 1 { -half } else { half };
-            Load { station, force: self.girder_axes(load.force), moment: load.moment }
+            Load { station: end.station, force: self.girder_axes(load.force), moment: load.moment }
         };
         wrenches.iter().enumerate().filter(|(_, w)| w.force != DVec3::ZERO || w.moment != DVec3::ZERO).map(of).collect()
     }

@@ -1,0 +1,199 @@
+//! Bars and decks that bend on bearings that yield, on piers, and with devices.
+
+use super::closed_forms::st_venant;
+use super::{Bar, bars};
+use crate::support::{run, scene, within};
+use girderbench::scene::{Degree, Device, Scene, format};
+use girderbench::sim::History;
+
+/// A deck of 30 m and 60° that bends, or not, on four bearings, two of them at each end, with these lines after it.
+fn deck(elastic: &str, bearing: &dyn Fn(f64) -> String, more: &str) -> Scene {
+    let bearings: Vec<String> = [[14.0, 4.0], [12.0, -4.0], [-12.0, 4.0], [-14.0, -4.0]]
+        .into_iter()
+        .map(|[x, y]| format!("{{ at_m = [{x:?}, {y:?}], {} }}", bearing(x)))
+        .collect();
+    scene(&format!(
+        "name = \"deck\"\nduration_s = 2.0\n[[girder]]\nname = \"deck\"\nlength_m = 30.0\nwidth_m = 10.0\nthickness_m = 1.5\n\
+         mass_kg = 6e5\nskew_deg = 60.0\nbearings = [{}]\n{elastic}\n{more}\n\
+         [motion]\nkind = \"sine\"\namplitude_g = 0.4\nfrequency_hz = 2.0\nangle_deg = 30\n[solver]\ntolerance = 1e-11\n",
+        bearings.join(", ")
+    ))
+}
+
+const CONCRETE: &str = "elastic = { area_m2 = 8.0, modes = 6 }";
+const LINEAR: &str = "stiffness_n_per_m = [2e7, 3e7], damping_n_s_per_m = [4e5, 4e5]";
+const YIELDING: &str = "stiffness_n_per_m = [2e6, 2e6], damping_n_s_per_m = [1e5, 1e5], yield_force_n = 2e5, \
+                        yield_displacement_m = 0.01";
+
+/// Largest difference of displacement \[m\] and rotation times half the length of a girder in two runs.
+fn apart(one: &History, other: &History, girder: usize) -> f64 {
+    let end = one.end().min(other.end());
+    (0..=200)
+        .map(|i| {
+            let t = end * f64::from(i) / 200.0;
+            let (a, b) = (one.motion(girder, t), other.motion(girder, t));
+            (a.displacement - b.displacement).length() + 15.0 * (a.theta - b.theta).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn bearings_that_do_not_yield_yet_are_linear_ones() {
+    let linear = run(&deck(CONCRETE, &|_| LINEAR.to_owned(), ""));
+    // A tenth of the stiffness beside a part that yields far away.
+    let part = |_| {
+        "stiffness_n_per_m = [2e6, 3e6], damping_n_s_per_m = [4e5, 4e5], yield_force_n = 1.8e12, yield_displacement_m = 1e5"
+            .to_owned()
+    };
+    let same = |_| "stiffness_n_per_m = [20e6, 21e6], damping_n_s_per_m = [4e5, 4e5]".to_owned();
+    let stepped = run(&deck(CONCRETE, &part, ""));
+    let wanted = run(&deck(CONCRETE, &same, ""));
+    assert_eq!((wanted.effort().steps, stepped.effort().steps > 0), (0, true), "a flight, and steps");
+    within("in steps and in flight", apart(&stepped, &wanted, 0), 1e-9);
+    assert!(apart(&linear, &wanted, 0) > 1e-3, "stiffness does matter");
+}
+
+#[test]
+fn bearings_on_a_pier_that_hardly_moves_are_on_the_ground() {
+    let ground = run(&deck(CONCRETE, &|_| LINEAR.to_owned(), ""));
+    let on_pier = |x: f64| if x < 0.0 { format!("{LINEAR}, on = \"p\"") } else { LINEAR.to_owned() };
+    let off = |stiffness: f64| {
+        let pier = format!(
+            "[[pier]]\nname = \"p\"\nmass_kg = 1e5\nstiffness_n_per_m = [{stiffness:?}, {stiffness:?}]\ndamping_ratio = 0.05\n"
+        );
+        apart(&run(&deck(CONCRETE, &on_pier, &pier)), &ground, 0)
+    };
+    let [soft, stiff] = [1e11, 1e12].map(off);
+    assert!(stiff > 0.0 && stiff < 1e-4, "{stiff} m");
+    within("ten times stiffer, ten times nearer", soft / stiff - 10.0, 0.2);
+}
+
+#[test]
+fn a_cable_between_two_bars_pulls_as_st_venant_says() {
+    let still = bars(&[Bar::DECK; 2], 8e9, 0.0, 0.2);
+    let cable = "[[restrainer]]\nname = \"cable\"\ngirder = \"a\"\nto = \"b\"\nat_m = [15.0, 0.0]\nto_m = [-15.0, 0.0]\n\
+                 slack_m = 0.001\nstiffness_n_per_m = 8e9\n";
+    let mut scene = scene(&format!("{}{cable}", format::write(&still)));
+    scene.girders[1].initial.velocity[0] = 0.5;
+    for elastic in scene.girders.iter_mut().filter_map(|girder| girder.elastic.as_mut()) {
+        elastic.modes = Degree(Some(40.0));
+    }
+    let history = run(&scene);
+    let [back, z] = [Bar::DECK.there_and_back(), Bar::DECK.impedance()];
+    let (a, taut, largest) = (4.0 / back, 0.001 / 0.5, 0.25 * z);
+    let worst = (1..400).map(|i| {
+        let t = 1.418_217 * back * f64::from(i) / 400.0;
+        let pull = history.link(0, taut + t).expect("the cable").force;
+        (pull.x / largest - st_venant(a, back, t)).abs()
+    });
+    within("pull", worst.fold(0.0, f64::max), 3e-4);
+    let speed = |t: f64| history.motion(1, t).velocity.x - history.motion(0, t).velocity.x;
+    within("e", -speed(taut + 1.43 * back) / 0.5 - 0.975_858_5, 1e-4);
+}
+
+#[test]
+fn section_forces_jump_by_what_a_bearing_and_a_cable_do() {
+    let cable = "[[restrainer]]\nname = \"cable\"\ngirder = \"deck\"\nat_m = [5.0, 0.0]\nto_m = [4.0, 0.0]\nslack_m = 0.005\n\
+                 stiffness_n_per_m = 3e7\n";
+    let history = run(&deck(CONCRETE, &|_| YIELDING.to_owned(), cable));
+    let name = |wanted: &str| history.model().links.iter().position(|link| link.name == wanted).expect("a link");
+    let (cable, bearing) = (name("cable"), name("deck.bearing2"));
+    // A point in the middle is on its own station, the bearing's on its oblique section.
+    let cot = 1.0 / 60f64.to_radians().tan();
+    let mut pulled = 0.0f64;
+    for i in 1..40 {
+        let t = 2.0 * f64::from(i) / 40.0;
+        let jump = |station: f64| {
+            let [a, b] = [-1e-7, 1e-7].map(|off| history.section_forces(0, station + off, t));
+            [a.axial - b.axial, a.shear - b.shear]
+        };
+        let force = history.link(cable, t).expect("it").force;
+        let turned = force.truncate().rotate(glam::DVec2::from_angle(-history.motion(0, t).theta));
+        let [axial, shear] = jump(5.0);
+        // A smooth part of the section forces changes by 2e-7 m of inertia forces.
+        within("N at the cable", axial - turned.x, 1.0 + 1e-5 * force.length());
+        within("Q at the cable", shear - turned.y, 1.0 + 1e-5 * force.length());
+        pulled = pulled.max(force.length());
+        let whole = history.bearing_loop(0, 1, t).expect("it").resistance;
+        let [axial, shear] = jump(12.0 + 4.0 * cot);
+        within("N at the bearing", axial + whole[0], 1.0 + 1e-5 * whole[0].abs());
+        within("Q at the bearing", shear + whole[1], 1.0 + 1e-5 * whole[1].abs());
+        assert!(history.link(bearing, t).is_some());
+    }
+    assert!(pulled > 1e4, "the cable pulls: {pulled} N");
+}
+
+/// A deck on bearings that yield, with a bumper before one end, a cable behind the other and a damper.
+fn held(elastic: &str) -> Scene {
+    let devices = "[[bumper]]\nname = \"rubber\"\ngirder = \"deck\"\nat_m = [15.0, 0.0]\nto_m = [15.5, 0.0]\ngap_m = 0.03\n\
+                   stiffness_n_per_m = 4e7\ndamping_n_s_per_m = 1e5\n\
+                   [[restrainer]]\nname = \"cable\"\ngirder = \"deck\"\nat_m = [-15.0, 0.0]\nto_m = [-16.0, 1.0]\nslack_m = 0.002\n\
+                   stiffness_n_per_m = 3e7\nyield_force_n = 4e5\npost_yield_stiffness_n_per_m = 1e6\n\
+                   [[damper]]\nname = \"damper\"\ngirder = \"deck\"\nat_m = [0.0, 5.0]\nto_m = [2.0, 8.0]\n\
+                   coefficient = 5e5\n";
+    deck(elastic, &|_| YIELDING.to_owned(), devices)
+}
+
+#[test]
+fn a_stiff_deck_with_devices_moves_as_the_rigid_one_with_an_error_of_1_over_e() {
+    let rigid = run(&held(""));
+    let off = |young: f64| {
+        let elastic = format!("elastic = {{ area_m2 = 8.0, modes = 2, tol_flex = 0.0, young_modulus_pa = {young:?} }}");
+        apart(&run(&held(&elastic)), &rigid, 0)
+    };
+    let [soft, stiff] = [3e11, 3e12].map(off);
+    assert!(stiff > 0.0 && stiff < 1e-4, "{stiff} m");
+    within("slope", (soft / stiff).log10() - 1.0, 0.1);
+}
+
+#[test]
+fn the_ledger_of_a_deck_with_devices_that_bends_closes() {
+    let history = run(&held(CONCRETE));
+    let changes = |name: &str| {
+        let number = history.model().links.iter().position(|link| link.name == name).expect("a link");
+        history.link_phases(number).len()
+    };
+    for name in ["deck.bearing1", "rubber", "cable"] {
+        assert!(changes(name) > 2, "{name} acts: {} phases", changes(name));
+    }
+    let ledger = history.ledger(history.end());
+    within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
+    assert!(ledger.loss_device > 1e4 && ledger.loss_girder > 0.0, "{ledger:?}");
+}
+
+#[test]
+fn a_bearing_that_loses_its_support_bears_no_more() {
+    let lost = |x: f64| if x > 13.5 { format!("{YIELDING}, travel_m = 0.02") } else { YIELDING.to_owned() };
+    let mut scene = deck(CONCRETE, &lost, "");
+    scene.girders[0].after_unseating = Some(girderbench::scene::AfterUnseating::Continue);
+    let history = run(&scene);
+    let number = history.model().links.iter().position(|link| link.name == "deck.bearing1").expect("a link");
+    let (lost, phase) = *history.link_phases(number).last().expect("phases");
+    assert!(history.model().links[number].device.is_lost(&phase) && lost < history.end(), "{phase:?} at {lost} s");
+    let after = history.bearing_loop(0, 0, 0.5 * (lost + history.end())).expect("it").resistance;
+    within("resistance", after[0].abs() + after[1].abs(), 1e-6);
+    let ledger = history.ledger(history.end());
+    within("residual in parts of the largest energy", ledger.residual.abs() / ledger.scale, 1e-9);
+}
+
+#[test]
+fn a_point_of_a_device_beyond_an_end_is_carried_by_its_end_section() {
+    let beyond = |x: f64| {
+        let mut scene = held("elastic = { area_m2 = 8.0, modes = 6 }");
+        let Some(Device::Restrainer(mut cable)) = scene.device(scene.devices()[0].0) else { panic!("a cable") };
+        (cable.at[0], cable.to_at) = (-x, cable.to_at);
+        scene.restrainers[0] = cable;
+        run(&scene)
+    };
+    let history = beyond(15.4);
+    let number = history.model().links.iter().position(|link| link.name == "cable").expect("a link");
+    for i in 0..=20 {
+        let t = history.end() * f64::from(i) / 20.0;
+        let [end, centre] = [
+            history.link(number, t).expect("it").ends[0],
+            history.section_place(0, girderbench::geometry::End::Minus, t),
+        ];
+        let placed = glam::DVec3::new(-15.0, 0.0, 0.0) + centre;
+        within("distance from the end's centre", (end - placed).truncate().length() - 0.4, 1e-9);
+    }
+}
