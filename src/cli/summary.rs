@@ -2,7 +2,7 @@
 
 use super::{flexible, seats};
 use crate::scene::shown::{escaped, shown};
-use crate::tables::{LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
+use crate::tables::{DeviceReport, LostReport, OutsideReport, OverlapReport, PierReport, Report, VerdictReport};
 
 /// So many quantities outside the domain, and as many overlaps, are listed; `summary.json` has all.
 const MOST_LISTED: usize = 10;
@@ -68,6 +68,23 @@ fn pier(pier: &PierReport) -> Line {
         pier.shear_t
     );
     line(&format!("pier {}", escaped(&pier.name)), value)
+}
+
+/// What the run did to a device.
+fn device(device: &DeviceReport) -> Line {
+    let label = format!("{} {}", device.kind, escaped(&device.name));
+    let Some(first) = device.first else { return line(&label, "its force never sets in".to_owned()) };
+    let [least, greatest] = device.deformation.map(|length| format!("{:.3}", 1e3 * length));
+    let part = device.part_of_strength.map_or(String::new(), |part| format!(", {:.0} % of its strength", 100.0 * part));
+    let yields = device.yielded_at.map_or(String::new(), |t| format!("; it yields from {t:.4} s on"));
+    let breaks = device.broke_at.map_or(String::new(), |t| format!("; it breaks at {t:.4} s"));
+    let value = format!(
+        "{} at {:.4} s{part}; moves {least} to {greatest} mm; acts {} times from {first:.4} s on{yields}{breaks}",
+        force(device.force),
+        device.t,
+        device.times
+    );
+    line(&label, value)
 }
 
 /// Bodies that are inside each other where no contact carries it, a line for every two.
@@ -174,6 +191,7 @@ fn answer(report: &Report) -> Vec<Line> {
         line(&format!("soil {}", escaped(&soil.abutment)), value)
     }));
     lines.extend(report.piers.iter().map(pier));
+    lines.extend(report.devices.iter().map(device));
     let verdict = |v: &VerdictReport| line(&escaped(&v.girder), v.words.clone());
     lines.extend(report.verdicts.iter().map(verdict));
     lines.extend(flexible::lines(&report.flexible, report.degree_check.as_ref()));

@@ -8,6 +8,7 @@ macro_rules! said {
     };
 }
 
+mod devices;
 mod ground;
 mod loops;
 mod orbit;
@@ -61,6 +62,7 @@ pub fn html(history: &History, options: &TableOptions) -> String {
     }
     heading(&mut page, Text::new("report-readings"));
     page.push_str(&sections::readings(history, &report));
+    page.push_str(&devices::table(&report));
     heading(&mut page, Text::new("report-seats"));
     page.push_str(&sections::seats(&report));
     for (caption, svg) in orbit::pictures(history) {

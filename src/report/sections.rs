@@ -23,7 +23,7 @@ fn fact(name: Text, value: String) -> (String, String) {
 }
 
 /// The first row of a table.
-fn head(columns: &[&str]) -> String {
+pub(super) fn head(columns: &[&str]) -> String {
     let mut html = String::from("<table><tr>");
     for column in columns {
         let _ = write!(html, "<th>{}</th>", escape(column));
@@ -32,7 +32,7 @@ fn head(columns: &[&str]) -> String {
 }
 
 /// A value and when it is reached \[s\].
-fn at(value: String, t: f64) -> String {
+pub(super) fn at(value: String, t: f64) -> String {
     said!("report-value-at", "value" => value, "t" => format!("{t:.3}"))
 }
 
@@ -142,10 +142,17 @@ fn bearings(girder: &Girder, count: usize, setting: Setting) -> String {
 pub(super) fn assumptions(history: &History, report: &Report) -> String {
     let (contact, default) = (&history.scene().contact, ContactSettings::default());
     let mark = format!("<b class=\"part\">{}</b>", Text::new("report-assumed"));
+    let scene = history.scene();
+    let bends = |number: &usize| history.flexible(*number).is_some();
+    let bending: Vec<&str> =
+        (0..scene.girders.len()).filter(bends).map(|number| scene.girders[number].name.as_str()).collect();
+    let girders = if bending.is_empty() {
+        Text::new("report-assume-rigid").into()
+    } else {
+        escape(&said!("report-assume-elastic", "girders" => bending.join(", ")))
+    };
     let mut items: Vec<String> =
-        [Text::new("report-assume-rigid"), Text::new("report-assume-contact"), Text::new("report-assume-seats")]
-            .map(String::from)
-            .to_vec();
+        vec![girders, Text::new("report-assume-contact").into(), Text::new("report-assume-seats").into()];
     let numbers = [
         (Text::new("report-e-normal").as_str(), contact.restitution_normal, default.restitution_normal),
         (Text::new("report-e-tangential").as_str(), contact.restitution_tangential, default.restitution_tangential),

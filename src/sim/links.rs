@@ -47,7 +47,15 @@ impl History {
     /// A device at `t`, clamped to what was computed; nothing where the model has no link of that number or the impact model
     /// computed the run.
     pub fn link(&self, number: usize, t: f64) -> Option<LinkNow> {
-        let (link, phase, frames, motion) = self.link_motion(number, t.clamp(0.0, self.end()))?;
+        let t = t.clamp(0.0, self.end());
+        let phase = self.link_phase(number, t)?;
+        self.link_in(number, phase, t)
+    }
+
+    /// The same in this phase of its log, where several begin at one instant.
+    pub fn link_in(&self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
+        let (link, frames, motion) =
+            self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
         let device = &link.device;
         let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
         let ends = [0, 1].map(|i| frames[i].origin() + frames[i].turn(link.arms[i]));
@@ -75,22 +83,27 @@ impl History {
         self.link_logs.get(number).map_or(&[], |log| log.phases())
     }
 
-    fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
-        self.link_motion_of(number, t, |body, section| self.section_frame(body, section, t))
+    fn link_phase(&self, number: usize, t: f64) -> Option<Phase> {
+        let device = &self.model().links.get(number)?.device;
+        self.link_logs.get(number)?.evolved_at(t, |phase| device.evolves(phase))
     }
 
-    /// The same, with the poses at `t` of sections of bodies.
+    fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, Separation)> {
+        let phase = self.link_phase(number, t)?;
+        let (link, _, motion) = self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
+        Some((link, phase, motion))
+    }
+
+    /// A link with the poses of its ends and the motion of its points, by the poses of sections of bodies.
     fn link_motion_of(
         &self,
         number: usize,
-        t: f64,
         frame: impl Fn(usize, usize) -> Frame,
-    ) -> Option<(&Link, Phase, [Frame; 2], Separation)> {
+    ) -> Option<(&Link, [Frame; 2], Separation)> {
         let link = self.model().links.get(number)?;
-        let phase = self.link_logs.get(number)?.evolved_at(t, |phase| link.device.evolves(phase))?;
         let frames = link.frames(|end, section| link.bodies[end].map(|body| frame(body, section)));
         let (motion, _) = link.motion([&frames[0], &frames[1]]);
-        Some((link, phase, frames, motion))
+        Some((link, frames, motion))
     }
 
     /// Adds the forces of devices on a body, which is in this state at `t`, to the wrenches on its sections, each about the origin of
@@ -105,7 +118,8 @@ impl History {
         };
         let own = |(number, link): (usize, &Link)| link.bodies.contains(&Some(body)).then_some(number);
         for number in self.model().links.iter().enumerate().filter_map(own) {
-            let Some((link, phase, frames, motion)) = self.link_motion_of(number, t, frame) else { continue };
+            let Some((link, frames, motion)) = self.link_motion_of(number, frame) else { continue };
+            let Some(phase) = self.link_phase(number, t) else { continue };
             if !link.device.acts(&phase) {
                 continue;
             }
@@ -121,12 +135,12 @@ impl History {
 
     /// Stored energy of a device \[J\].
     pub(super) fn link_energy(&self, number: usize, t: f64) -> f64 {
-        self.link_motion(number, t).map_or(0.0, |(link, phase, _, motion)| link.device.stored_energy(&phase, &motion))
+        self.link_motion(number, t).map_or(0.0, |(link, phase, motion)| link.device.stored_energy(&phase, &motion))
     }
 
     /// Power that a device dissipates \[W\].
     pub(super) fn link_power(&self, number: usize, t: f64) -> f64 {
         let acting = self.link_motion(number, t).filter(|(link, phase, ..)| link.device.acts(phase));
-        acting.map_or(0.0, |(link, phase, _, motion)| link.device.dissipated_power(&phase, &motion))
+        acting.map_or(0.0, |(link, phase, motion)| link.device.dissipated_power(&phase, &motion))
     }
 }

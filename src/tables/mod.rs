@@ -6,6 +6,7 @@
 
 pub mod compare;
 mod contacts;
+mod devices;
 mod events;
 mod flexible;
 mod impact;
@@ -17,6 +18,7 @@ mod trajectory;
 mod verdicts;
 
 pub use contacts::{contact_cells, contacts};
+pub use devices::{DeviceReport, devices};
 pub use events::events;
 pub use flexible::{FlexibleReport, FlexibleRun};
 pub use impact::{hits, transitions};
@@ -80,9 +82,10 @@ impl Table<'_> {
     }
 }
 
-/// Tables of an answer that every model has, and those that the impact model adds.
+/// Tables of an answer that every model has, those that the impact model adds, and that of devices where a scene has any.
 const NAMES: [&str; 4] = ["trajectory.csv", "contacts.csv", "events.csv", SUMMARY];
 const OF_IMPACT: [&str; 2] = ["hits.csv", "transitions.csv"];
+const DEVICES: &str = "devices.csv";
 const SUMMARY: &str = "summary.json";
 /// Names under which an answer has a summary, of the model that leads and of the one beside it.
 pub const SUMMARIES: &[&str] = &[SUMMARY, "impact-summary.json", "contact-summary.json"];
@@ -100,7 +103,10 @@ pub fn all_beside<'a>(history: &'a History, options: &TableOptions) -> Vec<Table
 fn named<'a>(history: &'a History, options: TableOptions, name: impl Fn(&str) -> String) -> Vec<Table<'a>> {
     let hz = options.sample_hz;
     let impact: &[&str] = if history.impact().is_some() { &OF_IMPACT } else { &[] };
-    let files: Vec<String> = NAMES.iter().chain(impact).map(|file| name(file)).collect();
+    let has_links = history.impact().is_none() && !history.model().links.is_empty();
+    let of_links = has_links.then_some(DEVICES);
+    let all = || NAMES.iter().chain(impact).copied().chain(of_links);
+    let files: Vec<String> = all().map(&name).collect();
     let write = |file: &str| -> Box<Writes<'a>> {
         let files = files.clone();
         match file {
@@ -109,12 +115,13 @@ fn named<'a>(history: &'a History, options: TableOptions, name: impl Fn(&str) ->
             "events.csv" => Box::new(move |out| events(history, out)),
             "hits.csv" => Box::new(move |out| hits(history, out)),
             "transitions.csv" => Box::new(move |out| transitions(history, out)),
+            DEVICES => Box::new(move |out| devices(history, out)),
             _ => Box::new(move |out| {
                 out.write_all(&Report { files: files.clone(), ..Report::of(history, &options) }.to_json())
             }),
         }
     };
-    NAMES.iter().chain(impact).map(|file| Table { name: name(file), write: write(file) }).collect()
+    all().map(|file| Table { name: name(file), write: write(file) }).collect()
 }
 
 /// The tables that a summary names as of its answer; none where the bytes are no summary of this program.
@@ -128,7 +135,7 @@ pub fn named_in(summary: &[u8]) -> Vec<String> {
 /// Whether an answer may have a table of that name.
 fn is_table(name: &str) -> bool {
     let name = ["impact-", "contact-"].iter().find_map(|model| name.strip_prefix(model)).unwrap_or(name);
-    NAMES.iter().chain(&OF_IMPACT).any(|own| *own == name)
+    NAMES.iter().chain(&OF_IMPACT).chain(&[DEVICES]).any(|own| *own == name)
 }
 
 /// The bytes of a table that fits into memory.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::TableOptions;
+use super::devices::{self, DeviceReport};
 use super::events::law_of;
 use super::flexible::{self, FlexibleReport};
 use super::seats::{self, SeatReport};
@@ -43,6 +44,9 @@ pub struct Report {
     pub backfill: Vec<BackfillReport>,
     /// What the run did to piers.
     pub piers: Vec<PierReport>,
+    /// What the run did to devices.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub devices: Vec<DeviceReport>,
     /// Girders that the scene calls elastic.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub flexible: Vec<FlexibleReport>,
@@ -256,6 +260,7 @@ impl Report {
             lost_supports: lost(history),
             backfill: backfill(history),
             piers: piers(history),
+            devices: devices::reports(history),
             flexible: flexible::of(history),
             degree_check: options.degree_check,
             limits_passed: passed(history),

@@ -88,6 +88,12 @@ pub trait Device: Connection<State = Phase, Motion = Separation> + std::fmt::Deb
         false
     }
 
+    /// Whether it yields in this phase.
+    fn yields(&self, phase: &Phase) -> bool {
+        let _ = phase;
+        false
+    }
+
     /// Whether the support that it is has been lost in this phase.
     fn is_lost(&self, phase: &Phase) -> bool {
         let _ = phase;

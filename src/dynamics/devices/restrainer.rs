@@ -130,6 +130,10 @@ impl Device for Restrainer {
         Some(yields.min(breaks)).filter(|force| force.is_finite())
     }
 
+    fn yields(&self, phase: &Phase) -> bool {
+        phase.law == YIELD
+    }
+
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.law == BROKEN
     }

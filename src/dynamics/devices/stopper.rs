@@ -117,6 +117,10 @@ impl Device for Stopper {
         }
     }
 
+    fn yields(&self, phase: &Phase) -> bool {
+        phase.law == YIELD
+    }
+
     fn has_ended(&self, phase: &Phase) -> bool {
         phase.law == BROKEN
     }

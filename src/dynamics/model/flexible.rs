@@ -58,8 +58,8 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
     let beam = beam(girder, &section);
     let of_contacts = facings.iter().filter(|facing| !facing.met);
     let of_contacts = of_contacts.filter(|f| [f.first, f.second].into_iter().any(|side| side.girder() == Some(number)));
-    let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(of_devices(scene, number), f64::max);
-    let stiffness = if stiffest > 0.0 { stiffest } else { of_bearings(scene, girder) };
+    let stiffest = of_contacts.map(|facing| facing.contact.stiffness).fold(of_devices(scene, number, &beam), f64::max);
+    let stiffness = if stiffest > 0.0 { stiffest } else { of_bearings(scene, girder, &beam) };
     let half = 0.5 * girder.width;
     let corner = |y: f64| DVec2::new(y * body.prism.shear(), y);
     let softness = Softness::of(&beam, stiffness, &[corner(half), corner(-half)]);
@@ -78,21 +78,32 @@ fn one(scene: &Scene, elastic: &Elastic, (number, facings): (usize, &[Facing]), 
 }
 
 /// Stiffness of the stiffest device at a girder \[N/m\].
-fn of_devices(scene: &Scene, girder: usize) -> f64 {
+fn of_devices(scene: &Scene, girder: usize, beam: &Beam) -> f64 {
     let laws_of = |(id, part): (DeviceId, &dyn Part)| {
         let joint = Joint::of(scene, &part.ends())?;
         let own = joint.girder == girder || joint.other == Some(girder);
         Some(laws(&scene.device(id).filter(|_| own)?, &joint))
     };
     let laws = scene.devices().into_iter().filter_map(laws_of).flatten();
-    laws.map(|law| law.device.stiffness_bound(&Phase::default())).fold(0.0, f64::max)
+    let phase = Phase::default();
+    laws.map(|law| law.device.stiffness_bound(&phase).max(of_dashpot(law.device.damping_bound(&phase), beam)))
+        .fold(0.0, f64::max)
 }
 
 /// Stiffness of the stiffest bearing of a girder before it yields or slides \[N/m\].
-fn of_bearings(scene: &Scene, girder: &Girder) -> f64 {
+fn of_bearings(scene: &Scene, girder: &Girder, beam: &Beam) -> f64 {
     let of = |bearing: &ResolvedBearing| {
-        let [along, across, _] = bearing.stiffness;
-        along.max(across) + bearing.yielding.map_or(0.0, |yielding| yielding.stiffness())
+        let [[along, across, _], [c_along, c_across, _]] = [bearing.stiffness, bearing.damping];
+        let spring = along.max(across) + bearing.yielding.map_or(0.0, |yielding| yielding.stiffness());
+        spring.max(of_dashpot(c_along.max(c_across), beam))
     };
     girder.supports(scene.setting()).iter().map(of).fold(0.0, f64::max)
+}
+
+/// Stiffness that a dashpot c counts as \[N/m\]: κ is c over the impedance `Z = √(E A m/a₀)`, to which the girder gives way as it does
+/// to a spring of EA/a₀; at 1 at the most, since a stiffer dashpot is a fixed point to a wave and has no frequency of its own.
+fn of_dashpot(damping: f64, beam: &Beam) -> f64 {
+    let stiffness = beam.axial / beam.length;
+    let impedance = (stiffness * beam.mass).sqrt();
+    stiffness * (damping / impedance).min(1.0)
 }

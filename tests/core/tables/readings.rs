@@ -187,3 +187,35 @@ fn limits_and_plots_are_kept_in_the_file() {
     let complaint = format::parse(&bad, "bad").map(|s| girderbench::scene::validate::validate(&s)).expect("reads");
     assert!(complaint.expect_err("negative").to_string().contains("limits.drift_m"), "names the key");
 }
+
+#[test]
+fn what_a_cable_did_is_the_closed_form_s() {
+    // ω = √(K/m) = 10 rad/s; taut at 10 mm; the elastic peak would be v √(K m) = 1 kN.
+    let cable = |more: &str| {
+        let text = format!(
+            "format = 1\nname = \"cable\"\nduration_s = 0.9\n[[girder]]\nname = \"deck\"\nlength_m = 3.0\nwidth_m = 1.0\n\
+             thickness_m = 0.2\nmass_kg = 1000.0\ninitial = {{ velocity_m_s = [0.1, 0.0] }}\n[[restrainer]]\nname = \"cable\"\n\
+             girder = \"deck\"\nat_m = [-1.5, 0.0]\nto_m = [-2.5, 0.0]\nslack_m = 0.01\nstiffness_n_per_m = 1e5\n{more}"
+        );
+        let scene = format::read(&text, "cable").unwrap_or_else(|errors| panic!("{errors}"));
+        let history = History::of(&scene).expect("runs");
+        let readings = history.devices();
+        assert_eq!(readings.len(), 1);
+        readings[0].clone()
+    };
+    let whole = cable("");
+    near(whole.force.value, 1000.0, 1e-6, "peak");
+    near(whole.force.t, 0.1 + 0.05 * std::f64::consts::PI, 1e-5, "a quarter of a period after it is taut");
+    near(whole.first.expect("it acts"), 0.1, 1e-10, "taut");
+    near(whole.deformation[1].value, 0.02, 1e-10, "slack and v/ω");
+    near(whole.deformation[0].value, -0.1 * (0.9 - 0.2 - 0.1 * std::f64::consts::PI), 1e-9, "back past where it began");
+    assert_eq!((whole.times, whole.part_of_strength, whole.yielded_at, whole.broke_at), (1, None, None, None));
+    let yields = cable("yield_force_n = 500.0\npost_yield_stiffness_n_per_m = 0.0\nbreak_elongation_m = 0.0085\n");
+    let at = 0.1 + 0.5f64.asin() / 10.0;
+    near(yields.yielded_at.expect("it yields"), at, 1e-9, "F_y is half of the peak");
+    near(yields.part_of_strength.expect("it has a strength"), 1.0, 1e-9, "at most its strength");
+    // Under F_y alone from v cos 30° on: 3.5 mm more.
+    let (speed, slowing) = (0.1 * 0.75f64.sqrt(), 0.5);
+    let more = (speed - (speed * speed - 2.0 * slowing * 0.0035).sqrt()) / slowing;
+    near(yields.broke_at.expect("it breaks"), at + more, 1e-9, "8.5 mm beyond its slack");
+}

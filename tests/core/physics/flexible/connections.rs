@@ -197,3 +197,19 @@ fn a_point_of_a_device_beyond_an_end_is_carried_by_its_end_section() {
         within("distance from the end's centre", (end - placed).truncate().length() - 0.4, 1e-9);
     }
 }
+
+#[test]
+fn a_girder_that_only_dashpots_hold_bends_where_they_are_as_stiff_as_waves() {
+    let held = |coefficient: f64, modes: &str| {
+        let damper = format!(
+            "[[damper]]\nname = \"damper\"\ngirder = \"deck\"\nat_m = [0.0, 5.0]\nto_m = [2.0, 8.0]\ncoefficient = {coefficient:?}\n"
+        );
+        let none = |_| "stiffness_n_per_m = [0.0, 0.0], damping_n_s_per_m = [0.0, 0.0]".to_owned();
+        run(&deck(&format!("elastic = {{ area_m2 = 8.0, modes = {modes} }}"), &none, &damper))
+    };
+    // Z = 69 MN s/m: a dashpot of 0.1 N s/m is nothing to it.
+    assert!(held(0.1, "\"auto\"").flexible(0).is_none(), "as good as rigid");
+    let [own, finer] = ["\"auto\"", "12"].map(|modes| held(1e8, modes));
+    assert_eq!(own.flexible(0).and_then(|f| f.girder.as_ref()).expect("it bends").modes.degree, 10, "κ = 1");
+    within("against degree 12", apart(&own, &finer, 0), 1e-5);
+}

@@ -1,0 +1,39 @@
+//! Table of what a run did to devices.
+
+use std::fmt::Write as _;
+
+use super::sections::{at, head};
+use crate::language::Text;
+use crate::study::plot::draw::escape;
+use crate::tables::Report;
+
+/// Largest force, part of the strength, movement, when it acts, yields and breaks; nothing of a scene without devices.
+pub(super) fn table(report: &Report) -> String {
+    if report.devices.is_empty() {
+        return String::new();
+    }
+    let mut html = head(&[
+        Text::new("report-device").as_str(),
+        &Text::new("report-largest-force"),
+        &Text::new("report-of-strength"),
+        &Text::new("report-moves"),
+        &Text::new("report-acts"),
+        &Text::new("report-yields-breaks"),
+    ]);
+    for device in &report.devices {
+        let when = |t: Option<f64>| t.map_or("–".to_owned(), |t| format!("{t:.3}"));
+        let force = device.first.map_or("–".to_owned(), |_| at(format!("{:.1}", device.force / 1e3), device.t));
+        let part = device.part_of_strength.map_or("–".to_owned(), |part| format!("{:.0} %", 100.0 * part));
+        let [least, greatest] = device.deformation.map(|length| format!("{:.1}", 1e3 * length));
+        let _ = writeln!(
+            html,
+            "<tr><td>{}</td><td class=\"number\">{force}</td><td class=\"number\">{part}</td>\
+             <td class=\"number\">{least} … {greatest}</td><td class=\"number\">{}</td><td class=\"number\">{}, {}</td></tr>",
+            escape(&device.name),
+            device.times,
+            when(device.yielded_at),
+            when(device.broke_at)
+        );
+    }
+    html + "</table>\n"
+}

@@ -1,0 +1,89 @@
+//! What a run did to the devices of its scene.
+
+use super::readings::largest_of_each;
+use super::report::Extreme;
+use super::{History, LinkNow, touches};
+use crate::dynamics::connection::Phase;
+use crate::dynamics::model::compiled_model::ModelDevice;
+
+/// What a run did to a device.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DeviceReading {
+    /// Its number in the model.
+    pub device: usize,
+    /// Largest |force| \[N\].
+    pub force: Extreme,
+    /// Largest force in parts of the strength, where it has one.
+    pub part_of_strength: Option<f64>,
+    /// Least and greatest displacement of its points against each other along its axis since placed: elongation, or approach, at one side of
+    /// a stopper the first one's \[m\].
+    pub deformation: [Extreme; 2],
+    /// How many times its force set in.
+    pub times: usize,
+    /// When for the first time \[s\].
+    pub first: Option<f64>,
+    /// When it yielded for the first time \[s\].
+    pub yielded_at: Option<f64>,
+    /// When it broke \[s\].
+    pub broke_at: Option<f64>,
+}
+
+impl History {
+    /// What the run did to every device of the scene; nothing under the impact model, which knows none.
+    pub fn devices(&self) -> Vec<DeviceReading> {
+        let numbers = 0..self.model().devices.len();
+        numbers.filter_map(|number| self.device_reading(number)).collect()
+    }
+
+    /// What the run did to the device of this number in the model.
+    pub fn device_reading(&self, number: usize) -> Option<DeviceReading> {
+        let ModelDevice { links, .. } = self.model().devices.get(number)?;
+        self.link_logs.get(links.start)?;
+        let strength = links.clone().filter_map(|link| self.link(link, 0.0)?.strength).reduce(f64::min);
+        let times = self.device_looks(links.clone());
+        let [force, greatest, least] = largest_of_each(&times, |t| {
+            let sides: Vec<LinkNow> = links.clone().filter_map(|link| self.link(link, t)).collect();
+            let force = sides.iter().map(|side| side.force.length()).fold(0.0, f64::max);
+            let along = sides.first().map_or(0.0, |side| side.along.deformation[0]);
+            [force, along, -along]
+        });
+        let phases = || links.clone().flat_map(|link| self.link_phases(link).iter().map(move |change| (link, change)));
+        let device = |link: usize| &self.model().links[link].device;
+        let begins: Vec<f64> = links
+            .clone()
+            .flat_map(|link| {
+                let acts: Vec<bool> =
+                    self.link_phases(link).iter().map(|(_, phase)| device(link).acts(phase)).collect();
+                let sets_in = (0..acts.len()).filter(move |&i| acts[i] && (i == 0 || !acts[i - 1]));
+                sets_in.map(move |i| self.link_phases(link)[i].0)
+            })
+            .collect();
+        let earliest = |times: &mut dyn Iterator<Item = f64>| times.reduce(f64::min);
+        let when = |holds: &dyn Fn(usize, &(f64, Phase)) -> bool| {
+            earliest(&mut phases().filter(|(link, change)| holds(*link, change)).map(|(_, (t, _))| *t))
+        };
+        Some(DeviceReading {
+            device: number,
+            force,
+            part_of_strength: strength.map(|strength| force.value / strength),
+            deformation: [Extreme { value: -least.value, t: least.t }, greatest],
+            times: begins.len(),
+            first: earliest(&mut begins.into_iter()),
+            yielded_at: when(&|link, (_, phase)| device(link).yields(phase)),
+            broke_at: when(&|link, (_, phase)| device(link).has_ended(phase)),
+        })
+    }
+
+    /// Times at which extremes of a device are looked for: those of the bodies at its ends, and the changes of its phase.
+    fn device_looks(&self, links: std::ops::Range<usize>) -> Vec<f64> {
+        let mut bodies: Vec<usize> =
+            self.model().links[links.clone()].iter().flat_map(|link| link.bodies).flatten().collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let mut times: Vec<f64> = bodies.into_iter().flat_map(|body| touches::looks(self, body)).collect();
+        times.extend(links.flat_map(|link| self.link_phases(link).iter().map(|(t, _)| *t)));
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+}

@@ -1,0 +1,78 @@
+//! `devices.csv`: changes of the phases of devices, bearings that yield, slide or are lost, and soil; and what a run did to devices.
+
+use std::io::Write;
+
+use serde::Serialize;
+
+use super::{number, to_csv, xyz};
+use crate::sim::{DeviceReading, History};
+
+const HEADER: [&str; 8] = ["t", "device", "state", "deformation", "gap", "fx", "fy", "fz"];
+
+/// What a run did to a device.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DeviceReport {
+    /// Its name.
+    pub name: String,
+    /// `restrainer`, `bumper`, `damper` or `stopper`.
+    pub kind: &'static str,
+    /// Largest |force| \[N\].
+    pub force: f64,
+    /// When \[s\].
+    pub t: f64,
+    /// Largest force in parts of the force at which it yields or breaks, where it does.
+    pub part_of_strength: Option<f64>,
+    /// Least and greatest displacement of its points against each other along its axis since placed \[m\].
+    pub deformation: [f64; 2],
+    /// How many times its force set in.
+    pub times: usize,
+    /// When for the first time \[s\].
+    pub first: Option<f64>,
+    /// When it yielded for the first time \[s\].
+    pub yielded_at: Option<f64>,
+    /// When it broke \[s\].
+    pub broke_at: Option<f64>,
+}
+
+/// What a run did to every device of the scene.
+pub(super) fn reports(history: &History) -> Vec<DeviceReport> {
+    let report = |reading: DeviceReading| {
+        let DeviceReading { device, force, part_of_strength, deformation, times, first, yielded_at, broke_at } =
+            reading;
+        let device = &history.model().devices[device];
+        DeviceReport {
+            name: device.name.clone(),
+            kind: device.id.kind.label(),
+            force: force.value,
+            t: force.t,
+            part_of_strength,
+            deformation: deformation.map(|extreme| extreme.value),
+            times,
+            first,
+            yielded_at,
+            broke_at,
+        }
+    };
+    history.devices().into_iter().map(report).collect()
+}
+
+/// The table: one row a change of phase, in order of time, the first phase of each link among them. Force on the first point in the new
+/// phase; deformation and gap as in that phase \[N, m\].
+///
+/// # Errors
+/// What the writer says.
+pub fn devices(history: &History, out: &mut dyn Write) -> std::io::Result<()> {
+    let links = history.model().links.iter().enumerate();
+    let mut changes: Vec<(f64, usize, usize)> = links
+        .flat_map(|(link, _)| history.link_phases(link).iter().enumerate().map(move |(n, (t, _))| (*t, link, n)))
+        .collect();
+    changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let row = |(t, link, change): (f64, usize, usize)| {
+        let now = history.link_in(link, history.link_phases(link)[change].1, t)?;
+        let [fx, fy, fz] = xyz(now.force);
+        let (name, state) = (history.model().links[link].name.clone(), now.state.to_owned());
+        let [deformation, gap] = [now.along.deformation[0], now.gap].map(number);
+        Some(vec![number(t), name, state, deformation, gap, fx, fy, fz])
+    };
+    to_csv(&HEADER.map(str::to_owned), changes.into_iter().filter_map(row), out)
+}
