@@ -30,7 +30,7 @@ use crate::motion::Ground;
 pub(in crate::dynamics) use bearings::BearingAxis;
 use girder::{DEFORMED, RIGID};
 pub use girder::{ElasticGirder, ModalDamping};
-use section::Turns;
+use section::{SectionFrame, Turns};
 use section_bounds::SectionBounds;
 pub use section_forces::{Equilibrium, SectionForces};
 use turn::{in_space, planar_turn};
@@ -77,10 +77,17 @@ impl ElasticGirder {
                 continue;
             }
             if let Some(end) = self.along(section) {
-                let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
-                let turns = Turns::of(place[2], deformation.of.z);
-                end.push(&end.load(&turns, force, moment), &mut out[RIGID..]);
-                moment = end.about_g(end.offset(&turns, &deformation), force, moment);
+                let load = match end.frame {
+                    SectionFrame::Linear => end.load_unrotated(force, moment),
+                    SectionFrame::Rigid => {
+                        let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
+                        let turns = Turns::of(place[2], deformation.of.z);
+                        let load = end.load(&turns, force, moment);
+                        moment += end.offset(&turns, &deformation).perp_dot(force);
+                        load
+                    }
+                };
+                end.push(&load, &mut out[RIGID..]);
             }
             out[0] += force.x;
             out[1] += force.y;

@@ -119,19 +119,16 @@ impl Section {
     /// A force on the section with its moment about the frame's origin as it acts on the modes.
     pub(in crate::dynamics) fn load(&self, turns: &Turns, force: DVec2, moment: f64) -> SectionLoad {
         if self.frame == SectionFrame::Linear {
-            return SectionLoad { force, moment: moment - self.lever.perp_dot(force) };
+            return self.load_unrotated(force, moment);
         }
         let lever = self.lever + turns.whole * self.lever;
         let back = force + turns.body.transpose() * force;
         SectionLoad { force: back, moment: moment - lever.perp_dot(force) }
     }
 
-    /// Moment about G of a force on the section with its moment about the frame's origin, which is at `offset`.
-    pub(in crate::dynamics) fn about_g(&self, offset: DVec2, force: DVec2, moment: f64) -> f64 {
-        match self.frame {
-            SectionFrame::Rigid => moment + offset.perp_dot(force),
-            SectionFrame::Linear => moment,
-        }
+    /// The same of a linear frame, of which the force's moment about G is that about the frame's origin.
+    pub(in crate::dynamics) fn load_unrotated(&self, force: DVec2, moment: f64) -> SectionLoad {
+        SectionLoad { force, moment: moment - self.lever.perp_dot(force) }
     }
 
     /// Adds what a load does to the modes.
