@@ -13,9 +13,9 @@ use crate::view::DrawList;
 use crate::view::list::{Arrow, Cone, Line, Mark, Solid};
 
 /// How far beyond a side something may still touch the picture by rounding or smoothing \[pixels\].
-const MARGIN: f32 = 4.0;
+pub(super) const MARGIN: f32 = 4.0;
 /// Widest part of an arrow with its rim, in radii of its shaft (`HEAD_RADIUS` and the rim of `shaders/arrow.wgsl`).
-const ARROW_REACH: f32 = 5.0;
+pub(super) const ARROW_REACH: f32 = 5.0;
 /// How far a shadow reaches beyond its caster's outline: look-ups beside the point and the lift off its surface, in
 /// texels of the map.
 const SHADOW_REACH: f32 = 8.0;
@@ -113,21 +113,22 @@ impl View {
     }
 }
 
-fn corners(solid: &Solid) -> [Vec3; 8] {
+pub(super) fn corners(solid: &Solid) -> [Vec3; 8] {
     let [a, b, c, d] = solid.face;
     [a, b, c, d, a + solid.sweep, b + solid.sweep, c + solid.sweep, d + solid.sweep]
 }
 
 /// Where shadows fall.
-struct Shade {
+pub(super) struct Shade {
     /// Unit vector away from the light, and how low anything is that a shadow can fall on \[m\].
     away: Vec3,
     lowest: f32,
-    reach: f32,
+    /// How far a shadow reaches beyond its caster's outline \[m\].
+    pub(super) reach: f32,
 }
 
 impl Shade {
-    fn of(list: &DrawList, quality: Quality) -> Self {
+    pub(super) fn of(list: &DrawList, quality: Quality) -> Self {
         let ground = list.ground.map_or(f32::INFINITY, |g| g.centre.z);
         let bodies = list.solids.iter().chain(&list.ghosts).flat_map(corners);
         let texel = list.frame.light_width / quality.shadow_map_size() as f32;
@@ -139,18 +140,18 @@ impl Shade {
     }
 
     /// Corners of the volume between a solid and its shadow.
-    fn volume(&self, solid: &Solid) -> [Vec3; 16] {
+    pub(super) fn volume(&self, solid: &Solid) -> [Vec3; 16] {
         let near = corners(solid);
         let down = |p: Vec3| p + self.away * ((self.lowest - p.z) / self.away.z).max(0.0);
         std::array::from_fn(|i| if i < 8 { near[i] } else { down(near[i - 8]) })
     }
 }
 
-fn cone_ends(cone: &Cone) -> [Vec3; 2] {
+pub(super) fn cone_ends(cone: &Cone) -> [Vec3; 2] {
     [cone.apex, cone.apex + cone.axis * cone.height]
 }
 
-fn cone_reach(cone: &Cone) -> f32 {
+pub(super) fn cone_reach(cone: &Cone) -> f32 {
     cone.height * cone.mu_kinetic
 }
 

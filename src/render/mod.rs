@@ -5,6 +5,7 @@
 //! `downlevel_webgl2_defaults`: instance vertex buffers, uniforms, a comparison sampler, sRGB encoded in the shader.
 
 mod buffer;
+mod changes;
 mod cull;
 mod flat;
 mod frame;
@@ -17,14 +18,17 @@ mod pass;
 mod pipeline;
 mod quality;
 mod readback;
+mod region;
 mod renderer;
 mod solids;
 mod target;
 
+pub use changes::changes;
 pub use gpu::{AdapterSummary, Gpu, GpuError};
 pub use health::{Fault, Health};
 pub use image::{Image, Packing};
 pub use made::{Made, Thing};
 pub use pass::shaders;
 pub use quality::Quality;
+pub use region::{Region, Regions};
 pub use renderer::Renderer;

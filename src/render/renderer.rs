@@ -1,5 +1,8 @@
 //! Draws lists: keeps targets and passes, builds each only when a list wants it.
 
+use std::sync::Arc;
+
+use super::changes::changes;
 use super::cull::Seen;
 use super::frame::{Frame, color};
 use super::pass::arrow::ArrowPass;
@@ -14,7 +17,7 @@ use super::pipeline::Depth;
 use super::readback::{self, Readback};
 use super::solids::{Prism, Solids};
 use super::target::Target;
-use super::{Gpu, GpuError, Image, Quality};
+use super::{Gpu, GpuError, Image, Quality, Region, Regions};
 use crate::view::DrawList;
 
 /// Passes built so far.
@@ -40,6 +43,8 @@ struct Recording<'r> {
     encoder: &'r mut wgpu::CommandEncoder,
     frame: &'r Frame,
     target: &'r Target,
+    /// What is drawn anew over the picture before; the whole picture where nothing is said.
+    parts: Option<&'r Regions>,
 }
 
 /// Draws lists. Two draws must not be recorded before the first is submitted: they share their buffers.
@@ -50,15 +55,20 @@ pub struct Renderer {
     frame: Frame,
     passes: Passes,
     target: Option<Target>,
+    /// What the target shows, as far as that is known.
+    shown: Option<Arc<DrawList>>,
     readback: Option<Readback>,
 }
+
+/// Share of a picture from which on the whole of it is drawn: each region begins its draws anew.
+const MOST: f64 = 0.7;
 
 impl Renderer {
     /// A renderer with no pass built yet.
     pub fn new(gpu: &Gpu, quality: Quality) -> Self {
         let quality = quality.checked();
         let (frame, passes) = (Frame::new(gpu), Passes::default());
-        Self { quality, culls: true, frame, passes, target: None, readback: None }
+        Self { quality, culls: true, frame, passes, target: None, shown: None, readback: None }
     }
 
     /// How finely it draws.
@@ -86,6 +96,35 @@ impl Renderer {
         list: &DrawList,
         size: [u32; 2],
     ) -> &wgpu::TextureView {
+        self.shown = None;
+        self.draw_parts(gpu, encoder, list, size, None)
+    }
+
+    /// Draws a list as [`Renderer::draw`] does, and of its picture only what differs from the one that it drew before in this way.
+    /// Samples are not kept: with more than one a pixel all is drawn.
+    pub fn draw_changes(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        list: &Arc<DrawList>,
+    ) -> &wgpu::TextureView {
+        let size = list.size;
+        let before = self.shown.take().filter(|_| self.quality.samples == 1 && is_opaque(list));
+        let before = before.filter(|_| self.target.as_ref().is_some_and(|target| target.size == size));
+        let all = f64::from(size[0]) * f64::from(size[1]);
+        let parts = before.map(|before| changes(&before, list)).filter(|parts| (parts.area() as f64) < MOST * all);
+        self.shown = Some(list.clone());
+        self.draw_parts(gpu, encoder, list, size, parts.as_ref())
+    }
+
+    fn draw_parts(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        list: &DrawList,
+        size: [u32; 2],
+        parts: Option<&Regions>,
+    ) -> &wgpu::TextureView {
         let limit = gpu.device.limits().max_texture_dimension_2d;
         let size = size.map(|s| s.clamp(1, limit));
         let kept = self.target.take().filter(|t| t.size == size);
@@ -93,8 +132,8 @@ impl Renderer {
         self.frame.write(gpu, list, size, self.quality);
         let seen = if self.culls { Seen::of(list, size, self.quality) } else { Seen::all(list) };
         seen.count(gpu, list);
-        self.passes.prepare(gpu, &self.frame, list, &seen, self.quality);
-        self.passes.encode(gpu, &mut Recording { encoder, frame: &self.frame, target: &target }, list, &seen);
+        self.passes.prepare(gpu, &self.frame, (list, parts.is_some()), &seen, self.quality);
+        self.passes.encode(gpu, &mut Recording { encoder, frame: &self.frame, target: &target, parts }, list, &seen);
         &self.target.insert(target).view
     }
 
@@ -114,6 +153,18 @@ impl Renderer {
         readback::check_size(gpu, size)?;
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.draw(gpu, &mut encoder, list, size);
+        self.read_later(gpu, encoder).await
+    }
+
+    /// Draws what was recorded, and reads the picture back.
+    ///
+    /// # Errors
+    /// When the read-back fails, or nothing was drawn.
+    pub fn read(&mut self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<Image, GpuError> {
+        pollster::block_on(self.read_later(gpu, encoder))
+    }
+
+    async fn read_later(&mut self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<Image, GpuError> {
         let target = self.target.as_ref().ok_or_else(|| GpuError::Readback("nothing was drawn".to_owned()))?;
         let kept = self.readback.take().filter(|readback| readback.size() == target.size);
         let readback = kept.unwrap_or_else(|| Readback::new(gpu, target.size));
@@ -143,9 +194,16 @@ impl Renderer {
 
 impl Passes {
     /// Builds the passes that the picture needs, and hands them what they draw.
-    fn prepare(&mut self, gpu: &Gpu, frame: &Frame, list: &DrawList, seen: &Seen<'_>, quality: Quality) {
+    fn prepare(
+        &mut self,
+        gpu: &Gpu,
+        frame: &Frame,
+        (list, in_parts): (&DrawList, bool),
+        seen: &Seen<'_>,
+        quality: Quality,
+    ) {
         let samples = quality.samples;
-        if list.frame.sky != list.frame.floor {
+        if in_parts || list.frame.sky != list.frame.floor {
             self.backdrop.get_or_insert_with(|| Backdrop::new(gpu, frame, samples));
         }
         if needs_light(list, seen) {
@@ -201,23 +259,13 @@ impl Passes {
             let casters = self.prism.as_ref().zip(self.solids.as_ref()).filter(|_| thrown);
             shadow.draw(gpu, to.encoder, to.frame, casters);
         }
-        let mut pass = to.target.begin(gpu, to.encoder, "bodies", Some(clear_color(list)), !seen.is_anything_on_top());
+        let clear = to.parts.is_none().then(|| clear_color(list));
+        let (parts, in_parts) = (to.parts(), to.parts.is_some());
+        let mut pass = to.target.begin(gpu, to.encoder, "bodies", clear, !seen.is_anything_on_top());
         pass.set_bind_group(0, &to.frame.group, &[]);
-        if let Some(backdrop) = self.backdrop.as_ref().filter(|_| list.frame.sky != list.frame.floor) {
-            backdrop.draw(&mut pass);
-        }
-        if let (Some(ground), Some(shadow), true) = (&self.ground, shadow, list.ground.is_some()) {
-            ground.draw(&mut pass, shadow);
-        }
-        let solids = self.solid.as_ref().zip(self.solids.as_ref()).filter(|_| !seen.solids.is_empty());
-        let ghosts = self.ghost.as_ref().zip(self.ghosts.as_ref()).filter(|_| !seen.ghosts.is_empty());
-        for (solid, solids) in solids.into_iter().chain(ghosts) {
-            if let Some((shadow, prism)) = shadow.zip(self.prism.as_ref()) {
-                solid.draw(&mut pass, shadow, prism, solids);
-            }
-        }
-        if let Some(lines) = self.lines.as_ref().filter(|_| !seen.lines.is_empty()) {
-            lines.draw(&mut pass);
+        for part in parts {
+            cut(&mut pass, part);
+            self.encode_bodies(&mut pass, in_parts, shadow, list, seen);
         }
         drop(pass);
         if seen.is_anything_on_top() {
@@ -225,23 +273,72 @@ impl Passes {
         }
     }
 
-    /// What is seen through bodies, with a depth of its own, and what is flat.
-    fn encode_on_top(&self, gpu: &Gpu, to: &mut Recording<'_>, seen: &Seen<'_>) {
-        let mut pass = to.target.begin(gpu, to.encoder, "seen through bodies", None, true);
-        pass.set_bind_group(0, &to.frame.group, &[]);
-        if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
-            cones.draw(&mut pass);
+    /// The background and what is hidden by bodies.
+    fn encode_bodies(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        in_parts: bool,
+        shadow: Option<&Shadow>,
+        list: &DrawList,
+        seen: &Seen<'_>,
+    ) {
+        if let Some(backdrop) = self.backdrop.as_ref().filter(|_| in_parts || list.frame.sky != list.frame.floor) {
+            backdrop.draw(pass);
         }
-        if let Some(lines) = self.xray_lines.as_ref().filter(|_| !seen.xray_lines.is_empty()) {
-            lines.draw(&mut pass);
+        if let (Some(ground), Some(shadow), true) = (&self.ground, shadow, list.ground.is_some()) {
+            ground.draw(pass, shadow);
         }
-        if let Some(arrows) = self.arrows.as_ref().filter(|_| !seen.arrows.is_empty()) {
-            arrows.draw(&mut pass);
+        let solids = self.solid.as_ref().zip(self.solids.as_ref()).filter(|_| !seen.solids.is_empty());
+        let ghosts = self.ghost.as_ref().zip(self.ghosts.as_ref()).filter(|_| !seen.ghosts.is_empty());
+        for (solid, solids) in solids.into_iter().chain(ghosts) {
+            if let Some((shadow, prism)) = shadow.zip(self.prism.as_ref()) {
+                solid.draw(pass, shadow, prism, solids);
+            }
         }
-        if let Some(overlay) = self.overlay.as_ref().filter(|_| !seen.marks.is_empty()) {
-            overlay.draw(&mut pass);
+        if let Some(lines) = self.lines.as_ref().filter(|_| !seen.lines.is_empty()) {
+            lines.draw(pass);
         }
     }
+
+    /// What is seen through bodies, with a depth of its own, and what is flat.
+    fn encode_on_top(&self, gpu: &Gpu, to: &mut Recording<'_>, seen: &Seen<'_>) {
+        let parts = to.parts();
+        let mut pass = to.target.begin(gpu, to.encoder, "seen through bodies", None, true);
+        pass.set_bind_group(0, &to.frame.group, &[]);
+        for part in parts {
+            cut(&mut pass, part);
+            if let Some(cones) = self.cones.as_ref().filter(|_| !seen.cones.is_empty()) {
+                cones.draw(&mut pass);
+            }
+            if let Some(lines) = self.xray_lines.as_ref().filter(|_| !seen.xray_lines.is_empty()) {
+                lines.draw(&mut pass);
+            }
+            if let Some(arrows) = self.arrows.as_ref().filter(|_| !seen.arrows.is_empty()) {
+                arrows.draw(&mut pass);
+            }
+            if let Some(overlay) = self.overlay.as_ref().filter(|_| !seen.marks.is_empty()) {
+                overlay.draw(&mut pass);
+            }
+        }
+    }
+}
+
+impl Recording<'_> {
+    /// What is drawn, one after the other.
+    fn parts(&self) -> Vec<Region> {
+        self.parts.map_or_else(|| vec![Region::whole(self.target.size)], |parts| parts.iter().collect())
+    }
+}
+
+/// Draws in a part of the picture alone from here on.
+fn cut(pass: &mut wgpu::RenderPass<'_>, part: Region) {
+    let ([x, y], [width, height]) = (part.min, part.size());
+    pass.set_scissor_rect(x, y, width, height);
+}
+
+/// Whether the background hides what it is drawn over.
+fn is_opaque(list: &DrawList) -> bool {
+    [list.frame.sky, list.frame.floor].iter().all(|color| color.0[3] == 0xff)
 }
 
 /// Whether anything in the picture is lit, and so asks the shadow map.

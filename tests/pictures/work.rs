@@ -1,9 +1,11 @@
 //! Claims about what pictures cost: nothing is made or drawn for what is off or out of view, and the picture is the
 //! same to the last bit.
 
+use std::sync::Arc;
+
 use crate::studio::studio;
 use crate::{handmade, row};
-use girderbench::render::{Gpu, GpuError, Made, Packing, Quality, Renderer, Thing};
+use girderbench::render::{Gpu, GpuError, Made, Packing, Quality, Renderer, Thing, changes};
 use girderbench::scene::{Overlays, Scene, ViewPreset, presets};
 use girderbench::sim::{ContactState, History};
 use girderbench::snapshot::{Frame, Instant, Shot, Studio, film};
@@ -12,6 +14,8 @@ use girderbench::view::{Background, Bounds, Camera, DrawList, Moment, ViewInput,
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [320, 180];
+/// Frames of a moving picture.
+const FRAMES: u32 = 30;
 
 fn run(name: &str) -> History {
     History::of(&presets::load(name).expect("a preset is valid")).unwrap_or_else(|e| panic!("{name}: {e}"))
@@ -155,6 +159,47 @@ fn what_is_out_of_view_changes_no_pixel() {
         }
     }
     assert!(culled > 100, "something was left out, {culled}");
+}
+
+/// A moving picture of a preset, drawn in parts, is compared with each of its frames drawn whole; the pixels drawn, as a share of all.
+fn drawn_of(gpu: &Gpu, name: &str, preset: ViewPreset) -> f64 {
+    let history = run(name);
+    let size = [960, 540];
+    let camera = Camera::preset(preset, Bounds::of_scene(history.scene()), 16.0 / 9.0);
+    let [mut parts, mut whole] = [(); 2].map(|()| Renderer::new(gpu, Quality::DRAFT));
+    let encoder = || gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut before: Option<Arc<DrawList>> = None;
+    let (mut drawn, mut all) = (0.0, 0.0);
+    for number in 0..FRAMES {
+        let t = 0.033 * f64::from(number);
+        let list = Arc::new(draw_list(&ViewInput { t, size, ..view(history.scene(), Some(&history), &camera) }));
+        let mut recorded = encoder();
+        parts.draw_changes(gpu, &mut recorded, &list);
+        let in_parts = parts.read(gpu, recorded).expect("it is drawn");
+        let at_once = whole.picture(gpu, &list, size).expect("it is drawn");
+        let pixels = in_parts.rgba.chunks_exact(4).zip(at_once.rgba.chunks_exact(4));
+        let differing = pixels.enumerate().filter(|(_, (one, other))| one != other).map(|(i, _)| i);
+        let places: Vec<_> = differing.map(|i| [i % size[0] as usize, i / size[0] as usize]).collect();
+        assert!(places.is_empty(), "{name} {preset:?} at {t:.3} s: {} pixels differ, {:?}", places.len(), places[0]);
+        if let Some(before) = before {
+            drawn += changes(&before, &list).area() as f64;
+            all += f64::from(size[0]) * f64::from(size[1]);
+        }
+        before = Some(list);
+    }
+    drawn / all
+}
+
+#[test]
+#[expect(clippy::print_stdout, reason = "how much is spared is worth a line")]
+fn a_moving_picture_drawn_in_parts_is_the_picture_to_the_last_bit() {
+    let Some(studio) = studio("a_moving_picture_drawn_in_parts_is_the_picture_to_the_last_bit") else { return };
+    for name in ["skew45-abutment", "deck-30m", "row-of-5"] {
+        for preset in [ViewPreset::Iso, ViewPreset::Top, ViewPreset::Side] {
+            let drawn = drawn_of(&studio.gpu, name, preset);
+            println!("{name} {preset:?}: {:.0} % of the pixels are drawn", 100.0 * drawn);
+        }
+    }
 }
 
 #[test]

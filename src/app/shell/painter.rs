@@ -26,6 +26,8 @@ pub(in crate::app) struct Shapes<'a> {
     pub(in crate::app) jobs: &'a [ClippedPrimitive],
     /// Pixels to a point.
     pub(in crate::app) pixels_per_point: f32,
+    /// Whether they are drawn over what the target shows, and not over nothing.
+    pub(in crate::app) over: bool,
 }
 
 /// Asks of a device what the renderer needs and no more, so that every adapter will do.
@@ -115,7 +117,29 @@ impl Painter {
         delta.free.iter().for_each(|id| renderer.free_texture(id));
     }
 
-    /// Draws a frame over the whole of a target.
+    /// A texture of egui's format that is drawn into, and copied from.
+    pub(in crate::app) fn canvas(&self, [width, height]: [u32; 2]) -> wgpu::Texture {
+        self.state.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("canvas"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.format(),
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        })
+    }
+
+    /// Copies a canvas to a texture of its size.
+    pub(in crate::app) fn copy(&self, canvas: &wgpu::Texture, to: &wgpu::Texture) {
+        let mut encoder =
+            self.state.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("canvas") });
+        encoder.copy_texture_to_texture(canvas.as_image_copy(), to.as_image_copy(), canvas.size());
+        self.state.queue.submit([encoder.finish()]);
+    }
+
+    /// Draws a frame's shapes into a target.
     ///
     /// # Errors
     /// The device failed, now or before; it is not to be used again.
@@ -146,7 +170,8 @@ impl Painter {
         let (device, queue) = (&self.state.device, &self.state.queue);
         let mut renderer = self.state.renderer.write();
         let mut buffers = renderer.update_buffers(device, queue, &mut encoder, shapes.jobs, &screen);
-        let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store };
+        let load = if shapes.over { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(wgpu::Color::BLACK) };
+        let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
         let mut pass = encoder
             .begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("window"),
@@ -176,7 +201,7 @@ fn in_words(error: WgpuError) -> GpuError {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::app::shell) mod tests {
     use super::*;
     use std::io::Write as _;
 
@@ -189,7 +214,7 @@ mod tests {
     const SIZE: [u32; 2] = [640, 400];
 
     /// A painter without a window; none where there is no adapter and none is asked for.
-    fn painter(textures: &Textures) -> Option<Painter> {
+    pub(in crate::app::shell) fn painter(textures: &Textures) -> Option<Painter> {
         let setup = modest(WgpuSetupCreateNew::without_display_handle());
         let instance = pollster::block_on(setup.new_instance());
         let made = pollster::block_on(Painter::new(setup, &instance, None));
@@ -221,34 +246,22 @@ mod tests {
         /// A frame as bytes, or why there is none.
         fn paint(&mut self, painter: &Painter) -> Result<Vec<u8>, Fault> {
             let mut output = self.frame();
-            let target = target(painter);
+            let target = painter.canvas(SIZE);
             let view = target.create_view(&wgpu::TextureViewDescriptor::default());
             painter.upload(&output.textures_delta);
             let jobs = self.context.tessellate(std::mem::take(&mut output.shapes), 1.0);
-            let drawn = painter.draw(&view, SIZE, Shapes { jobs: &jobs, pixels_per_point: 1.0 });
+            let drawn = painter.draw(&view, SIZE, Shapes { jobs: &jobs, pixels_per_point: 1.0, over: false });
             painter.free(&output.textures_delta);
             output.textures_delta.clear();
             drawn.map(|()| bytes(painter, &target))
         }
     }
 
-    fn target(painter: &Painter) -> wgpu::Texture {
-        painter.device().create_texture(&wgpu::TextureDescriptor {
-            label: None,
-            size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: painter.format(),
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        })
-    }
-
-    fn bytes(painter: &Painter, texture: &wgpu::Texture) -> Vec<u8> {
-        let (row, device) = (4 * SIZE[0], painter.device());
+    pub(in crate::app::shell) fn bytes(painter: &Painter, texture: &wgpu::Texture) -> Vec<u8> {
+        let (width, device) = (4 * texture.width(), painter.device());
+        let row = width.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-        let size = u64::from(row * SIZE[1]);
+        let size = u64::from(row * texture.height());
         let buffer =
             device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false });
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -258,7 +271,8 @@ mod tests {
         painter.queue().submit([encoder.finish()]);
         buffer.map_async(wgpu::MapMode::Read, .., |_| ());
         device.poll(PollType::wait_indefinitely()).expect("it works");
-        buffer.get_mapped_range(..).expect("mapped").to_vec()
+        let mapped = buffer.get_mapped_range(..).expect("mapped");
+        mapped.chunks(row as usize).flat_map(|line| &line[..width as usize]).copied().collect()
     }
 
     /// A window that has come to rest after an edit.

@@ -16,6 +16,7 @@ use winit::window::Window;
 
 use crate::app::host::{Instant, Later, Wake, now};
 use crate::app::shell::painter::{Painter, Shapes, modest};
+use crate::app::shell::redraw::{Frame, Redraw, Shown};
 use crate::app::shell::textures::Textures;
 use crate::render::{AdapterSummary, Fault, GpuError};
 
@@ -37,6 +38,14 @@ pub(in crate::app) enum Painted {
     Again(Duration),
     /// There is a new device: everything is to be drawn on it.
     Anew,
+}
+
+/// What there is to paint.
+pub(in crate::app) struct Painting {
+    pub(in crate::app) redraw: Redraw,
+    pub(in crate::app) pixels_per_point: f32,
+    /// Whether the display may have lost what it shows: the system has asked for a frame.
+    pub(in crate::app) is_asked: bool,
 }
 
 /// What egui draws on.
@@ -66,6 +75,12 @@ struct On {
     painter: Painter,
     instance: wgpu::Instance,
     misses: u32,
+    /// Keeps the frame before, so that the next is drawn over it in parts; none where a graphics card draws, which is done with all of
+    /// it sooner, and where nothing can be copied to the display.
+    canvas: Option<wgpu::Texture>,
+    shown: Shown,
+    /// Whether the display has what is shown.
+    is_presented: bool,
 }
 
 impl Surface {
@@ -137,14 +152,20 @@ impl Surface {
         }
     }
 
+    /// Finds out what of a frame has to be drawn.
+    pub(in crate::app) fn plan(&mut self, frame: Frame<'_>) -> Redraw {
+        let Some(on) = &mut self.on else { return Redraw::Nothing };
+        on.shown.show(frame, [on.config.width, on.config.height], on.canvas.is_some())
+    }
+
     /// Paints a frame, or goes on with bringing a device up to paint it on.
     ///
     /// # Errors
     /// There is no way to paint any more: the last of the reasons.
-    pub(in crate::app) fn paint(&mut self, shapes: Shapes<'_>, mut delta: TexturesDelta) -> Result<Painted, GpuError> {
+    pub(in crate::app) fn paint(&mut self, painting: &Painting, mut delta: TexturesDelta) -> Result<Painted, GpuError> {
         self.textures.take_in(&delta);
         let tried = match &mut self.on {
-            Some(on) => on.paint(&self.window, shapes, &delta).map_err(GpuError::from),
+            Some(on) => on.paint(&self.window, painting, &delta).map_err(GpuError::from),
             None => match self.due.and_then(|due| due.checked_duration_since(now())) {
                 Some(wait) => Ok(Painted::Again(wait)),
                 None => self.bring_up(),
@@ -202,38 +223,63 @@ impl On {
         config.format = painter.format();
         config.view_formats = vec![painter.format()];
         config.present_mode = wgpu::PresentMode::AutoVsync;
-        Ok(Self { target, config, painter, instance, misses: 0 })
+        let copies = target.get_capabilities(painter.adapter()).usages.contains(wgpu::TextureUsages::COPY_DST);
+        if copies && painter.summary().is_cpu {
+            config.usage |= wgpu::TextureUsages::COPY_DST;
+        }
+        let (shown, is_presented) = (Shown::default(), false);
+        Ok(Self { target, config, painter, instance, misses: 0, canvas: None, shown, is_presented })
     }
 
     fn resize(&mut self, [width, height]: [u32; 2]) {
         (self.config.width, self.config.height) = (width, height);
+        self.shown.forget();
         if width > 0 && height > 0 {
             self.target.configure(self.painter.device(), &self.config);
+            let is_kept = self.config.usage.contains(wgpu::TextureUsages::COPY_DST);
+            self.canvas = is_kept.then(|| self.painter.canvas([width, height]));
         }
     }
 
-    fn paint(&mut self, window: &Arc<Window>, shapes: Shapes<'_>, delta: &TexturesDelta) -> Result<Painted, Fault> {
+    fn paint(&mut self, window: &Arc<Window>, painting: &Painting, delta: &TexturesDelta) -> Result<Painted, Fault> {
         self.painter.fault().map_or(Ok(()), Err)?;
         self.painter.upload(delta);
-        let painted = if self.config.width == 0 || self.config.height == 0 {
+        let rests = matches!(painting.redraw, Redraw::Nothing) && self.is_presented && !painting.is_asked;
+        let painted = if rests || self.config.width == 0 || self.config.height == 0 {
             Ok(Painted::Shown)
         } else {
-            self.draw(window, shapes)
+            self.draw(window, painting)
         };
         self.painter.free(delta);
         painted
     }
 
-    fn draw(&mut self, window: &Arc<Window>, shapes: Shapes<'_>) -> Result<Painted, Fault> {
+    fn draw(&mut self, window: &Arc<Window>, painting: &Painting) -> Result<Painted, Fault> {
+        let size = [self.config.width, self.config.height];
+        self.is_presented = false;
+        let over = matches!(painting.redraw, Redraw::Parts(_));
+        let shapes = Shapes { jobs: painting.redraw.jobs(), pixels_per_point: painting.pixels_per_point, over };
+        let changes = !matches!(painting.redraw, Redraw::Nothing);
+        if let Some(canvas) = self.canvas.as_ref().filter(|_| changes) {
+            self.painter.draw(&canvas.create_view(&TextureViewDescriptor::default()), size, shapes)?;
+        }
         let frame = match self.acquire(window)? {
             Ok(frame) => frame,
-            Err(again) => return Ok(Painted::Again(again)),
+            Err(again) => {
+                if self.canvas.is_none() {
+                    self.shown.forget();
+                }
+                return Ok(Painted::Again(again));
+            }
         };
-        let view = frame.texture.create_view(&TextureViewDescriptor::default());
-        self.painter.draw(&view, [self.config.width, self.config.height], shapes)?;
+        match &self.canvas {
+            Some(canvas) => self.painter.copy(canvas, &frame.texture),
+            None => self.painter.draw(&frame.texture.create_view(&TextureViewDescriptor::default()), size, shapes)?,
+        }
         window.pre_present_notify();
         self.painter.queue().present(frame);
         self.misses = 0;
+        self.is_presented = true;
         self.painter.fault().map_or(Ok(Painted::Shown), Err)
     }
 

@@ -18,8 +18,8 @@ use crate::app::host::{Wake, now, users_folder};
 use crate::app::panel::layout;
 use crate::app::shell::event_log::{EventLog, Part};
 use crate::app::shell::outside::{self, Asked, Outside};
-use crate::app::shell::painter::Shapes;
-use crate::app::shell::surface::{Painted, Surface};
+use crate::app::shell::redraw::Frame;
+use crate::app::shell::surface::{Painted, Painting, Surface};
 use crate::app::text;
 use crate::files::SceneSource;
 use crate::language::Language;
@@ -102,6 +102,8 @@ pub(super) struct Open {
     title: String,
     /// Nothing of it can be seen, as far as the system tells.
     hidden: bool,
+    /// A frame is asked for by the window itself: one that comes without is the system's, which may have lost what was shown.
+    asks: bool,
     log: Option<EventLog>,
     outside: Outside,
 }
@@ -128,7 +130,8 @@ impl Open {
             bench.keep_in(&folder);
         }
         window.set_visible(true);
-        let mut open = Self { window, egui, surface, title, hidden: false, log: EventLog::wanted(), outside };
+        let mut open =
+            Self { window, egui, surface, title, hidden: false, asks: false, log: EventLog::wanted(), outside };
         if begun == Painted::Anew {
             open.draw_on_it(bench);
         }
@@ -141,10 +144,16 @@ impl Open {
         bench.view.set_target(self.surface.format(), self.surface.adapter().cloned());
     }
 
+    /// Asks for a frame.
+    fn ask(&mut self) {
+        self.asks = true;
+        self.window.request_redraw();
+    }
+
     /// Sees to it that a frame is drawn after a time.
-    fn come_back(&self, event_loop: &ActiveEventLoop, again: Duration) {
+    fn come_back(&mut self, event_loop: &ActiveEventLoop, again: Duration) {
         if again.is_zero() {
-            self.window.request_redraw();
+            self.ask();
         }
         // What does not fit a clock is never.
         let then = now().checked_add(again).filter(|_| !again.is_zero());
@@ -176,10 +185,15 @@ impl Open {
         self.log(|log| log.end(Part::LaidOut));
         self.outside.seen(bench, &output.platform_output);
         self.egui.handle_platform_output(&self.window, output.platform_output);
-        let jobs = context.tessellate(output.shapes, output.pixels_per_point);
+        let (shapes, pixels_per_point) = (output.shapes, output.pixels_per_point);
+        let changes = bench.view.viewport.take_changes();
+        let textures = &output.textures_delta;
+        let frame = Frame { context: &context, shapes, pixels_per_point, textures, changes: &changes };
+        let redraw = self.surface.plan(frame);
         self.log(|log| log.end(Part::Tessellated));
-        let shapes = Shapes { jobs: &jobs, pixels_per_point: output.pixels_per_point };
-        let painted = self.surface.paint(shapes, output.textures_delta)?;
+        let is_asked = !std::mem::take(&mut self.asks);
+        let painting = Painting { redraw, pixels_per_point, is_asked };
+        let painted = self.surface.paint(&painting, output.textures_delta)?;
         let shown = (bench.files.document.revision(), bench.replay.runner.answered());
         self.log(|log| {
             log.end(Part::Painted);
@@ -233,8 +247,8 @@ impl ApplicationHandler<News> for Shell {
             Ok(open) => {
                 let chosen = self.language.or(self.bench.files.session.language());
                 self.bench.window.language = chosen.unwrap_or_else(Language::of_system);
-                open.window.request_redraw();
-                self.open = Some(open);
+                let open = self.open.insert(open);
+                open.ask();
             }
             Err(reason) => {
                 self.failed = Some(reason);
@@ -248,8 +262,8 @@ impl ApplicationHandler<News> for Shell {
     }
 
     fn new_events(&mut self, _event_loop: &ActiveEventLoop, cause: StartCause) {
-        if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &self.open) {
-            open.window.request_redraw();
+        if let (StartCause::ResumeTimeReached { .. }, Some(open)) = (cause, &mut self.open) {
+            open.ask();
         }
     }
 
@@ -258,7 +272,7 @@ impl ApplicationHandler<News> for Shell {
         if let News::Asked(asked) = news {
             Outside::answer(asked, (&mut open.egui, &mut self.bench));
         }
-        open.window.request_redraw();
+        open.ask();
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _id: WindowId, event: WindowEvent) {
@@ -273,7 +287,7 @@ impl ApplicationHandler<News> for Shell {
             },
             WindowEvent::CloseRequested => {
                 self.bench.apply(WindowCommand::Close);
-                open.window.request_redraw();
+                open.ask();
             }
             WindowEvent::Resized(size) => open.surface.resize(size.width, size.height),
             WindowEvent::Occluded(hidden) => open.hidden = *hidden,
@@ -283,7 +297,7 @@ impl ApplicationHandler<News> for Shell {
             _ => {}
         }
         if !matches!(event, WindowEvent::RedrawRequested) && open.egui.on_window_event(&open.window, &event).repaint {
-            open.window.request_redraw();
+            open.ask();
         }
         if self.bench.window.closes() {
             event_loop.exit();

@@ -8,6 +8,7 @@ mod glide;
 pub(in crate::app) mod hand;
 mod looking;
 pub(in crate::app) mod mouse;
+mod pane;
 pub(in crate::app) mod picture;
 pub(in crate::app) mod scene_view;
 pub(in crate::app) mod screen;

@@ -9,8 +9,10 @@ use glam::DVec3;
 use crate::app::viewport::eye::ndc;
 use crate::app::viewport::glide::Glide;
 use crate::app::viewport::hand::Hand;
+use crate::app::viewport::pane::Panes;
 use crate::app::viewport::seen::Seen;
 use crate::language::Language;
+use crate::render::Regions;
 use crate::scene::device::Joint;
 use crate::scene::{Overlays, Scene, ViewPreset};
 use crate::sim::History;
@@ -53,6 +55,7 @@ pub struct Viewport {
     bent: Cell<Option<(u64, Bending, Option<Bent>)>>,
     /// The plan beside the view: its picture, and how many there have been.
     pub(super) plan: (Option<(Key, Arc<DrawList>)>, u64),
+    pub(super) panes: Panes,
 }
 
 impl Viewport {
@@ -70,6 +73,7 @@ impl Viewport {
             followed: None,
             bent: Cell::new(None),
             plan: (None, 0),
+            panes: Panes::default(),
         }
     }
 
@@ -94,6 +98,11 @@ impl Viewport {
     /// The picture last made.
     pub fn list(&self) -> Option<&Arc<DrawList>> {
         self.picture.as_ref().map(|(_, list)| list)
+    }
+
+    /// Where pictures have changed since this was last asked \[points\], and what in them \[pixels of theirs\].
+    pub(in crate::app) fn take_changes(&mut self) -> Vec<(Rect, Regions)> {
+        self.panes.take_changes()
     }
 
     /// What stands behind the bodies.

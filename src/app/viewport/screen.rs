@@ -63,7 +63,7 @@ impl Kept {
         }
         let slot = &mut place.renderers[usize::from(quality != rest)];
         let renderer = slot.get_or_insert_with(|| Renderer::new(&self.gpu, quality));
-        let target = renderer.draw(&self.gpu, encoder, &screen.list, screen.size);
+        let target = renderer.draw_changes(&self.gpu, encoder, &screen.list);
         place.picture = Some(self.blit.bind(&self.gpu.device, target));
         place.shown = Some(wanted);
     }

@@ -116,7 +116,7 @@ fn show_plan(ui: &mut Ui, rect: Rect, (viewport, seen): (&mut Viewport, &Seen<'_
     if let (Some((_, list)), number) = &viewport.plan {
         let moves = seen.is_drawn_by_processor && moves(ui, viewport);
         let screen = Screen { list: list.clone(), number: *number, size, format: seen.format, place: 1, moves };
-        ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
+        ui.painter().add(viewport.panes.callback(rect, screen));
     }
     let line = egui::Stroke::new(1.0, Palette::of(ui).line);
     ui.painter().vline(rect.right(), rect.y_range(), line);
@@ -161,7 +161,7 @@ fn paint(ui: &Ui, rect: Rect, camera: Camera, (viewport, seen): (&mut Viewport, 
         let (number, size, format) = (viewport.number, viewport.size, seen.format);
         let moves = seen.is_drawn_by_processor && moves(ui, viewport);
         let screen = Screen { list: list.clone(), number, size, format, place: 0, moves };
-        ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, screen));
+        ui.painter().add(viewport.panes.callback(rect, screen));
     }
 }
 
