@@ -60,9 +60,6 @@ pub struct Renderer {
     readback: Option<Readback>,
 }
 
-/// Share of a picture from which on the whole of it is drawn: each region begins its draws anew.
-const MOST: f64 = 0.7;
-
 impl Renderer {
     /// A renderer with no pass built yet.
     pub fn new(gpu: &Gpu, quality: Quality) -> Self {
@@ -111,8 +108,7 @@ impl Renderer {
         let size = list.size;
         let before = self.shown.take().filter(|_| self.quality.samples == 1 && is_opaque(list));
         let before = before.filter(|_| self.target.as_ref().is_some_and(|target| target.size == size));
-        let all = f64::from(size[0]) * f64::from(size[1]);
-        let parts = before.map(|before| changes(&before, list)).filter(|parts| (parts.area() as f64) < MOST * all);
+        let parts = before.map(|before| changes(&before, list)).filter(|parts| parts.are_a_part_of(size));
         self.shown = Some(list.clone());
         self.draw_parts(gpu, encoder, list, size, parts.as_ref())
     }

@@ -61,8 +61,9 @@ pub fn html(history: &History, options: &TableOptions) -> String {
         figure(&mut page, &svg, &caption);
     }
     heading(&mut page, Text::new("report-readings"));
-    page.push_str(&sections::readings(history, &report));
+    page.push_str(&sections::readings(history));
     page.push_str(&devices::table(&report));
+    page.push_str(&sections::limits(history, &report));
     heading(&mut page, Text::new("report-seats"));
     page.push_str(&sections::seats(&report));
     for (caption, svg) in orbit::pictures(history) {

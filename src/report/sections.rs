@@ -202,8 +202,8 @@ pub(super) fn assumptions(history: &History, report: &Report) -> String {
     html + "</ul>\n"
 }
 
-/// Extremes of every girder, and limits that were passed.
-pub(super) fn readings(history: &History, report: &Report) -> String {
+/// Extremes of every girder.
+pub(super) fn readings(history: &History) -> String {
     let mut html = head(&[
         Text::new("report-girder").as_str(),
         &Text::new("report-rotation"),
@@ -224,7 +224,12 @@ pub(super) fn readings(history: &History, report: &Report) -> String {
             at(format!("{:.4}°", reading.rotation.value.to_degrees()), reading.rotation.t)
         );
     }
-    html.push_str("</table>\n");
+    html + "</table>\n"
+}
+
+/// Limits that were passed.
+pub(super) fn limits(history: &History, report: &Report) -> String {
+    let mut html = String::new();
     if history.scene().limits == Limits::default() {
         let _ = writeln!(html, "<p>{}</p>", Text::new("report-no-limits"));
     } else if report.limits_passed.is_empty() {

@@ -187,7 +187,7 @@ impl History {
             let state = self.state(girder, t);
             let equilibrium = self.equilibrium_in(girder, made, (t, &state));
             let middle = equilibrium.at(0.0);
-            let [spin, bent] = made.moved(&state);
+            let [spin, bent] = made.spin_and_deflection(&state);
             [middle.axial.abs(), middle.moment.abs(), worst(&equilibrium).0, spin, bent]
         });
         let by_strain = self.equilibrium(girder, axial.t).map_or(0.0, |e| e.by_strain(0.0).axial.abs());

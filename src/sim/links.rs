@@ -43,6 +43,14 @@ impl LinkNow {
     }
 }
 
+/// A link with the poses of its ends, the motion of its points, and the arms of its force \[m\].
+struct LinkMotion<'a> {
+    link: &'a Link,
+    frames: [Frame; 2],
+    motion: Separation,
+    arms: [DVec3; 2],
+}
+
 impl History {
     /// A device at `t`, clamped to what was computed; nothing where the model has no link of that number or the impact model
     /// computed the run.
@@ -54,7 +62,7 @@ impl History {
 
     /// The same in this phase of its log, where several begin at one instant.
     pub fn link_in(&self, number: usize, phase: Phase, t: f64) -> Option<LinkNow> {
-        let (link, frames, motion) =
+        let LinkMotion { link, frames, motion, .. } =
             self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
         let device = &link.device;
         let (acts, [gap, _]) = (device.acts(&phase), device.gap(&phase, &motion));
@@ -90,20 +98,17 @@ impl History {
 
     fn link_motion(&self, number: usize, t: f64) -> Option<(&Link, Phase, Separation)> {
         let phase = self.link_phase(number, t)?;
-        let (link, _, motion) = self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
+        let LinkMotion { link, motion, .. } =
+            self.link_motion_of(number, |body, section| self.section_frame(body, section, t))?;
         Some((link, phase, motion))
     }
 
-    /// A link with the poses of its ends and the motion of its points, by the poses of sections of bodies.
-    fn link_motion_of(
-        &self,
-        number: usize,
-        frame: impl Fn(usize, usize) -> Frame,
-    ) -> Option<(&Link, [Frame; 2], Separation)> {
+    /// A link as it moves, by the poses of sections of bodies.
+    fn link_motion_of(&self, number: usize, frame: impl Fn(usize, usize) -> Frame) -> Option<LinkMotion<'_>> {
         let link = self.model().links.get(number)?;
         let frames = link.frames(|end, section| link.bodies[end].map(|body| frame(body, section)));
-        let (motion, _) = link.motion([&frames[0], &frames[1]]);
-        Some((link, frames, motion))
+        let (motion, arms) = link.motion([&frames[0], &frames[1]]);
+        Some(LinkMotion { link, frames, motion, arms })
     }
 
     /// Adds the forces of devices on a body, which is in this state at `t`, to the wrenches on its sections, each about the origin of
@@ -118,12 +123,11 @@ impl History {
         };
         let own = |(number, link): (usize, &Link)| link.bodies.contains(&Some(body)).then_some(number);
         for number in self.model().links.iter().enumerate().filter_map(own) {
-            let Some((link, frames, motion)) = self.link_motion_of(number, frame) else { continue };
+            let Some(LinkMotion { link, frames, motion, arms }) = self.link_motion_of(number, frame) else { continue };
             let Some(phase) = self.link_phase(number, t) else { continue };
             if !link.device.acts(&phase) {
                 continue;
             }
-            let (_, arms) = link.motion([&frames[0], &frames[1]]);
             let force = link.force(&phase, &motion, &frames[1]);
             for (end, force) in [force, -force].into_iter().enumerate() {
                 if link.bodies[end] == Some(body) {

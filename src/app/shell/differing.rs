@@ -10,8 +10,9 @@ use egui::{Context, Rect, Shape};
 
 use crate::render::{Region, Regions};
 
-/// How many shapes ahead, in both lists together, shapes are looked for that are the same again.
+/// How many shapes ahead, in both lists together, shapes are looked for that are the same again: 2000 comparisons at the most.
 const AHEAD: usize = 64;
+
 /// Two lists of shapes in comparison.
 pub(super) struct Differing<'a> {
     pub(super) context: &'a Context,

@@ -11,8 +11,6 @@ use crate::render::{Region, Regions};
 const BEYOND: f32 = 3.0;
 /// How far from its sides a rectangle may be smoothed \[points\].
 const EDGE: f32 = 2.0;
-/// Share of the window from which on the whole of it is drawn.
-const MOST: f64 = 0.7;
 
 /// One frame to be shown.
 pub(in crate::app) struct Frame<'a> {
@@ -54,7 +52,7 @@ pub(in crate::app) struct Shown {
 }
 
 impl Shown {
-    /// Nobody knows what is shown: the next frame is drawn whole.
+    /// What is shown is not known: the next frame is drawn whole.
     pub(in crate::app) fn forget(&mut self) {
         self.of = None;
     }
@@ -73,10 +71,9 @@ impl Shown {
             let differing = Differing { context: frame.context, changes: frame.changes, of };
             differing.regions(&before.shapes, &self.shapes)
         });
-        let all = f64::from(size[0]) * f64::from(size[1]);
         match changed {
             Some(regions) if regions.is_empty() => Redraw::Nothing,
-            Some(regions) if in_parts && (regions.area() as f64) < MOST * all => {
+            Some(regions) if in_parts && regions.are_a_part_of(size) => {
                 Redraw::Parts(self.jobs(frame.context, &regions, of))
             }
             _ => Redraw::Whole(frame.context.tessellate(self.shapes.clone(), frame.pixels_per_point)),
@@ -204,25 +201,13 @@ mod tests {
     use crate::app::shell::painter::{Painter, Shapes};
     use crate::app::shell::textures::Textures;
     use crate::language::Language;
-    use crate::scene::presets;
+    use crate::scene::{Scene, presets};
+    use crate::study::stability::dice::Dice;
 
     /// Frames of a series.
     const FRAMES: u64 = 50;
     /// Time from one to the next \[s\].
     const STEP: f64 = 0.04;
-
-    /// Vigna's `SplitMix64`.
-    struct Dice(u64);
-
-    impl Dice {
-        fn below(&mut self, n: u64) -> u64 {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = self.0;
-            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            (z ^ (z >> 31)) % n
-        }
-    }
 
     /// A window without a display, drawn in parts and whole.
     struct Both {
@@ -289,7 +274,9 @@ mod tests {
     }
 
     fn open(preset: &str) -> Option<(Both, Painter)> {
-        let mut bench = Workbench::new(presets::load(preset).expect("ships"), crate::files::SceneSource::New);
+        // What is drawn is looked at; long runs after each edit are not.
+        let scene = Scene { duration: 1.0, ..presets::load(preset).expect("ships") };
+        let mut bench = Workbench::new(scene, crate::files::SceneSource::New);
         bench.replay.runner.set_estimates(false);
         bench.replay.runner.wait();
         bench.tasks.set_silent();
@@ -335,7 +322,7 @@ mod tests {
 
     fn series(preset: &str, seed: u64) {
         let Some((mut both, mut painter)) = open(preset) else { return };
-        let mut dice = Dice(seed);
+        let mut dice = Dice::new(seed);
         for number in 0..FRAMES {
             let events = act(&mut both, &mut painter, &mut dice);
             if both.bench.window.asks() {

@@ -76,17 +76,17 @@ impl Model {
             let Some(body) = body else { continue };
             // A device can lead its bodies off an axis.
             self.bodies[body].straight = [false; 2];
-            link.sections[end] = self.section_at(body, link.arms[end], link.kinematics);
+            link.sections[end] = self.section_of_link(body, link.arms[end], link.kinematics);
         }
         self.links.push(link);
     }
 
     /// The section of a body that a point of a link is on, at this arm from G as placed in the world's axes; an elastic girder gets one
     /// there.
-    fn section_at(&mut self, body: usize, arm: DVec3, kinematics: Kinematics) -> usize {
+    fn section_of_link(&mut self, body: usize, arm: DVec3, kinematics: Kinematics) -> usize {
         let flexible = self.flexible.get_mut(body).and_then(Option::as_mut);
         let Some(girder) = flexible.and_then(|flexible| flexible.girder.as_mut()) else { return 0 };
-        let section = Arc::make_mut(girder).section_at(arm, kinematics);
+        let section = Arc::make_mut(girder).section_of_link(arm, kinematics);
         self.bodies[body].coordinates = BodyCoordinates::Custom(Arc::<ElasticGirder>::clone(girder));
         section
     }

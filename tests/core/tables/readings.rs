@@ -4,6 +4,7 @@
 use girderbench::scene::{Limits, Motion, PlotSettings, PlotShows, Scene, Seat, format, presets};
 use girderbench::sim::quantity::{OfContact, Quantity, Unit};
 use girderbench::sim::{ContactState, History, readings};
+use girderbench::tables::{devices, in_memory};
 
 /// Start speed \[m/s\], angular frequency of the bearings \[rad/s\].
 const V: f64 = 0.02;
@@ -201,16 +202,25 @@ fn what_a_cable_did_is_the_closed_form_s() {
         let history = History::of(&scene).expect("runs");
         let readings = history.devices();
         assert_eq!(readings.len(), 1);
-        readings[0].clone()
+        (readings[0].clone(), String::from_utf8(in_memory(|out| devices(&history, out))).expect("a text"))
     };
-    let whole = cable("");
+    let (whole, table) = cable("");
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|row| row.split(',').collect()).collect();
+    let states: Vec<_> = rows.iter().map(|row| (row[1], row[2])).collect();
+    assert_eq!(states, [("cable", "slack"), ("cable", "taut"), ("cable", "slack")]);
+    let slack_again: f64 = rows[2][0].parse().expect("a time");
+    near(slack_again, 0.1 + 0.1 * std::f64::consts::PI, 1e-9, "half a period after it is taut");
+    for row in &rows[1..] {
+        near(row[3].parse().expect("a length"), 0.01, 1e-9, "elongation at its slack");
+        near(row[5].parse().expect("a force"), 0.0, 1e-3, "no force where it sets in and ends");
+    }
     near(whole.force.value, 1000.0, 1e-6, "peak");
     near(whole.force.t, 0.1 + 0.05 * std::f64::consts::PI, 1e-5, "a quarter of a period after it is taut");
     near(whole.first.expect("it acts"), 0.1, 1e-10, "taut");
     near(whole.deformation[1].value, 0.02, 1e-10, "slack and v/ω");
     near(whole.deformation[0].value, -0.1 * (0.9 - 0.2 - 0.1 * std::f64::consts::PI), 1e-9, "back past where it began");
     assert_eq!((whole.times, whole.part_of_strength, whole.yielded_at, whole.broke_at), (1, None, None, None));
-    let yields = cable("yield_force_n = 500.0\npost_yield_stiffness_n_per_m = 0.0\nbreak_elongation_m = 0.0085\n");
+    let (yields, _) = cable("yield_force_n = 500.0\npost_yield_stiffness_n_per_m = 0.0\nbreak_elongation_m = 0.0085\n");
     let at = 0.1 + 0.5f64.asin() / 10.0;
     near(yields.yielded_at.expect("it yields"), at, 1e-9, "F_y is half of the peak");
     near(yields.part_of_strength.expect("it has a strength"), 1.0, 1e-9, "at most its strength");

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::section::carrying;
+use super::section::station_and_offset;
 use crate::dynamics::elastic::{Modes, modes::displacement};
 use crate::dynamics::model::bearing::Bearing;
 
@@ -85,7 +85,7 @@ pub(super) fn axes_of(bearings: &[Bearing], modes: &Modes, cot: f64, axes: &DMat
     let mut all = Vec::new();
     for bearing in bearings {
         let place = bearing.place.truncate();
-        let (station, offset) = carrying(place, cot, 0.5 * modes.beam.length);
+        let (station, offset) = station_and_offset(place, cot, 0.5 * modes.beam.length);
         let fields = modes.section(2.0 * station / modes.beam.length);
         for (axis, unit) in [DVec2::X, DVec2::Y].into_iter().enumerate() {
             let (stiffness, damping) = (bearing.stiffness[axis], bearing.damping[axis]);

@@ -75,7 +75,7 @@ impl FreeGirder {
             .collect();
         let losses = [PowerForm::of(&motion, &on_bearings), PowerForm::of(&motion, &own)];
         let shapes = Shapes { motion: &motion, order: &order, roots: &roots };
-        let sections = (0..=girder.along.len()).map(|section| shapes.reaches(girder.along(section))).collect();
+        let sections = (0..=girder.deforming.len()).map(|section| shapes.reaches(girder.deforming(section))).collect();
         let lever = girder.lever();
         let (ground, places) = (ground.clone(), girder.places());
         Some(Self { motion, ground, places, order, roots, start, lever, sections, push, losses })

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::bearings::{BearingAxis, BearingRows, axes_of};
-use super::section::{Section, SectionFrame, carrying};
+use super::section::{Section, SectionFrame, station_and_offset};
 use crate::dynamics::connection::Kinematics;
 use crate::dynamics::elastic::Modes;
 use crate::dynamics::model::body::Body;
@@ -52,8 +52,8 @@ pub struct ElasticGirder {
     pub damping: ModalDamping,
     /// `ω_j²` \[1/s²\], and the dashpot `2 ζ ω_j` \[1/s\].
     pub(super) springs: Vec<[f64; 2]>,
-    /// Sections of the ends, −x first, then those of links.
-    pub(super) along: Vec<Section>,
+    /// Sections that move against the mean axes: of the ends, −x first, then of links.
+    pub(super) deforming: Vec<Section>,
     /// Bearings, axis by axis.
     pub(in crate::dynamics) bearings: Vec<BearingAxis>,
     /// The same for their forces.
@@ -72,11 +72,11 @@ impl ElasticGirder {
         let axes = &rigid.axes;
         let half = 0.5 * modes.beam.length;
         let section = |station: f64| Section::at(&modes, axes, station, SectionFrame::Rigid);
-        let (along, middle) = (vec![section(-half), section(half)], section(0.0));
+        let (ends, middle) = (vec![section(-half), section(half)], section(0.0));
         let push = rigid.push.truncate();
         let pushed = middle.fields.iter().map(|f| f.truncate().dot(push) + f.z * rigid.moment.z).collect();
         let mut most = vec![[0.0; 2]; modes.count()];
-        for section in &along {
+        for section in &ends {
             widen(&mut most, section);
         }
         let bearings = axes_of(&rigid.bearings, &modes, rigid.prism.shear(), axes);
@@ -88,7 +88,7 @@ impl ElasticGirder {
             rigid: rigid.clone(),
             modes,
             damping,
-            along,
+            deforming: ends,
             pushed,
         }
     }
@@ -109,9 +109,9 @@ impl ElasticGirder {
         [*mass, *mass, mass * gyration2].into_iter().chain(std::iter::repeat_n(1.0, self.count()))
     }
 
-    /// A section by its number; nothing for that of G.
-    pub(super) fn along(&self, section: usize) -> Option<&Section> {
-        self.along.get(section.checked_sub(1)?)
+    /// A section by its number; nothing for that of G, which moves with the mean axes.
+    pub(super) fn deforming(&self, section: usize) -> Option<&Section> {
+        self.deforming.get(section.checked_sub(1)?)
     }
 
     /// Distance of the ends from G \[m\].
@@ -120,19 +120,19 @@ impl ElasticGirder {
     }
 
     /// Number of the section of a link's point at this arm from G as placed, world axes \[m\], which is added where there is none.
-    pub(in crate::dynamics) fn section_at(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
+    pub(in crate::dynamics) fn section_of_link(&mut self, arm: DVec3, kinematics: Kinematics) -> usize {
         let place = self.rigid.axes.mul_transpose_vec3(arm);
         let half = self.lever();
-        let (station, _) = carrying(place.truncate(), self.rigid.prism.shear(), half);
+        let (station, _) = station_and_offset(place.truncate(), self.rigid.prism.shear(), half);
         let frame = if kinematics == Kinematics::Linear { SectionFrame::Linear } else { SectionFrame::Rigid };
         let same = |own: &Section| own.frame == frame && (own.station - station).abs() <= SAME_STATION * half;
-        if let Some(known) = self.along.iter().position(same) {
+        if let Some(known) = self.deforming.iter().position(same) {
             return known + 1;
         }
         let added = Section::at(&self.modes, &self.rigid.axes, station, frame);
         widen(&mut self.most, &added);
-        self.along.push(added);
-        self.along.len()
+        self.deforming.push(added);
+        self.deforming.len()
     }
 
     /// u, v and φ of the section at a station \[m\] in a state, girder axes \[m, rad\].
@@ -143,15 +143,15 @@ impl ElasticGirder {
     }
 
     /// How fast it turns \[rad/s\], and how far the centre of an end is from the mean axes, the farther one \[m\]; in a state.
-    pub fn moved(&self, state: &[f64]) -> [f64; 2] {
+    pub fn spin_and_deflection(&self, state: &[f64]) -> [f64; 2] {
         let (place, rate) = self.halves(state);
         let away = |end: &Section| end.deformation(&place[RIGID..], &rate[RIGID..]).of.truncate().length();
-        [rate[2].abs(), self.along[..2].iter().map(away).fold(0.0, f64::max)]
+        [rate[2].abs(), self.deforming[..2].iter().map(away).fold(0.0, f64::max)]
     }
 
     /// Displacement against the mean axes of a point at this place in girder axes \[m\], and its rate, in a state.
     pub fn displaced(&self, state: &[f64], place: DVec2) -> [DVec2; 2] {
-        let (station, offset) = carrying(place, self.rigid.prism.shear(), self.lever());
+        let (station, offset) = station_and_offset(place, self.rigid.prism.shear(), self.lever());
         let shapes = self.modes.point(2.0 * station / self.modes.beam.length, offset);
         let (q, rates) = self.halves(state);
         [q, rates].map(|half| shapes.iter().zip(&half[RIGID..]).map(|(shape, x)| *shape * *x).sum())
@@ -171,7 +171,7 @@ impl ElasticGirder {
             x.x + y.y
         };
         // The trace of a symmetric positive matrix is not below its largest eigenvalue.
-        let most = corners.iter().flat_map(|&arm| self.along.iter().map(move |end| (end, arm)));
+        let most = corners.iter().flat_map(|&arm| self.deforming.iter().map(move |end| (end, arm)));
         let nearest = most.filter(|(end, arm)| (*arm - end.lever).length() < (*arm + end.lever).length());
         self.rigid.rate_bounds.mobility + nearest.map(|(end, arm)| of(end, arm)).fold(0.0, f64::max)
     }

@@ -53,7 +53,7 @@ impl ElasticGirder {
             spin: DVec3::Z * spin,
             level: true,
         };
-        if let Some(end) = self.along(section) {
+        if let Some(end) = self.deforming(section) {
             let deformation = end.deformation(&place[RIGID..], &rate[RIGID..]);
             let turns = Turns::of(angle, deformation.of.z);
             let offset = end.offset(&turns, &deformation);
@@ -76,7 +76,7 @@ impl ElasticGirder {
             if force == DVec2::ZERO && moment == 0.0 {
                 continue;
             }
-            if let Some(end) = self.along(section) {
+            if let Some(end) = self.deforming(section) {
                 let load = match end.frame {
                     SectionFrame::Linear => end.load_unrotated(force, moment),
                     SectionFrame::Rigid => {
@@ -150,7 +150,7 @@ impl Coordinates for ElasticGirder {
     }
 
     fn sections(&self) -> usize {
-        1 + self.along.len()
+        1 + self.deforming.len()
     }
 
     fn section(&self, end: End) -> usize {
@@ -278,7 +278,7 @@ impl Coordinates for ElasticGirder {
         let rigid = rigid_body::acceleration(body, &point, force);
         let heading = point.frame.heading;
         let modal =
-            self.along(point.section).map(|end| end.compliance(heading, point.arm.truncate(), force.truncate()));
+            self.deforming(point.section).map(|end| end.compliance(heading, point.arm.truncate(), force.truncate()));
         rigid + modal.unwrap_or_default().extend(0.0)
     }
 
@@ -287,7 +287,7 @@ impl Coordinates for ElasticGirder {
         let load = &mut load[places..];
         load[..RIGID].copy_from_slice(&[force.x, force.y, point.arm.cross(force).z]);
         load[RIGID..].fill(0.0);
-        if let Some(end) = self.along(point.section) {
+        if let Some(end) = self.deforming(point.section) {
             // φ is small beside the angle of the frame.
             let turns = Turns::of(point.frame.heading, 0.0);
             let moment = point.arm.cross(force).z;

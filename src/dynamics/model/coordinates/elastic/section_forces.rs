@@ -72,7 +72,7 @@ impl ElasticGirder {
         let (place, rate) = self.halves(state);
         let of = |(section, wrench): (usize, &Wrench)| {
             let (force, moment) = (wrench.force.truncate(), wrench.moment.z);
-            let Some(end) = self.along(section) else {
+            let Some(end) = self.deforming(section) else {
                 let back = glam::DMat2::from_angle(-place[2]) * force;
                 return Load { station: 0.0, force: self.girder_axes(back), moment };
             };
