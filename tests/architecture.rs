@@ -20,7 +20,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("motion", &["geometry"]),
     ("identify", &["motion"]),
     ("measure", &[]),
-    ("scene", &["geometry", "contact", "motion"]),
+    ("scene", &["geometry", "contact", "motion", "language"]),
     ("dynamics", &["geometry", "contact", "motion", "scene"]),
     ("sim", &["geometry", "contact", "motion", "scene", "dynamics", "language"]),
     ("codes", &["geometry", "scene", "dynamics", "sim"]),

@@ -1,4 +1,4 @@
-//! The table of a language, read once.
+//! The tables of a language, read once.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
@@ -16,11 +16,18 @@ pub(super) struct Catalog {
     words: HashMap<String, String>,
 }
 
-/// The table of a language.
-pub(super) const fn table(language: Language) -> &'static str {
+/// Tables by their files.
+macro_rules! files {
+    ($($name:literal),+) => {
+        &[$(($name, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/texts/", $name)))),+]
+    };
+}
+
+/// The tables of a language, each with the name of its file.
+pub(super) const fn tables(language: Language) -> &'static [(&'static str, &'static str)] {
     match language {
-        Language::English => include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/texts/en.ftl")),
-        Language::Japanese => include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/texts/ja.ftl")),
+        Language::English => files!["en.ftl", "en.complaints.ftl"],
+        Language::Japanese => files!["ja.ftl", "ja.keys.ftl", "ja.complaints.ftl"],
     }
 }
 
@@ -36,16 +43,18 @@ impl Catalog {
         }
     }
 
-    /// Reads a table; what of it is no message is left out, which a test forbids.
+    /// Reads the tables; what of them is no message is left out, which a test forbids.
     fn read(language: Language) -> Self {
-        let resource =
-            FluentResource::try_new(table(language).to_owned()).unwrap_or_else(|(readable, _mistakes)| readable);
-        let keys: Vec<String> = keys(table(language)).map(str::to_owned).collect();
+        let all = tables(language).iter().map(|(_, table)| *table);
+        let keys: Vec<String> = all.clone().flat_map(keys).map(str::to_owned).collect();
         let id: LanguageIdentifier = language.code().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![id]);
         // The marks that Fluent would put around values are no glyphs of our fonts, and both languages run one way.
         bundle.set_use_isolating(false);
-        bundle.add_resource_overriding(resource);
+        for table in all {
+            let read = FluentResource::try_new(table.to_owned());
+            bundle.add_resource_overriding(read.unwrap_or_else(|(readable, _mistakes)| readable));
+        }
         let plain = |key: &String| {
             let mut errors = Vec::new();
             let text = bundle.format_pattern(bundle.get_message(key)?.value()?, None, &mut errors).into_owned();

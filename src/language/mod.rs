@@ -1,7 +1,8 @@
 //! The languages that the program speaks: which one is in use, and texts by their keys.
 //!
-//! The words are tables outside of the code, `assets/texts/*.ftl` in Project Fluent's syntax, one for each language with
-//! the same keys. A new language is its table, a line in [`Language`] and, where egui's fonts lack its letters, a font.
+//! The words are tables outside of the code, `assets/texts/*.ftl` in Project Fluent's syntax, for each language with the same
+//! keys; what the keys of the scene file mean stands in English with these. A new language is its tables, a line in
+//! [`Language`] and, where egui's fonts lack its letters, a font.
 
 mod catalog;
 mod letters;
@@ -13,7 +14,10 @@ pub use fluent_bundle::FluentArgs;
 #[cfg(feature = "render")]
 pub use letters::JAPANESE_FONT;
 pub use letters::is_japanese;
-pub use text::Text;
+#[cfg(test)]
+pub(crate) use text::keys_of;
+pub(crate) use text::said;
+pub use text::{Text, own};
 
 /// Values of a text by their names: `values!["name" => "deck", "count" => 3]`.
 macro_rules! values {

@@ -3,10 +3,20 @@
 use std::fmt;
 use std::ops::Deref;
 
-use fluent_bundle::FluentArgs;
+use fluent_bundle::{FluentArgs, FluentValue};
 
 use super::Language;
 use super::catalog::Catalog;
+#[cfg(test)]
+use super::catalog::{keys, tables};
+
+/// A text with values in their places: `said!("gap-to", "name" => name, "gap" => gap)`.
+macro_rules! said {
+    ($key:literal, $($values:tt)+) => {
+        $crate::language::Text::new($key).with(&$crate::language::values![$($values)+])
+    };
+}
+pub(crate) use said;
 
 /// A text in the language of the thread that asks for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -52,4 +62,23 @@ impl From<Text> for String {
     fn from(text: Text) -> Self {
         text.as_str().to_owned()
     }
+}
+
+impl From<Text> for FluentValue<'_> {
+    fn from(text: Text) -> Self {
+        text.as_str().into()
+    }
+}
+
+/// The words that the language in use has under a key of its own; none in English, which has them where they are used.
+pub fn own(key: &str) -> Option<&'static str> {
+    Catalog::of(Language::current()).words(key)
+}
+
+/// Keys of one table of a language: `""`, `".keys"`.
+#[cfg(test)]
+pub(crate) fn keys_of(language: Language, table: &str) -> Vec<String> {
+    let name = format!("{}{table}.ftl", language.code());
+    let tables = tables(language).iter().filter(|(file, _)| *file == name);
+    tables.flat_map(|(_, table)| keys(table)).map(str::to_owned).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::language::Text;
+use crate::language::{Text, said};
 use crate::motion::spectrum::{periods, spectrum};
 use crate::scene::STANDARD_GRAVITY;
 use crate::sim::History;

@@ -1,6 +1,6 @@
 //! Hysteresis loops: force against displacement of bearings that yield or slide, of devices and of backfill.
 
-use crate::language::Text;
+use crate::language::{Text, said};
 use crate::sim::quantity::{OfBearing, OfLink};
 use crate::sim::{History, Quantity};
 use crate::study::plot::COLORS;

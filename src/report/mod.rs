@@ -1,13 +1,6 @@
 //! A run on one page of HTML to hand to a colleague: scene with its numbers, assumptions, motion, the hardest hit, readings against
 //! limits and codes, errors, ledger, versions. Every picture is inside; nothing outside is linked.
 
-/// A text with values in their places.
-macro_rules! said {
-    ($key:literal, $($values:tt)+) => {
-        $crate::language::Text::new($key).with(&$crate::language::values![$($values)+])
-    };
-}
-
 mod devices;
 mod ground;
 mod loops;
@@ -17,7 +10,7 @@ mod sections;
 
 use std::fmt::Write as _;
 
-use crate::language::{Language, Text};
+use crate::language::{Language, Text, said};
 use crate::sim::History;
 use crate::study::page;
 use crate::study::plot::draw::escape;

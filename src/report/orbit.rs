@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::sections::corner_kind;
-use crate::language::Text;
+use crate::language::{Text, said};
 use crate::sim::History;
 use crate::sim::seats::{self, OrbitPoint, Seat, SeatCorner};
 use crate::study::plot::chart::{number, ticks};

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use glam::DVec2;
 
 use crate::geometry::{End, Prism};
+use crate::language::said;
 use crate::scene::placed::{abutment_depth, abutment_face};
 use crate::scene::{Abutment, Scene};
 use crate::sim::seats::Ledge;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::plan::trimmed;
 use crate::codes::{Input, RotationCondition, Source};
-use crate::language::Text;
+use crate::language::{Text, said};
 use crate::scene::{Bearings, ContactSettings, Girder, Kind, Limits, Setting};
 use crate::sim::{History, readings};
 use crate::study::plot::draw::escape;

@@ -92,45 +92,45 @@ table! {
 pub struct Layer {
     /// Its key.
     pub key: &'static str,
-    /// Its name in the window.
-    pub name: &'static str,
+    /// The text that says what its switch in the window is called.
+    pub label: &'static str,
     /// Its switch.
     pub switch: fn(&mut Overlays) -> &mut bool,
 }
 
 /// States the layers of the view: one line a switch.
 macro_rules! overlays {
-    ($( $layer:ident = $key:literal, $name:literal, $on:literal, $meaning:literal; )+) => {
+    ($( $layer:ident = $key:literal, $label:literal, $on:literal, $meaning:literal; )+) => {
         table! {
             /// Which layers the view draws over the bodies.
             #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
             default struct Overlays, OVERLAYS {
-                $( $layer: bool = $key as $name, Range::Switch, Fallback::Switch($on), $meaning; )+
+                $( $layer: bool = $key as $label, Range::Switch, Fallback::Switch($on), $meaning; )+
             }
         }
 
         impl Overlays {
             /// Every layer, in the order of the documentation.
             pub const ALL: &'static [Layer] =
-                &[$( Layer { key: $key, name: $name, switch: |overlays| &mut overlays.$layer }, )+];
+                &[$( Layer { key: $key, label: $label, switch: |overlays| &mut overlays.$layer }, )+];
         }
     };
 }
 
 overlays! {
-    grid = "grid", "Grid", true, "ground grid";
-    bearings = "bearings", "Bearings", true, "bearings";
-    gap = "gap", "Gap", true, "gap of each facing pair";
-    contacts = "contacts", "Contact points", true, "contact points with their state";
-    normal = "normal", "Normal force", false, "arrows of the normal force";
-    tangential = "tangential", "Tangential force", false, "arrows of the tangential force";
-    resultant = "resultant", "Resultant", true, "arrows of the resultant, dashpots left out";
-    damping = "damping", "Dashpot force", false, "arrows of the dashpots";
-    cones = "cones", "Friction cones", true, "friction cones";
-    axes = "axes", "Axes", true, "world axes";
-    legend = "legend", "Legend", true, "force scale, states, cone";
-    title = "title", "Title", true, "title and time";
-    names = "names", "Names", true, "names at the bodies";
-    decoration = "decoration", "Bridge parts", true,
+    grid = "grid", "layer-grid", true, "ground grid";
+    bearings = "bearings", "layer-bearings", true, "bearings";
+    gap = "gap", "layer-gap", true, "gap of each facing pair";
+    contacts = "contacts", "layer-contacts", true, "contact points with their state";
+    normal = "normal", "layer-normal", false, "arrows of the normal force";
+    tangential = "tangential", "layer-tangential", false, "arrows of the tangential force";
+    resultant = "resultant", "layer-resultant", true, "arrows of the resultant, dashpots left out";
+    damping = "damping", "layer-damping", false, "arrows of the dashpots";
+    cones = "cones", "layer-cones", true, "friction cones";
+    axes = "axes", "layer-axes", true, "world axes";
+    legend = "legend", "layer-legend", true, "force scale, states, cone";
+    title = "title", "layer-title", true, "title and time";
+    names = "names", "layer-names", true, "names at the bodies";
+    decoration = "decoration", "layer-decoration", true,
         "of decks of 2 m and longer what is drawn and not computed: section, parapets, seats, wing walls, embankment";
 }

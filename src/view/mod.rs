@@ -53,7 +53,7 @@ pub use list::{Background, DrawList};
 pub use moment::Moment;
 pub use pick::pick;
 pub use scale::auto_force_scale;
-pub use words::section_force;
+pub use words::{contact_state, impact_state, section_force};
 
 use labels::Placer;
 use palette::Palette;

@@ -5,7 +5,7 @@ use crate::scene::FrictionLaw;
 use crate::sim::{ContactState, OfSection, State};
 
 /// A state of a contact.
-pub(super) fn contact_state(state: ContactState) -> Text {
+pub fn contact_state(state: ContactState) -> Text {
     match state {
         ContactState::Open => Text::new("state-open"),
         ContactState::Stick => Text::new("state-stick"),
@@ -14,7 +14,7 @@ pub(super) fn contact_state(state: ContactState) -> Text {
 }
 
 /// A state of a girder under the impact model.
-pub(super) fn impact_state(state: State) -> Text {
+pub fn impact_state(state: State) -> Text {
     match state {
         State::FreeTurning => Text::new("impact-a"),
         State::Free => Text::new("impact-b"),

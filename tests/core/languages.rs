@@ -1,4 +1,6 @@
 //! Tables of texts: every language has the same keys, the code uses each, and a text takes no value that English lacks.
+//!
+//! What keys of the scene file mean (`*.keys.ftl`) stands in English with the keys: `scene::keys` has the test of that.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -6,10 +8,14 @@ use std::path::Path;
 
 use girderbench::language::{Language, Text};
 
-/// The lines of each key of a language's table.
+/// The tables that every language has: of the window, of complaints.
+const TABLES: [&str; 2] = ["", ".complaints"];
+
+/// The lines of each key of a language's tables.
 fn table(language: Language) -> BTreeMap<String, String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/texts/{}.ftl", language.code()));
-    let text = fs::read_to_string(path).expect("a table");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/texts");
+    let read = |table| fs::read_to_string(folder.join(format!("{}{table}.ftl", language.code()))).expect("a table");
+    let text = TABLES.map(read).join("\n");
     let mut texts: BTreeMap<String, String> = BTreeMap::new();
     let mut last = String::new();
     for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
@@ -61,7 +67,8 @@ fn the_code_uses_every_text() {
     let english = table(Language::English);
     let unused: Vec<_> = english.keys().filter(|key| !code.contains(&format!("\"{key}\""))).collect();
     assert!(unused.is_empty(), "no use of {unused:?}");
-    let used = code.split("Text::new(\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let used = ["Text::new(\"", "said!(\""].into_iter().flat_map(|call| code.split(call).skip(1));
+    let used = used.filter_map(|rest| rest.split('"').next());
     // Nameless: the texts of plots, which egui_plot calls so too.
     let unknown: Vec<_> = used.filter(|key| !key.is_empty() && !english.contains_key(*key)).collect();
     assert!(unknown.is_empty(), "no text for {unknown:?}");

@@ -49,7 +49,8 @@ fn fonts_have_every_letter_of_every_language() {
         let code = language.code();
         let lessons = fs::read_dir(root.join("lessons")).expect("lessons").map(|file| file.expect("a file").path());
         let own = lessons.filter(|path| path.to_string_lossy().ends_with(&format!(".{code}.toml")));
-        for path in own.chain([root.join(format!("texts/{code}.ftl"))]) {
+        let tables = ["", ".keys", ".complaints"].map(|table| root.join(format!("texts/{code}{table}.ftl")));
+        for path in own.chain(tables.into_iter().filter(|path| path.exists())) {
             let text = fs::read_to_string(&path).expect("a text");
             let letters = text.chars().chain(language.name().chars()).filter(|c| !c.is_control());
             let font = FontId::new(14.0, FontFamily::Proportional);

@@ -38,11 +38,12 @@ fn assumed_hint(place: Place<'_>, key: &str) -> String {
 pub(super) fn hint(key: Option<&Key>, unit: Unit, own: &Own) -> String {
     let Some(key) = key else { return String::new() };
     let allowed = key.range.words(|v| unit.words(v));
+    let told = key.fallback.told().unwrap_or_default();
     let default = match (&own.words, key.fallback) {
-        (Some(words), Fallback::Words(from)) if words != from => format!("{}: {from} ({words})", text::DEFAULT),
+        (Some(words), Fallback::Words(from)) if words != from => format!("{}: {told} ({words})", text::DEFAULT),
         (Some(words), _) => format!("{}: {words}", text::DEFAULT),
-        (None, Fallback::Needed(how)) => format!("{}: {how}", text::NO_DEFAULT),
-        (None, Fallback::Words(from)) => format!("{}: {from}", text::DEFAULT),
+        (None, Fallback::Needed(_)) => format!("{}: {told}", text::NO_DEFAULT),
+        (None, Fallback::Words(_)) => format!("{}: {told}", text::DEFAULT),
         (None, _) => text::NO_DEFAULT.to_string(),
     };
     in_lines(Some(key), &allowed, &default)
@@ -51,7 +52,8 @@ pub(super) fn hint(key: Option<&Key>, unit: Unit, own: &Own) -> String {
 /// The meaning, what is allowed, and a line about the default.
 pub(super) fn in_lines(key: Option<&Key>, allowed: &str, default: &str) -> String {
     let Some(key) = key else { return String::new() };
-    let meaning = key.meaning.split(", see below").next().unwrap_or(key.meaning);
+    let meaning = key.meaning_told();
+    let meaning = meaning.split(", see below").next().unwrap_or(meaning);
     format!("{}: {meaning}\n{}: {allowed}\n{default}", key.name, text::ALLOWED)
 }
 
@@ -61,7 +63,7 @@ pub(in crate::app) fn tag(ui: &Ui, response: &Response, place: Place<'_>, (key, 
     let known = keys::of_place(&path).map(|(_, key)| key);
     let words = known.and_then(|key| match key.fallback {
         Fallback::Switch(on) => Some((if on { text::ON } else { text::OFF }).to_string()),
-        Fallback::Word(word) => Some(word.to_owned()),
+        Fallback::Word(word) => Some(key.word_told(word).to_owned()),
         _ => None,
     });
     say(ui, response, &path, label, || {

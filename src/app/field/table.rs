@@ -222,7 +222,9 @@ fn panel_row(ui: &mut Ui, look: &Look<'_>, key: &'static Key, slot: Slot<'_>) ->
 /// The words as choices, and that of having none where the key may be left out.
 fn options(word: &Word<'_>) -> Vec<(Option<usize>, &'static str)> {
     let none = word.default.is_none().then_some((None, text::THE_SCENES.as_str()));
-    none.into_iter().chain(word.words.iter().enumerate().map(|(n, word)| (Some(n), *word))).collect()
+    none.into_iter()
+        .chain(word.words.iter().enumerate().map(|(n, one)| (Some(n), keys::word_told(word.words, one))))
+        .collect()
 }
 
 /// How many of three components there are to be given.

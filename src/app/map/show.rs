@@ -102,7 +102,7 @@ fn key(ui: &mut Ui, scene: &Scene, axis: &mut MapAxis, [name, from, to, log]: [&
 }
 
 fn meaning(path: &str) -> &'static str {
-    of_place(path).map_or("", |(_, key)| key.meaning)
+    of_place(path).map_or("", |(_, key)| key.meaning_told())
 }
 
 /// A key from a list that can be narrowed by typing.

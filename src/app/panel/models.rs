@@ -11,6 +11,7 @@ use crate::scene::edit::Edit;
 use crate::scene::keys::Key;
 use crate::scene::{ImpactSettings, Kind, ModelKind};
 use crate::sim::State;
+use crate::view::impact_state;
 
 /// Shows the switch; the impact model's numbers and what both say where they are asked for.
 pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, replay: &Replay, out: &mut Vec<Command>) {
@@ -53,8 +54,9 @@ fn states(ui: &mut Ui, replay: &Replay) {
     let Some(record) = by_impulses.impact() else { return };
     for (number, body) in answer.history.model().girders().iter().enumerate() {
         let state = record.state(number, t);
-        let paper = paper_name(ui, state);
-        ui.label(format!("{}: {} {}{paper}", body.name, state.letter(), state.label())).on_hover_text(text::STATE_HINT);
+        let (words, paper) = (impact_state(state).as_str(), paper_name(ui, state));
+        let paper = if words == state.paper() { "" } else { paper.as_str() };
+        ui.label(format!("{}: {} {words}{paper}", body.name, state.letter())).on_hover_text(text::STATE_HINT);
     }
     if let Some(apart) = &answer.apart {
         difference(ui, apart, answer.apart_at(t));

@@ -7,6 +7,7 @@ use crate::app::field::{Form, choice_line, slider_row, tag};
 use crate::app::panel::view_menu;
 use crate::app::text;
 use crate::app::viewport::display::Display;
+use crate::language::Text;
 use crate::scene::edit::Edit;
 use crate::scene::{Overlays, ViewPreset, ViewSettings};
 
@@ -17,8 +18,9 @@ pub(in crate::app) fn show(ui: &mut Ui, form: Form<'_>, display: &Display, out: 
     let mut changed = false;
     egui::Grid::new("overlays").num_columns(2).min_col_width((ui.available_width() - 6.0) / 2.0).show(ui, |ui| {
         for (i, layer) in Overlays::ALL.iter().enumerate() {
-            let response = ui.checkbox((layer.switch)(&mut overlays), layer.name);
-            changed |= tag(ui, &response, layers, (layer.key, layer.name)).changed();
+            let name = Text::new(layer.label).as_str();
+            let response = ui.checkbox((layer.switch)(&mut overlays), name);
+            changed |= tag(ui, &response, layers, (layer.key, name)).changed();
             if i % 2 == 1 {
                 ui.end_row();
             }

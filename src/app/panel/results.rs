@@ -17,6 +17,7 @@ use crate::sim::readings::{Extreme, Reading};
 use crate::sim::seats::Seat;
 use crate::sim::verdict::of_seats;
 use crate::sim::{ContactNow, History, Touch};
+use crate::view::contact_state;
 
 /// A list of names and values.
 fn table(ui: &mut Ui, salt: &str, rows: impl IntoIterator<Item = (&'static str, String)>) {
@@ -198,7 +199,7 @@ fn phases(ui: &mut Ui, history: &History, number: usize, t: f64, out: &mut Vec<C
     let (all, law) = (history.link_phases(number), &history.model().links[number].device);
     for (n, (from, phase)) in all.iter().enumerate().take(MOST_TOUCHES) {
         let until = all.get(n + 1).map_or(f64::INFINITY, |next| next.0);
-        let words = text::phase(*from, law.state(phase));
+        let words = text::phase(*from, text::device_state(law.state(phase)));
         if ui.add(egui::Button::selectable((*from..until).contains(&t), words)).clicked() {
             out.push(TimeCommand::Seek(*from).into());
         }
@@ -231,7 +232,7 @@ fn rows(c: &ContactNow) -> [(&'static str, String); 12] {
     let used = if c.normal_force > 0.0 { c.tangential_force.length() / c.normal_force } else { 0.0 };
     let stretch = c.point + c.normal * c.penetration - c.anchor;
     [
-        (text::STATE.as_str(), c.state.label().to_owned()),
+        (text::STATE.as_str(), contact_state(c.state).into()),
         (text::WHOLE_FORCE.as_str(), newtons(c.force.length())),
         (text::ELASTIC_FORCE.as_str(), newtons(c.elastic_force().length())),
         (text::NORMAL_SPRING.as_str(), newtons(c.normal_force)),

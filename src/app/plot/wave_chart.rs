@@ -15,6 +15,7 @@ use crate::app::text;
 use crate::sim::OfSection;
 use crate::study::plot::color_map::level;
 use crate::study::waves;
+use crate::view::section_force;
 
 /// Columns in which a wave runs from end to end, at least: fewer would show its front as a staircase.
 const COLUMNS_OF_A_TRANSIT: f64 = 8.0;
@@ -33,7 +34,7 @@ pub(super) fn draw(ui: &mut Ui, source: &Source<'_>, over: &Over<'_>, palette: &
     let Some(beam) = history.flexible(source.girder).map(|flexible| &flexible.beam) else { return };
     let what = source.section_force;
     let whole = chart_view::field(over);
-    let title = text::wave_chart(what.label(), &history.scene().girders[source.girder].name);
+    let title = text::wave_chart(&section_force(what), &history.scene().girders[source.girder].name);
     let half = 0.5 * beam.length;
     let axis = ValueAxis { range: [-half, half], edges: [whole.top(), whole.bottom()], log: false };
     let (factor, unit) = fitting("m", half);

@@ -8,6 +8,7 @@ mod key;
 mod range;
 mod slot;
 mod table;
+mod told;
 
 pub use super::abutment::ABUTMENT;
 pub use super::backfill::BACKFILL;
@@ -33,3 +34,4 @@ pub use key::{Fallback, Key};
 pub use range::Range;
 pub use slot::{Editable, Slot, Word};
 pub(in crate::scene) use table::{Keyed, Stands, Stated, table, words};
+pub use told::word_told;

@@ -1,5 +1,7 @@
 //! What may stand under a key: the one rule that files are checked by and that the window shows.
 
+use crate::language::{Text, said};
+
 /// Beyond this no unit of this world makes sense, and squares begin to overflow.
 const LARGEST: f64 = 1e15;
 /// Likewise below.
@@ -36,7 +38,7 @@ impl Range {
         if value.is_finite() {
             (!self.takes(value)).then(|| self.remedy(value))
         } else {
-            Some(format!("it must be a finite number: {}", self.remedy(value)))
+            Some(said!("wrong-not-finite", "remedy" => self.remedy(value)))
         }
     }
 
@@ -53,14 +55,18 @@ impl Range {
     fn remedy(self, value: f64) -> String {
         let sized = value.is_finite() && value > 0.0;
         match self {
-            Self::Positive if sized => "give a number from 1e-15 to 1e15".into(),
-            Self::Positive => "give a number greater than 0".into(),
-            Self::NotNegative | Self::NotBelow(_) if sized => "give a number no larger than 1e15".into(),
-            Self::NotNegative | Self::NotBelow(_) => "give 0 or a number greater than 0".into(),
-            Self::Within([low, high]) => format!("give a number from {low:?} to {high:?}"),
-            Self::Between([low, high]) => format!("give a number between {low:?} and {high:?}, the limits excluded"),
+            Self::Positive if sized => Text::new("wrong-extreme").into(),
+            Self::Positive => Text::new("wrong-not-positive").into(),
+            Self::NotNegative | Self::NotBelow(_) if sized => Text::new("wrong-too-large").into(),
+            Self::NotNegative | Self::NotBelow(_) => Text::new("wrong-negative").into(),
+            Self::Within([low, high]) => {
+                said!("wrong-outside", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
+            }
+            Self::Between([low, high]) => {
+                said!("wrong-not-between", "low" => format!("{low:?}"), "high" => format!("{high:?}"))
+            }
             Self::Any | Self::Words(_) | Self::Switch | Self::Like(_) | Self::Free => {
-                "give a plain number, no larger than 1e15".into()
+                Text::new("wrong-not-plain").into()
             }
         }
     }
@@ -73,22 +79,6 @@ impl Range {
             Self::NotNegative | Self::NotBelow(_) => wanted.clamp(0.0, LARGEST),
             _ if self.fault(wanted).is_some() => now,
             _ => wanted,
-        }
-    }
-
-    /// The rule in a few words; `number` writes the limits.
-    pub fn words(self, number: impl Fn(f64) -> String) -> String {
-        match self {
-            Self::Any => "any number".into(),
-            Self::Positive => format!("more than {}", number(0.0)),
-            Self::NotNegative => format!("{} or more", number(0.0)),
-            Self::NotBelow(key) => format!("{} or more, not less than {key}", number(0.0)),
-            Self::Within([low, high]) => format!("from {} to {}", number(low), number(high)),
-            Self::Between([low, high]) => format!("between {} and {}", number(low), number(high)),
-            Self::Words(words) => words.join(", "),
-            Self::Switch => "on or off".into(),
-            Self::Like(words) => words.into(),
-            Self::Free => "anything".into(),
         }
     }
 }
